@@ -223,6 +223,6 @@ def test_the_commands_agree_with_each_other(tmp_path, capsys):
     said = capsys.readouterr().out
     share = hours(read_record(record), [sea_limit("hs <= 2 m")]).share
     assert f"workable: {share:.2%} of all" in said
-    assert "kept back from 2003 on" in said
+    assert "held back from 2003 on" in said
     assert len(table.read_text().splitlines()) == 4
     assert picture.stat().st_size > 10_000

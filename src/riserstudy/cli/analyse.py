@@ -58,15 +58,15 @@ def effects(
     scene: SceneArgument,
     settings: SetOption = None,
     every: Annotated[
-        bool, typer.Option("--all", help="also those that need more than this scene has")
+        bool, typer.Option("--all", help="also list effects that need further inputs")
     ] = False,
     times: Annotated[
-        bool, typer.Option("--times", help="also what share of a run each takes")
+        bool, typer.Option("--times", help="also give the share of run time of each")
     ] = False,
 ) -> None:
     """List the effects of a scene with the lines that include them, and effects that it could include.
 
-    ``advise`` estimates what each changes and costs.
+    ``advise`` estimates how much each effect changes the results, and its run time.
     """
     from rich.console import Console
     from rich.table import Table
@@ -137,7 +137,7 @@ def advise(scene: SceneArgument, settings: SetOption = None) -> None:
 def modes(
     scene: SceneArgument,
     settings: SetOption = None,
-    count: Annotated[int, typer.Option(min=1, max=1000, help="how many")] = 10,
+    count: Annotated[int, typer.Option(min=1, max=1000, help="number of modes")] = 10,
     output: Annotated[
         Path | None,
         typer.Option(

@@ -33,14 +33,14 @@ ColumnOption = Annotated[
     list[str] | None,
     typer.Option(
         "--column",
-        help="what a column is of a run: 'Line 1 Te=effective_tension at 300 m (kN)'; may be repeated",
+        help="quantity that a column holds: 'Line 1 Te=effective_tension at 300 m (kN)'; may be repeated",
         metavar="NAME=HEADING",
     ),
 ]
 EndAOption = Annotated[
     str | None,
     typer.Option(
-        help="where OrcaFlex's arc length begins: top, bottom, or '872 m down' of a part",
+        help="origin of OrcaFlex's arc length: top, bottom, or '872 m down' for a line that is a part",
         metavar="PLACE",
     ),
 ]
@@ -60,11 +60,12 @@ def compare(
 ) -> None:
     """Compare a run with a time series or values along the riser: differences, lag, and a figure.
 
-    The first column of a table is `time (s)` or `s (m)`; the others name a variable, place and unit, such
-    as `effective_tension at 300 m (kN)`. `wall_tension` is converted by the pressures of the scene. Cells are
-    apart by commas, semicolons or tabs. Time histories and range graphs of OrcaFlex are read as they are:
-    `Effective tension (kN)` over `Arc length (m)`. Time series of SIMA, RIFLEX, Matlab and others are read by
-    qats (`pip install "riserstudy[formats]"`), with `--column` for their names.
+    The first column of a table is `time (s)` or `s (m)`. The other headings name a variable, its place and
+    its unit, such as `effective_tension at 300 m (kN)`. Commas, semicolons or tabs separate the cells. A
+    `wall_tension` is converted with the pressures of the scene. The command also reads time histories and
+    range graphs of OrcaFlex, such as `Effective tension (kN)` over `Arc length (m)`. With `qats` (`pip
+    install "riserstudy[formats]"`) it reads time series of SIMA, RIFLEX, Matlab and others; --column names
+    their columns.
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.diff import opened
@@ -86,7 +87,7 @@ def compare(
     with reading_in(units), as_written():
         _print([(pair, difference(pair)) for pair in found])
         save(comparison(found, str(of_run.attrs.get("title", "a run")), other.name), output)
-    print("differences: run less table; a lag is positive where the run is later")
+    print("differences: run minus table; the lag is positive if the run is later")
     for note in notes:
         print(f"{other.name}: {note}")
     for pair in found:

@@ -30,13 +30,18 @@ TensionRatioOption = Annotated[
     typer.Option(min=0.01, max=1.0, help="R_f: vertical tension over setting, such as 0.95"),
 ]
 WeightOption = Annotated[
-    float, typer.Option(min=0.1, max=10.0, help="tolerance on steel: 1.05, or 1 if weighed")
+    float,
+    typer.Option(min=0.1, max=10.0, help="tolerance factor on steel weight: 1.05, or 1 if weighed"),
 ]
 BuoyancyOption = Annotated[
-    float, typer.Option(min=0.0, max=10.0, help="tolerance on modules: 0.96, or 1 if weighed")
+    float,
+    typer.Option(min=0.0, max=10.0, help="tolerance factor on buoyancy: 0.96, or 1 if weighed"),
 ]
 FleetAngleOption = Annotated[
-    str, typer.Option(help="of lines to the vertical, where R_f leaves it out", metavar="ANGLE")
+    str,
+    typer.Option(
+        help="angle of the lines to the vertical, if R_f does not include it", metavar="ANGLE"
+    ),
 ]
 DynamicLimitOption = Annotated[
     str | None,
@@ -44,18 +49,22 @@ DynamicLimitOption = Annotated[
 ]
 ShareOption = Annotated[
     float | None,
-    typer.Option(min=0.01, max=1.0, help="of the limit that a setting may be, such as 0.9"),
+    typer.Option(
+        min=0.01,
+        max=1.0,
+        help="largest allowed setting as a fraction of --dynamic-limit, such as 0.9",
+    ),
 ]
 OverpullOption = Annotated[
     str | None,
-    typer.Option(help="tension wanted between LMRP and stack: 200 kN", metavar="FORCE"),
+    typer.Option(help="tension required between LMRP and BOP stack: 200 kN", metavar="FORCE"),
 ]
 
 
 def tension(
     scene: SceneArgument,
-    units: Annotated[int, typer.Option(min=1, help="tensioner units")],
-    failed: Annotated[int, typer.Option(min=0, help="units that are out")],
+    units: Annotated[int, typer.Option(min=1, help="number of tensioner units")],
+    failed: Annotated[int, typer.Option(min=0, help="number of failed units")],
     tension_ratio: TensionRatioOption,
     weight: WeightOption,
     buoyancy: BuoyancyOption,
@@ -69,10 +78,10 @@ def tension(
 ) -> None:
     """Compute the minimum top tension, and the window of the tension setting.
 
-    By the formula and by the engine, which replaces tensioners by a constant tension. The window lies
-    between the minimum tension, or the tension that lifts the LMRP off with --overpull, and the --share of
-    --dynamic-limit. Exit status 4 where the scene does not give what it takes, such as steel and buoyancy
-    apart.
+    The minimum tension is computed by the formula and by the engine, which replaces tensioners by a constant
+    tension. The window begins at the minimum tension, or at the tension that lifts the LMRP off with
+    --overpull, and ends at --share times --dynamic-limit. The exit status is 4 if the scene lacks an input,
+    such as separate weights of steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -117,19 +126,20 @@ def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
 def operability(
     scene: SceneArgument,
     reach: Annotated[
-        str, typer.Option(help="how far to either side of the well to look", metavar="LENGTH")
+        str,
+        typer.Option(help="largest offset to either side of the well: '100 m'", metavar="LENGTH"),
     ],
     allowance: Annotated[
         list[str] | None,
         typer.Option(
-            help="what waves add: lfj_angle='0.5 deg'; may be repeated", metavar="OUTPUT=VALUE"
+            help="allowance for waves: lfj_angle='0.5 deg'; may be repeated", metavar="OUTPUT=VALUE"
         ),
     ] = None,
     settings: SetOption = None,
 ) -> None:
     """Compute the static offset range within which each limit is met.
 
-    Exit status 4 where one could not be evaluated.
+    The exit status is 4 if a limit could not be evaluated.
     """
     from riserstudy.dataset.limits import label
 
@@ -150,28 +160,31 @@ def operability(
 def envelope(
     scene: SceneArgument,
     reach: Annotated[
-        str, typer.Option(help="how far to either side of the well to look", metavar="LENGTH")
+        str,
+        typer.Option(help="largest offset to either side of the well: '100 m'", metavar="LENGTH"),
     ],
     current: Annotated[
         list[str],
-        typer.Option(help="speed at the surface: '0.5 m/s'; may be repeated", metavar="SPEED"),
+        typer.Option(
+            help="current speed at the surface: '0.5 m/s'; may be repeated", metavar="SPEED"
+        ),
     ],
     sea: Annotated[
         list[str] | None,
         typer.Option(
-            help="significant height and peak period: '4 m, 10 s'; may be repeated; absent: calm",
+            help="significant height and peak period: '4 m, 10 s'; may be repeated; default: no waves",
             metavar="HEIGHT,PERIOD",
         ),
     ] = None,
-    seeds: Annotated[int, typer.Option(min=5, help="runs of each sea")] = 5,
+    seeds: Annotated[int, typer.Option(min=5, help="number of runs of each sea")] = 5,
     settings: SetOption = None,
     csv: CsvOption = None,
     force: ForceOption = False,
 ) -> None:
     """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
 
-    On risers at rest, with what each sea adds in runs of the scene at its own current and offset, which
-    nine seas in ten do not exceed. Exit status 4 where a limit could not be evaluated.
+    The envelope is static. Each sea adds an allowance from runs of the scene at its own current and offset,
+    which nine seas in ten do not exceed. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -196,21 +209,21 @@ def envelope(
 
 def viv(
     scene: SceneArgument,
-    strouhal: Annotated[
-        float, typer.Option(help="shedding frequency over U / D; 0.17 to 0.25")
-    ] = 0.2,
+    strouhal: Annotated[float, typer.Option(help="Strouhal number f D / U; 0.17 to 0.25")] = 0.2,
     slowest: Annotated[
-        float, typer.Option(help="reduced velocity U / (f D) from which a mode may lock in; 3 to 5")
+        float, typer.Option(help="lowest reduced velocity U / (f D) of lock-in; 3 to 5")
     ] = 4.0,
-    fastest: Annotated[float, typer.Option(help="and up to which; 7 to 10")] = 8.0,
+    fastest: Annotated[
+        float, typer.Option(help="highest reduced velocity of lock-in; 7 to 10")
+    ] = 8.0,
     lift: Annotated[
-        float, typer.Option(help="coefficient of lift in phase with velocity; 0.6 to 1.3")
+        float, typer.Option(help="lift coefficient in phase with velocity; 0.6 to 1.3")
     ] = 1.2,
     drag: Annotated[
-        float | None, typer.Option(help="drag coefficient; absent: the scene's own")
+        float | None, typer.Option(help="drag coefficient; default: that of the scene")
     ] = None,
     drag_gain: Annotated[
-        float, typer.Option(help="growth of drag by amplitude over diameter; 1.1 to 2.1")
+        float, typer.Option(help="increase of drag per amplitude in diameters; 1.1 to 2.1")
     ] = 2.1,
     settings: SetOption = None,
     csv: CsvOption = None,
@@ -219,8 +232,9 @@ def viv(
 ) -> None:
     """Screen a riser in a current for vortex-induced vibration: modes, places, amplitudes, drag.
 
-    By the modes about the static equilibrium and reduced velocities alone: nothing is simulated over time.
-    The amplitude of each mode is where the power of drag equals the power of lift, as if it vibrated alone.
+    The screening uses only the modes about the static equilibrium and reduced velocities, without a
+    simulation over time. It computes the amplitude of each mode as if that mode vibrated alone: the power of
+    lift equals the power of drag.
     """
     from riserstudy.dataset.table import Cell, Table
 

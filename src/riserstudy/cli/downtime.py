@@ -50,35 +50,40 @@ RecordArgument = Annotated[
 SceneOption = Annotated[
     Path | None,
     typer.Option(
-        help="riser whose limits hold, with an irregular sea and a duration",
+        help="riser whose limits apply; with an irregular sea and a duration",
         metavar="SCENE.yaml",
     ),
 ]
 LimitOption = Annotated[
     list[str] | None,
-    typer.Option(help="'hs <= 2.5 m'; may be repeated: all must be met", metavar="LIMIT"),
+    typer.Option(
+        help="limit on the sea: 'hs <= 2.5 m'; may be repeated, and all must be met",
+        metavar="LIMIT",
+    ),
 ]
 WindowOption = Annotated[
     list[str] | None,
-    typer.Option(help="length of work in one go: '24 h'; may be repeated", metavar="TIME"),
+    typer.Option(help="length of a weather window: '24 h'; may be repeated", metavar="TIME"),
 ]
-NextOption = Annotated[int, typer.Option("--next", min=1, max=MOST_AHEAD, help="years to come")]
+NextOption = Annotated[
+    int, typer.Option("--next", min=1, max=MOST_AHEAD, help="number of future years")
+]
 PersistenceOption = Annotated[
     float,
     typer.Option(
         min=LEAST_PERSISTENCE,
         max=MOST_PERSISTENCE,
-        help="Hurst exponent of the shares of years; 0.5: they do not depend on one another",
+        help="Hurst exponent of the yearly shares; 0.5: years are independent",
     ),
 ]
 HoldBackOption = Annotated[
     int,
-    typer.Option(min=0, help="last years to keep back, predicted from those before"),
+    typer.Option(min=0, help="number of last years to hold back and predict from the earlier ones"),
 ]
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="the hours with this value in place, a row each: platform.position.surge='5 m'; "
+        help="also compute the hours with this value: platform.position.surge='5 m'; "
         "may be repeated",
         metavar="PATH=VALUE",
     ),
@@ -86,28 +91,30 @@ VaryOption = Annotated[
 SectorsOption = Annotated[
     int | None,
     typer.Option(
-        min=2, max=36, help="headings that the record's directions become; with --x-towards"
+        min=2, max=36, help="number of headings that directions are sorted into; with --x-towards"
     ),
 ]
 XTowardsOption = Annotated[
     str | None,
-    typer.Option(help="bearing that the scene's x points to: '90 deg'", metavar="ANGLE"),
+    typer.Option(help="compass bearing of the x axis of the scene: '90 deg'", metavar="ANGLE"),
 ]
-SeedsOption = Annotated[int, typer.Option(min=1, help="runs of each sea state")]
+SeedsOption = Annotated[int, typer.Option(min=1, help="number of runs of each sea state")]
 ErrorOption = Annotated[
     float,
     typer.Option(
         min=0.001,
         max=0.5,
-        help="of the response between sea states, as part of what is allowed",
+        help="tolerance on the interpolated response, as a fraction of the allowable",
     ),
 ]
-MostOption = Annotated[int, typer.Option(min=20, help="sea states to simulate at most")]
-CoresOption = Annotated[int | None, typer.Option(min=1, help="processes; absent: as many as cores")]
+MostOption = Annotated[int, typer.Option(min=20, help="largest number of sea states to simulate")]
+CoresOption = Annotated[
+    int | None, typer.Option(min=1, help="number of processes; default: number of cores")
+]
 ResponsesOption = Annotated[
     Path | None,
     typer.Option(
-        "-o", "--output", help="write the simulated responses here (netCDF)", metavar="OUT.nc"
+        "-o", "--output", help="also write the simulated responses here (netCDF)", metavar="OUT.nc"
     ),
     Writes("dataset"),
 ]
@@ -136,12 +143,12 @@ def downtime(
     units: UnitsOption = UnitSystem.FIELD,
     force: ForceOption = False,
 ) -> None:
-    """Compute the hours of a record that limits leave, the windows, and the waits for them.
+    """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    Bands are predictions from whole years by Student's t, with years that persist. A window ends at a gap of
-    the record; a wait that meets one counts as longer than that. With --scene, limits are those of a riser:
-    sea states of the record are simulated until the response between them is known to --error, at others
-    that are simulated too.
+    Prediction bands use the shares of whole years, Student's t and the --persistence of years. A window ends
+    at a gap of the record, and a wait that reaches a gap counts as longer. With --scene, the limits are
+    those of a riser. The command then simulates sea states of the record until the response interpolated
+    between them meets --error. Further simulated sea states check this.
     """
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {

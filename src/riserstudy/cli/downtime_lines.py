@@ -36,7 +36,7 @@ def show_riser(
         print(line)
     for one in made.hours.modes:
         print(f"{one.mode}: {one.hours.share:.2%} of {one.hours.rows} rows")
-        print(f"  {one.low:.2%} to {one.high:.2%} by what is not known of the response")
+        print(f"  {one.low:.2%} to {one.high:.2%} because of the error of the response")
         print(f"  {banded(one.hours.mean_year(ahead.persistence))} of a mean year")
         show_hours(one.hours, lengths, ahead, "  ")
     show(in_units(made.hours.limits, units), csv)
@@ -50,7 +50,7 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
         each = "; ".join(f"{of.low:.2%} to {of.high:.2%} at {h:g}" for h, of in others)
         print(f"{indent}  persistence of years {ahead.persistence:g}; {each}")
     for year in found.partial_years:
-        print(f"{indent}{year.year}: {year.recorded:.0%} recorded, left out of these bands")
+        print(f"{indent}{year.year}: {year.recorded:.0%} recorded, excluded from these bands")
     for length in lengths:
         of = found.of_windows(length)
         print(
@@ -82,7 +82,7 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
     predicted = known.next_years(*last)
     outcome = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
     print(
-        f"kept back from {first} on: predicted {banded(predicted)}, came {came.band.share:.2%}: {outcome}"
+        f"held back from {first} on: predicted {banded(predicted)}, observed {came.band.share:.2%}: {outcome}"
     )
 
 
@@ -90,4 +90,4 @@ def banded(of: Band) -> str:
     """A share with its band."""
     if math.isnan(of.low):
         return f"{of.share:.2%} (no band: one year, or years alike)"
-    return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} in nine of ten)"
+    return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} with 90 % probability)"

@@ -31,23 +31,30 @@ StudyArgument = Annotated[
 ]
 ScatterOption = Annotated[
     Path | None,
-    typer.Option(help="how often sea states occur: hs (m),tp (s),share (%)", metavar="TABLE.csv"),
+    typer.Option(help="scatter table, with columns hs (m),tp (s),share (%)", metavar="TABLE.csv"),
 ]
 SeasOption = Annotated[
     Path | None,
-    typer.Option(help="record of sea states in place of a table", metavar="RECORD"),
+    typer.Option(help="record of sea states, instead of a scatter table", metavar="RECORD"),
 ]
 GammaOption = Annotated[
     float,
-    typer.Option(min=1.0, max=7.0, help="of a record, by which zero-crossing become peak periods"),
+    typer.Option(
+        min=1.0,
+        max=7.0,
+        help="JONSWAP gamma that converts zero-crossing periods of a record to peak periods",
+    ),
 ]
 CalmOption = Annotated[
-    bool, typer.Option("--calm", help="count seas below the lowest simulated value as that")
+    bool,
+    typer.Option(
+        "--calm", help="treat seas below the lowest simulated height or period as the lowest one"
+    ),
 ]
 WithoutOption = Annotated[
     Path | None,
     typer.Option(
-        help="the same study without vortex-induced vibration, whose share is then computed",
+        help="the same study without vortex-induced vibration, to compute the share of the vibration",
         metavar="STUDY.nc",
     ),
 ]
@@ -77,10 +84,10 @@ def fatigue(
     plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Sum fatigue damage over the sea states that occur: damage a year, life, and the seas that bring half.
+    """Compute fatigue damage per year and fatigue life from a study of sea states and their occurrence.
 
-    Each detail of the scene where its damage is largest, unfactored and factored. Sea states outside of those
-    simulated are refused.
+    The table gives each fatigue detail at the place with the largest damage, unfactored and factored, and the
+    sea states that cause half of it. Sea states outside the simulated range are refused.
     """
     reads = [path for path in (study, scatter, seas, without) if path]
     check_targets(reads, force, csv, plot)

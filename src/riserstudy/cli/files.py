@@ -37,25 +37,30 @@ def import_deck(
     deck: Annotated[
         Path,
         typer.Argument(
-            help="OrcaFlex text model; WAMIT's .4, or Capytaine's dataset with an RAO",
+            help="OrcaFlex text model, .4 file of WAMIT, or Capytaine dataset with RAOs",
             metavar="DECK.yml",
         ),
     ],
     output: Annotated[
         Path,
         typer.Option(
-            "-o", "--output", help="scene to write; of operators a table", metavar="SCENE.yaml"
+            "-o",
+            "--output",
+            help="scene to write, or CSV table if the input holds RAOs",
+            metavar="SCENE.yaml",
         ),
         Writes("scene", "table of operators"),
     ],
     length: Annotated[
-        str | None, typer.Option(help="ULEN of WAMIT's body, for .4: 1 m", metavar="LENGTH")
+        str | None,
+        typer.Option(help="ULEN of the WAMIT body, for a .4 file: 1 m", metavar="LENGTH"),
     ] = None,
     force: ForceOption = False,
 ) -> None:
     """Convert an OrcaFlex text model of a vertical riser to a scene, or platform RAOs to a table.
 
-    Everything that is not in the scene is named; what would make it another riser is refused.
+    The command lists everything that it leaves out of the scene. It refuses a model that a scene cannot
+    represent.
     """
     if deck.suffix in (".4", ".nc"):
         _import_operators(deck, output, length, force)
@@ -78,14 +83,14 @@ def export_deck(
         Writes("deck"),
     ],
     orcaflex: Annotated[
-        bool, typer.Option("--orcaflex", help="as OrcaFlex's text model, the one format yet")
+        bool, typer.Option("--orcaflex", help="write OrcaFlex's text model, the only format so far")
     ] = True,
     settings: SetOption = None,
     force: ForceOption = False,
 ) -> None:
     """Write a scene as the OrcaFlex text model of its riser.
 
-    Everything of the scene that is not in the deck, or is otherwise in it, is named.
+    The command lists everything that the model leaves out or represents differently.
     """
     from riserstudy.export.orcaflex import write_deck
 
@@ -133,7 +138,7 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
 def new(
     folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()],
 ) -> None:
-    """Make a folder for your own study: Snakefile, configuration, an example to change."""
+    """Make a folder for your own study, with a Snakefile, a configuration and an example to edit."""
     from riserstudy.study.new import new_study
 
     new_study(folder)
@@ -142,7 +147,7 @@ def new(
 
 def schema(
     kind: Annotated[
-        str, typer.Argument(help="scene, study, config or claims", metavar="[KIND]")
+        str, typer.Argument(help="kind of file: scene, study, config or claims", metavar="[KIND]")
     ] = "scene",
 ) -> None:
     """Print the JSON schema of scene, study, configuration or claims files, for editors."""

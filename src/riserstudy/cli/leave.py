@@ -40,10 +40,10 @@ def recoil(
     csv: CsvOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Simulate an emergency disconnect: overpull, lift, clearance, re-contact, strokes, speed of the mud.
+    """Simulate an emergency disconnect: overpull, lift, clearance, re-contact, strokes, mud velocity.
 
-    Exit status 2 where the scene has no disconnect within its run, 4 where the smallest clearance could not
-    be evaluated.
+    The exit status is 2 if the scene has no disconnect within its run, and 4 if the smallest clearance could
+    not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)
@@ -75,13 +75,15 @@ class Mode(StrEnum):
 def watch_circles(
     scene: SceneArgument,
     disconnect: Annotated[
-        str, typer.Option(help="time from the red alarm until the LMRP is off", metavar="TIME")
+        str,
+        typer.Option(help="time from the red alarm to the disconnect of the LMRP", metavar="TIME"),
     ],
     prepare: Annotated[
         str, typer.Option(help="time from the yellow alarm to the red alarm", metavar="TIME")
     ],
     mode: Annotated[
-        list[Mode] | None, typer.Option(help="limits of this mode; may be repeated; absent: all")
+        list[Mode] | None,
+        typer.Option(help="use only limits of this mode; may be repeated; default: all"),
     ] = None,
     settings: SetOption = None,
     accuracy: AccuracyOption = None,
@@ -89,10 +91,10 @@ def watch_circles(
     csv: CsvOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Simulate a drift-off or a drive-off: when each limit is reached, the red and the yellow circle.
+    """Simulate a drift-off or a drive-off: the time at which each limit is reached, and the watch circles.
 
-    The scene has a `vessel`, with first-order motions in waves where it has a platform, too; or a platform
-    with `cruise`. Exit status 4 where a limit could not be evaluated.
+    The scene must have a `vessel` or a platform with `cruise`. With both a `vessel` and a platform, the
+    vessel also has first-order motions in waves. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)

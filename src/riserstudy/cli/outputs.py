@@ -37,10 +37,10 @@ class PlotKind(StrEnum):
 def plot(
     dataset: DatasetArgument,
     output: FigureOutput,
-    kind: Annotated[PlotKind, typer.Option(help="which plot")] = PlotKind.RANGE,
+    kind: Annotated[PlotKind, typer.Option(help="kind of plot")] = PlotKind.RANGE,
     of: Annotated[
         list[str] | None,
-        typer.Option(help="quantity to show: bending_moment; may be repeated", metavar="NAME"),
+        typer.Option(help="quantity to plot: bending_moment; may be repeated", metavar="NAME"),
     ] = None,
     at: AtOption = None,
     force: ForceOption = False,
@@ -75,11 +75,17 @@ def table(
     ],
     output: Annotated[
         Path,
-        typer.Option("-o", "--output", help="table to write, or .xlsx of all", metavar="OUT.csv"),
+        typer.Option(
+            "-o",
+            "--output",
+            help="table to write, or an .xlsx workbook of all tables",
+            metavar="OUT.csv",
+        ),
         Writes("table", "workbook"),
     ],
     kind: Annotated[
-        TableKind | None, typer.Option(help="which table; absent: extremes, all of a workbook")
+        TableKind | None,
+        typer.Option(help="kind of table; default: extremes, or all in a workbook"),
     ] = None,
     settings: SetOption = None,
     force: ForceOption = False,
@@ -87,8 +93,8 @@ def table(
 ) -> None:
     """Write a table as CSV: stack-up, extremes, time series, limits, recoil; or all as a workbook.
 
-    A scene is simulated for all but the stack-up; a dataset (OUT.nc) is read. Workbooks (OUT.xlsx) need the
-    extra `riserstudy[workbook]`.
+    The input is a scene, which is simulated for every table except the stack-up, or the dataset of a run.
+    Workbooks (OUT.xlsx) need the extra `riserstudy[workbook]`.
     """
     from riserstudy.dataset import tables, workbook
 
@@ -141,14 +147,20 @@ def statistics(
         Writes("table"),
     ],
     start: Annotated[
-        str, typer.Option(help="leave out what is before: 200 s", metavar="TIME")
+        str, typer.Option(help="leave out times before this one: 200 s", metavar="TIME")
     ] = "0 s",
     exposure: Annotated[
         str | None,
-        typer.Option(help="time for which extremes are estimated: 3 h; absent: the record's"),
+        typer.Option(
+            help="duration that extremes are estimated for: 3 h; default: the duration of the record"
+        ),
     ] = None,
     over: Annotated[
-        str | None, typer.Option(help="axis of seeds: extremes by Gumbel", metavar="AXIS")
+        str | None,
+        typer.Option(
+            help="axis of seeds, over which a Gumbel distribution is fitted to extremes",
+            metavar="AXIS",
+        ),
     ] = None,
     at: AtOption = None,
     force: ForceOption = False,

@@ -20,7 +20,7 @@ ResultsOption = Annotated[Path, typer.Option("--results", help="results folder",
 
 CsvOption = Annotated[
     Path | None,
-    typer.Option("--csv", help="write it to a file instead", metavar="FILE.csv"),
+    typer.Option("--csv", help="write the result to a file instead", metavar="FILE.csv"),
     Writes("table"),
 ]
 
@@ -33,17 +33,17 @@ def results(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            help="a study, or words that points must contain", metavar="[STUDY | FILTER...]"
+            help="name of a study, or words to search points for", metavar="[STUDY | FILTER...]"
         ),
     ] = None,
     where: Annotated[
-        str | None, typer.Option(help="which points: 'heave_amplitude > 3'", metavar="CONDITION")
+        str | None,
+        typer.Option(help="condition on points: 'heave_amplitude > 3'", metavar="CONDITION"),
     ] = None,
-    columns: Annotated[
-        str | None, typer.Option(help="what to show of them", metavar="A,B,...")
-    ] = None,
+    columns: Annotated[str | None, typer.Option(help="columns to show", metavar="A,B,...")] = None,
     sort: Annotated[
-        str | None, typer.Option(help="by which columns; -A from the largest", metavar="A,B,...")
+        str | None,
+        typer.Option(help="columns to sort by; -A sorts from the largest", metavar="A,B,..."),
     ] = None,
     csv: CsvOption = None,
     as_json: JsonOption = False,
@@ -52,8 +52,8 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    Words list the points that contain all of them: key, study, place on its axes, scene, engine, time and
-    effects.
+    If the arguments are words, the command lists the points that contain all of them in their key, study,
+    axis values, scene, engine, time or effects.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, opened
@@ -76,7 +76,7 @@ def results(
 
 
 def sql(
-    statement: Annotated[str, typer.Argument(help="one select", metavar="STATEMENT")],
+    statement: Annotated[str, typer.Argument(help="one SELECT statement", metavar="STATEMENT")],
     csv: CsvOption = None,
     as_json: JsonOption = False,
     folder: ResultsOption = IN_RESULTS,
@@ -123,9 +123,9 @@ def _show(
 
 
 def verify(folder: ResultsOption = IN_RESULTS) -> None:
-    """Compare every dataset, figure, table and stored point with the digest it had.
+    """Compare every dataset, figure, table and stored point with its recorded digest.
 
-    Exit status 1 where something differs.
+    The exit status is 1 if anything differs.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.verify import verify as verified
@@ -135,7 +135,7 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
         print(line)
     print(f"{len(verdict.wrong)} faults in {verdict.files} files and {verdict.points} points")
     if verdict.gone:
-        print(f"{verdict.gone} points are not in this store; their datasets do without them")
+        print(f"{verdict.gone} points are not in this store; their datasets do not need them")
     if verdict.wrong:
         raise typer.Exit(1)
 
@@ -143,18 +143,19 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
 def prune(
     every: Annotated[
         bool,
-        typer.Option("--all", help="also points of this engine that no study here refers to"),
+        typer.Option("--all", help="also remove points of this engine that no study here uses"),
     ] = False,
-    yes: Annotated[bool, typer.Option("--yes", help="do not ask")] = False,
+    yes: Annotated[bool, typer.Option("--yes", help="do not ask for confirmation")] = False,
     config: Annotated[
         Path, typer.Option(help="folder of the configuration", metavar="FOLDER")
     ] = Path("config"),
     folder: ResultsOption = IN_RESULTS,
 ) -> None:
-    """Remove stored points that nothing needs, after showing their size and asking for agreement.
+    """Remove stored points that no result needs, after confirmation; their size is shown first.
 
-    Unneeded are points of other engine versions, of former file formats, and damaged ones. Where studies of
-    several folders share a store, ``--all`` takes what only the others need.
+    It removes damaged points and points of other engine versions or former file formats. ``--all`` also
+    removes points of this engine that this folder does not need. Other folders that share the store may need
+    them.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded
@@ -197,11 +198,11 @@ def crate(
 
 def diff(
     old: Annotated[Path, typer.Argument(help="results folder, dataset or table", metavar="OLD")],
-    new: Annotated[Path, typer.Argument(help="the same, made anew", metavar="NEW")],
+    new: Annotated[Path, typer.Argument(help="the new version of it", metavar="NEW")],
 ) -> None:
-    """Say what changed between two sets of results: published numbers, verdicts, every dataset.
+    """List the changes between two sets of results: published numbers, verdicts, every dataset.
 
-    Exit status 1 where something did.
+    The exit status is 1 if anything changed.
     """
     from rich.console import Console
     from rich.table import Table

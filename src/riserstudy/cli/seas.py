@@ -25,16 +25,18 @@ RecordArgument = Annotated[
 ]
 SyntheticOption = Annotated[
     int | None,
-    typer.Option(min=1, max=100, help="make a record of so many years instead"),
+    typer.Option(min=1, max=100, help="make a synthetic record of this number of years instead"),
 ]
 GammaOption = Annotated[
     float,
-    typer.Option(min=1.0, max=7.0, help="peakedness by which zero-crossing become peak periods"),
+    typer.Option(
+        min=1.0, max=7.0, help="JONSWAP gamma that converts zero-crossing to peak periods"
+    ),
 ]
 NearOption = Annotated[
     str | None,
     typer.Option(
-        help="of a netCDF file of several places: the nearest to this", metavar="'LAT, LON'"
+        help="use the nearest place of a netCDF file with several places", metavar="'LAT, LON'"
     ),
 ]
 ContourOption = Annotated[
@@ -42,7 +44,7 @@ ContourOption = Annotated[
     typer.Option(
         min=1,
         max=10000,
-        help="years in which a contour of height and period is exceeded once; needs virocon",
+        help="return period of a contour of height and period, in years; needs virocon",
         metavar="YEARS",
     ),
 ]
@@ -56,7 +58,7 @@ OutputOption = Annotated[
 def seas(
     record: RecordArgument = None,
     synthetic: SyntheticOption = None,
-    seed: Annotated[int, typer.Option(min=0, help="of the synthetic record")] = 1,
+    seed: Annotated[int, typer.Option(min=0, help="seed of the synthetic record")] = 1,
     gamma: GammaOption = 3.3,
     near: NearOption = None,
     period: ReturnOption = None,
@@ -65,9 +67,10 @@ def seas(
     output: OutputOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Read a record of sea states, say what it holds, and write it with labels.
+    """Read a record of sea states, summarise it, and write it as a labelled dataset.
 
-    Gaps are named and never filled. A CSV file has a header such as ``time,hs (m),tp (s)``, times in UTC.
+    The command lists gaps and never fills them. A CSV file has a header such as ``time,hs (m),tp (s)``,
+    times in UTC.
     """
     if (record is None) == (synthetic is None):
         raise InputError("RECORD", "", "none or two", "give a record, or --synthetic YEARS")

@@ -28,7 +28,7 @@ SetOption = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
-        help="set a value: platform.heave.amplitude='3 m'; may be repeated",
+        help="replace a value of the scene: platform.heave.amplitude='3 m'; may be repeated",
         metavar="PATH=VALUE",
     ),
 ]
@@ -36,14 +36,16 @@ SetOption = Annotated[
 AtOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--at", help="which point: heave_amplitude=5; may be repeated", metavar="AXIS=VALUE"
+        "--at",
+        help="select a point of a study: heave_amplitude=5; may be repeated",
+        metavar="AXIS=VALUE",
     ),
 ]
 
 
 AccuracyOption = Annotated[
     str | None,
-    typer.Option(help="tolerance, for which mesh and time step are chosen: 1%", metavar="PERCENT"),
+    typer.Option(help="tolerance that mesh and time step are chosen for: 1%", metavar="PERCENT"),
 ]
 DatasetArgument = Annotated[
     Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")
@@ -68,7 +70,7 @@ ReturnOption = Annotated[
 UnitsOption = Annotated[
     UnitSystem,
     typer.Option(
-        help="units of what is written: SI, kN and MPa (field), or feet and kips (us)",
+        help="units of the output: SI, kN and MPa (field), or feet and kips (us)",
     ),
 ]
 
@@ -126,7 +128,7 @@ def _plain_xarray() -> None:
 
 PlotOption = Annotated[
     Path | None,
-    typer.Option(help="also draw it (PNG, PDF or SVG)", metavar="FILE.png"),
+    typer.Option(help="also write a figure (PNG, PDF or SVG)", metavar="FILE.png"),
     Writes("figure"),
 ]
 CsvOption = Annotated[

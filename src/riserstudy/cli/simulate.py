@@ -47,7 +47,7 @@ def run(
         typer.Option(
             "-o",
             "--output",
-            help="dataset to write (netCDF), or CSV: time series, or extremes at rest",
+            help="dataset to write (netCDF), or CSV: time series, or extremes of a static run",
             metavar="OUT.nc",
         ),
         Writes("dataset", "table"),
@@ -57,19 +57,21 @@ def run(
     patience: Annotated[
         str | None,
         typer.Option(
-            help="time limit; the best result so far is written: 30, '10 min'", metavar="SECONDS"
+            help="time limit, after which the best result so far is written: 30, '10 min'",
+            metavar="SECONDS",
         ),
     ] = None,
     force: ForceOption = False,
     units: Annotated[
         UnitSystem | None,
-        typer.Option(help="units of limits (absent: kN and MPa) and of a CSV (absent: SI)"),
+        typer.Option(help="units of limits (default: kN and MPa) and of a CSV file (default: SI)"),
     ] = None,
 ) -> None:
     """Simulate a scene and write its dataset.
 
-    Where patience ends before the accuracy is reached, the best result so far is written, with its
-    estimate and a warning, and the exit status is 0; where no run ends in time, nothing is, and it is 3.
+    If --patience ends before the tolerance is reached, the command writes the best result so far with its
+    estimated error and a warning; the exit status is 0. If no run ends in time, the command writes nothing
+    and the exit status is 3.
     """
     from riserstudy.simulation.simulate import seconds
 
@@ -169,9 +171,10 @@ def check(
 ) -> None:
     """Check a scene against its limits.
 
-    A table with the governing limit first: value, allowable, use, place and time.
+    The table starts with the governing limit. It gives the value, allowable, utilisation, place and time of
+    each.
 
-    Exit status 1 where one is exceeded, else 4 where one could not be evaluated.
+    The exit status is 1 if a limit is exceeded, else 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     require_limits(file)
@@ -193,15 +196,18 @@ def rerun(
     at: AtOption = None,
     output: Annotated[
         Path | None,
-        typer.Option("-o", "--output", help="write all of the run", metavar="OUT.nc"),
+        typer.Option(
+            "-o", "--output", help="also write the complete dataset of the run", metavar="OUT.nc"
+        ),
         Writes("dataset"),
     ] = None,
     force: ForceOption = False,
 ) -> None:
     """Rerun one point from its dataset and compare.
 
-    ``-o`` writes all of the run, with what its study does not keep. Exit status 1 where a variable changed by
-    more than 1e-9 of its largest magnitude; of large histories ten digits are stored.
+    ``-o`` writes the complete run, including outputs that the study does not keep. The exit status is 1 if a
+    variable changed by more than 1e-9 of its largest magnitude. Large time histories are stored with ten
+    digits.
     """
     from riserstudy.dataset.diff import opened
 

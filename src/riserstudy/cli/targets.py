@@ -35,7 +35,7 @@ LOOKED_AT = 1000  # bytes of a file, to tell its kind
 OR_FORCE = "name another file, or add --force to replace this one"
 
 ForceOption = Annotated[
-    bool, typer.Option("--force", help="replace even an input, or a file of another kind")
+    bool, typer.Option("--force", help="replace a file even if it is an input or of another kind")
 ]
 
 

@@ -21,21 +21,22 @@ FEWEST = 2  # points to tune on
 def tune(
     studies: Annotated[Path, typer.Argument(help="study file (YAML)", metavar="STUDY.yaml")],
     study: Annotated[
-        str | None, typer.Argument(help="which study of the file", metavar="[STUDY]")
+        str | None, typer.Argument(help="study of the file to tune", metavar="[STUDY]")
     ] = None,
     accuracy: Annotated[
         str | None,
-        typer.Option(
-            help="error to stay below, such as 1%; absent: that of the study", metavar="PERCENT"
-        ),
+        typer.Option(help="tolerance, such as 1%; default: that of the study", metavar="PERCENT"),
     ] = None,
     points: Annotated[int, typer.Option(min=FEWEST, max=256, help="points to tune on")] = 12,
-    seed: Annotated[int, typer.Option(min=0, help="of the draw of these points")] = 1,
-    write: Annotated[bool, typer.Option("--write", help="write it into the study file")] = False,
+    seed: Annotated[int, typer.Option(min=0, help="seed of the random draw of these points")] = 1,
+    write: Annotated[
+        bool, typer.Option("--write", help="write the settings into the study file")
+    ] = False,
 ) -> None:
     """Find the cheapest mesh, step and method with which all points of a study meet a tolerance.
 
-    It tunes at a few points and checks at others: corners and middle of the axes, and ends of sampled ranges.
+    The command tunes at a few points and checks at others. The points include the corners and the middle of
+    the axes, and the ends of sampled ranges.
     """
     from riserstudy.study.write_tuned import write_tuned
 
