@@ -13,6 +13,6 @@ def test_the_notebook_of_its_page_runs_and_writes_the_table(tmp_path, monkeypatc
         rows = {row["mode"]: row for row in csv.DictReader(file)}
     assert list(rows) == ["drilling", "connected"]
     for row in rows.values():
-        low, high = map(int, row["for what is not known of the response"].split(" to "))
+        low, high = map(int, row["range from the response error"].split(" to "))
         assert 0 < low <= int(row["hours a year"]) <= high <= 8766
     assert int(rows["drilling"]["hours a year"]) < int(rows["connected"]["hours a year"])

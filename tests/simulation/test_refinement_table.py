@@ -19,7 +19,7 @@ ROW = re.compile(
 
 
 def test_the_table_of_one_refinement_is_what_its_scene_does():
-    table = PAGE.partition("### One refinement as a table")[2].partition("\n### ")[0]
+    table = PAGE.partition("### Example of a refinement")[2].partition("\n### ")[0]
     rows = [found.groupdict() for found in ROW.finditer(table)]
     facts = run(load_scene(ROOT / "config/scenes/bench/s2c.yaml").resolved()).facts["refinements"]
     assert [int(row["run"]) for row in rows] == [*range(1, len(facts) + 1)]

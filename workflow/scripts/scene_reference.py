@@ -20,36 +20,37 @@ HEAD = """\
 
 <!-- Written by workflow/scripts/make_reference.py from the models; edits here are lost. -->
 
-A scene file says what is there: YAML, one riser, and what holds, moves and surrounds it.
-**What is absent is not simulated**, and no value has a default that changes physics.
-`riserstudy effects SCENE.yaml` says which effects a scene has and because of which line.
+A scene is a YAML file that describes one riser, its supports, its motions and its surroundings.
+**The engine does not simulate what is absent**, and no value has a default that changes the physics.
+`riserstudy effects SCENE.yaml` lists the effects of a scene, and the line that includes each.
 
-Values carry the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; inside everything
-is SI. [Units](#units) lists their names. A bare number where a unit is needed is refused, and so are a
-rotational stiffness without `/deg` or `/rad`, a pressure that does not say `absolute` or `gauge`, and `t` as
-a force (`tf` is one).
-Elevations count upwards from any datum, the same throughout a scene; arclengths count from the lower end.
+Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts
+them to SI. [Units](#units) lists their names. The engine refuses a bare number where a unit is required, a
+rotational stiffness without `/deg` or `/rad`, a pressure without `absolute` or `gauge`, and `t` as a
+force (`tf` is a force).
+Elevations increase upwards from one datum of your choice; arclengths start at the lower end.
 
-A plain value is *published* in a scene with `paper:`, *given* in one without. Anything else says so:
+A plain value is *published* in a scene with `paper:`, and *given* in a scene without. Other origins are
+written with the value:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
 pin_length: {assumed: 24 m, range: [22.5 m, 30 m], because: "the retracted body is longer than 15 m"}
 roll_centre: {calibrated: 4.5 m, to: paper/ID of the number it was fitted to}
 added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
-interval: {chosen: 0.1 s, because: "what is kept of a run"}
+interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-*Chosen* is what says nothing of the riser: where elevations count from, what is computed and kept.
-`inputs` in `config/published` lists what a paper prints; tests compare plain values of its scenes with it.
-A study can then vary every assumption over its range or options at once.
+*Chosen* values do not describe the riser: for example the datum of elevations, or the outputs.
+`inputs` in `config/published` lists the values that a paper prints; tests compare the plain values of its
+scenes with this list. A study can vary all assumptions together, over their ranges or options.
 
-A table may stand in a CSV file beside the scene, as `profile: {file: current.csv}`. Its first line names
+A table can be given as a CSV file next to the scene, as `profile: {file: current.csv}`. Its first line gives
 the columns with their units, in any order: %s.
 
-Editors that understand JSON schema complete and check scene files with
-[`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Put this
-into the first line of a scene, with the path from there:
+Editors that support JSON schema complete and check scene files with
+[`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Write this
+in the first line of a scene, with the path from the scene:
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -76,10 +77,10 @@ def scene_reference() -> str:
 UNITS = """\
 ## Units
 
-A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. These are the usual
-ones, by the SI unit of what they measure; others that the library pint knows are taken too. Pressures say
-`absolute` or `gauge` behind their unit, moduli and stresses do not. `t` is a tonne, `short_ton` 2000 lb,
-`gal` a US gallon; `lb` is a mass, `lbf`, `kip` and `tf` are forces.
+A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The table lists the
+usual names by SI unit; other names of the library pint are accepted, too. A pressure needs `absolute` or
+`gauge` after its unit; moduli and stresses do not. `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a
+US gallon. `lb` is a mass; `lbf`, `kip` and `tf` are forces.
 
 | SI unit | names |
 |---|---|

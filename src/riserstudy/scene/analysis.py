@@ -20,16 +20,16 @@ MOST_VALUES = 300_000_000  # of a history at all its times and places: 2.4 GB
 
 
 class Layers(Strict):
-    """Lengths at the riser's ends in which bending is confined, about sqrt(EI/T). Absent end: none."""
+    """Lengths at the riser's ends to which bending is confined, about sqrt(EI/T). By default: none."""
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
     top: Annotated[u.Length, POSITIVE] | None = None
 
 
 class Mesh(Strict):
-    """Segments, equal within each section, at least so many in all.
+    """Number of segments, at least; they have equal lengths within each section.
 
-    With ``layers`` about so many, the finer the closer to an end that has one.
+    With ``layers`` the number is approximate, and segments become shorter towards an end that has a layer.
     """
 
     elements: Annotated[int, Field(ge=1, le=20000), WHOLE]
@@ -37,22 +37,22 @@ class Mesh(Strict):
 
 
 class GeneralisedAlpha(Strict):
-    """Implicit stepping with spectral radius rho_inf at high frequency."""
+    """Implicit time integration with spectral radius rho_inf at high frequency."""
 
     rho_inf: Annotated[float, Field(ge=0, le=1)]
 
 
 class Newmark(Strict):
-    """Newmark's implicit stepping."""
+    """Newmark's implicit time integration."""
 
     beta: Annotated[float, Field(ge=0.001, le=1)]
     gamma: Annotated[float, Field(ge=0, le=1)]
 
 
 class Output(Strict):
-    """Times and places of histories. Absent from: the start; absent stations: all nodes.
+    """Times and places of time histories. By default they begin at the start, at all nodes.
 
-    ``stress_in`` names a section whose largest stress at the outer fibre is wanted over time.
+    ``stress_in`` names a section whose largest stress at the outer fibre is output over time.
     """
 
     interval: Annotated[u.Time, POSITIVE]
@@ -68,12 +68,14 @@ class Output(Strict):
 
 
 class Analysis(Strict):
-    """What is computed.
+    """Settings of the computation.
 
-    Absent duration: statics only. Absent start: equilibrium; undeflected is that without current. Absent
-    mesh, step: by accuracy (0.2 % of displacement, 1 % of moment where accuracy is absent too). Absent
-    method: generalised-alpha, 0.8. Absent solver: lumped masses; hermite is a beam of small slopes.
-    ``newton_tolerance``: correction at which a step counts as solved, in riser lengths; absent: 1e-9.
+    Without ``duration`` only the static equilibrium is computed. By default the run starts from equilibrium;
+    ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both are chosen
+    for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
+    generalised-alpha with 0.8. The default solver uses lumped masses; ``hermite`` is a beam with small
+    slopes. ``newton_tolerance``: correction at which Newton's iteration ends, in riser lengths; by default
+    1e-9.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

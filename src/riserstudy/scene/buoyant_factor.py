@@ -19,13 +19,13 @@ READINGS = {
 
 
 class Buoyancy(Strict):
-    """Blocks of foam around the riser, in place of submerged weights and top tension.
+    """Foam blocks around the riser, used instead of submerged weights and top tension.
 
-    With w L the weight in air of riser and contents, b the factor and e the tension ratio, the effective
-    tension a distance h below the top is, in three readings of the same words,
-    R1: (1 - b) w (e L - h), the factor is the share that the blocks carry;
-    R2: b w (e L - h), the factor is the share that is left;
-    R3: w (e L - b h), the share that is left, the ratio being to the weight without blocks.
+    Let w L be the weight in air of riser and contents, b the factor and e the tension ratio. The effective
+    tension at a distance h below the top has three interpretations. R1: (1 - b) w (e L - h); the factor is
+    the share of the weight that the blocks carry. R2: b w (e L - h); the factor is the remaining share. R3:
+    w (e L - b h); the factor is the remaining share, and the tension ratio refers to the weight without
+    blocks.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

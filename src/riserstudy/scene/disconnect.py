@@ -15,10 +15,10 @@ SAME = 1e-9  # share of a period by which a phase may be missed
 
 
 class Valve(Strict):
-    """What tensioner valves do to a constant ``top.tension`` from the release on.
+    """Effect of tensioner valves on a constant ``top.tension`` after the release.
 
-    It falls smoothly to ``hold`` times the weight that hangs in water. ``failed``: the share of the tension
-    whose valves do not move, and which stays.
+    The tension decreases smoothly to ``hold`` times the suspended submerged weight. ``failed``: fraction of
+    the tension whose valves do not move, and which remains.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -27,18 +27,19 @@ class Valve(Strict):
 
 
 class Isolation(Strict):
-    """Bottles that are shut off from each cylinder, a time after the release, with the gas in them."""
+    """Gas bottles that are shut off from each cylinder at a time after the release, with their gas."""
 
     after: Annotated[u.Time, NOT_NEGATIVE]
     volume: Annotated[u.Volume, POSITIVE]
 
 
 class RecoilValve(Strict):
-    """A valve in the oil between each cylinder and its gas, which throttles from the release on.
+    """A valve in the oil between each cylinder and its gas, which throttles the oil after the release.
 
-    ``opening``: area of the open valve; ``discharge``: its coefficient. It closes to the share ``residual``
-    of the opening, smoothly within ``over``, ``delay`` after the release. ``failed`` cylinders, counted from
-    0, have valves that stay open. Absent delay: none; isolation: all gas stays in use.
+    ``opening``: area of the open valve. ``discharge``: its discharge coefficient. It closes to the fraction
+    ``residual`` of the opening, smoothly within ``over``, starting ``delay`` after the release. The valves
+    of ``failed`` cylinders, counted from 0, stay open. By default there is no delay. Without ``isolation``
+    all gas stays in use.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -52,9 +53,10 @@ class RecoilValve(Strict):
 
 
 class Drain(Strict):
-    """Contents that run out from the release on, as one column between the air above and the sea below.
+    """Contents that drain after the release, as one column between the air above and the sea below.
 
-    ``friction``: Darcy's factor of the wall. ``losses``: heads of velocity lost at the ends. Absent: none.
+    ``friction``: Darcy friction factor of the wall. ``losses``: velocity heads lost at the ends, by default
+    none.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
@@ -62,19 +64,20 @@ class Drain(Strict):
 
 
 class Stack(Strict):
-    """What the lower end may come down on again: a one-sided spring, wherever the riser is by then."""
+    """The stack, which the lower end can re-contact: a one-sided spring below the lower end."""
 
     stiffness: Annotated[u.Stiffness, POSITIVE]
 
 
 class Disconnect(Strict):
-    """The wellhead lets go of the riser's lower end, with the body at it, at a time of the run.
+    """The wellhead releases the lower end of the riser, with the body at it, at a time of the run.
 
-    ``phase``: not at that time but the first time from then on when the platform's heave, one harmonic, is at
-    this phase of its sine: 0 on its way up through the middle, 90 deg at the top.
-    ``over``: the time in which the connector's force fades. Absent: at once, which sends steep fronts along
-    an undamped riser. Absent valve and recoil_valve: tension or tensioners stay as they are; drain: contents
-    stay in the riser; stack: the riser may pass its place, with a warning.
+    ``phase``: the release waits, from that time on, until the platform's heave, one harmonic, is at this
+    phase of its sine: 0 on its way up through the middle, 90 deg at the top. ``over``: time over which the
+    force of the connector decreases. By default the release is sudden, which sends steep wave fronts along
+    an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or tensioners do not change.
+    Without ``drain`` the contents stay in the riser. Without ``stack`` the riser can pass through the place
+    of the stack, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

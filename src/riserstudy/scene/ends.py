@@ -14,26 +14,27 @@ from riserstudy.scene.tensioners import Tensioners
 
 
 class Areas(Strict):
-    """Drag areas C_D A of a body. An absent direction has no drag."""
+    """Drag areas C_D A of a body. A direction that is not given has no drag."""
 
     horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Area, NOT_NEGATIVE] | None = None
 
 
 class BodyAddedMass(Strict):
-    """Added mass of a body. An absent direction has none."""
+    """Added mass of a body. A direction that is not given has none."""
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Mass, NOT_NEGATIVE] | None = None
 
 
 class Body(Strict):
-    """A concentrated mass: LMRP, tension ring. Absent weight, drag, added mass: none.
+    """A concentrated mass, such as an LMRP or a tension ring.
 
-    Its weight in water is given, or follows from mass, gravity and the volume of water it displaces, or the
-    density of what it is made of.
-    Absent centre_below: a point at the riser's end. With it the body turns rigidly with the lower end,
-    its centre that far below; absent rotary_inertia about the centre, for axes across the riser: none.
+    Its submerged weight is given, or follows from mass, gravity and either the displaced volume or the
+    density of the material. Without weight, drag or added mass, these are zero. Without ``centre_below`` the
+    body is a point at the riser's end. With it the body turns rigidly with the lower end, and its centre is
+    that distance below the end. ``rotary_inertia`` refers to axes across the riser through the centre;
+    without it, it is zero.
     """
 
     name: str
@@ -87,7 +88,7 @@ class Body(Strict):
 
 
 class FlexJoint(Strict):
-    """Rotational spring between riser and what holds it."""
+    """Rotational spring between the riser and its support."""
 
     stiffness: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
 
@@ -96,7 +97,7 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 
 
 class Bottom(Strict):
-    """Lower end: held at the wellhead, free, or the foot of a conductor, held in z and by soil."""
+    """Lower end: held at the wellhead, free, or the foot of a conductor, which is held in z and by soil."""
 
     hold: Literal["wellhead", "free", "foot"]
     elevation: u.Length | None = None
@@ -115,10 +116,10 @@ class Bottom(Strict):
 
 
 class JointStop(Strict):
-    """Stops of a telescopic joint: how far it goes out and in from its length, and their stiffness.
+    """Stops of a telescopic joint: largest extension and compression from its length, and their stiffness.
 
-    ``stroke``: outwards; ``collapse``: inwards, where the barrels meet and push. Absent: none that way. Both
-    are elastic: what touches leaves as fast as it came.
+    ``stroke``: largest extension. ``collapse``: largest compression, at which the barrels meet and push. A
+    stop that is not given does not exist. Both stops are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -135,13 +136,15 @@ class JointStop(Strict):
 class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
-    ``length`` is from ring to top with the platform at rest; outer and inner barrel bend as one.
-    ``tension``: tensioners pull with it along the joint, whatever its length. Absent stop: none. The mass
-    of the outer barrel is that of ``top.body``, at the ring; the inner one moves with the platform. Stops
-    of the joint and the ``stroke`` of tensioners are apart: a rig may have both.
+    ``length`` is the distance from ring to top with the platform at rest. The outer and the inner barrel
+    bend as one. ``tension``: additional constant pull of tensioners along the joint. Without ``stop`` there
+    are no stops. The mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves
+    with the platform. The stops of the joint and the ``stroke`` of tensioners are separate: a rig can have
+    both.
 
-    Stroke and stops count from ``length``; with ``mid_stroke: riser in equilibrium`` from the length that is
-    left above the riser when that stands plumb in still water under its tensioners, as spaced out.
+    Stroke and stops are measured from ``length``. With ``mid_stroke: riser in equilibrium`` they are
+    measured from the length above the riser when it is vertical in still water, carried by its tensioners,
+    as spaced out.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -168,7 +171,7 @@ class TelescopicJoint(Strict):
 
 
 class TensionLoss(Strict):
-    """A share of the top tension that is lost at a time, smoothly within another. Absent over: at once."""
+    """Loss of a share of the top tension from the time ``at``, smoothly within ``over``, or suddenly."""
 
     share: Annotated[float, Field(gt=0.0, le=1.0)]
     at: Annotated[u.Time, NOT_NEGATIVE]
@@ -176,16 +179,17 @@ class TensionLoss(Strict):
 
 
 class Top(Strict):
-    """Upper end. ``x`` (with y) and ``z`` follow the platform, are held at rest, or are free.
+    """Upper end. ``x`` (with y) and ``z`` follow the platform, are held, or are free.
 
-    ``x: vessel``: the top moves with a vessel that is free to, as far as its freedoms go. An offset is one
-    of what the top hangs from, too: the deck of tensioners lies straight above the top. With a platform
-    beside the vessel the top has its first-order motions as well, in z where ``z: platform``.
+    With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
+    free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
+    also has a platform, the top has its first-order motions as well, in z with ``z: platform``.
 
-    Absent offset, elevation: straight above the bottom, where statics puts it. Absent tension, its loss,
-    force, tensioners, body: none. ``held_at_tension``: z is held where the riser has this top tension at
-    rest. With a telescopic joint the top is the joint's, and tension, tensioners, lateral force and body
-    are at the tension ring below it.
+    Without offset or elevation, the top is vertically above the bottom, at the height of the static
+    equilibrium. Without tension, tension loss, force, tensioners or body, there is none.
+    ``held_at_tension``: z is held where the static riser has this top tension. With a telescopic joint, the
+    top is that of the joint, and tension, tensioners, lateral force and body act at the tension ring below
+    it.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -39,16 +39,17 @@ class SNCurve(NamedTuple):
 
 
 class Slope(Strict):
-    """A line of an S-N curve: log10 of cycles is log_a less exponent times log10 of the range in MPa."""
+    """A slope of an S-N curve: log10 of cycles is log_a minus exponent times log10 of the range in MPa."""
 
     exponent: Annotated[float, POSITIVE]
     log_a: Annotated[float, Field(gt=0, lt=40)]
 
 
 class OwnCurve(Strict):
-    """An S-N curve of your own, of one or two lines; beyond their crossing the flatter one counts.
+    """Your own S-N curve, with one or two slopes; beyond their crossing the flatter one applies.
 
-    The range grows by (thickness / reference_thickness)^thickness_exponent above the reference thickness.
+    Above the reference thickness, the stress range is multiplied by (thickness /
+    reference_thickness)^thickness_exponent.
     """
 
     slopes: Annotated[list[Slope], Field(min_length=1, max_length=2)]
@@ -80,8 +81,8 @@ class OwnCurve(Strict):
 class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203 by its class, B1 to W3, and environment.
 
-    Numbers and their source are in `scene/sn_curves.yaml` of the package. Editions differ: compare
-    them with the one that you must use, and give a curve of your own where they differ.
+    The numbers and their source are in ``scene/sn_curves.yaml`` of the package. Editions differ: compare the
+    curves with the edition that you must use, and give your own curve where they differ.
     """
 
     detail_class: str
@@ -114,11 +115,11 @@ class StandardCurve(Strict):
 class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
-    ``at``: sections of the riser as limits name them; absent: all. ``face``: of the wall, whose stress is
-    that of wall tension and bending. In its place ``stress_per_moment`` gives the stress of a detail at one
-    end of a section by the bending moment there, such as `0.02 MPa/kN/m`; tension is then left out.
-    ``stress_concentration`` multiplies this nominal stress. Absent thickness: that of the section's wall.
-    Damage times ``safety_factor`` is the factored damage.
+    ``at``: sections of the riser, named as in limits; by default all. ``face``: face of the wall, whose
+    stress is that of wall tension and bending. Alternatively, ``stress_per_moment`` gives the stress of a
+    detail at one end of a section per bending moment there, such as ``0.02 MPa/kN/m``; tension is then
+    neglected. ``stress_concentration`` multiplies this nominal stress. The default thickness is that of the
+    section's wall. Damage times ``safety_factor`` is the factored damage.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -152,8 +153,9 @@ class Detail(Strict):
 class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
-    ``angles``: places round the wall at which it is summed, the first on the side of +x. Between two of them
-    damage may be larger than at both: for ranges to the power m by up to cos(pi / angles)^-m.
+    ``angles``: number of places around the wall at which damage is summed; the first is on the side of +x.
+    Between two of them damage can be larger than at both: by a factor of up to cos(pi / angles)^-m for
+    ranges to the power m.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

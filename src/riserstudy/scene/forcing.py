@@ -19,9 +19,10 @@ SMOOTH = 1e-6  # sine of a phase below which a motion sets in without a jolt
 
 
 class Water(Strict):
-    """The sea. Absent: vacuum, no drag, no added mass, no current, no waves.
+    """The sea. Without it there is no drag, added mass, current or waves.
 
-    Elevations of mean level and seabed are needed by waves, and by profiles that do not bring their own.
+    Waves require the elevations of mean level and seabed, and so do current profiles without their own
+    elevations.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -72,7 +73,7 @@ class Tilt(Harmonic):
 
 
 class Cruise(Strict):
-    """Constant speed, reached linearly over the ramp. Absent ramp: at once; heading: along x."""
+    """Constant speed, reached linearly over the ramp, by default suddenly. By default it is along x."""
 
     speed: u.Speed
     heading: u.Angle | None = None
@@ -124,7 +125,7 @@ class TimeSeries(Strict, Generic[P]):
 
 
 class Position(Strict):
-    """Where the platform rests, away from above the well. An absent direction: there."""
+    """Rest position of the platform, relative to the point above the well. By default all parts are zero."""
 
     surge: u.Length | None = None
     sway: u.Length | None = None
@@ -135,7 +136,7 @@ class Position(Strict):
 
 
 class Centre(Strict):
-    """The point about which the platform turns, at rest. Absent x, y: above the well."""
+    """The point about which the platform turns, at rest. Without x or y it is above the well."""
 
     x: u.Length | None = None
     y: u.Length | None = None
@@ -149,13 +150,14 @@ Turn = Tilt | Annotated[list[Tilt], Field(min_length=1)] | TimeSeries[Tilted]
 
 
 class Platform(Strict):
-    """Prescribed motion: harmonic, a sum of harmonics, or a time series. An absent motion is none.
+    """Prescribed motion: harmonic, a sum of harmonics, or a time series. A motion that is not given is zero.
 
-    Roll about x, pitch about y (the platform's vertical leans towards +x), yaw about z.
+    Roll is about x, pitch about y (the platform's vertical leans towards +x), and yaw about z.
 
-    Beside a ``vessel`` these are its first-order motions, and the centre of rotation drifts with it.
-    Operators are those of the heading at rest, phases those of the wave above the well, however far it
-    drifts. There is no cruise, nor a position in surge or sway: ``top.offset`` is where a vessel rests.
+    In a scene with a ``vessel``, these are its first-order motions, and the centre of rotation drifts with
+    it. RAOs are those of the initial heading, and phases those of the wave above the well, however far the
+    vessel drifts. Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the
+    initial place of the vessel.
     """
 
     position: Position | None = None
@@ -214,10 +216,10 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, rounding told apart
 
 
 class Point(Strict):
-    """One point of a current profile, at an elevation or a depth below the mean level of the water.
+    """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
-    Two at one elevation are a jump there: of the water below, and of that above.
-    Absent direction: that of the current's heading.
+    Two points at the same elevation define a jump: the water below, then the water above. The default
+    direction is the heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -246,8 +248,8 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 class Shape(Strict):
     """A named profile from the seabed to the surface: (height / depth)^power, exp(-depth / scale).
 
-    ``layer``: uniform down to ``layer`` below the surface, from there linear to nothing at ``vanishes``.
-    Absent seabed, surface: those of the water.
+    ``layer``: uniform down to ``layer`` below the surface, then decreasing linearly to zero at ``vanishes``.
+    By default, seabed and surface are those of the water.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]
@@ -273,18 +275,18 @@ class Shape(Strict):
 
 
 class Combined(Strict):
-    """Profiles that add up, such as tide and drift."""
+    """The sum of several profiles, such as tide and drift."""
 
     sum: Annotated[list[Shape | WindDrift], Field(min_length=1)]
 
 
 class Current(Strict):
-    """Steady current. Absent heading: it flows along x; ramp: it flows from the start.
+    """Steady current. By default it flows along x, and from the start of the run, without a ramp.
 
-    Headings say where it flows to (towards; so where absent) or comes from, those of its points
-    (``direction``, in all or none) too. A current of which the direction changes is straight between
-    its points in its parts along x and y. ``beyond`` the elevations of its profile its end values
-    hold, or the water is still; needed where it does not reach all along the riser.
+    Headings state where the current flows to (towards, the default) or comes from, as do the directions of
+    its points (``direction``, at all points or at none). If the direction varies, the x and y components are
+    interpolated linearly between points. ``beyond`` is required if the profile does not cover the whole
+    riser: outside its elevations the end values hold, or the water is still.
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -25,12 +25,13 @@ ABOVE = ", above water"  # what the upper part of a section is called that leave
 
 
 class Limit(Strict):
-    """An allowable of one output: its largest or smallest value, or its mean over time.
+    """The allowable of one output: its largest or smallest value, or its mean over time.
 
-    Of outputs whose sign is a convention, such as moments and angles, the size is meant.
+    For outputs whose sign is a convention, such as moments and angles, the limit applies to the magnitude.
     ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one, or the first and the last of
-    several on end, ``[lowest, highest]``; absent: all along it, for tension and stress without the stack and
-    conductor below its flex joint. The allowable's origin is given like that of any other value.
+    several consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole riser; for
+    tension and stress, without the stack and conductor below its flex joint. The origin of an allowable is
+    given like that of any other value.
     """
 
     output: str

@@ -15,7 +15,10 @@ from riserstudy.scene.rules import check_rules
 
 
 class Scene(Parts):
-    """A riser and what acts on it. ``paper`` makes plain values published; without it, given."""
+    """The root of a scene file: a riser, its supports and its loads.
+
+    With ``paper``, plain values are published values; without it they are given values.
+    """
 
     @model_validator(mode="after")
     def _fits(self) -> Self:

@@ -19,9 +19,10 @@ if TYPE_CHECKING:
 
 
 class Modules(Strict):
-    """Buoyancy modules of one joint; a section without ``joints`` counts as one.
+    """Buoyancy modules of one joint. A section without ``joints`` counts as one joint.
 
-    ``lift``: what they lift in water beyond their own weight. Out of the water their mass weighs.
+    ``lift``: net lift of the modules in water, after subtraction of their own weight. Above the water their
+    mass counts as weight.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -29,12 +30,13 @@ class Modules(Strict):
 
 
 class Line(Strict):
-    """Choke, kill, booster or hydraulic lines along the pipe, ``count`` equal ones; absent count: one.
+    """Choke, kill, booster or hydraulic lines along the pipe: ``count`` equal lines, or one by default.
 
-    Mass is given, or that of a wall of some density. ``contents``: density of what is inside; it moves
-    with the line. Absent: nothing. Lines with a modulus bend beside the pipe, each about its own axis.
-    Their ``tension`` is ``shared``, by the stiffnesses of pipe and lines, or they are ``sliding`` in their
-    ends and take none. What pressure in a line does to the tension of the pipe is left out.
+    The mass is given, or follows from the density of the wall. ``contents``: density of the fluid inside,
+    which moves with the line; without it the line is empty. Lines with a modulus bend together with the
+    pipe, each about its own axis. If their ``tension`` is ``shared``, pipe and lines share it by their
+    stiffnesses; if it is ``sliding``, the ends slide and the lines carry none. The effect of the pressure in
+    a line on the tension of the pipe is neglected.
     """
 
     name: str

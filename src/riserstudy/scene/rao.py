@@ -22,10 +22,10 @@ Tilt = Annotated[u.AnglePerLength, NOT_NEGATIVE] | None
 
 
 class Operator(Strict):
-    """Response to waves of one period or frequency: a metre of wave amplitude gives so much, at a phase.
+    """Response to waves of one period or frequency: motion per metre of wave amplitude, and phase.
 
-    Frequencies are in Hz or rad/s. An absent motion is none. Heading: of these waves, from x towards y;
-    absent: the same response in waves from everywhere.
+    Frequencies are in Hz or rad/s. A motion that is not given is zero. The heading is that of the waves,
+    from x towards y; without it the response is the same for waves from all directions.
     """
 
     heading: u.Angle | None = None
@@ -97,15 +97,16 @@ def _same(one: float | None, other: float | None) -> bool:
 
 
 class Response(Strict):
-    """Platform motion from response amplitude operators, as points or a CSV table ``{file: name.csv}``.
+    """Platform motion from response amplitude operators (RAOs), as points or a CSV table.
 
-    Phases lead or lag the crest of the wave at the platform, whose surface is amplitude cos(w t - phase)
-    there. Headings of operators say where waves go to (towards) or come from; between them operators
-    are linear. Their lines may stand in any order. ``symmetry``: headings that are not there follow from
-    those mirrored about the plane of x and z (sides), or of y and z as well (sides and ends).
-    ``beyond`` the periods of the operators those at their ends hold, or there is no motion, or the wave is
-    refused (so where absent); a warning says how much of a sea that is. Absent wave: that of the scene;
-    motions: all of the table; ramp: all at once; heading, where the response's own wave goes: along x.
+    The table is ``{file: name.csv}``. Phases lead or lag the crest of the wave at the platform, whose
+    surface is amplitude cos(w t - phase) there. Headings of RAOs state where waves travel to (towards) or
+    come from; between headings, RAOs are interpolated linearly. Their rows can be in any order.
+    ``symmetry``: missing headings follow from those mirrored about the x-z plane (sides), or also about the
+    y-z plane (sides and ends). ``beyond`` defines the response outside the periods of the RAOs: their end
+    values hold, there is no motion, or the wave is refused (the default). A warning states the share of the
+    sea that this concerns. By default the wave is that of the scene, all motions of the table are used,
+    there is no ramp, and the response's own wave travels along x.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

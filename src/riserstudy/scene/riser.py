@@ -18,17 +18,17 @@ RIGID = 1e3  # bending stiffness of what does not bend, over that of its neighbo
 
 
 class CoefficientAt(Strict):
-    """A drag coefficient at an elevation; two at one elevation are a jump there."""
+    """A drag coefficient at an elevation. Two entries at the same elevation define a jump."""
 
     elevation: u.Length
     value: Coefficient
 
 
 class Drag(Strict):
-    """Morison drag. Absent direction: across the pipe; horizontal: by and on horizontal motion alone.
+    """Morison drag, across the pipe by default. With ``horizontal``, by and on horizontal motion only.
 
-    The coefficient is one number, or a table over elevation, straight between its points: then it is
-    that of where the pipe is, moved and stretched, and beyond the table that of its ends.
+    The coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated
+    at the present place of the pipe, moved and stretched. Beyond the table its end values apply.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -60,14 +60,14 @@ class Drag(Strict):
 
 
 class TangentialDrag(Strict):
-    """Drag along the pipe, on its circumference: C_t rho pi D / 2 times the square of the slip along it."""
+    """Drag along the pipe, on its circumference: C_t rho pi D / 2 times the squared relative velocity."""
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
 
 
 class AddedMass(Strict):
-    """Added mass, C_a rho pi D^2 / 4. Absent direction: across the pipe; horizontal: of x and y alone."""
+    """Added mass, C_a rho pi D^2 / 4. By default across the pipe; with ``horizontal``, in x and y only."""
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
@@ -84,11 +84,12 @@ def _must_rise(frequencies: list[float]) -> None:
 
 
 class InLineExcitation(Strict):
-    """Varying drag by vortices, whose phase is drawn to that of the riser's velocity along the flow.
+    """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
 
-    ``coefficient``: C_x, of the varying drag C_x rho D / 2 times the square of the speed; assumed, 0.1 to 1.
-    ``frequencies``: lowest, where force and velocity are in phase, and highest, over speed and
-    diameter; about twice those across the flow: 0.22, 0.36, 0.52 is assumed, each within a quarter of it.
+    ``coefficient``: C_x of the varying drag, C_x rho D / 2 times the squared speed; assumed, 0.1 to 1.
+    ``frequencies``: the lowest, the one at which force and velocity are in phase, and the highest, as
+    multiples of speed divided by diameter. They are about twice those across the flow: 0.22, 0.36, 0.52 is
+    assumed, each within a quarter of it.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -103,15 +104,16 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    Lift acts across the water that flows past with C_v rho D / 2 times the square of its speed; its phase is
-    drawn to that of the riser's own velocity. Needs drag across the pipe, which limits the amplitude. The
-    scene is then solved in space.
+    A lift force acts across the flow relative to the pipe: C_v rho D / 2 times the squared speed. Its phase
+    synchronises with the velocity of the riser. The model requires drag across the pipe, which limits the
+    amplitude. The scene is then solved in three dimensions.
 
-    ``coefficient``: C_v, published 1.2. ``frequencies``: lowest, where force and velocity are in phase, and
-    highest, over speed and diameter, published 0.11, 0.18, 0.26. ``memory``: diameters of flow over which the
-    motion's mean squares are taken, 20 for example. ``seed``: of the phases
-    that the riser begins with, smooth along it. ``ramp``: time over which the lift comes up; absent: of
-    ten vortices from the fastest current. ``in_line``: excitation along the flow; absent: none.
+    ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest, the one at which force and velocity are
+    in phase, and the highest, as multiples of speed divided by diameter; published 0.11, 0.18, 0.26.
+    ``memory``: averaging length of the mean squares of the motion, in diameters of flow, for example 20.
+    ``seed``: seed of the initial phases, which are smooth along the riser. ``ramp``: time over which the
+    lift increases; by default the time of ten vortices in the fastest current. ``in_line``: excitation along
+    the flow; by default there is none.
     """
 
     model: Literal["synchronisation"]
@@ -135,11 +137,11 @@ class VortexInducedVibration(Strict):
 
 
 class Contents(Strict):
-    """Fluid inside: adds its weight to ``submerged_weight``, and mass across the pipe.
+    """Fluid inside the riser. It adds its weight to ``submerged_weight``, and its mass across the pipe.
 
-    A bore that is open to the sea holds sea water; without contents it weighs nothing.
-    They stand up to ``level``; absent: to the upper end of the highest section that has contents. Their
-    pressure on the wall, gauge, is that of this column at rest.
+    A bore that is open to the sea contains sea water; without contents, its weight is zero. The contents
+    reach up to ``level``, by default to the upper end of the highest section with contents. Their gauge
+    pressure on the wall is that of this column at rest.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -154,7 +156,7 @@ class Joints(Strict):
 
 
 class StructuralDamping(Strict):
-    """Damping in proportion to stiffness: ratio of critical at one period."""
+    """Damping proportional to stiffness, as a ratio of critical damping at one period."""
 
     ratio: Annotated[float, NOT_NEGATIVE]
     at_period: Annotated[u.Time, POSITIVE]
@@ -178,28 +180,31 @@ class Guide(Strict):
 
 
 class Section(Strict):
-    """A length of riser with uniform properties, from the bottom up.
+    """A length of riser with uniform properties. Sections are listed from the bottom up.
 
-    Stiffness comes from modulus and diameters, or is given; without bending stiffness the section is a
-    string. Mass is given, or that of a wall of some density. Sections with a shear modulus are twisted by a
-    vessel that turns, and resist its yaw. Absent mass, drag, tangential drag, added mass, vortex-induced
-    vibration, contents, damping, load, joint or guide: none.
+    The stiffness is given, or follows from modulus and diameters; a section without bending stiffness is a
+    string. The mass is given, or follows from the density of the wall. A section with a shear modulus
+    resists the yaw of a vessel. Mass, drag, tangential drag, added mass, vortex-induced vibration, contents,
+    damping, load, joint and guide are zero or not present if they are not given.
 
-    ``submerged_weight`` leaves ``contents`` out: it is the weight of the pipe and of all that is fixed to it,
-    less that of the water which its *outer* surface displaces. A bare pipe of 21 in by 19 in, 318.2 kg/m of
-    steel, in sea water of 1025 kg/m^3 and with g 9.81 m/s^2 has 874.7 N/m; full of mud of 1200 kg/m^3
-    ``contents`` add 2153.4 N/m. The 2714.1 N/m of steel and sea water inside are given without contents,
-    or as 874.7 N/m with contents of 1025 kg/m^3. With mass, both diameters, contents, gravity and
-    water a weight that is absent follows (above the water without the water displaced); else it is refused.
-    Where it follows, or with modules or lines, a section that reaches through the surface is cut there: its
-    upper part is called ``<name>, above water``.
+    ``submerged_weight`` excludes ``contents``. It is the weight of the pipe and everything fixed to it,
+    minus the weight of the water that its *outer* surface displaces. For example, a bare pipe of 21 in by 19
+    in with 318.2 kg/m of steel, in sea water of 1025 kg/m^3 and with g 9.81 m/s^2, has 874.7 N/m. If it is
+    full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m. If it is full of sea water, write 2714.1 N/m
+    without contents, or 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is
+    computed from mass, both diameters, contents, gravity and water (above the water, without the displaced
+    water); if one of these is missing, the scene is refused. A section that reaches through the water
+    surface is then divided there, as is a section with modules or lines. The upper part is called ``<name>,
+    above water``.
 
-    ``buoyancy_lift``: what buoyancy modules lift in water beyond their own weight, which ``submerged_weight``
-    has taken off. It moves nothing; the minimum tension counts steel and modules apart. Absent: not known.
+    ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It
+    has no effect on the simulation: the minimum tension counts steel and modules separately. If it is
+    absent, it is unknown.
 
-    ``modules`` and ``lines`` are given apart from the pipe: mass, weight and stiffness of the section are
-    then those of the pipe alone, and theirs are added. Their lift is ``buoyancy_lift``; where any section has
-    modules, those without have none. Diameters for drag and added mass are those given, of all together.
+    ``modules`` and ``lines`` are given separately from the pipe. Mass, weight and stiffness of the section
+    are then those of the pipe alone, and theirs are added. The lift of the modules becomes
+    ``buoyancy_lift``; if any section has modules, the lift of sections without modules is zero. The given
+    diameters for drag and added mass apply to pipe, modules and lines together.
     """
 
     name: str

@@ -24,7 +24,7 @@ class Wave(Strict):
 
 
 class Swell(Strict):
-    """Regular waves of an amplitude, or a height of twice that. Absent phase: 0."""
+    """Regular waves with an amplitude, or with a height of twice the amplitude. The default phase is 0."""
 
     height: Annotated[u.Length, POSITIVE] | None = None
     amplitude: Annotated[u.Length, POSITIVE] | None = None
@@ -44,16 +44,17 @@ class Swell(Strict):
 
 
 class RegularWave(Swell, Wave):
-    """A regular Airy wave, of an amplitude, or a height of twice that.
+    """A regular Airy wave with an amplitude, or with a height of twice the amplitude.
 
-    Its surface is amplitude cos(k x - 2 pi t / period + phase); absent phase: 0. Absent heading: along
-    x. Absent ramp: all at once, after a rest at t = 0. Above the mean level there is no wave, that at
-    the mean level up to the surface (constant), or the profile is stretched (Wheeler).
+    Its surface is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0, the wave travels
+    along x, and it acts from t = 0 without a ramp, on a riser in static equilibrium. ``above_mean_level``:
+    no velocities there, those of the mean level up to the surface (constant), or a stretched profile
+    (Wheeler).
     """
 
 
 class Storm(Strict):
-    """A JONSWAP spectrum: components of equal energy, with random phases by a seed."""
+    """A JONSWAP spectrum: components of equal energy, with random phases drawn from a seed."""
 
     significant_height: Annotated[u.Length, POSITIVE]
     peak_period: Annotated[u.Time, POSITIVE]
@@ -68,22 +69,22 @@ class Storm(Strict):
 
 
 class IrregularSea(Storm, Wave):
-    """A sea with a JONSWAP spectrum: components of equal energy, with random phases by a seed.
+    """A sea with a JONSWAP spectrum: components of equal energy, with random phases drawn from a seed.
 
-    Absent heading: along x. Absent ramp: all at once, after a rest at t = 0. Above the mean level as for
-    a regular wave.
+    By default the sea travels along x, and it acts from t = 0 without a ramp, on a riser in static
+    equilibrium. ``above_mean_level`` is as for a regular wave.
     """
 
 
 class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
-    Surface speed is surface_factor W / sqrt(sin latitude); over the friction depth,
-    depth_factor W / sqrt(sin latitude), the drift turns by half a turn and falls to a 23rd. At the surface
-    it goes 45 degrees off the wind, and turns away from it with depth. The riser feels its part along the
-    wind, that across it (which carries all of the transport), its magnitude, or both parts: then the
-    current's heading is that of the wind, and the drift turns to the right of it in the northern
-    ``hemisphere``, to the left in the southern.
+    The surface speed is surface_factor W / sqrt(sin latitude). Over the friction depth, depth_factor W /
+    sqrt(sin latitude), the drift turns by half a turn and decreases to 1/23. At the surface it is 45 degrees
+    from the wind, and it turns further away with depth. ``component`` selects the part that acts on the
+    riser: the part along the wind, the part across the wind (which carries the whole transport), the
+    magnitude, or both parts. With ``both``, the heading of the current is that of the wind. The drift then
+    turns to the right of it in the northern ``hemisphere``, and to the left in the southern.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

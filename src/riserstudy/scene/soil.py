@@ -17,8 +17,8 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    Undrained shear strength grows linearly with depth. Up to the share ``straight_up_to`` of y50 the
-    curve, which is infinitely stiff at its origin, is replaced by a straight line.
+    Undrained shear strength increases linearly with depth. The curve is infinitely stiff at its origin; up
+    to the fraction ``straight_up_to`` of y50 a straight line replaces it.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -38,8 +38,8 @@ class ElasticSoil(Strict):
 class Sand(Strict):
     """Sand by the p-y curves of API RP 2A: p = A p_u tanh(k X y / (A p_u)) at the depth X.
 
-    ``friction_angle`` is that of internal friction; ``initial_modulus`` is k, by which the stiffness of the
-    soil grows with depth. A is 0.9 under cyclic loading, else 3 - 0.8 X / D, and 0.9 at least.
+    ``friction_angle`` is the angle of internal friction. ``initial_modulus`` is k, the increase of the soil
+    stiffness with depth. A is 0.9 under cyclic loading. Otherwise it is 3 - 0.8 X / D, and at least 0.9.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]
@@ -57,10 +57,11 @@ class ResistanceAt(Strict):
 
 
 class TabulatedSoil(Strict):
-    """p-y curves as a table: rows depth by depth, with rising displacements.
+    """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
-    Between its points a curve is a monotone cubic from zero, beyond the last it stays; between two
-    depths resistance is straight. The table must reach from the mudline to the foot.
+    Between its points a curve is a monotone cubic that starts at zero; beyond the last point it is constant.
+    Between two depths the resistance is interpolated linearly. The table must reach from the mudline to the
+    foot.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]
@@ -113,7 +114,7 @@ class SoilDamping(Strict):
 
 
 class Soil(Strict):
-    """Soil around the riser's lowest sections, below its flex joint, from its mudline down."""
+    """Soil around the lowest sections of the riser, below its flex joint, from the mudline down."""
 
     mudline: u.Length
     resistance: Matlock | Sand | ElasticSoil | TabulatedSoil

@@ -16,10 +16,10 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 
 
 class Chamber(Strict):
-    """Gas on one side of a piston: the area it acts on, and its state at mid-stroke.
+    """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
 
-    ``outside``: pressure that acts on the same area from without. Absent: that of the atmosphere where the
-    gas has a gauge pressure, none where it has an absolute one, as in laws that count that alone.
+    ``outside``: external pressure on the same area. By default it is atmospheric if the gas has a gauge
+    pressure. It is zero if the gas has an absolute pressure, as in laws that include only that pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -41,22 +41,22 @@ class Chamber(Strict):
 
 
 class Gas(Chamber):
-    """One gas chamber a cylinder at mid-stroke; F = A P (V / (V - A reach))^k - A outside."""
+    """One gas chamber per cylinder, at mid-stroke: F = A P (V / (V - A reach))^k - A outside."""
 
     exponent: Annotated[float, Field(gt=1)]
 
 
 class Pistons(Strict):
-    """Mass of a piston with its rod, moving with the ring: one for all cylinders, or one for each."""
+    """Mass of a piston with its rod, which moves with the ring: once for all cylinders, or for each."""
 
     mass: Annotated[u.Mass, POSITIVE]
     counted: Literal["once", "each"]
 
 
 class TwoChamberGas(Strict):
-    """Two gas chambers a cylinder: high pressure pulls, low pressure and pistons' weight push back.
+    """Two gas chambers per cylinder. High pressure pulls; low pressure and the pistons' weight push back.
 
-    Absent pistons: without weight and mass.
+    Without ``pistons``, the pistons have neither weight nor mass.
     """
 
     high: Chamber
@@ -71,24 +71,24 @@ class TwoChamberGas(Strict):
 
 
 class Linear(Strict):
-    """Straight line a cylinder: tension at mid-stroke and stiffness."""
+    """Straight line for each cylinder: tension at mid-stroke and stiffness."""
 
     tension: Annotated[u.Force, POSITIVE]
     stiffness: Annotated[u.Stiffness, NOT_NEGATIVE]
 
 
 class TableRow(Strict):
-    """One row of a tensioner's table: reach from mid-stroke, + longer, and the pull of one cylinder."""
+    """One row of a tensioner table: reach from mid-stroke (positive if longer), and pull of one cylinder."""
 
     reach: u.Length
     force: Annotated[u.Force, NOT_NEGATIVE]
 
 
 class Linearised(Strict):
-    """The gas law replaced by a straight line: a tangent, a chord, or least squares over a stroke range.
+    """Straight line that replaces the gas law: a tangent, a chord, or least squares over a stroke range.
 
-    ``at``: reach where the tangent touches; absent: mid-stroke. ``shortest`` and ``longest``: ends of the
-    others' range.
+    ``at``: reach of the tangent point, by default mid-stroke. ``shortest`` and ``longest``: stroke range of
+    the chord or of the least squares.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -111,7 +111,7 @@ class Linearised(Strict):
 
 
 class Stroke(Strict):
-    """Reach at which the stops touch, from mid-stroke, + longer; and their stiffness."""
+    """Reach at which the stops act, from mid-stroke (positive if longer), and the stiffness of the stops."""
 
     shortest: u.Length
     longest: u.Length
@@ -125,11 +125,11 @@ class Stroke(Strict):
 
 
 class Arrangement(Strict):
-    """Cylinders evenly around the ring, from points of the ring to points of the deck.
+    """Cylinders evenly spaced around the ring, from points on the ring to points on the deck.
 
-    ``first_bearing`` is that of the first cylinder, from +x towards +y; with ``half a spacing`` +x lies
-    midway between two of them. The deck's elevation is that of the platform at rest, its middle is straight
-    above the riser's top.
+    ``first_bearing`` is the bearing of the first cylinder, from +x towards +y; with ``half a spacing``, +x
+    is midway between two cylinders. The elevation of the deck is that of the platform at rest. Its centre is
+    vertically above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -146,20 +146,21 @@ class Arrangement(Strict):
 
 
 class Failing(Strict):
-    """Cylinders (the first is 0) that exert no force from a time of the run on: lines that break."""
+    """Cylinders (the first is 0) that exert no force from a time of the run on, such as broken lines."""
 
     at: Annotated[u.Time, POSITIVE]
     cylinders: Annotated[list[Annotated[int, Field(ge=0)]], Field(min_length=1)]
 
 
 class Tensioners(Strict):
-    """Equal cylinders between ring and deck. Absent damping or stroke: none, no stops.
+    """Equal cylinders between tension ring and deck. By default they have no damping and no stops.
 
-    ``table``: any other law, pull over reach of one cylinder, joined smoothly and monotonically, or by
-    straight lines with ``interpolation: linear``; beyond its ends it goes on straight, with a warning.
+    ``table``: any other law, as the pull of one cylinder over its reach. It is interpolated smoothly and
+    monotonically, or linearly with ``interpolation: linear``. Beyond its ends it continues linearly, with a
+    warning.
 
-    Absent arrangement: the cylinders are upright. Cylinders listed in ``failed`` (the first is 0) exert no
-    force. Absent failing: none fails during the run.
+    Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
+    no force. Without ``failing`` no cylinder fails during the run.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

@@ -11,7 +11,7 @@ from riserstudy.scene.base import POSITIVE
 
 
 class DampingRatio(Strict):
-    """Damping of cylinders that carry a weight, as a share of critical, the weight being one mass on them."""
+    """Damping of cylinders as a ratio of critical damping, with the suspended weight as one mass on them."""
 
     ratio: Annotated[float, POSITIVE]
 
@@ -21,10 +21,10 @@ class DampingRatio(Strict):
 
 
 class Carried(Strict):
-    """Straight lines that carry the suspended weight, in place of ``linear``.
+    """Straight lines whose pull equals the suspended weight, used instead of ``linear``.
 
-    At mid-stroke the working cylinders together pull the weight in water of riser, contents and bodies;
-    the pull would double over ``doubles_over`` of reach.
+    At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
+    The pull would double over a reach of ``doubles_over``.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]

@@ -24,7 +24,7 @@ STEPS_A_TURN = (
 
 
 class Wind(Strict):
-    """Wind on the platform, C |u| u by relative velocity. Absent heading: along x."""
+    """Wind force on the platform, C |u| u with the relative velocity u. The default heading is along x."""
 
     drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE]
     speed: u.Speed
@@ -32,23 +32,24 @@ class Wind(Strict):
 
 
 class WaveDrift(Strict):
-    """Mean second-order force of the waves. Absent heading: along x."""
+    """Mean second-order force of the waves. The default heading is along x."""
 
     force: Annotated[u.Force, NOT_NEGATIVE]
     heading: u.Angle | None = None
 
 
 class SidewaysThrust(Strict):
-    """Gains of the thrusters across the hull. Absent velocity_gain: no damping."""
+    """Gains of the thrusters across the hull. Without ``velocity_gain`` there is no damping."""
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
     velocity_gain: Annotated[u.Damping, NOT_NEGATIVE] | None = None
 
 
 class Turning(Strict):
-    """Moment G (psi_c - psi) - D d psi/dt towards the commanded turn psi_c from the heading at rest.
+    """Moment G (psi_c - psi) - D d psi/dt towards the commanded turn psi_c from the initial heading.
 
-    Absent command: no turn; velocity_gain: no damping; saturation: moment without limit.
+    Without ``command`` the commanded turn is zero. Without ``velocity_gain`` there is no damping. Without
+    ``saturation`` the moment is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -58,12 +59,14 @@ class Turning(Strict):
 
 
 class Thrusters(Strict):
-    """Thrust G (x_c - x) - D v towards the commanded place x_c, counted from above the well.
+    """Thrust G (x_c - x) - D v towards the commanded place x_c, which is measured from above the well.
 
-    Gains are along the hull as it lies at rest. Absent heading: the command is along x; velocity_gain: no
-    damping; saturation: thrust without limit, else of its size in all directions; rise: the command is
-    there at once, else it comes up as 1 - exp(-t / rise); lag: thrust is there at once, else it follows
-    with this time constant; sway, yaw: no thrust across the hull, no moment.
+    Gains refer to the directions of the hull in its initial position. By default the command is along x.
+    Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with it,
+    its magnitude is limited in all directions. Without ``rise`` the command acts suddenly; with it, the
+    command increases as 1 - exp(-t / rise). Without ``lag`` the thrust follows immediately; with it, the
+    thrust has this time constant. Without ``sway`` or ``yaw`` there is no thrust across the hull or no
+    moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -78,7 +81,7 @@ class Thrusters(Strict):
 
 
 class Sway(Strict):
-    """Freedom across the hull. Absent added mass, hull drag: none across the hull."""
+    """Freedom across the hull. Added mass and hull drag across the hull are zero if not given."""
 
     added_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     hull_drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE] | None = None
@@ -87,8 +90,8 @@ class Sway(Strict):
 class Yaw(Strict):
     """Freedom to turn about the vertical through the riser's top.
 
-    Absent added inertia, hull drag (C |dpsi/dt| dpsi/dt): none. The riser resists as a spring where its
-    sections have a shear modulus.
+    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. The riser resists as a spring if
+    its sections have a shear modulus.
     """
 
     inertia: Annotated[u.Inertia, POSITIVE]
@@ -97,11 +100,12 @@ class Yaw(Strict):
 
 
 class Coupling(Strict):
-    """Platform and riser solved one after the other, in turns of an interval.
+    """Platform and riser solved alternately, over intervals.
 
-    staggered: the platform moves over the interval under the force that the riser had at its begin, then
-    the riser follows. iterated: the same interval again, with the force that the riser then had, until the
-    platform's motion changes by less than the tolerance; absent tolerance: that of Newton's iteration.
+    staggered: over each interval, the platform first moves under the force that the riser had at its start,
+    then the riser follows. iterated: the interval is repeated with the new force of the riser, until the
+    motion of the platform changes by less than the tolerance. The default tolerance is that of Newton's
+    iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -148,17 +152,18 @@ class Coupling(Strict):
 
 
 class Vessel(Strict):
-    """A platform that floats freely from its place at rest, with the riser's top.
+    """A platform that floats freely from its initial place, together with the riser's top.
 
-    Absent added mass, hull drag (by velocity relative to the current at the surface), wind, wave drift,
-    thrusters: none. Absent sway: it moves along x alone; yaw: it keeps its heading; heading: its hull lies
-    along x. Where everything acts along x it does not sway or turn, and is not given the freedom to.
-    Absent coupling: platform and riser are solved as one system.
+    Added mass, hull drag (from the velocity relative to the surface current), wind, wave drift and thrusters
+    are zero if not given. Without ``sway`` the vessel moves only along x, and without ``yaw`` it keeps its
+    heading. Without ``heading`` its hull is along x. If all loads act along x, the vessel does not sway or
+    turn, and these degrees of freedom are removed. Without ``coupling``, platform and riser are solved as
+    one system.
 
-    ``platform`` beside it gives first-order motions in waves, which are superposed: the riser's top, deck and
-    tension ring move with the sum. Hull drag, inertia and thrusters belong to the slow motion alone, as does
-    the mean wave drift that is given here. Outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the
-    slow motion, ``platform_surge`` and ``platform_sway`` the sum.
+    If the scene also has a ``platform``, it gives first-order motions in waves, which are superposed: the
+    riser's top, deck and tension ring move with the sum. Hull drag, inertia and thrusters respond only to
+    the slow motion, and so does the mean wave drift that is given here. The outputs ``low_frequency_surge``
+    and ``low_frequency_sway`` are the slow motion, ``platform_surge`` and ``platform_sway`` the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
