@@ -114,7 +114,7 @@ def decided_by(grounds: Grounds) -> str:
     if grounds.because == "base case":
         return "the base case"
     if grounds.because == "missing values" and grounds.missing:
-        return f"what {grounds.missing.cases} cases would say in which nothing is found"
+        return f"{grounds.missing.cases} cases without a result"
     if grounds.because == "inputs":
         names = [influence.name for influence in grounds.decided_by]
         weak = grounds.explained is not None and grounds.explained < DECIDES
@@ -158,7 +158,7 @@ def _influence(grounds: Grounds) -> list[str]:
     if grounds.explained is None:
         return []
     if not by:
-        return ["No input stands out from what chance gives with so many samples."]
+        return ["No input explains more than chance would, with so many samples."]
     word = "explains" if len(by) == 1 else "together explain"
     which = _capital(listed(influence.name for influence in by))
     return [f"{which} {word} {100 * grounds.explained:.0f} % of the variance of the outcome."]
@@ -167,13 +167,13 @@ def _influence(grounds: Grounds) -> list[str]:
 def _by_option(kind: Kind, influence: Influence) -> str:
     """How often it comes out under each option of a deciding input."""
     options = influence.by_option.items()
-    each = "; ".join(f"{option_name(option)} ({100 * share:.0f} %)" for option, share in options)
-    return f"{_capital(_HIT[kind][0])} by {influence.name}: {each}." if each else ""
+    each = "; ".join(f"{option_name(option)} {100 * share:.0f} %" for option, share in options)
+    return f"Share {_HIT[kind][0]} by {influence.name}: {each}." if each else ""
 
 
 def _within(share: float | None) -> Iterator[str]:
     if share is not None:
-        yield f"To be met within {100 * share:g} %."
+        yield f"The number must be met within {100 * share:g} %."
 
 
 def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
@@ -181,11 +181,14 @@ def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
     for word in words:
         bound, band = f"{100 * word.bound:g} %", f"{100 * word.band:g} %"
         if word.most:
-            yield f'"{_capital(word.word)}" means by {bound} at most.'
+            yield f'"{_capital(word.word)}" means a difference of at most {bound}.'
         elif word.bound == word.band:
-            yield f'"{_capital(word.word)}" means by {bound} or more; less is no difference.'
+            yield f'"{_capital(word.word)}" means a difference of at least {bound}; less is no difference.'
         else:
-            yield f'"{_capital(word.word)}" means by {bound} or more; less than {band} is no difference.'
+            yield (
+                f'"{_capital(word.word)}" means a difference of at least {bound}; '
+                f"less than {band} is no difference."
+            )
 
 
 def _premise(premise: Premise | None) -> Iterator[str]:
@@ -193,17 +196,15 @@ def _premise(premise: Premise | None) -> Iterator[str]:
     if premise is None:
         return
     if premise.judged:
-        among = f"{premise.judged} of {premise.samples} samples"
-        yield f"Judged where what it takes for granted is so: {among}."
+        yield f"Judged in the {premise.judged} of {premise.samples} samples that meet its premise."
     else:
-        among = f"none of {premise.samples} samples"
-        yield f"What it takes for granted is so in {among}; judged by the base case."
+        yield f"None of {premise.samples} samples meets its premise; judged by the base case."
 
 
 def _missing(missing: Missing | None) -> Iterator[str]:
     """How many cases are left out."""
     if missing is not None:
-        yield f"Left out, as nothing is found there: {missing.cases} of {missing.of} cases."
+        yield f"{missing.cases} of {missing.of} cases have no result and are left out."
 
 
 def _together(together: Together | None) -> Iterator[str]:
@@ -219,7 +220,7 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
     """What of the base case was chosen by it."""
     if chosen is None:
         return
-    then = "samples vary it" if chosen.varied else "nothing varies it, so this proves nothing"
+    then = "samples vary it" if chosen.varied else "no sample varies it, so this proves nothing"
     yield f"The base case was chosen to give this, by {chosen.what}; {then}."
 
 
@@ -229,9 +230,9 @@ def _settled(settled: Settled | None) -> Iterator[str]:
         return
     percent = f"{100 * settled.confidence:.0f} %"
     if settled.after is None:
-        yield f"Near a bound: {settled.samples} samples leave the verdict open at {percent} confidence."
+        yield f"Close to a bound: {settled.samples} samples do not make the verdict certain at {percent}."
     else:
-        yield f"Settled at {percent} confidence by the first {settled.after} samples."
+        yield f"The verdict was certain at {percent} after the first {settled.after} samples."
 
 
 def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
