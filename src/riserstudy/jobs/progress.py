@@ -1,6 +1,8 @@
 """How far a run of the study is: steps, what is at work, points of studies, time left by earlier runs.
 
-A first run has none before it: it takes the times of rules that come with the project.
+A step is timed by its part of the elapsed time: of two steps at work each has half. Parts add up to the
+elapsed time whatever cores a step uses, so that their sum over the steps to do is the time left.
+A first run has none before it: it takes the times of steps and rules that come with the project.
 """
 
 from __future__ import annotations
@@ -12,7 +14,7 @@ from collections import Counter
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # points of each study of this run, as it was planned
@@ -21,11 +23,14 @@ FIRST = Path(__file__).with_name(DATA_FILES[0])  # times for rules that no earli
 TAIL = 400  # bytes of a log, at its end, in which its progress stands
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
 PACE = 0.1  # share of a step's points from which its own pace is used
+MANY = 10  # points, of which it is known well enough how many are done
+COUNTED = 20.0  # core seconds for which the times of earlier runs count in the pace of this machine
+ALIKE = 4.0  # pace of a step beyond which it tells nothing: its points were in the store, say
 POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
 
 
 class Taken(NamedTuple):
-    """What a step that is done took: its rule, time (s) and points, 1 where it has none."""
+    """What a step took: its rule, its part of the time (core seconds), its points, 1 where it has none."""
 
     rule: str
     seconds: float
@@ -34,10 +39,10 @@ class Taken(NamedTuple):
 
 @dataclass
 class Step:
-    """A step at work: what Snakemake says that it does, and since when (s)."""
+    """A step at work: what Snakemake says that it does, and its part of the time so far (core seconds)."""
 
     message: str
-    began: float
+    seconds: float = 0.0
 
 
 class Progress:
@@ -58,37 +63,49 @@ class Progress:
         planned: Path = PLANNED,
     ) -> None:
         self.tier, self.memory, self.clock, self.planned = tier, memory, clock, planned
-        self.began = clock()
+        self.began = self.counted = clock()
         self.cores = 1
         self.steps = ""
         self.left: Counter[str] = Counter()  # steps to do, by rule
         self.at_work: dict[int, Step] = {}  # by number of the job
         self.took: dict[str, Taken] = {}  # by message
         self.points: dict[str, float] = {}  # by study
+        self.known: dict[str, tuple[str, float]] = {}  # rule and time (core seconds), by message
         self.before = _remembered(memory)
-        self.first: dict[str, dict[str, float]] = json.loads(FIRST.read_text("utf-8"))
+        self.first: dict[str, Any] = json.loads(FIRST.read_text("utf-8"))
 
     def plan(self, jobs: Mapping[str, int]) -> None:
         """Take in how many steps of each rule there are to do."""
         self.left = Counter({rule: count for rule, count in jobs.items() if rule != "total"})
         self.points = _planned(self.planned)
+        self.known = self._known()
 
     def begin(self, job: int, message: str) -> None:
         """Take in that a step is at work, and what it does."""
-        self.at_work[job] = Step(message.strip(), self.clock())
+        self._count()
+        self.at_work[job] = Step(message.strip())
 
     def end(self, job: int, rule: str) -> None:
         """Take in that a step of a rule is done."""
+        self._count()
         self.left[rule] -= 1
         step = self.at_work.pop(job, None)
         # what only gathers says nothing when it begins
         message = step.message if step else rule
-        seconds = self.clock() - step.began if step else 0.0
+        seconds = step.seconds if step else 0.0
         self.took[message] = Taken(rule, seconds, self._points(message))
 
     def fail(self, job: int) -> None:
         """Take in that a step has failed."""
+        self._count()
         self.at_work.pop(job, None)
+
+    def _count(self) -> None:
+        """Divide the time since it was last done among the steps that were at work."""
+        now = self.clock()
+        for step in self.at_work.values():
+            step.seconds += self.cores * (now - self.counted) / len(self.at_work)
+        self.counted = now
 
     def _points(self, message: str) -> float:
         """Points that a step simulates; 1 for any other."""
@@ -99,21 +116,35 @@ class Progress:
         return self.points.get(f"{paper}/{study}", 1.0) / float(parts or 1)
 
     def _known(self) -> dict[str, tuple[str, float]]:
-        """Rule and time (s) of steps, by message.
+        """Rule and time (core seconds) of steps, by message.
 
-        As the last run of the tier had them, or that of another tier, by the points that a study has now.
+        As the last run of the tier had them, or that of another tier, by the points that a study has now;
+        of those that no run had, as they come with the project.
         """
         others = [steps for tier, steps in self.before.items() if tier != self.tier]
-        every: dict[str, Taken] = {}
+        every = self._of_project()
         for steps in (*others, self.before.get(self.tier, {})):
             every |= steps
         return {
-            message: (step.rule, step.seconds * self._points(message) / step.points)
+            message: (step.rule, self._scaled(step, self._points(message)))
             for message, step in every.items()
         }
 
+    def _scaled(self, step: Taken, points: float) -> float:
+        """Time (core seconds) of a step with other points: what it takes without any stays."""
+        fixed: float = min(self.first["a_step"].get(step.rule, 0.0), step.seconds)
+        return fixed + (step.seconds - fixed) * points / step.points
+
+    def _of_project(self) -> dict[str, Taken]:
+        """Times of steps that come with the project, as far as this run has them."""
+        steps = {message: Taken(*step) for message, step in self.first["steps"].items()}
+        studies = {message for message in steps if STUDY.fullmatch(message)}
+        planned = {f"simulate {study}" for study in self.points} & studies
+        own = {m for m, step in steps.items() if step.rule == "compile"} | planned
+        return {m: s for m, s in steps.items() if m in own or (planned and m not in studies)}
+
     def _at_first(self, rule: str) -> dict[str, float]:
-        """Time (s) of steps of a rule that no run had yet, by message: by points where it simulates."""
+        """Time (core seconds) of steps of a rule that no run had, by message; of a study by its points."""
         step, point = (self.first[kind].get(rule) for kind in ("a_step", "a_point"))
         if step is None:
             return {}
@@ -142,15 +173,15 @@ class Progress:
         return share, self.steps, tuple(step.message for step in self.at_work.values())
 
     def seconds_left(self) -> float | None:
-        """Time left (s) where steps take as long as in earlier runs, a point for a point.
+        """Time left (s) where steps take as long as in earlier runs, a point for a point, by this run's pace.
 
         None where nothing is left, or nothing is known of a rule.
         """
-        known = self._known()
+        self._count()
         total = 0.0
         for rule, count in self.left.items():
             if count > 0:
-                alike = {m: seconds for m, (of, seconds) in known.items() if of == rule}
+                alike = {m: seconds for m, (of, seconds) in self.known.items() if of == rule}
                 alike = alike or self._at_first(rule)
                 if not alike:
                     return None
@@ -159,27 +190,42 @@ class Progress:
                 total += count * sum(times) / len(times)
         if not total:
             return None
-        spent = sum(self._spent(step, known) for step in self.at_work.values())
-        return max(total - spent, 0.0) / self.cores
+        pace = self._pace()
+        spent = sum(self._spent(step, pace) for step in self.at_work.values())
+        return max(total * pace - spent, 0.0) / self.cores
 
-    def _spent(self, step: Step, known: dict[str, tuple[str, float]]) -> float:
-        """What is no longer to do (s) of the time that a step at work was given.
+    def _pace(self) -> float:
+        """How long steps of this run take, as a factor on the times that they were given.
+
+        Of steps at work the points that are done count. Steps that were much quicker or slower than given
+        tell of a store that had their points, or of an edit, not of the machine.
+        """
+        took, given = COUNTED, COUNTED
+        known = self.known
+        timed = [(of.seconds, known[m][1]) for m, of in self.took.items() if m in known]
+        for step in self.at_work.values():
+            done, of = points_done(step.message) or (0, 0)
+            if of and done / of >= PACE and done >= MANY and step.message in known:
+                timed.append((step.seconds, known[step.message][1] * done / of))
+        for here, there in timed:
+            if there / ALIKE < here < there * ALIKE:
+                took, given = took + here, given + there
+        return took / given
+
+    def _spent(self, step: Step, pace: float) -> float:
+        """What is no longer to do (core seconds) of the time that a step at work is given at this pace.
 
         By the pace of its own points once a tenth of them is done; negative where it is slower than thought.
         """
-        gone = self.clock() - step.began
         rule = "simulate" if STUDY.fullmatch(step.message) else ""
-        given = (
-            known[step.message][1]
-            if step.message in known
-            else self._at_first(rule).get(step.message)
-        )
+        at_first = self._at_first(rule).get(step.message)
+        given = self.known[step.message][1] if step.message in self.known else at_first
         if given is None:
             return 0.0
         done, of = points_done(step.message) or (0, 0)
         if of and done / of >= PACE:
-            return given - gone * (of - done) / done
-        return min(gone, given) if step.message in known else 0.0
+            return given * pace - step.seconds * (of - done) / done
+        return min(step.seconds, given * pace) if step.message in self.known else 0.0
 
     def remember(self) -> None:
         """Keep the times of this run for the next one."""
