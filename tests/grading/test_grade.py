@@ -205,8 +205,7 @@ def test_the_table_has_the_columns_of_the_contract():
     [
         (
             120.0,
-            "True in 80 of 80 samples (100 %). "
-            "Judged in the 80 of 200 samples",
+            "True in 80 of 80 samples (100 %). Judged in the 80 of 200 samples",
             "holds",
         ),
         (150.0, "too few samples (50 of 59)", "depends"),

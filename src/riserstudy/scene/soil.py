@@ -96,11 +96,11 @@ class TabulatedSoil(Strict):
 
 
 class SoilDamping(Strict):
-    """Dashpots beside the springs of the soil, in place of its hysteresis: share of critical at one period.
+    """Dashpots parallel to the soil springs, instead of hysteresis: ratio of critical damping at one period.
 
-    In a cycle of that period and of the displacement ``at_displacement`` a spring and its dashpot lose 4 pi
-    ``ratio`` times the energy of the spring's secant. The loss of hysteresis would be the same at other
-    periods, that of a dashpot falls as they grow.
+    In a cycle with that period and the displacement ``at_displacement``, a spring and its dashpot dissipate
+    4 pi ``ratio`` times the energy of the spring's secant. The energy loss of hysteresis would be the same at
+    other periods; that of a dashpot decreases with the period.
     """
 
     ratio: Annotated[float, NOT_NEGATIVE]
