@@ -13,11 +13,15 @@ if TYPE_CHECKING:
 CHANGES = ("displacement_change", "moment_change", "tension_change")
 QUANTITIES = ("displacement", "moment", "tension")
 TOLERANCE = 0.01  # relative change of an answer, or error, that matters
+COMPARED = 0.002  # error at which codes are compared
 SURE = 1.96  # standard deviations of a 95 % interval
 INACCURATE = "stable but inaccurate"
 #: what a scene prescribes; all other effects are physics of riser, water and tensioners
 PRESCRIBED = frozenset(
-    {"surge", "heave", "pitch", "cruise", "platform response", "wave", "current"}
+    {
+        *("surge", "sway", "heave", "roll", "pitch", "yaw", "cruise", "platform response"),
+        *("wave", "current"),
+    }
 )
 #: added to scenes instead of removed: the engine decides whether a riser has it
 DECIDED = "with motion out of the plane"
@@ -37,6 +41,15 @@ class Price(NamedTuple):
         """The ratio of times, to two digits: "4 to 9"."""
         low, high = f"{self.low:.2g}", f"{self.high:.2g}"
         return low if low == high else f"{low} to {high}"
+
+
+class Others(NamedTuple):
+    """How much longer other codes take than riserstudy for one scene at one error."""
+
+    error: float
+    codes: int
+    low: float
+    high: float
 
 
 class Hard(NamedTuple):
@@ -89,6 +102,18 @@ def price(accuracy: xr.Dataset) -> Price | None:
 
     ratios = [of(s, fine) / of(s, coarse) for s in scenes]
     return Price(float(coarse), float(fine), min(ratios), max(ratios))
+
+
+def others(accuracy: xr.Dataset, error: float = COMPARED) -> Others | None:
+    """Times of other codes divided by ours at an error, in the first scene with any; None without."""
+    if "peer_scene" not in accuracy or not accuracy["peer_scene"].size:
+        return None
+    scene = accuracy["peer_scene"].values
+    here = (scene == scene[0]) & np.isclose(accuracy["peer_error"].values, error)
+    ratios = accuracy["peer_ratio"].values[here]
+    if not ratios.size:
+        return None
+    return Others(error, ratios.size, float(ratios.min()), float(ratios.max()))
 
 
 def hard(stability: xr.Dataset) -> Hard:

@@ -210,7 +210,7 @@ def test_the_table_has_the_columns_of_the_contract():
         ),
         (150.0, "too few samples (50 of 59)", "depends"),
         (40.0, "true in 100 of 160 samples (62 %", "depends"),
-        (999.0, "is so in none of 200 samples; judged by the base case", "holds"),
+        (999.0, "None of 200 samples meets its premise; judged by the base case", "holds"),
     ],
 )
 def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, told, verdict):

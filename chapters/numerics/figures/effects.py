@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -15,9 +17,9 @@ LEAST, MOST = 1e-6, 1.0  # change that is drawn, at least and at most
 ROW = 0.27  # inches
 PHYSICS, PRESCRIBED, ADDED = COLOURS[0], COLOURS[1], COLOURS[2]
 KEY = (
-    (PHYSICS, "physics, removed"),
-    (PRESCRIBED, "prescribed motion or load, removed"),
-    (ADDED, "added: the engine omits it"),
+    (PHYSICS, "property of the riser, removed"),
+    (PRESCRIBED, "motion or load, removed"),
+    (ADDED, "added, since the engine omits it"),
 )
 
 
@@ -51,9 +53,11 @@ def answer(effects: xr.Dataset) -> str:
     ranked = ranking(effects)
     top = " and ".join(one.name for one in ranked[:2] if one.changed)
     none = [one.name for one in never(ranked)[:1]]
-    words = f"{top[:1].upper()}{top[1:]} decide most answers" if top else ""
-    rest = f"{' and '.join(none)} none" if none else ""
-    return ", ".join(part for part in (words, rest) if part) or "Change of the answer by one effect"
+    words = f"{top[:1].upper()}{top[1:]} change most results" if top else ""
+    rest = f"{' and '.join(none)} changes none" if none else ""
+    return (
+        ", ".join(part for part in (words, rest) if part) or "Change of the results by one effect"
+    )
 
 
 def _colour(one: Ranked) -> str:
@@ -83,11 +87,15 @@ def _changes(ax: Axes, ranked: list[Ranked]) -> None:
         [f"≤ {100 * LEAST:g}", *(f"{100 * tick:g}" for tick in ticks), "≥ 100"],
     )
     ax.xaxis.set_minor_locator(NullLocator())
-    ax.set_xlabel("largest change of the answer (%), one dot per scene; black: median")
-    ax.set_title(
-        f"(a) change of the answer; right: scenes above {100 * TOLERANCE:g} %",
-        loc="left", fontsize="small",
-    )  # fmt: skip
+    top: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
+    top |= {"va": "bottom", "fontsize": "small", "color": "0.35", "annotation_clip": False}
+    ax.annotate("negligible", (TOLERANCE, 1.0), xytext=(-5, 3), ha="right", **top)
+    ax.annotate("changes the result", (TOLERANCE, 1.0), xytext=(5, 3), ha="left", **top)
+    ax.annotate("scenes", (1.6 * MOST, 1.0), xytext=(5, 3), ha="left", **top)
+    ax.set_xlabel(
+        "largest change of displacement, moment or tension (%); one dot per scene; |: median"
+    )
+    ax.set_title("(a) without the effect", loc="left", fontsize="small", pad=6)
 
 
 def _shares(ax: Axes, ranked: list[Ranked]) -> None:
@@ -96,5 +104,5 @@ def _shares(ax: Axes, ranked: list[Ranked]) -> None:
         if np.isfinite(one.share):
             ax.barh(row, 100.0 * one.share, height=0.62, color=_colour(one), alpha=0.75)
     ax.axvline(0.0, color="black", linewidth=0.6)
-    ax.set_xlabel("share of the run time (%)")
-    ax.set_title("(b) cost, median over scenes", loc="left", fontsize="small")
+    ax.set_xlabel("share of the run time (%)\nbelow 0: faster with it")
+    ax.set_title("(b) what it costs (median)", loc="left", fontsize="small", pad=6)

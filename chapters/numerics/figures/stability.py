@@ -27,6 +27,7 @@ ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
+NAMES = {"gen.-alpha 0.8": "generalised-alpha", "Newmark 1/4 1/2": "Newmark"}  # in the key
 SHORTEST = 0.01  # step over the default's that the axis reaches; an arrow where it is shorter
 MORE, LESS = ">", "<"  # marks of a range that goes on, and of one off the axis
 SAME = 1e-9  # relative difference of steps that are the same
@@ -201,7 +202,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
                 color=colour,
                 markersize=4.5,
                 zorder=3,
-                label=methods[k] if not row else "",
+                label=NAMES.get(methods[k], methods[k]) if not row else "",
             )
             mark = MORE if on[k] else LESS if stable < SHORTEST else "o"
             ax.plot(
@@ -227,7 +228,12 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
         ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
     ax.tick_params(axis="y", length=0)
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    ax.set_xlabel("time step / step chosen at the default tolerance (geometric mean of the family)")
+    if families:
+        ax.annotate(
+            "chosen step", (1.0, -0.5), xytext=(-4, -3), textcoords="offset points",
+            ha="right", va="top", fontsize="small", color="0.35",
+        )  # fmt: skip
+    ax.set_xlabel("time step / step chosen at the default tolerance: longer steps →")
     ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="small")
 
 
@@ -253,13 +259,14 @@ def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) ->
     ranges = np.array([_ranges(stability, family, methods)[:, 0] for family in families])
     seen = ranges[~np.isnan(ranges).all(axis=1)] if len(ranges) else ranges
     if not len(seen):
-        return "stable and accurate steps"
+        return "longest accurate and stable time steps"
     first = seen >= (1 - SAME) * np.nanmax(seen, axis=1)[:, None]
     count = int(first.sum(axis=0).max())
     leading = [k for k in range(len(methods)) if first[:, k].sum() == count]
     tied = int((first[:, leading].any(axis=1) & (first.sum(axis=1) > 1)).sum())
     others = f" ({tied} tied)" if tied else ""
-    names = " and ".join(methods[k] for k in leading)
+    names = " and ".join(NAMES.get(methods[k], methods[k]) for k in leading)
+    stays = "stays" if len(leading) == 1 else "stay"
     return (
-        f"stable and accurate steps; longest: {names}, in {count} of {len(seen)} families{others}"
+        f"{names} {stays} accurate at the longest steps in {count} of {len(seen)} families{others}"
     )

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from html import escape
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import hard, never, price, ranking
+from chapters.numerics.answers import hard, never, others, price, ranking
 from chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.records.page import Tile
 from riserstudy.report.wording import listed
@@ -41,6 +42,11 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         f"the run time for {found.coarse / found.fine:.0f} times the accuracy "
         f"({100 * found.coarse:g}\u00a0% to {100 * found.fine:g}\u00a0%)."
     )
+    if peers := others(accuracy):
+        answer += (
+            f" At {100 * peers.error:g}\u00a0%, {peers.codes} other codes take "
+            f"{peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
+        )
     scene = accuracy["request_scene"].values
     requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
     lines = []
@@ -48,7 +54,9 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         of = (scene == name) & (seconds > 0.0)
         points = sorted(zip(-requested[of], seconds[of], strict=True))
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
-    return f"{found.words}×", answer, _lines([line for line in lines if len(line) > 1])
+    drawn = _lines([line for line in lines if len(line) > 1])
+    under = f"run time over tolerance, {100 * found.coarse:g} → {100 * found.fine:g} %; a line per scene"
+    return f"{found.words}×", answer, drawn + (_under(under) if drawn else "")
 
 
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
@@ -60,7 +68,8 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
         else f"{counts.silent} {'is' if counts.silent == 1 else 'are'}"
     )
     answer = f"hard cases end as expected; {silent} silently wrong."
-    return f"{counts.met} of {counts.cases}", answer, _stack(parts)
+    each = ", ".join(f"{ends.count(end)} {end}" for end in ENDS if end in ends)
+    return f"{counts.met} of {counts.cases}", answer, _stack(parts) + _under(each)
 
 
 def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
@@ -70,12 +79,13 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     top = [one for one in ranked[:TOP] if one.changed]
     none = [one.name for one in never(ranked)[:2]]
     least = min((100 * one.changed // one.scenes for one in top), default=0)
-    answer = f"change the answer in at least {least} % of the scenes that have them" if top else ""
+    answer = f"change the results of at least {least} % of the scenes that have them" if top else ""
     if none:
-        answer += f"; {listed(none)} in none"
+        answer += f"; {listed(none)} {'change' if len(none) > 1 else 'changes'} none"
     rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
     number = listed(one.name for one in top) if top else "none"
-    return number, f"{answer}.", _bars([one.changed / one.scenes for one in rows])
+    drawn = [(one.name, one.changed / one.scenes) for one in rows]
+    return number, f"{answer}.", _bars(drawn) + _under("share of scenes whose results it changes")
 
 
 def _svg(inside: str) -> str:
@@ -110,12 +120,15 @@ def _stack(parts: Sequence[tuple[str, int]]) -> str:
     return _svg(drawn)
 
 
-def _bars(shares: Sequence[float]) -> str:
-    """One bar per share, from top to bottom."""
-    step = HEIGHT / len(shares)
-    drawn = (
-        f'<rect class="fill" x="0" y="{k * step + 1:.1f}" width="{max(1.0, WIDTH * one):.1f}" '
-        f'height="{step - 3:.1f}"/>'
-        for k, one in enumerate(shares)
+def _bars(shares: Sequence[tuple[str, float]]) -> str:
+    """A named bar per share, from top to bottom."""
+    rows = (
+        f'<span>{escape(name)}</span><i><b style="width: {100.0 * share:.0f}%"></b></i>'
+        for name, share in shares
     )
-    return _svg("".join(drawn))
+    return f'<span class="ranked" aria-hidden="true">{"".join(rows)}</span>'
+
+
+def _under(words: str) -> str:
+    """What a small picture shows, below it."""
+    return f'<span class="under">{escape(words)}</span>'

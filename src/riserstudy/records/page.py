@@ -16,7 +16,7 @@ class Tile(NamedTuple):
     question: str
     number: str = ""
     answer: str = ""
-    spark: str = ""  # an SVG of the class `spark`
+    spark: str = ""  # markup: an SVG of the class `spark`, bars `ranked`, and words `under` it
 
 
 class Cell(NamedTuple):

@@ -62,8 +62,8 @@ def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
     plain = "paper" if len(papers) == 1 else "papers"
     return (
         f"{count} {things}, simulated again",
-        f"{count} published {plain} on deepwater drilling risers. Every published value, claim and figure is "
-        "simulated and graded; unspecified inputs are sampled.",
+        f"riserstudy simulates what {count.lower()} published {plain} on deepwater drilling risers computed, "
+        "and checks every value and claim. Inputs that a paper omits are varied.",
     )
 
 

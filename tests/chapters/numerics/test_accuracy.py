@@ -137,7 +137,7 @@ def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     given = {"accuracy": surge, "random_scenes": drawn}
     axes = draw("numerics", "cost", given).axes
     assert "riserstudy" in {text.get_text() for text in axes[0].texts}
-    assert "S2c" in {label.get_text() for label in axes[1].get_yticklabels()}
+    assert "riser in surge,\ntop held" in {label.get_text() for label in axes[1].get_yticklabels()}
     late = surge.copy(deep=True)
     late["request_seconds"][:] = np.nan
     for name, values, words in (
