@@ -14,12 +14,12 @@ from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
-    "calibrated": "met with an input that was fitted to a printed number",
+    "calibrated": "met, but an input was fitted to a published number",
     "holds": "true in the base case and in at least 95 % of the samples (59 or more) of the unspecified "
     "inputs, with every interpretation",
-    "depends": "decided by an input that the paper does not give, or by how a sentence is interpreted",
+    "depends": "true or false, depending on an input that the paper omits or on an interpretation",
     "fails": "no sample meets the number, or at most 5 % of the samples support the claim",
-    "not comparable": "what is published is defined otherwise than what is computed",
+    "not comparable": "the paper defines the quantity differently",
     "not reproducible": "the paper gives too little information",
 }
 #: columns of the database that a claim has under the same name

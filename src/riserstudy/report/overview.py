@@ -20,7 +20,7 @@ SAID = {
         "depend on inputs that the papers omit",
     ),
     "fails": ("fails", "fail"),
-    "not comparable": ("is defined otherwise", "are defined otherwise"),
+    "not comparable": ("has another definition", "have other definitions"),
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }
 

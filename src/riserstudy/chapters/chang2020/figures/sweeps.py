@@ -75,7 +75,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     curved, straight = (float(far.sel(tensioner_model=model)) for model in MODELS)
     headline(
         figure,
-        f"The asymmetry index reaches {curved:.2f} with the gas law, {straight:.2f} with a line",
+        f"The asymmetry index reaches {curved:.2f} with the gas law, {straight:.2f} when linear",
     )
     label_ends(ax)
     return figure

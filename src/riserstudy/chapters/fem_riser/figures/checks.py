@@ -210,7 +210,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     right.set_xlabel(f"run time of {GRID_TIME:g} simulated seconds (s)")
     key_below(figure, left, 3)
     most = float(error.sel(element="5 m").max())
-    headline(figure, f"Elements of 5 m have an error of up to {most:.1f} % at any tested step")
+    headline(figure, f"Elements of 5 m have an error of at most {most:.1f} %")
     return figure
 
 

@@ -76,7 +76,7 @@ def _how_near(
     if every:
         return f"{every} of {worst.size} {label} meet all three published values"
     off = 100 * float(worst.min())
-    return f"At 130 s no {label[:-1]} meets all three values; the nearest misses {off:.0f} %"
+    return f"At 130 s no {label[:-1]} meets all three values; the closest is {off:.0f} % off"
 
 
 def _printed(heavy: float, light: float, moment: float) -> str:
