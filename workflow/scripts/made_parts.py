@@ -75,7 +75,7 @@ def files_of_effects(_: str) -> str:
             text = ast.get_docstring(ast.parse((ROOT / path).read_text("utf-8"))) or ""
             first = " ".join(text.partition("\n\n")[0].split())
             rows.append(f"| [`{module.name}`](../{path}) | {first} |")
-    return "\n".join(["| file | what it says |", "|---|---|", *rows])
+    return "\n".join(["| file | effect |", "|---|---|", *rows])
 
 
 def quantities(_: str) -> str:

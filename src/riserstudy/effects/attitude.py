@@ -1,4 +1,4 @@
-r"""Where the points of a turned platform are.
+r"""Positions of points on a rotated platform.
 
 Roll about x, pitch about y (the platform's vertical leans towards +x), yaw about z, in this order:
 

@@ -1,4 +1,4 @@
-"""Steady current: horizontal water velocity over elevation, from a table, straight between its points.
+"""Steady current: horizontal water velocity from a table over elevation, with linear interpolation.
 
 Below and above the table its end values hold. Evaluated at the deformed position of a node.
 

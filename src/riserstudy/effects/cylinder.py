@@ -1,4 +1,4 @@
-"""Tensioner cylinders between the tension ring (a node) and the deck: where they are, where they pull.
+"""Tensioner cylinders between the tension ring (a node) and the deck: positions and directions of pull.
 
 A cylinder's reach is its extension from mid-stroke. Laws of other files (gas, spring, damping, end stop)
 turn reach and its rate into the pull on the ring; this file turns the pull into forces on the node.

@@ -1,4 +1,4 @@
-r"""Morison drag with the velocity of the water relative to the pipe, as far as it goes across it.
+r"""Morison drag from the component of the relative water velocity across the pipe.
 
 .. math:: f = \tfrac12 \rho\,C_D D\,|u_n|\,u_n,\qquad u_n = (u - \dot r) - ((u - \dot r)\cdot t)\,t
 

@@ -1,4 +1,4 @@
-r"""Drag whose coefficient changes with elevation, taken where the pipe is and not where it was.
+r"""Drag whose coefficient depends on elevation, evaluated at the present place of the pipe.
 
 The coefficient C(z) is straight between the points of a table, and jumps at two points of one elevation.
 It is integrated inside the segments, which are straight, against the hat functions of their nodes,

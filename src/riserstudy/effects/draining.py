@@ -1,4 +1,4 @@
-r"""Contents that run out of a riser that has let go, and sea water that follows them.
+r"""Contents that drain from a disconnected riser, and sea water that follows them.
 
 The column moves along the riser as one body, at the speed V(t) downwards, and takes no part in the riser's
 own motion along its axis; across it, it goes with the pipe. With the wall's friction the effective tension

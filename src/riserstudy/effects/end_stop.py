@@ -1,4 +1,4 @@
-"""End stops of the stroke: stiff springs that touch beyond the limits.
+"""End stops of the stroke: stiff springs that act beyond the limits.
 
 References
 ----------

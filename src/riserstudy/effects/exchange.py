@@ -1,4 +1,4 @@
-r"""What a platform and a riser that are solved one after the other give to each other.
+r"""Exchange of force and motion between platform and riser that are solved alternately.
 
 The platform is lent the riser's force, straight between the times of a table; the riser's top is told the
 platform's motion, the cubic through positions and velocities at the times of a table,

@@ -1,4 +1,4 @@
-r"""A moment at the riser's lower end that fades: what a connector still carries while it lets go.
+r"""A decreasing moment at the riser's lower end, which the connector carries during its release.
 
 .. math:: M_0(t) = M\,\tfrac12\bigl(1 + \cos(\pi (t - t_0)/\tau)\bigr), \qquad 0 \le t - t_0 \le \tau
 

@@ -1,4 +1,4 @@
-r"""First-order motion of a platform that floats freely: superposed on what its own equation of motion gives.
+r"""First-order motion of a platform that floats freely: superposed on its low-frequency motion.
 
 .. math:: x = X(t) + \xi(t),\qquad \xi = \eta + R(\varphi)\,a - a
 

@@ -1,4 +1,4 @@
-r"""A gauge of the lower end above the stack: its lift and the speed of it; it does nothing to the riser.
+r"""A gauge of the lower end above the stack: lift and lift rate; it exerts no force.
 
 .. math:: \ell = z_0 - z_{stack}
 

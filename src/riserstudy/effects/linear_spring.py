@@ -1,4 +1,4 @@
-"""A tensioner made linear: force at mid-stroke plus stiffness times extension.
+"""A linearised tensioner: force at mid-stroke plus stiffness times extension.
 
 References
 ----------

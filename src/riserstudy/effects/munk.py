@@ -1,4 +1,4 @@
-r"""What a current adds to the inertia of a hull that is free to yaw.
+r"""Munk moment: added inertia of a hull that is free to yaw in a current.
 
 The added mass moves relative to the water, which itself moves with the velocity U. Lagrange's equations
 of :math:`\tfrac12 (\dot r - U)^T A(\psi) (\dot r - U)`, less those of the hull in water at rest, leave

@@ -1,4 +1,4 @@
-r"""The recoil valve of a tensioner: oil that is throttled on its way between cylinder and bottles.
+r"""The recoil valve of a tensioner: it throttles the oil between cylinder and bottles.
 
 .. math::
 

@@ -1,4 +1,4 @@
-r"""Damping of soil: a dashpot beside each spring of a conductor.
+r"""Damping of soil: a dashpot parallel to each soil spring of a conductor.
 
 .. math:: \mathbf f = -c\,\dot{\mathbf x}, \qquad c = \frac{2\xi}{\omega}\,\frac{p(Y)}{Y}
 

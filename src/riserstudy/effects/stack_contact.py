@@ -1,4 +1,4 @@
-r"""The stack under a riser that has let go: a one-sided spring, on which the lower end may come down again.
+r"""The stack below a disconnected riser: a one-sided spring that the lower end can re-contact.
 
 .. math:: f = k\,\max(0, z_0 - z), \qquad V = \tfrac12 k \max(0, z_0 - z)^2
 

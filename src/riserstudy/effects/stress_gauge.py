@@ -1,4 +1,4 @@
-r"""A gauge that reads the largest stress along a section; it does nothing to the riser.
+r"""A gauge of the largest stress along a section; it exerts no force.
 
 .. math:: \sigma = |T_e| / A + |M|\,D / 2I
 

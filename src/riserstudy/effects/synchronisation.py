@@ -1,4 +1,4 @@
-r"""Phase of a force that vortices exert, drawn to that of the riser's own motion along the force.
+r"""Phase of a vortex force, which synchronises with the riser's motion along the force.
 
 The phase turns with a frequency :math:`\hat f` over speed of the flow and diameter of the pipe. It is that
 of a pipe at rest where force and velocity are in phase, and rises or falls to bring them in phase,

@@ -1,4 +1,4 @@
-r"""A tensioner whose pull over its reach is a table, joined by monotone cubics.
+r"""A tensioner law from a table of pull over reach, interpolated by monotone cubics.
 
 .. math:: F(x) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = x - x_k
 

@@ -1,4 +1,4 @@
-r"""Drag of the water that slips along the pipe.
+r"""Drag from the component of the relative water velocity along the pipe.
 
 .. math:: f = \tfrac12 \rho\,C_t\,\pi D\,|u_t|\,u_t\,t,\qquad u_t = (u - \dot r)\cdot t
 

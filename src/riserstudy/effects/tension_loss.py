@@ -1,4 +1,4 @@
-r"""Loss of a constant tension while the riser moves: cylinders that fail, a line that parts.
+r"""Loss of a constant tension while the riser moves: failing cylinders, a broken line.
 
 .. math:: F(t) = -\tfrac12 \Delta F\,\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big)
 

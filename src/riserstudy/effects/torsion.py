@@ -1,4 +1,4 @@
-r"""A riser that is twisted by the yaw of its platform, as a spring.
+r"""Torsion of the riser by the yaw of the platform, as a spring.
 
 .. math:: N = -\psi \Big/ \sum_k \frac{L_k}{G I_{p,k}}
 

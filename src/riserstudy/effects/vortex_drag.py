@@ -1,4 +1,4 @@
-r"""Vortex-induced vibration in line with the flow: drag that varies, its phase drawn to the riser's motion.
+r"""Vortex-induced vibration in line with the flow: varying drag, synchronised with the riser's motion.
 
 Vortices shed in turn from both sides of a pipe change its drag twice in each period of the lift. With the
 velocity u of the water across the pipe, seen from it, the force per unstretched length is

@@ -1,4 +1,4 @@
-r"""Vortex-induced vibration across the flow: lift whose phase is drawn to that of the riser's own motion.
+r"""Vortex-induced vibration across the flow: lift that synchronises with the riser's motion.
 
 Vortices shed from a pipe lift it across the water that flows past. With the velocity u of the water across
 the pipe, seen from it, the pipe's tangent t and :math:`n = u/|u|`, the lift per unstretched length is

@@ -1,4 +1,4 @@
-r"""Where the riser leaves the water: drag, added mass and wave force act on the wet share of a segment.
+r"""Water surface: drag, added mass and wave force act on the wet share of a segment.
 
 .. math:: w_e = \frac{d_+}{d_+ - d_-}
 

@@ -1,4 +1,4 @@
-r"""Morison's inertia force: what the accelerating water does to the pipe, across it.
+r"""Morison's inertia force: force of accelerating water across the pipe.
 
 .. math:: f = (1 + C_a)\,\rho\,\frac{\pi D^2}{4}\,(\dot u - (\dot u \cdot t)\,t)
 
