@@ -227,10 +227,10 @@ def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, t
 @pytest.mark.parametrize(
     "values, told",
     [
-        (np.full(128, 9.0), "The verdict was certain at 99 % after the first 96 samples."),
+        (np.full(128, 9.0), "Settled at 99 % confidence after the first 96 samples."),
         (
             np.where(np.arange(128) % 20 == 0, 0.0, 9.0),
-            "Close to a bound: 128 samples do not make the verdict certain",
+            "Close to a bound: 128 samples do not settle it at 99 % confidence",
         ),
         (np.full(64, 9.0), ""),  # too few to say
     ],

@@ -204,7 +204,7 @@ def _premise(premise: Premise | None) -> Iterator[str]:
 def _missing(missing: Missing | None) -> Iterator[str]:
     """How many cases are left out."""
     if missing is not None:
-        yield f"{missing.cases} of {missing.of} cases have no result and are left out."
+        yield f"Cases without a result, left out: {missing.cases} of {missing.of}."
 
 
 def _together(together: Together | None) -> Iterator[str]:
@@ -230,9 +230,9 @@ def _settled(settled: Settled | None) -> Iterator[str]:
         return
     percent = f"{100 * settled.confidence:.0f} %"
     if settled.after is None:
-        yield f"Close to a bound: {settled.samples} samples do not make the verdict certain at {percent}."
+        yield f"Close to a bound: {settled.samples} samples do not settle it at {percent} confidence."
     else:
-        yield f"The verdict was certain at {percent} after the first {settled.after} samples."
+        yield f"Settled at {percent} confidence after the first {settled.after} samples."
 
 
 def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
