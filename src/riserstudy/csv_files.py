@@ -13,14 +13,13 @@ from __future__ import annotations
 
 import csv
 import io
-import os
 import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from riserstudy.errors import SimulationError
+from riserstudy.folders import whole_file
 
 #: what spreadsheets may leave out before a formula: space, control and invisible characters
 _FORMULA = re.compile(r"[\s\x00-\x1f\x7f\xad\u200b-\u200f\u2060\ufeff]*[=+\-@\t\n]")
@@ -44,15 +43,8 @@ def write_csv(target: Path, header: Sequence[str], rows: Iterable[Sequence[Any]]
     SimulationError
         When it cannot be written, as on a full disk.
     """
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
+    with whole_file(target) as partial:
         partial.write_text(csv_text(header, rows), "utf-8", newline="")
-        partial.replace(target)
-    except OSError as error:
-        reason = f"{target} cannot be written: {error.strerror}"
-        raise SimulationError(f"{reason}; see whether the disk is full") from None
-    finally:
-        partial.unlink(missing_ok=True)
 
 
 def read_csv(path: Path) -> list[dict[str, str]]:

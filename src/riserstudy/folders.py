@@ -7,8 +7,8 @@ import json
 import os
 import sys
 import tempfile
-from collections.abc import Callable, Iterable
-from contextlib import suppress
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager, suppress
 from functools import cache
 from importlib import import_module
 from pathlib import Path
@@ -18,7 +18,7 @@ from typing import Any
 
 import platformdirs
 
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, SimulationError
 
 PACKAGE = Path(__file__).parent
 CHAPTERS = "riserstudy.chapters"
@@ -167,6 +167,32 @@ def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
     except BaseException:
         Path(name).unlink(missing_ok=True)
         raise
+
+
+@contextmanager
+def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
+    """The path of a file to write, which takes the target's place when it is whole.
+
+    Parameters
+    ----------
+    *errors : of the library that writes, which mean that a file is not whole.
+
+    Raises
+    ------
+    SimulationError
+        When it cannot be written, as on a full disk.
+    """
+    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    unwritten: tuple[type[Exception], ...] = (OSError, *errors)
+    try:
+        yield partial
+        partial.replace(target)
+    except unwritten as error:
+        reason = getattr(error, "strerror", None) or "not written to its end"
+        remedy = "see whether the disk is full"
+        raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
+    finally:
+        partial.unlink(missing_ok=True)
 
 
 def remembered(name: str, make: Callable[[], Any]) -> Any:

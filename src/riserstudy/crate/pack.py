@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import os
 import zipfile
 from pathlib import Path
 
 from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
-from riserstudy.errors import InputError, SimulationError
-from riserstudy.folders import SEALS
+from riserstudy.errors import InputError
+from riserstudy.folders import SEALS, whole_file
 
 #: what stands beside the configuration, where it is there
 BESIDE = ("README.md", "LICENSE", "CITATION.cff")
@@ -35,18 +34,12 @@ def pack(study: Path, target: Path) -> int:
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *BESIDE) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
-    try:
+    with (
+        whole_file(target) as partial,
         # files of reproducible archives may be older than a zip can say
-        with zipfile.ZipFile(
-            partial, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False
-        ) as archive:
-            archive.writestr(NAME, text)
-            for file in dict.fromkeys(files):
-                archive.write(file, file.relative_to(study).as_posix())
-        partial.replace(target)
-    except OSError as error:
-        raise SimulationError(f"{target} cannot be written: {error.strerror}") from None
-    finally:
-        partial.unlink(missing_ok=True)
+        zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False) as archive,
+    ):
+        archive.writestr(NAME, text)
+        for file in dict.fromkeys(files):
+            archive.write(file, file.relative_to(study).as_posix())
     return len(files) + 1

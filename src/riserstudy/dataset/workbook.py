@@ -8,7 +8,8 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from riserstudy.dataset.table import Cell, Table, heads
-from riserstudy.errors import InputError, SimulationError
+from riserstudy.errors import InputError
+from riserstudy.folders import whole_file
 
 ENDING = ".xlsx"
 WIDEST = 28.0  # characters of a column
@@ -68,12 +69,5 @@ def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
                 WIDEST, max([12, *words]) + 1.0
             )
         sheet.freeze_panes = "B2"
-    partial = target.with_name(f".{target.name}.part")
-    try:
+    with whole_file(target) as partial:
         book.save(partial)
-        partial.replace(target)
-    except OSError as error:
-        reason = f"{target} cannot be written: {error.strerror}"
-        raise SimulationError(f"{reason}; see whether the disk is full") from None
-    finally:
-        partial.unlink(missing_ok=True)

@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from riserstudy.errors import SimulationError
+from riserstudy.folders import whole_file
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -49,19 +49,12 @@ def save(figure: Figure, *targets: Path) -> None:
 
     for target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
-        partial = target.with_name(f".{target.stem}.partial{target.suffix}")
-        try:
+        with whole_file(target, zlib.error) as partial:  # the error of a PDF that is not closed
             if target.suffix == ".csv":
                 partial.write_text(table(figure), "utf-8")
             else:
-                figure.savefig(partial, metadata=_metadata(figure, target.suffix))
-            partial.replace(target)
-        except (OSError, zlib.error) as error:  # the latter of a PDF that is not closed
-            reason = getattr(error, "strerror", None) or "not written to its end"
-            remedy = "see whether the disk is full"
-            raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
-        finally:
-            partial.unlink(missing_ok=True)
+                kind = target.suffix.removeprefix(".")
+                figure.savefig(partial, format=kind, metadata=_metadata(figure, target.suffix))
         figure.set_layout_engine("none")  # the next format is laid out as this one
 
 

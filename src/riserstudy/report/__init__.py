@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import jinja2
 
+from riserstudy.folders import whole_file
 from riserstudy.report.contents import Sources, contents
 from riserstudy.report.libraries import libraries, packed
 from riserstudy.report.wording import WORDING
@@ -30,9 +30,8 @@ DATA_FILES = (
 def write_report(sources: Sources, target: Path) -> None:
     """Write the page, whole or not at all. The same files give the same page."""
     target.parent.mkdir(parents=True, exist_ok=True)
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
-    partial.write_text(render(sources), "utf-8")
-    partial.replace(target)
+    with whole_file(target) as partial:
+        partial.write_text(render(sources), "utf-8")
 
 
 def render(sources: Sources) -> str:
