@@ -79,5 +79,5 @@ def test_the_study_gives_the_page_to_sign(copy):
     assert done.returncode == 0, done.stderr
     page = (copy / "results/report.html").read_text("utf-8")
     table = re.search(r'id="drilling-limits".*?</table>', page, re.DOTALL)[0]
-    assert "drilling: mean lfj_angle" in table
+    assert "drilling: mean lower flex joint angle" in table
     assert "exceeded at 8" in table
