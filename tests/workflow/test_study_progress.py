@@ -89,6 +89,17 @@ def test_time_left_is_that_of_the_last_run(run):
     assert "about 24 s left" in second.text()
 
 
+@pytest.mark.parametrize("rule, word", [("everything", "about"), ("a_rule_of_mine", "at least")])
+def test_a_rule_of_a_user_leaves_the_time_of_all_others(run, rule, word):
+    new, _ = run
+    progress, alone = new(), new()
+    alone.plan({"sea_states": 24, "hours": 1})
+    progress.plan({"sea_states": 24, "hours": 1, rule: 1})
+    assert progress.seconds_left() == pytest.approx(alone.seconds_left())
+    assert progress.seconds_left() > 60.0
+    assert f", {word} " in progress.text()
+
+
 @pytest.mark.parametrize("share, seconds", [(0.25, 30.0), (0.5, 10.0), (0.9, 200.0)])
 def test_time_left_of_a_step_at_work_follows_its_own_points(run, share, seconds):
     """Half of the points in 10 s leave 10 s for the others; other steps are as much slower or quicker."""

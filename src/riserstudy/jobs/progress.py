@@ -156,7 +156,8 @@ class Progress:
         """Steps done, time gone and left, what is at work, on how many cores."""
         gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
         if (left := self.seconds_left()) is not None:
-            gone = f"{self.percent(left)} %, {gone}, about {lasting(left)} left"
+            word = "at least" if self._untimed() else "about"
+            gone = f"{self.percent(left)} %, {gone}, {word} {lasting(left)} left"
         at_work = ", ".join(_shortened(step.message) for step in self.at_work.values())
         cores = f"{self.cores} core{'s' if self.cores > 1 else ''}"
         return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
@@ -175,24 +176,30 @@ class Progress:
     def seconds_left(self) -> float | None:
         """Time left (s) where steps take as long as in earlier runs, a point for a point, by this run's pace.
 
-        None where nothing is left, or nothing is known of a rule.
+        Rules of which nothing is known count as none. None where nothing is left.
         """
         self._count()
         total = 0.0
         for rule, count in self.left.items():
             if count > 0:
-                alike = {m: seconds for m, (of, seconds) in self.known.items() if of == rule}
-                alike = alike or self._at_first(rule)
-                if not alike:
-                    return None
+                alike = self._alike(rule)
                 to_do = [seconds for m, seconds in alike.items() if m not in self.took]
-                times = to_do or list(alike.values())
+                times = to_do or list(alike.values()) or [0.0]
                 total += count * sum(times) / len(times)
         if not total:
             return None
         pace = self._pace()
         spent = sum(self._spent(step, pace) for step in self.at_work.values())
         return max(total * pace - spent, 0.0) / self.cores
+
+    def _alike(self, rule: str) -> dict[str, float]:
+        """Time (s) of steps of a rule, by message; none where nothing is known of it."""
+        known = {m: seconds for m, (of, seconds) in self.known.items() if of == rule}
+        return known or self._at_first(rule)
+
+    def _untimed(self) -> bool:
+        """Whether steps are left of a rule of which nothing is known: one that a user wrote."""
+        return any(count > 0 and not self._alike(rule) for rule, count in self.left.items())
 
     def _pace(self) -> float:
         """How long steps of this run take, as a factor on the times that they were given.
