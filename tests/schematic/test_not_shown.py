@@ -2,6 +2,7 @@
 
 import hashlib
 import random
+import re
 from functools import cache
 from pathlib import Path
 
@@ -17,6 +18,7 @@ from riserstudy.scene.riser import Section
 from riserstudy.schematic import not_shown as module
 from riserstudy.schematic import schematic
 from riserstudy.schematic.not_shown import NO_PART, SHOWN, parts_left_out
+from riserstudy.schematic.words import WORDS, in_words
 
 CONFIG = Path(__file__).parents[2] / "config"
 SCENES = sorted((CONFIG / "scenes").glob("*/*.yaml"))
@@ -87,23 +89,47 @@ def test_a_part_that_the_schematic_knows_nothing_of_is_named(path, monkeypatch):
     scene = resolve(Scene.model_validate(GUIDED | {"riser": [section("lower", 500.0), upper]}))
     monkeypatch.setattr(module, "SHOWN", SHOWN - {path})
     assert parts_left_out(scene) == [path]
-    assert f"Not shown: {path}." in words(schematic(scene))
+    assert f"Not shown: {in_words(path)}." in words(schematic(scene))
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
 def test_every_schematic_says_what_it_leaves_out(path):
     scene = load_scene(path).resolved()
     left = parts_left_out(scene)
-    assert (f"Not shown: {', '.join(left)}." in words(schematic(scene))) == bool(left)
+    named = ", ".join(map(in_words, left))
+    assert (f"Not shown: {named}." in words(schematic(scene))) == bool(left)
 
 
-def test_what_is_said_to_be_shown_or_nothing_to_show_is_a_part_of_scenes():
+def every_part():
+    """All parts of scenes, to two levels."""
     schema = Scene.model_json_schema()
     every = set()
     for name, about in schema["properties"].items():
         every |= {name, *(f"{name}.{inner}" for inner in inner_names(about, schema))}
-    assert every >= SHOWN | NO_PART
+    return every
+
+
+def test_what_is_said_to_be_shown_or_nothing_to_show_is_a_part_of_scenes():
+    assert every_part() >= SHOWN | NO_PART
     assert not SHOWN & NO_PART
+
+
+def test_every_part_that_is_not_drawn_has_words():
+    sections = {path.partition(".")[0] for path in SHOWN}
+    whole = {name for name in Scene.model_fields if name not in sections}
+    inner = {path for path in every_part() if path.partition(".")[0] in sections and "." in path}
+    assert (whole | inner) - SHOWN - NO_PART <= set(WORDS)
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_no_schematic_names_a_part_as_the_file_does(path):
+    """An identifier: words joined by dots or underscores; decimal points and abbreviations apart."""
+    scene = load_scene(path).resolved()
+    figure = schematic(scene)
+    assert not re.search(r"[a-z]_[a-z]|[a-z]{2}\.[a-z]{2}", words(figure).replace(scene.title, ""))
+    assert not re.search(r"\bset [A-Z]{2,}", words(figure))
+    for reason in filter(None, (scene.lateral, scene.spatial)):
+        assert reason in WORDS
 
 
 def inner_names(about, schema):

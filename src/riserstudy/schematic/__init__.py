@@ -23,6 +23,7 @@ from riserstudy.schematic.riser import ends, riser
 from riserstudy.schematic.sea import sea
 from riserstudy.schematic.topside import topside
 from riserstudy.schematic.view import View
+from riserstudy.schematic.words import in_words
 
 WIDTH, HEIGHT = 9.6, 7.6  # of the figure (inches)
 COLUMNS = (0.7, 5.5)  # left ends of the panels (inches)
@@ -78,7 +79,7 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         above(views[3], geometry)
     for view in views:
         view.labels.place(view.ax)
-    _texts(figure, scene)
+    _texts(figure, scene, {row.colour for view in views for row in view.labels.rows})
     return figure
 
 
@@ -155,19 +156,21 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
     return (x, z + above - 0.5 * height), height
 
 
-def _texts(figure: Figure, scene: Resolved) -> None:
-    """Title, directions of motion, what colours mean, and what is to scale."""
+def _texts(figure: Figure, scene: Resolved, used: set[str]) -> None:
+    """Title, directions of motion, what those colours mean that are used, and what is to scale."""
     title = "\n".join(textwrap.wrap(scene.title, 100))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)
     figure.text(
         0.03, 0.945, freedom_text(scene), fontsize=8.5, va="top", color=KEY["freedoms and motions"]
     )
-    handles = [Line2D([], [], color=colour, label=name) for name, colour in KEY.items()]
+    handles = [
+        Line2D([], [], color=colour, label=name) for name, colour in KEY.items() if colour in used
+    ]
     figure.legend(
         handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
         frameon=False, handlelength=1.2, columnspacing=1.2,
     )  # fmt: skip
-    left = parts_left_out(scene)
-    missing = f" Not shown: {', '.join(left)}." if left else ""
+    named = ", ".join(map(in_words, parts_left_out(scene)))
+    missing = f" Not shown: {named}." if named else ""
     note = "\n".join(textwrap.wrap(NOTE + missing, 150))
     figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

@@ -14,6 +14,7 @@ from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.schematic.labels import UNBROKEN
+from riserstudy.schematic.words import in_words
 
 DEGREE = math.pi / 180.0
 TONNE = 1000.0  # kg
@@ -122,11 +123,11 @@ def bottom_text(scene: Resolved) -> str:
 
 
 def freedom_text(scene: Resolved) -> str:
-    """Directions of motion that the scene needs, and its entry that needs them."""
+    """Directions of motion that the scene needs, and a part of it that needs them."""
     if scene.spatial:
-        return f"motion in three dimensions, because of {scene.spatial}"
+        return f"motion in three dimensions, because of {in_words(scene.spatial)}"
     if scene.lateral:
-        return f"motion in the x–z plane, because of {scene.lateral}"
+        return f"motion in the x–z plane, because of {in_words(scene.lateral)}"
     return "motion along the axis only"
 
 
