@@ -6,10 +6,12 @@ import textwrap
 from contextlib import AbstractContextManager
 from typing import Any
 
+import numpy as np
 import xarray as xr
 from matplotlib import rc_context
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
 #: colours that stay apart for colour-blind readers and in grey
@@ -19,6 +21,7 @@ WIDTH = 6.4  # inches
 WIDE = 1.25  # of it, with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
 LETTERS_AN_INCH = 13  # of a headline
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
+TINT, SHADE = 0.5, 0.5  # shares of white and of black in the first and the last shade of a colour
 PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidth": 1.0}
 
 
@@ -47,6 +50,14 @@ def panel_title(ax: Axes, title: str) -> None:
     """Title of a panel, beside its letter where it has one."""
     letter = ax.get_title(loc="left")
     ax.set_title(f"{letter} {title}".strip(), loc="left", fontsize="small")
+
+
+def shades(colour: str, count: int) -> list[str]:
+    """Shades of one colour, light to dark, for lines of one kind in the order of a number."""
+    return [
+        to_hex((1.0 - abs(share)) * np.array(to_rgb(colour)) + max(-share, 0.0))
+        for share in np.linspace(-TINT, SHADE, count)
+    ]
 
 
 def as_written() -> AbstractContextManager[None]:

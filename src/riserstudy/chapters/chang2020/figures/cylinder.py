@@ -10,16 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.interpolate import CubicSpline
 
-from riserstudy.chapters.chang2020.figures.shared import MODELS
+from riserstudy.chapters.chang2020.figures.shared import GAS_LAW, MODELS, NAMES, OF_MODEL
 from riserstudy.figures.direct import label_line
-from riserstudy.figures.style import (
-    COLOURS,
-    GREY,
-    headline,
-    panels,
-)
+from riserstudy.figures.style import headline, panels
 
-FITTED = (-8.0, 8.0)  # m, of the line in Fig 9
+RANGE = (-8.0, 8.0)  # m, of the line in Fig 9
 PISTON = "piston displacement X = x − a (m)"
 
 
@@ -27,8 +22,8 @@ def fig05(quasi_static: xr.Dataset) -> Figure:
     """Tensioner force over piston displacement."""
     figure, (ax,) = panels()
     law = _law(quasi_static, "gas law")
-    law = law.interp(X=np.linspace(*FITTED, 201), method="cubic")
-    ax.plot(law["X"], law / 1e6, color=COLOURS[0])
+    law = law.interp(X=np.linspace(*RANGE, 201), method="cubic")
+    ax.plot(law["X"], law / 1e6, color=GAS_LAW)
     ax.set_xlabel(PISTON)
     ax.set_ylabel("force of four cylinders (MN)")
     _per_cylinder(ax, "force of one cylinder (MN)")
@@ -41,14 +36,15 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
     figure, (ax,) = panels()
     law = _law(quasi_static, "gas law")
     curve = CubicSpline(law["X"].values, law.values)
-    at = np.linspace(*FITTED, 401)
+    at = np.linspace(*RANGE, 401)
     at = at[np.abs(at) > 1e-6]
-    (tangent,) = ax.plot(at, np.abs(curve(at, 1)) / 1e6, color=GREY, label="tangent |dF/dX|")
+    slope = np.abs(curve(at, 1)) / 1e6
+    (tangent,) = ax.plot(at, slope, ":", color=GAS_LAW, lw=1.8, label="tangent |dF/dX|")
     secant = np.abs((curve(at) - curve(0.0)) / at)
     (chord,) = ax.plot(
         at,
         secant / 1e6,
-        color=COLOURS[0],
+        color=GAS_LAW,
         label="secant |F(X) − F(0)| / |X|,\nas Eq. 5 (right axis)",
     )
     ax.set_xlabel(PISTON)
@@ -63,10 +59,9 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
 def fig09(quasi_static: xr.Dataset) -> Figure:
     """Gas law and its least-squares line."""
     figure, (ax,) = panels()
-    for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
-        law = _law(quasi_static, model).interp(X=np.linspace(*FITTED, 161), method="cubic")
-        label = {"gas law": "gas law", "linear": "least-squares line"}[model]
-        (drawn,) = ax.plot(law["X"], law / 1e6, line, color=colour, label=label)
+    for model, line in MODELS.items():
+        law = _law(quasi_static, model).interp(X=np.linspace(*RANGE, 161), method="cubic")
+        (drawn,) = ax.plot(law["X"], law / 1e6, line, color=OF_MODEL[model], label=NAMES[model])
         above = model == "linear"
         label_line(ax, drawn, 0.45, (6.0, 5.0) if above else (-6.0, -5.0))
     ax.set_xlabel(PISTON)

@@ -4,28 +4,34 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
-from riserstudy.chapters.chang2020.figures.shared import MODELS, TIME
-from riserstudy.figures.direct import label_line
+from riserstudy.chapters.chang2020.figures.shared import (
+    GAS_LAW,
+    MODELS,
+    NAMES,
+    OF_MODEL,
+    OF_STATE,
+    TIME,
+    minus,
+)
+from riserstudy.figures.direct import label_line, legible
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
     headline,
     key_below,
     panel_title,
     panels,
+    shades,
 )
 
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # of them, those that the text names
 SHOWN = 60.0  # s, of runs from rest: three periods of the platform
-LEAST = "least squares over -8 to 8 m"
+DASHES = (0, (4, 4)), (4, (4, 4))  # of lines, by which those that coincide are seen both
 HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
-viridis = colormaps["viridis"]
 
 
 def fig08(
@@ -44,12 +50,12 @@ def fig08(
             "without tensioner": (_histories(rigid).sel(heave_amplitude=amplitude), GREY, 1.4),
             "with tensioner, from rest": (
                 _gas(from_rest).sel(heave_amplitude=amplitude),
-                COLOURS[0],
+                OF_STATE["from_rest"],
                 1.2,
             ),
             "with tensioner, settled": (
                 _repeated(_gas(steady).sel(heave_amplitude=amplitude), from_rest["time"]),
-                COLOURS[1],
+                OF_STATE["steady"],
                 1.2,
             ),
         }
@@ -109,15 +115,15 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
     start = float(steady["time"][0])
     cases = [(a, q) for a in NAMED for q in ("heave", "tension")]
     for (amplitude, quantity), early, late in zip(cases, axes[:4], axes[4:], strict=True):
-        for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+        for model, line in MODELS.items():
             run = started.sel(tensioner_model=model, heave_amplitude=amplitude)
-            label = {"gas law": "gas law", "linear": LEAST}[model]
-            early.plot(run["time"], run[quantity], line, color=colour, lw=1.1, label=label)
+            early.plot(run["time"], run[quantity], line, color=OF_MODEL[model], lw=1.1)
         law = settled.sel(tensioner_model="gas law", heave_amplitude=amplitude)
-        late.plot(law["time"] - start, law[quantity], color=COLOURS[0], lw=2.2, label="gas law")
-        for colour, line in zip(COLOURS[1:], straight["line"].values, strict=False):
-            run = straight.sel(line=line, heave_amplitude=amplitude)
-            late.plot(run["time"] - start, run[quantity], "--", color=colour, lw=1.1, label=line)
+        late.plot(law["time"] - start, law[quantity], color=GAS_LAW, lw=2.2, label="gas law")
+        for k, name in enumerate(map(str, straight["line"].values)):
+            run = straight.sel(line=name, heave_amplitude=amplitude)
+            late.plot(run["time"] - start, run[quantity], color=OF_MODEL[name], lw=1.2, ls=DASHES[k // 2],
+                      label=minus(name))  # fmt: skip
         for ax, when, end in ((early, "from rest", SHOWN), (late, "settled", 20.0)):
             ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
             ax.set_xlim(0.0, end)
@@ -126,15 +132,14 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
         ax.set_xlabel(TIME)
     for ax in axes[6:]:
         ax.set_xlabel("time in the settled period (s)")
-    curved = settled.sel(tensioner_model="gas law")["heave"].reset_coords(drop=True)
-    apart = abs(straight["heave"].reset_coords(drop=True) - curved).max("time")
-    share = 100.0 * apart / (curved.max("time") - curved.min("time"))
-    far = share.sel(heave_amplitude=NAMED[1])
-    headline(
-        figure,
-        f"At {NAMED[1]:g} m every linearised tensioner deviates from the gas law by "
-        f"{float(far.min()):.0f} % or more",
+    lowest = {"heave_amplitude": NAMED[1]}
+    curved = float(settled["heave"].sel(lowest | {"tensioner_model": "gas law"}).min("time"))
+    troughs = straight["heave"].sel(lowest).min("time")
+    deeper = int((troughs < curved).sum())
+    count = (
+        "every line gives" if deeper == troughs.size else f"{deeper} of {troughs.size} lines give"
     )
+    headline(figure, f"At {NAMED[1]:g} m {count} deeper troughs than the gas law")
     key_below(figure, axes[4], 3)
     return figure
 
@@ -177,34 +182,47 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
         for ax, quantity, label in zip(
             axes[2 * k :], ("heave", "tension"), (HEAVE, TENSION), strict=False
         ):
-            for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+            for model, line in MODELS.items():
                 run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
-                ax.plot(run["time"] - start, run[quantity], line, color=colour, lw=1.2, label=model)
+                ax.plot(run["time"] - start, run[quantity], line, color=OF_MODEL[model], lw=1.2,
+                        label=NAMES[model])  # fmt: skip
             ax.set_ylabel(label)
             panel_title(ax, f"platform {amplitude:g} m")
 
 
 def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:
-    """A panel an amplitude: from rest, and the settled motion to which the ringing decays."""
+    """A panel an amplitude: from rest, and the settled motion to which the ringing decays.
+
+    Beside each panel: how far settled crests and troughs are from equilibrium.
+    """
     figure, axes = panels(4, 1, 1.75, sharex=True, sharey=True)
     rest = _histories(runs, "static")[quantity].sel(tensioner_model="gas law")
     for ax, amplitude in zip(axes, FOUR, strict=False):
         run = _gas(runs).sel(heave_amplitude=amplitude)
         settled = _repeated(_gas(steady).sel(heave_amplitude=amplitude), run["time"])
-        ax.axhline(float(rest.isel(heave_amplitude=0)), color=GREY, lw=0.8, label="equilibrium")
-        ax.plot(run["time"], run[quantity], color=COLOURS[0], lw=1.0, label="from rest")
-        ax.plot(settled["time"], settled[quantity], color=COLOURS[1], lw=2.0, label="settled")
-        status = "named in the text" if amplitude in NAMED else "assumed"
-        panel_title(ax, f"platform {amplitude:g} m, {status}")
+        level = float(rest.isel(heave_amplitude=0))
+        ax.axhline(level, color="black", lw=0.6, label="equilibrium")
+        ax.plot(run["time"], run[quantity], color=OF_STATE["from_rest"], lw=1.0, label="from rest")
+        ax.plot(
+            settled["time"], settled[quantity], color=OF_STATE["steady"], lw=2.0, label="settled"
+        )
+        panel_title(ax, f"platform {amplitude:g} m" + ("" if amplitude in NAMED else " (assumed)"))
         ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
+        _heights(ax, settled[quantity], level, label)
+    axes[0].annotate(
+        "settled, from\nequilibrium:", (1.01, 1.0), xycoords="axes fraction", fontsize="small",
+        va="top", color=legible(OF_STATE["steady"]),
+    )  # fmt: skip
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME)
     axes[-1].set_xlim(0, SHOWN)
-    index = _settled_index(steady)
-    low, high = (float(index.sel(heave_amplitude=a)) for a in (FOUR[0], FOUR[-1]))
+    index = _settled_index(steady).sel(heave_amplitude=list(FOUR))
+    low, high = float(index[0]), float(index[-1])
     headline(
         figure,
-        f"Settled {quantity}: the asymmetry index grows with amplitude from {low:.2f} to {high:.2f}",
+        f"Settled crests of {quantity} exceed troughs by more, the larger the amplitude"
+        if low > 1.0 and bool((index.diff("heave_amplitude") > 0.0).all())
+        else f"Settled {quantity} has asymmetry indices of {low:.2f} to {high:.2f}",
     )
     key_below(figure, axes[0], 3)
     return figure
@@ -217,8 +235,22 @@ def _settled_index(steady: xr.Dataset) -> xr.DataArray:
     return index
 
 
+def _heights(ax: Axes, settled: xr.DataArray, rest: float, label: str) -> None:
+    """How far settled crests and troughs are from rest, in the unit of a label, beside a panel."""
+    unit = label.rpartition("(")[2].rstrip(")")
+    for height, side in (
+        (float(settled.max()) - rest, "crests +"),
+        (float(settled.min()) - rest, "troughs −"),
+    ):
+        ax.annotate(
+            f"{side}{abs(height):.2f} {unit}", (1.01, 0.5), xycoords="axes fraction",
+            xytext=(0, 2 if height > 0.0 else -2), textcoords="offset points", fontsize="small",
+            va="bottom" if height > 0.0 else "top", color=legible(OF_STATE["steady"]),
+        )  # fmt: skip
+
+
 def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
-    for colour, amplitude in zip(viridis(np.linspace(0.0, 0.85, len(FOUR))), FOUR, strict=True):
+    for colour, amplitude in zip(shades(GAS_LAW, len(FOUR)), FOUR, strict=True):
         run = _gas(runs).sel(heave_amplitude=amplitude)
         start = float(run["time"][0])
         (line,) = ax.plot(

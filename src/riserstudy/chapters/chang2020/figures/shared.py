@@ -1,6 +1,30 @@
-"""What figures of this chapter have in common: labels, models, interpretations."""
+"""What figures of this chapter have in common: labels, models, and what colours mean."""
 
 from __future__ import annotations
 
 MODELS = {"gas law": "-", "linear": "--"}
+#: of these, as figures name them
+NAMES = {"gas law": "gas law", "linear": "least-squares line"}
 AMPLITUDE, TIME = "heave amplitude of the platform (m)", "time (s)"
+
+GAS_LAW, FITTED = "#0072b2", "#d55e00"
+#: the gas law and lines in its place; config/studies/chang2020.yaml, readings
+OF_MODEL = {
+    "gas law": GAS_LAW,
+    "linear": FITTED,
+    "least squares over -8 to 8 m": FITTED,
+    "chord from -8 to 8 m": "#882255",
+    "tangent at X = 0": "#999933",
+    "tangent at rest": "#56b4e9",
+}
+#: states of motion on the gas law, where they are compared
+OF_STATE = {"steady": "#009e73", "from_rest": "#e69f00", "quasi_static": "#cc79a7"}
+#: how a riser starts; the unstretched one is that of all runs from rest
+OF_START = {"unstretched": OF_STATE["from_rest"], "equilibrium": "#332288"}
+#: at the ring it is in all other figures
+OF_MASS = {"at the ring": GAS_LAW, "along the riser": "#661100"}
+
+
+def minus(name: str) -> str:
+    """A name from a dataset with a true minus before numbers."""
+    return name.replace("-8", "−8")

@@ -6,15 +6,25 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.chang2020.figures.shared import AMPLITUDE, MODELS, TIME
+from riserstudy.chapters.chang2020.figures.shared import (
+    AMPLITUDE,
+    MODELS,
+    NAMES,
+    OF_MASS,
+    OF_MODEL,
+    OF_START,
+    OF_STATE,
+    TIME,
+)
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
-    COLOURS,
+    GREY,
     PRINTED,
     headline,
     key_below,
     panel_title,
     panels,
+    shades,
 )
 
 READINGS = {
@@ -22,22 +32,33 @@ READINGS = {
     "from_rest": "first 100 s from rest",
     "quasi_static": "quasi-static",
 }
+SHORT = READINGS | {"from_rest": "from rest"}
 STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
 
 
 def fig13(asymmetry: xr.Dataset) -> Figure:
     """Displacement above and below equilibrium over amplitude."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
-    sides = {"displacement_up": "above, $x_p$", "displacement_down": "below, $x_n$"}
+    sides = {
+        "displacement_up": ("above, $x_p$", "-", "."),
+        "displacement_down": ("below, $x_n$", "--", "x"),
+    }
     for ax, model in zip(axes, MODELS, strict=True):
-        for colour, (side, word) in zip(COLOURS, sides.items(), strict=False):
-            for line, (reading, label) in zip(("-", "--", ":"), READINGS.items(), strict=True):
+        for reading, label in READINGS.items():
+            for side, (word, line, mark) in sides.items():
                 curve = asymmetry[side].sel(reading=reading, tensioner_model=model)
+                held = reading == "quasi_static"
                 ax.plot(
-                    curve["heave_amplitude"], curve, line, color=colour, label=f"{word}: {label}"
+                    curve["heave_amplitude"],
+                    curve,
+                    linestyle="none" if held else line,
+                    marker=mark if held else None,
+                    markersize=5,
+                    color=shades(OF_STATE[reading], 3)[1 if side.endswith("up") else 2],
+                    label=f"{word}: {label}",
                 )
         ax.set_xlabel(AMPLITUDE)
-        panel_title(ax, model)
+        panel_title(ax, NAMES[model])
     axes[0].set_ylabel("displacement from equilibrium (m)")
     key_below(figure, axes[0], 2)
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
@@ -46,7 +67,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
     )
     headline(
         figure,
-        f"In the largest heave the gas law moves the riser {up:.1f} m up, {down:.1f} m down",
+        f"Settled motion on the gas law reaches {up:.1f} m up, {down:.1f} m down",
     )
     return figure
 
@@ -55,7 +76,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     """Asymmetry index over heave amplitude."""
     figure, (ax,) = panels()
     index = asymmetry["asymmetry_index"]
-    for colour, (reading, label) in zip(COLOURS, READINGS.items(), strict=False):
+    for reading in READINGS:
         for model, line in MODELS.items():
             curve = index.sel(reading=reading, tensioner_model=model)
             mark = {"gas law": ".", "linear": "x"}[model] if reading == "quasi_static" else None
@@ -66,17 +87,18 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
                 linestyle=style,
                 marker=mark,
                 markersize=5,
-                color=colour,
-                label=f"{label},\n{model}" if "from rest" in label else f"{label}, {model}",
+                color=OF_STATE[reading],
+                label=f"{SHORT[reading]}, {'gas law' if model == 'gas law' else 'linear'}",
             )
     ax.set_xlabel(AMPLITUDE)
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
-    far = index.sel(reading="steady").isel(heave_amplitude=-1)
-    curved, straight = (float(far.sel(tensioner_model=model)) for model in MODELS)
+    far = index.sel(tensioner_model="gas law").isel(heave_amplitude=-1)
+    settled, started = (float(far.sel(reading=reading)) for reading in ("steady", "from_rest"))
     headline(
         figure,
-        f"The asymmetry index reaches {curved:.2f} with the gas law, {straight:.2f} when linear",
+        f"The gas law's asymmetry index reaches {settled:.2f} settled, {started:.2f} from rest",
     )
+    ax.set_ylim(bottom=0.85)
     label_ends(ax)
     return figure
 
@@ -88,28 +110,44 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     rest = runs["z_static"].sel(heave_amplitude=0.0)
     moving = runs.sel(heave_amplitude=runs["heave_amplitude"] > 0)
     index = (moving["z_max"] - rest) / (rest - moving["z_min"])
+    grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
     ramps = (("None", "platform moves at once"), ("40 s", "motion grows over 40 s"))
-    starts = dict(zip(("unstretched", "equilibrium"), COLOURS, strict=False))
     for ax, (ramp, title) in zip(axes, ramps, strict=True):
-        for start, colour in starts.items():
+        for start, colour in OF_START.items():
             chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (
                 runs["assumed_analysis_start"] == start
             )
             lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
             ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
-        ax.axhline(1.0, color="black", linewidth=0.8)
+            _falling_steps(ax, lines)
+        grow = grows.sel(sample=runs["assumed_platform_heave_ramp"] == ramp)
+        ax.annotate(
+            f"increasing throughout: {int(grow.sum())} of {grow.size} samples",
+            (0.03, 0.96), xycoords="axes fraction", va="top", fontsize="small",
+        )  # fmt: skip
+        ax.axhline(1.0, color=GREY, linewidth=0.8)
         panel_title(ax, title)
         ax.set_xlabel(AMPLITUDE)
-    for start, colour in starts.items():
+    for start, colour in OF_START.items():
         axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
+    axes[0].plot([], [], color="black", lw=1.4, label="falling step")
     axes[0].set_ylabel("asymmetry index $S$")
-    key_below(figure, axes[0], 2)
-    grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
+    key_below(figure, axes[0], 3)
     headline(
         figure,
         f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples",
     )
     return figure
+
+
+def _falling_steps(ax: Axes, lines: xr.DataArray) -> None:
+    """Steps of amplitude over which an index does not increase."""
+    amplitude = lines["heave_amplitude"].values
+    for k in range(amplitude.size - 1):
+        low, high = lines.isel(heave_amplitude=k), lines.isel(heave_amplitude=k + 1)
+        for before, after in zip(low.values, high.values, strict=True):
+            if after <= before:
+                ax.plot(amplitude[k : k + 2], [before, after], color="black", lw=1.4)
 
 
 def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
@@ -123,11 +161,11 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     for j, height in enumerate(("amplitude", "height")):
         for k, measure in enumerate(words):
             at = j * 3.6 + k
-            for n, (colour, reading) in enumerate(zip(COLOURS, READINGS, strict=False)):
+            for n, (reading, colour) in enumerate(OF_STATE.items()):
                 value = float(table.sel(height=height, measure=measure, reading=reading))
                 label = READINGS[reading] if not places else None
                 bar = ax.bar(at + 0.27 * (n - 1), value, 0.25, color=colour, label=label)
-                written = ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
+                written = ax.bar_label(bar, fmt=_whole, fontsize="x-small", padding=2)
                 written[0].set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
             places.append(at)
             names.append(words[measure])
@@ -168,6 +206,11 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     return figure
 
 
+def _whole(value: float) -> str:
+    """A number without digits after its point, with a true minus."""
+    return f"{value:.0f}".replace("-", "−")
+
+
 def period_sweep(period_sweep: xr.Dataset) -> Figure:
     """Settled motion over the platform's period, a row an amplitude; periods of the peaks by the gas law."""
     amplitudes = period_sweep["heave_amplitude"].values
@@ -180,10 +223,10 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     }
     for k, amplitude in enumerate(amplitudes):
         for ax, (label, values) in zip(axes[2 * k :], curves.items(), strict=False):
-            for colour, (model, line) in zip(COLOURS, MODELS.items(), strict=False):
+            for model, line in MODELS.items():
                 curve = values.sel(heave_amplitude=amplitude, tensioner_model=model)
-                ax.plot(curve["heave_period"], curve, line, color=colour, marker=".", ms=4, lw=1.2,
-                        label=model)  # fmt: skip
+                ax.plot(curve["heave_period"], curve, line, color=OF_MODEL[model], marker=".", ms=4,
+                        lw=1.2, label=NAMES[model])  # fmt: skip
             ax.set_ylabel(label)
             ax.margins(y=0.2)
             panel_title(ax, f"platform {amplitude:g} m")
@@ -212,6 +255,7 @@ def _name_peak(ax: Axes, curve: xr.DataArray, lowest: bool = False) -> float:
     ax.annotate(
         f"{period:g} s: {float(extreme):.3g}", (period, float(extreme)),
         xytext=(8, -3 if lowest else 3), textcoords="offset points", fontsize="small",
+        color=OF_MODEL["gas law"],
     )  # fmt: skip
     return period
 
@@ -219,7 +263,8 @@ def _name_peak(ax: Axes, curve: xr.DataArray, lowest: bool = False) -> float:
 def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
     """The riser's mass at the ring and along the riser."""
     figure, axes = panels(1, 2, 3.6)
-    for colour, place in zip(COLOURS, riser_mass["mass_place"].values, strict=False):
+    for place in map(str, riser_mass["mass_place"].values):
+        colour = OF_MASS[place]
         start = riser_mass_start.sel(mass_place=place)
         away = start["z"].isel(s=-1) - start["z_static"].isel(s_node=-1)
         axes[0].plot(start["time"], away, color=colour, linewidth=1.2, label=f"mass {place}")
@@ -228,7 +273,7 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
             ("-", "above, $x_p$", top["z_max"] - top["z_static"]),
             ("--", "below, $x_n$", top["z_static"] - top["z_min"]),
         ):
-            label = word if colour == COLOURS[0] else None
+            label = word if place == "at the ring" else None
             axes[1].plot(side["heave_amplitude"], side, line, color=colour, label=label)
     axes[0].set_xlabel(TIME)
     axes[0].set_xlim(0, float(riser_mass_start["time"][-1]))
@@ -239,11 +284,8 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
     panel_title(axes[1], "settled")
     axes[1].legend(fontsize="small")
     key_below(figure, axes[0], 2)
-    far = riser_mass.isel(s_node=-1).sel(heave_amplitude=5.0)
-    swing = far["z_max"] - far["z_min"]
-    ranges = " or ".join(
-        f"{float(swing.sel(mass_place=place)):.2f} m ({place})"
-        for place in swing["mass_place"].values
-    )
-    headline(figure, f"The place of the mass sets the range: {ranges}")
+    top = riser_mass.isel(s_node=-1)
+    ring, along = ((top["z_max"] - top["z_min"]).sel(mass_place=place) for place in OF_MASS)
+    further = "further" if bool((ring > along).all()) else "not always further"
+    headline(figure, f"The riser moves {further} with its mass at the ring")
     return figure

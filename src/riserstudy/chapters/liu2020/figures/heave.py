@@ -4,28 +4,28 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.chapters.liu2020.figures.colours import LINEAR, ON_TENSIONERS, UPRIGHT
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
     field,
     headline,
     key_below,
     panel_title,
     panels,
+    shades,
 )
 
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
-MODELS = {"gas law": "-", "linear": "--"}
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
+ALIKE = 0.02  # of amplitudes, below which no difference can be seen
 STROKE = 7.5  # m, either way
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
-viridis = colormaps["viridis"]
 
 
 def fig13(heave_case: xr.Dataset) -> Figure:
@@ -41,7 +41,9 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     )
     headline(
         figure,
-        f"Heave gives a tension amplitude of {top:.0f} kN at the top, {bottom:.0f} kN at the bottom",
+        f"Heave varies the tension alike at all depths, by ±{0.5 * (top + bottom):.0f} kN"
+        if abs(top / bottom - 1.0) < ALIKE
+        else f"Heave gives a tension amplitude of {top:.0f} kN at the top, {bottom:.0f} kN at the bottom",
     )
     return figure
 
@@ -51,16 +53,15 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
     figure, (ax, below) = panels(2, 1, 2.8, sharex=True)
     tension = _by_depth(heave_case)["effective_tension"] / 1e3
     law = tension.sel(tensioner_model="gas law")
-    shades = viridis(np.linspace(0.0, 0.85, len(DEPTHS)))
-    for colour, depth in zip(shades, DEPTHS, strict=True):
+    for colour, depth in zip(shades(ON_TENSIONERS, len(DEPTHS)), DEPTHS, strict=True):
         curve = law.interp(depth=depth)
         ax.plot(curve["time"], curve, color=colour, linewidth=1.3, label=f"at {depth:.0f} m")
     upright = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
     others = {
-        "linear cylinders": tension.sel(tensioner_model="linear"),
-        "upright cylinders": upright,
+        "linear cylinders": (LINEAR, tension.sel(tensioner_model="linear")),
+        "upright cylinders": (UPRIGHT, upright),
     }
-    for colour, (label, other) in zip(COLOURS, others.items(), strict=False):
+    for label, (colour, other) in others.items():
         apart = (other - law).interp(depth=DEPTHS[0])
         below.plot(apart["time"], apart, color=colour, linewidth=1.3, label=label)
     panel_title(ax, "gas law, inclined cylinders")
@@ -81,52 +82,33 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
 
 
 def fig15(heave: xr.Dataset) -> Figure:
-    """Amplitude of the axial force over heave amplitude and period."""
+    """Amplitude of the axial force over heave amplitude, of all periods, and over period."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
-    kinds = {"gas law": "axial_force_amplitude", "linear": "axial_force_amplitude_linear"}
-    periods = [p for p in (5.0, 15.0, 30.0) if p in heave["heave_period"]]
-    for model, name in kinds.items():
-        force = heave[name] / 1e3
-        for colour, period in zip(COLOURS, periods, strict=False):
-            curve = force.sel(heave_period=period)
-            label = f"{period:g} s, {model}"
-            axes[0].plot(
-                curve["heave_amplitude"],
-                curve,
-                MODELS[model],
-                color=colour,
-                label=label,
-                marker=".",
-            )
-        amplitudes = heave["heave_amplitude"].values
-        shades = viridis(np.linspace(0.0, 0.9, len(amplitudes)))
-        for colour, amplitude in zip(shades, amplitudes, strict=True):
-            curve = force.sel(heave_amplitude=amplitude)
-            axes[1].plot(curve["heave_period"], curve, MODELS[model], color=GREY)
-            if model == "gas law":
-                axes[1].lines[-1].set_color(colour)
-                end = (float(curve["heave_period"][-1]), float(curve[-1]))
-                axes[1].annotate(
-                    f"{amplitude:g} m",
-                    end,
-                    xytext=(4, 0),
-                    textcoords="offset points",
-                    va="center",
-                    fontsize="small",
-                )
+    law, line = heave["axial_force_amplitude"] / 1e3, heave["axial_force_amplitude_linear"] / 1e3
+    at = law["heave_amplitude"]
+    axes[0].fill_between(
+        at, law.min("heave_period"), law.max("heave_period"), color=ON_TENSIONERS, alpha=0.3, lw=0.0,
+        label=f"gas law, {float(law['heave_period'].min()):g} to {float(law['heave_period'].max()):g} s",
+    )  # fmt: skip
+    middle = {"heave_period": 15.0}
+    axes[0].plot(at, law.sel(middle), ".-", color=ON_TENSIONERS, label="gas law, 15 s")
+    axes[0].plot(at, line.sel(middle), "--", color=LINEAR, label="linear, 15 s")
+    for amplitude in at.values:
+        curve = law.sel(heave_amplitude=amplitude)
+        axes[1].plot(curve["heave_period"], curve, color=ON_TENSIONERS, label=f"{amplitude:g} m")
     axes[0].set_xlabel(AMPLITUDE)
     axes[0].set_ylabel("amplitude of the axial force (kN)")
     axes[1].set_xlabel(PERIOD)
-    axes[1].margins(x=0.16)
-    panel_title(axes[1], "by heave amplitude; grey: linear")
-    spread = heave["axial_force_amplitude"]
-    spread = (spread.max("heave_period") / spread.min("heave_period") - 1.0).max()
+    panel_title(axes[0], "over heave amplitude")
+    panel_title(axes[1], "over period, gas law, by heave amplitude")
+    spread = (law.max("heave_period") / law.min("heave_period") - 1.0).max()
     headline(
         figure,
         "Heave amplitude sets the axial force; the period adds at most "
         f"{100.0 * float(spread):.1f} %",
     )
-    label_ends(axes[0])
+    key_below(figure, axes[0], 3)
+    label_ends(axes[1])
     return figure
 
 
@@ -136,7 +118,8 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     reach = heave_limit["tensioner_stroke"].isel(cylinder=0)
     tension = heave_limit["effective_tension"].isel(s=0) / 1e6
     stops = heave_limit["stop_stiffness"].values
-    for colour, width, stiffness in zip(COLOURS, (5.0, 3.0, 1.2), stops, strict=False):
+    colours = shades(UPRIGHT, len(stops))
+    for colour, width, stiffness in zip(colours, (5.0, 3.0, 1.2), stops, strict=False):
         for quantity, ax in ((reach, axes[0]), (tension, axes[1])):
             curve = quantity.sel(stop_stiffness=stiffness)
             for side in ("max", "min"):
@@ -164,13 +147,19 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
         textcoords="offset points", fontsize="small", va="top",
     )  # fmt: skip
     axes[0].set_ylabel("stroke of a cylinder (m)")
-    axes[1].set_ylabel("tension at the bottom (MN)")
+    axes[1].set_ylabel("effective tension (MN)")
     panel_title(axes[0], "largest and smallest stroke")
-    panel_title(axes[1], "largest and smallest tension")
+    panel_title(axes[1], "largest and smallest tension at the bottom")
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
     negative = _from(-tension.min(("time", "stop_stiffness")), 0.0)
     stopped = _from(abs(reach).max(("time", "stop_stiffness")), STROKE)
+    for ax, amplitude, level, up in (
+        (axes[0], stopped, STROKE, 12.0),
+        (axes[1], negative, 0.0, -30.0),
+    ):
+        if amplitude is not None:
+            _mark(ax, amplitude, level, up)
     words = "Tension stays positive" if negative is None else (
         f"Effective tension becomes negative at {negative:.1f} m of heave"
     )  # fmt: skip
@@ -178,6 +167,16 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     headline(figure, f"{words}; {met}")
     key_below(figure, axes[0], 3)
     return figure
+
+
+def _mark(ax: Axes, amplitude: float, level: float, up: float) -> None:
+    """Where a curve first reaches a level, with its heave amplitude (m) so many points above."""
+    ax.plot(amplitude, level, "o", color="black", ms=7, mfc="none", mew=1.2, zorder=5)
+    ax.annotate(
+        f"{amplitude:.1f} m", (amplitude, level), xytext=(-8, up), textcoords="offset points",
+        ha="right", va="bottom", fontsize="small",
+        arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 4.0},
+    )  # fmt: skip
 
 
 def _from(values: xr.DataArray, level: float) -> float | None:

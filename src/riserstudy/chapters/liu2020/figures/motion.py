@@ -6,20 +6,22 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from scipy.signal import find_peaks, peak_prominences
 
+from riserstudy.chapters.liu2020.figures.colours import OF_TOP, ON_TENSIONERS
 from riserstudy.chapters.liu2020.figures.motion_shared import DEPTH, RING, TIME, by_depth
 from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
-    COLOURS,
+    GREY,
     PRINTED,
     field,
     headline,
     key_below,
     panel_title,
     panels,
+    shades,
 )
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 
@@ -31,8 +33,14 @@ BASELINES = {
     "232 t carried to the upper flex joint": "232 t carried to the flex joint",
     WITHOUT: WITHOUT,
 }
+ROOM = 0.28  # of a panel of samples, at the right for their share
+PEAK = 0.1  # least rise of a resonance above both sides, as a share of it
+#: of them, in a sentence
+NAMED = {
+    model: f"a {name}" if name.startswith(("constant", "vertical")) else name
+    for model, name in BASELINES.items()
+}
 DISPLACEMENT = "lateral displacement (m)"
-viridis = colormaps["viridis"]
 WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added mass
 
 
@@ -62,8 +70,8 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
         ax.set_xlabel(TIME)
         panel_title(ax, name)
     begun = np.array([5.0, 5.0 + RING / WAVE_SPEED])
-    (speed,) = axes[0].plot(begun, [0.0, RING], "k:", label=f"a string's\n{WAVE_SPEED} m/s")
-    label_line(axes[0], speed, 1.0, (-6.0, 6.0))
+    (speed,) = axes[0].plot(begun, [0.0, RING], "k:", label=f"taut string:\n{WAVE_SPEED} m/s")
+    label_line(axes[0], speed, 1.0, (-12.0, 6.0))
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(figure, f"Surge waves travel down a riser {title}")
@@ -81,13 +89,13 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
         "232 t carried to the upper flex joint": ((3, (1, 5)), 1.8),
     }
     for ax, depth in zip(axes, DEPTHS, strict=True):
-        for colour, model in zip(COLOURS, ("gas law", *BASELINES), strict=False):
+        for model in ("gas law", *BASELINES):
             curve = x.sel(tensioner_model=model).dropna("depth", how="all").interp(depth=depth)
             label = "with tensioners (gas law)" if model == "gas law" else BASELINES[model]
             line, width = lines.get(model, ("--", 1.2))
             style: dict[str, Any] = {
                 "linestyle": line,
-                "color": colour,
+                "color": OF_TOP[model],
                 "linewidth": width,
                 "label": label,
             }
@@ -136,11 +144,11 @@ def baselines(
     )
     titles = (
         "current of 1 m/s",
-        "surge, least of 4 depths",
-        "surge, least of 4 depths",
+        "surge, least of four depths",
+        "surge, least of four depths",
     )
-    over, less = "displacement ratio", (1.0 - smaller, 1.0 / (1.0 - smaller))
-    labels = (over, over, "lag on tensioners (°)")
+    over, less = "displacement,\nwithout / with tensioners", (1.0 - smaller, 1.0 / (1.0 - smaller))
+    labels = (over, over, "lag of the riser\non tensioners (°)")
     turn = float(np.rad2deg(later))
     same = (less, less, (-turn, turn))
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
@@ -153,11 +161,11 @@ def baselines(
     axes[-1].set_ylabel("samples with the claim (%)")
     share = (compared[0].sel(tensioner_model=list(BASELINES)) > less[1]).mean("sample")
     most = [str(m) for m in BASELINES if float(share.sel(tensioner_model=m)) >= ALMOST_ALWAYS]
-    which = f"only one baseline moves more: {most[0]}" if len(most) == 1 else (
-        f"{len(most)} of {len(BASELINES)} baselines move more"
+    which = f"only {NAMED[most[0]]} increases displacement" if len(most) == 1 else (
+        f"{len(most)} of {len(BASELINES)} interpretations increase displacement"
     )  # fmt: skip
     headline(figure, f"At rest {which}")
-    key_below(figure, axes[0], 4)
+    key_below(figure, axes[0], 5)
     return figure
 
 
@@ -166,51 +174,62 @@ def _samples(ax: Axes, values: xr.DataArray, even: tuple[float, float]) -> None:
 
     ``even``: between these there is no difference.
     """
-    for row, model in enumerate(values["tensioner_model"].values):
+    for row, model in enumerate(map(str, values["tensioner_model"].values)):
+        colour = OF_TOP[model]
         of = values.sel(tensioner_model=model).values
         low, middle, high = np.quantile(of, (0.05, 0.5, 0.95))
-        words = ("one sample", "90 % of them", "median") if not row else (None, None, None)
-        ax.plot(of, np.full(of.size, row), "o", color=COLOURS[0], ms=4, alpha=0.3, label=words[0])
-        ax.plot([low, high], [row, row], color=COLOURS[0], lw=2.0, label=words[1])
-        ax.plot(middle, row, "|", color="black", ms=11, mew=2.0, label=words[2])
+        ax.plot(of, np.full(of.size, row + 0.12), "o", color=colour, ms=4, alpha=0.3)
+        ax.plot([low, high], [row - 0.12] * 2, color=colour, lw=2.5)
+        ax.plot(middle, row - 0.12, "|", color="black", ms=9, mew=2.0)
         ax.annotate(
             f"{100.0 * np.mean(of > even[1]):.0f} %", (0.99, row - 0.34),
             xycoords=("axes fraction", "data"), ha="right", va="center", fontsize="x-small",
         )  # fmt: skip
     ax.axvspan(*even, color="0.8", zorder=0, linewidth=0, label="no difference")
-    right = max(ax.get_xlim()[1], even[1] + 0.1 * abs(np.ptp(ax.get_xlim())))
+    ax.plot([], [], "o", color=GREY, ms=4, alpha=0.5, label="one sample")
+    ax.plot([], [], color=GREY, lw=2.5, label="90 % of them")
+    ax.plot([], [], "|", color="black", ms=9, mew=2.0, ls="none", label="median")
+    right = ax.get_xlim()[1] + ROOM * float(np.ptp(ax.get_xlim()))
     ax.axvspan(even[1], right, color="0.93", zorder=0, label="the paper's claim holds")
     ax.set_xlim(right=right)
 
 
 def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
     """Bending moment over depth and time under roll, ``largest`` the printed one (kN m)."""
-    figure, axes = panels(1, 3, 3.8, sharey=True)
+    figure, axes = panels(1, 3, 4.6, sharey=True)
     run = roll_case.sel(tensioner_model="gas law")
     moment = by_depth(run["bending_moment"]).sel(depth=slice(0.0, None)) / 1e3
     end = float(moment["time"][-1])
     size = float(abs(moment).max())
-    for ax, times, name in zip(
-        axes, (slice(0.0, 40.0), slice(end - 40.0, None)), ("as it begins", "settled"), strict=False
+    parts = {
+        "first 40 s": (slice(0.0, 40.0), "--"),
+        "settled, last 40 s": (slice(end - 40.0, None), "-"),
+    }
+    for ax, shade, (name, (times, line)) in zip(
+        axes, (shades(ON_TENSIONERS, 3)[0], ON_TENSIONERS), parts.items(), strict=False
     ):
-        label = "bending moment (kN m)" if name == "settled" else ""
-        field(figure, ax, moment.sel(time=times), "time", "depth", label, signed=size)
+        part = moment.sel(time=times)
+        field(figure, ax, part, "time", "depth", "", signed=size)
         ax.set_xlabel(TIME)
         panel_title(ax, name)
-    settled = abs(moment.sel(time=slice(end - 20.0, None))).max("time")
-    axes[2].plot(settled, settled["depth"], color=COLOURS[0])
-    axes[2].axvline(largest, **PRINTED)
-    axes[2].annotate(
-        f"printed: {largest:g}", (largest, 0.99), xycoords=("data", "axes fraction"), xytext=(-3, 0),
-        textcoords="offset points", ha="right", va="top", fontsize="small",
-    )  # fmt: skip
-    axes[2].set_xlabel("largest moment (kN m)")
-    panel_title(axes[2], "settled")
+        most = abs(part).max("time")
+        axes[2].plot(most, most["depth"], line, color=shade, label=name)
+    figure.colorbar(
+        axes[0].collections[0],
+        ax=axes[:2],
+        location="bottom",
+        aspect=40,
+        label="bending moment (kN m)",
+    )
+    axes[2].axvline(largest, label=f"printed, calibrated: {largest:g}", **PRINTED)
+    axes[2].set_xlabel("largest bending moment (kN m)")
+    panel_title(axes[2], "largest of both")
+    key_below(figure, axes[2], 3)
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     headline(
         figure,
-        f"Roll bends the riser with up to {size:.0f} kN m at first, {float(settled.max()):.1f} kN m "
+        f"Roll bends the riser with up to {size:.0f} kN m at first, {float(most.max()):.1f} kN m "
         "in steady state (calibrated)",
     )
     return figure
@@ -220,23 +239,33 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     """Largest bending moment over roll amplitude and period; ``largest``: printed for 4 deg, 10 s (kN m)."""
     figure, (ax,) = panels(height=3.8)
     amplitudes = roll["roll_amplitude"].values
-    shades = viridis(np.linspace(0.0, 0.85, len(amplitudes)))
-    for colour, amplitude in zip(shades, amplitudes, strict=True):
+    for colour, amplitude in zip(shades(ON_TENSIONERS, len(amplitudes)), amplitudes, strict=True):
         curve = roll["largest_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
         ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g}° roll")
     ax.plot([10.0], [largest], "kx", markersize=8)
     ax.annotate(
-        f"printed for 4°, calibrated: {largest:g}", (10.0, largest), xytext=(30, 60), fontsize="small",
-        textcoords="offset points", arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 5.0},
+        f"printed for 4°, calibrated: {largest:g}", (10.0, largest), xytext=(3, 85), fontsize="small",
+        textcoords="offset points",
+        arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 5.0, "relpos": (0.0, 0.0)},
     )  # fmt: skip
-    of_paper = roll["largest_bending_moment"].sel(roll_amplitude=4.0) / 1e3
+    top = roll["largest_bending_moment"].sel(roll_amplitude=amplitudes[-1]) / 1e3
+    peaks = [
+        k for k in find_peaks(top.values)[0]
+        if peak_prominences(top.values, [k])[0][0] >= PEAK * float(top[k])
+    ]  # fmt: skip
+    for k in peaks:
+        ax.annotate(
+            f"{float(top['roll_period'][k]):g} s", (float(top["roll_period"][k]), float(top[k])),
+            xytext=(0, 4), textcoords="offset points", ha="center", fontsize="small",
+        )  # fmt: skip
     ax.set_xlabel("roll period of the platform (s)")
     ax.set_ylabel("largest bending moment (kN m)")
     ax.set_ylim(bottom=0.0)
+    ax.set_ylim(top=1.08 * float(top.max()))
+    periods = top["roll_period"]
+    ax.set_xlim(float(periods.min()), float(periods.max()) + 0.5)
     headline(
-        figure,
-        f"Resonances interrupt the fall: {float(of_paper.max()):.0f} kN m at "
-        f"{float(of_paper.idxmax('roll_period')):g} s",
+        figure, f"The moment decreases with roll period, except towards {len(peaks)} resonances"
     )
     label_ends(ax)
     return figure

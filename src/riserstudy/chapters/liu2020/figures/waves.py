@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from riserstudy.chapters.liu2020.figures.colours import OF_MOTION, ON_TENSIONERS, WITH_WAVES
 from riserstudy.chapters.liu2020.figures.motion_shared import TIME
 from riserstudy.dataset.statistics import peaks
 from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
     headline,
     legend_below,
@@ -38,11 +38,13 @@ ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
 def fig21(rao_table: xr.Dataset) -> Figure:
     """Heave and surge over wave period."""
     figure, (ax,) = panels(height=3.6)
-    for colour, name in zip(COLOURS, ("heave", "surge"), strict=False):
+    for name in ("heave", "surge"):
         for unit, line in UNITS.items():
             curve = rao_table[f"rao_{name}"].sel(platform_unit=unit)
             label = f"{name}, {unit} {GENERIC}"
-            (drawn,) = ax.plot(curve["wave_period"], curve, line, color=colour, label=label)
+            (drawn,) = ax.plot(
+                curve["wave_period"], curve, line, color=OF_MOTION[name], label=label
+            )
             if unit == "large":
                 offset = (-8.0, 0.0) if name == "heave" else (0.0, 5.0)
                 share = 0.71 if name == "heave" else 0.9
@@ -54,11 +56,9 @@ def fig21(rao_table: xr.Dataset) -> Figure:
         for unit, line in UNITS.items()
     ]
     ax.legend(handles=key, fontsize="small", loc="upper left")
-    still, most = (float(x) for x in (_stillest(rao_table), _heaviest(rao_table)))
-    headline(
-        figure,
-        f"The medium generic unit surges least at {still:.1f} s and heaves most at {most:.1f} s",
-    )
+    most = rao_table["rao_heave"].idxmax("wave_period")
+    low, high = float(most.min()), float(most.max())
+    headline(figure, f"Generic units heave most in waves of {low:.1f} to {high:.1f} s")
     return figure
 
 
@@ -67,7 +67,9 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.6)
     for unit, line in UNITS.items():
         curve = np.rad2deg(rao_table["rao_pitch"].sel(platform_unit=unit))
-        ax.plot(curve["wave_period"], curve, line, color=COLOURS[0], label=f"{unit} {GENERIC}")
+        ax.plot(
+            curve["wave_period"], curve, line, color=OF_MOTION["pitch"], label=f"{unit} {GENERIC}"
+        )
     ax.set_xlabel(WAVE)
     ax.set_ylabel("pitch / wave amplitude (°/m)")
     ax.legend(fontsize="small")
@@ -79,41 +81,39 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     return figure
 
 
-def _stillest(rao_table: xr.Dataset) -> xr.DataArray:
-    """Wave period (s) above 7 s at which the medium unit surges least."""
-    surge = rao_table["rao_surge"].sel(platform_unit="medium")
-    return surge.where((surge["wave_period"] > 7.0) & (surge["wave_period"] < 12.0)).idxmin(
-        "wave_period"
-    )
-
-
-def _heaviest(rao_table: xr.Dataset) -> xr.DataArray:
-    """Wave period (s) at which the medium unit heaves most."""
-    return rao_table["rao_heave"].sel(platform_unit="medium").idxmax("wave_period")
-
-
 def fig23(rao: xr.Dataset) -> Figure:
     """Stress amplitude by each motion."""
     stress = rao["stress_amplitude"] / 1e6
-    largest = stress.max(["wave_period", "platform_unit", "reference"])
     figure = _by_motion(stress, "stress amplitude (MPa)")
-    first = str(largest["motion"].values[int(largest.argmax("motion"))])
-    most = float(largest.max())
-    headline(figure, f"{first.capitalize()} stresses the riser most, by up to {most:.0f} MPa")
+    medium = stress.sel(platform_unit="medium")
+    most = {str(dim): int(at) for dim, at in medium.argmax(...).items()}
+    where = medium.isel(most)
+    headline(
+        figure,
+        f"The medium unit's {where['motion'].item()} stresses the riser most: {float(where):.0f} MPa "
+        f"in waves of {float(where['wave_period']):g} s",
+    )
     return figure
 
 
 def fig24(rao: xr.Dataset) -> Figure:
     """Share of each motion in the stress amplitude."""
     share = 100.0 * rao["stress_share"]
-    span = float(share["wave_period"].max() - share["wave_period"].min())
-    mean = share.integrate("wave_period").mean(["platform_unit", "reference"]) / span
-    first = str(mean["motion"].values[int(mean.argmax("motion"))])
     figure = _by_motion(share, "share of the stress amplitude (%)")
+    of_medium = share.sel(platform_unit="medium")
+    leads = of_medium.argmax("motion") == xr.DataArray(
+        range(of_medium.sizes["motion"]), dims="leader"
+    )
+    span = float(share["wave_period"].max() - share["wave_period"].min())
+    of_span = leads.astype(float).integrate("wave_period") / span  # of periods, by panel and motion
+    first = int(of_span.min("reference").argmax("leader"))
+    name = str(share["motion"].values[first])
+    most = bool((of_span.isel(leader=first) > 0.5).all())
     headline(
         figure,
-        f"{first.capitalize()} makes {float(mean.max()):.0f} % of the stress amplitude, as a mean over "
-        "both panels",
+        f"{name.capitalize()} has the largest share over most wave periods in both panels"
+        if most
+        else "No motion has the largest share over most wave periods",
     )
     return figure
 
@@ -122,18 +122,20 @@ def _by_motion(values: xr.DataArray, label: str) -> Figure:
     """A line per motion for the medium unit, marks at simulated periods; bands: over the three units."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
     for ax, reference in zip(axes, values["reference"].values, strict=True):
-        for colour, motion in zip(COLOURS, values["motion"].values, strict=False):
+        for motion in map(str, values["motion"].values):
+            colour = OF_MOTION[motion]
             curve = values.sel(reference=reference, motion=motion)
             low, high = curve.min("platform_unit"), curve.max("platform_unit")
             ax.fill_between(low["wave_period"], low, high, color=colour, alpha=0.25, linewidth=0.0)
             ax.plot(curve["wave_period"], curve.sel(platform_unit="medium"), ".-", ms=4, lw=1.2,
-                    color=colour, label=str(motion))  # fmt: skip
+                    color=colour, label=motion)  # fmt: skip
         ax.set_xlabel(WAVE)
         panel_title(ax, f"centre of motion {reference}")
     axes[0].set_ylabel(label)
     medium = Line2D([], [], color=GREY, marker=".", ms=4, lw=1.2)
     band = Patch(color=GREY, alpha=0.25, linewidth=0.0)
     legend_below(figure, [medium, band], [f"medium {GENERIC}", f"range of three {GENERIC}s"], 2)
+    axes[0].margins(x=0.0)
     label_ends(axes[1])
     return figure
 
@@ -143,19 +145,19 @@ def waves(waves: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.8)
     stress = waves["stress_amplitude"] / 1e6
     alone = stress.sel(waves=ALONE)
-    (without,) = ax.plot(alone["wave_period"], alone, ".-", color=COLOURS[0], label=ALONE)
+    (without,) = ax.plot(alone["wave_period"], alone, ".-", color=ON_TENSIONERS, label=ALONE)
     on_it = stress.drop_sel(waves=ALONE)
     low, high = on_it.min("waves"), on_it.max("waves")
     names = "none, constant or stretched above the mean level"
     ax.fill_between(
-        low["wave_period"], low, high, color=COLOURS[1], alpha=0.6, label=f"range: {names}"
+        low["wave_period"], low, high, color=WITH_WAVES, alpha=0.6, label=f"range: {names}"
     )
     stretched = stress.sel(waves=STRETCHED)
     (on,) = ax.plot(
         stretched["wave_period"],
         stretched,
         ".-",
-        color=COLOURS[1],
+        color=WITH_WAVES,
         label=f"on the riser, {STRETCHED}",
     )
     calm = alone.where(alone["wave_period"] > CALM, 0.0)
@@ -166,10 +168,23 @@ def waves(waves: xr.Dataset) -> Figure:
     ax.set_ylabel("stress amplitude (MPa)")
     panel_title(ax, "surge, heave and pitch at once")
     ratio = stretched / alone
+    most = ratio.idxmax("wave_period")
+    ax.annotate(
+        "", (float(most), float(stretched.sel(wave_period=most))),
+        (float(most), float(alone.sel(wave_period=most))),
+        arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 0.9, "shrinkA": 3.0, "shrinkB": 3.0},
+    )  # fmt: skip
+    ax.annotate(
+        f"× {float(ratio.max()):.0f}", (float(most), 0.72 * float(stretched.sel(wave_period=most))),
+        xytext=(5, 0), textcoords="offset points", va="center", fontsize="small",
+    )  # fmt: skip
+    raised = ratio["wave_period"].where(ratio > 1.0)
+    lowered = ratio["wave_period"].where(ratio <= 1.0)
     headline(
         figure,
-        f"Waves on the riser raise its stress up to {float(ratio.max()):.0f} times, at "
-        f"{float(ratio.idxmax('wave_period')):g} s",
+        f"Waves on the riser raise its stress up to {float(raised.max()):g} s, lower it beyond"
+        if float(raised.max()) < float(lowered.min())
+        else f"Waves on the riser change its stress up to {float(ratio.max()):.0f} times",
     )
     return figure
 
@@ -185,10 +200,10 @@ def sea(storm: xr.Dataset) -> Figure:
         _about_largest(left, scale * history, abs(swing))
         left.set_ylabel(f"{label} ({unit})")
         low = density["frequency"] < HIGHEST
-        middle.plot(density["frequency"][low], scale**2 * density[low], color=COLOURS[0])
+        middle.plot(density["frequency"][low], scale**2 * density[low], color=ON_TENSIONERS)
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
         _exceeded(right, swing)
-        right.set_ylabel("share of peaks exceeding")
+        right.set_ylabel("share of peaks above")
         right.set_xlabel(f"{label.split()[0]} − mean ({unit})")
         short = label.split()[0]
         worst[short] = float(abs(swing).max() / swing.std())
@@ -213,16 +228,18 @@ def _at_ring(values: xr.DataArray) -> xr.DataArray:
 def _about_largest(ax: Axes, history: xr.DataArray, size: xr.DataArray) -> None:
     middle = float(size.idxmax("time"))
     part = history.sel(time=slice(middle - SHOWN / 2.0, middle + SHOWN / 2.0))
-    ax.plot(part["time"], part, color=COLOURS[0], linewidth=0.9)
+    ax.plot(part["time"], part, color=ON_TENSIONERS, linewidth=0.9)
     ax.axhline(float(history.mean()), color=GREY, linewidth=0.9)
 
 
 def _exceeded(ax: Axes, swing: xr.DataArray) -> None:
     """Share of peaks above the mean, and below it, that exceed a size; Rayleigh's beside them."""
     largest = 0.0
-    for colour, sign, label in ((COLOURS[0], 1.0, "above the mean"), (COLOURS[1], -1.0, "below")):
+    for line, sign, label in (("-", 1.0, "above the mean"), ("--", -1.0, "below")):
         sizes = np.sort(peaks(sign * swing.values))
-        ax.step(sizes, 1.0 - np.arange(len(sizes)) / len(sizes), color=colour, label=label)
+        ax.step(
+            sizes, 1.0 - np.arange(len(sizes)) / len(sizes), line, color=ON_TENSIONERS, label=label
+        )
         largest = max(largest, float(sizes[-1]))
     over = np.linspace(0.0, largest, 100)
     rayleigh = np.exp(-0.5 * (over / float(swing.std())) ** 2)

@@ -1,0 +1,27 @@
+"""What colours mean in all figures of this chapter: one colour for one thing."""
+
+from __future__ import annotations
+
+#: what carries the riser's top; config/studies/liu2020.yaml, readings
+OF_TOP = {
+    "gas law": "#0072b2",
+    "linear": "#d55e00",
+    "constant": "#e69f00",
+    "vertical force at the ring": "#009e73",
+    "232 t carried to the upper flex joint": "#000000",
+    "riser's top on the platform": "#cc79a7",
+    "upright cylinders": "#882255",
+}
+ON_TENSIONERS, LINEAR, UPRIGHT = (OF_TOP[top] for top in ("gas law", "linear", "upright cylinders"))
+#: motions of the platform, and waves that act on the riser as well
+OF_MOTION = {"surge": "#332288", "heave": "#999933", "pitch": "#56b4e9"}
+WITH_WAVES = "#aa4499"
+#: currents over depth; calibrated ones are shapes of these
+OF_PROFILE = {
+    "linear": "#456882",
+    "exponential 50 m": "#5c2e0b",
+    "exponential 100 m": "#a8622a",
+    "exponential 200 m": "#dfa974",
+}
+ALL, ONE = "8765 N by all cylinders", "8765 N by one cylinder"
+OF_CALIBRATION = {ALL: OF_PROFILE["exponential 50 m"], ONE: OF_PROFILE["exponential 200 m"]}
