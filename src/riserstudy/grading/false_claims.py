@@ -6,6 +6,7 @@ A grader that accepts one of them is wrong. How many it accepts is its rate of f
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, Literal, Self
 
@@ -14,6 +15,7 @@ from pydantic import Field, model_validator
 from riserstudy.errors import InputError
 from riserstudy.grading.models import InWords, Item, Option, PublishedFile
 from riserstudy.grading.published import looked_up, refuse_check
+from riserstudy.grading.words_file import read_words
 from riserstudy.inputs.check import check
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
@@ -116,9 +118,10 @@ def read_false_claims(config: Path, paper: str, printed: PublishedFile) -> list[
     claims = check(FalseClaims, read_yaml(path, keep=True), path).claims
     _refuse_misplaced(path, claims, printed)
     items = {item.id: item for item in printed.items}
+    words = cache(partial(read_words, config))
     false = []
     for one in claims:
-        false.append(one.model_copy(update={"options": looked_up(one.options, printed, config)}))
+        false.append(one.model_copy(update={"options": looked_up(one.options, printed, words)}))
         refuse_check(path, paper, false[-1].item(items[one.of]))
     return false
 

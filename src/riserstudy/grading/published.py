@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache, partial
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import Checked, Option, PrintedNumber, PublishedFile, WordName
-from riserstudy.grading.words_file import read_words
+from riserstudy.grading.words_file import WordsFile, read_words
 from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.study.arguments import refuse_arguments
@@ -37,14 +38,15 @@ def printed_of(config: Path, paper: str) -> PublishedFile:
 
 def _look_up_words(file: PublishedFile, config: Path) -> None:
     """Put bounds in the place of names of words."""
+    words = cache(partial(read_words, config))
     for entry in (*file.items, *file.errata):
-        entry.options.update(looked_up(entry.options, file, config))
+        entry.options.update(looked_up(entry.options, file, words))
 
 
 def looked_up(
-    options: Mapping[str, Option], file: PublishedFile, config: Path
+    options: Mapping[str, Option], file: PublishedFile, words: Callable[[], WordsFile]
 ) -> dict[str, Option]:
-    """Options with printed numbers, and bounds, in the place of their names.
+    """Options with printed numbers and bounds in place of their names; ``words`` reads the table of words.
 
     Raises
     ------
@@ -56,7 +58,7 @@ def looked_up(
     found: dict[str, Option] = {}
     for name, option in options.items():
         if isinstance(option, WordName):
-            option = read_words(config).word(option.word)
+            option = words().word(option.word)
         elif isinstance(option, PrintedNumber):
             option = file.number(option.printed)
         found[name] = option

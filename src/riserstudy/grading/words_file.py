@@ -83,4 +83,4 @@ def read_words(config: Path) -> WordsFile:
     if not path.exists():
         allowed = "write no_difference, because and words, as the table of riserstudy has them"
         raise InputError(path, "words", "no table of words", allowed)
-    return check(WordsFile, read_yaml(path), path)
+    return check(WordsFile, read_yaml(path, keep=True), path)

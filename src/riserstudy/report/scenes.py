@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Callable
+from functools import cache, partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.grading.models import PrintedInput
 from riserstudy.grading.printed import printed_as, printed_inputs
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, within
@@ -16,6 +19,8 @@ from riserstudy.study.study import scene_file
 
 if TYPE_CHECKING:
     import xarray as xr
+
+Printed = Callable[[str], list[PrintedInput]]  # what the file of a paper lists
 
 MOST_PARTS = 12  # of a list that is shown in full
 
@@ -50,17 +55,20 @@ def scene_tables(
     datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
 ) -> list[SceneTable]:
     """One table for each scene; datasets that set values of a common scene share it."""
+    inputs = cache(partial(printed_inputs, config))
     scenes: dict[str, dict[str, xr.Dataset]] = {}
     for name, dataset in datasets.items():
         title = json.loads(dataset.attrs["scene"])["title"]
         scenes.setdefault(title, {})[name] = dataset
-    return [_table(title, members, file, config) for title, members in scenes.items()]
+    return [_table(title, members, file, config, inputs) for title, members in scenes.items()]
 
 
 def _table(
-    title: str, datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
+    title: str, datasets: dict[str, xr.Dataset], file: StudyFile, config: Path, inputs: Printed
 ) -> SceneTable:
-    values = {name: _values(name, dataset, file, config) for name, dataset in datasets.items()}
+    values = {
+        name: _values(name, dataset, file, config, inputs) for name, dataset in datasets.items()
+    }
     paths = dict.fromkeys(path for parameters in values.values() for path in parameters)
     rows = []
     for path in paths:
@@ -78,13 +86,13 @@ def _table(
 
 
 def _values(
-    name: str, dataset: xr.Dataset, file: StudyFile, config: Path
+    name: str, dataset: xr.Dataset, file: StudyFile, config: Path, inputs: Printed
 ) -> dict[str, tuple[str, str, str]]:
     """Value, status and evidence of every path of a dataset's scene."""
     tree = json.loads(dataset.attrs["scene"])
     origins = json.loads(dataset.attrs["origins"])
     evidence = json.loads(dataset.attrs.get("evidence", "{}"))
-    inputs = printed_inputs(config, tree["paper"]) if tree.get("paper") else []
+    listed = inputs(tree["paper"]) if tree.get("paper") else []
     plain = "published" if tree.get("paper") else "given"
     study = file.studies[name]
     written = flat(scene_file(config / study.scene).tree)
@@ -95,7 +103,7 @@ def _values(
         if last_name(path) in CALLED:
             continue
         origin = next((place for place in origins if within(path, place)), None)
-        printed = printed_as(inputs, path, value)
+        printed = printed_as(listed, path, value)
         if path in varied:
             values[path] = ("varied", "axis", varied[path])
         elif origin is not None:
