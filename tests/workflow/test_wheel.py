@@ -93,7 +93,7 @@ def test_a_new_user_has_a_report_of_an_own_study(tmp_path):
     user.do("snakemake", "snakemake", cwd=study)
     again = user.do("again", "snakemake", cwd=study)
 
-    assert "Nothing to be done" in again
+    assert "Nothing to do: every result is up to date." in again
     page = (study / "results/report.html").read_text()
     asked = YAML(typ="safe").load(study / "config/studies/example.yaml")["figures"]
     assert {*re.findall(r'<figure id="example-(\w+)', page)} == {*asked}
