@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # points of each study of this run, as it was planned
 DATA_FILES = ("first_times.json",)
+RECORDED = "standard"  # tier of the times that come with the project
 FIRST = Path(__file__).with_name(DATA_FILES[0])  # times for rules that no earlier run had
 TAIL = 400  # bytes of a log, at its end, in which its progress stands
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
@@ -136,8 +137,13 @@ class Progress:
         return fixed + (step.seconds - fixed) * points / step.points
 
     def _of_project(self) -> dict[str, Taken]:
-        """Times of steps that come with the project, as far as this run has them."""
+        """Times of steps that come with the project, as far as this run has them.
+
+        Measurements have no points to go by, so theirs are for the tier alone that they were recorded in.
+        """
         steps = {message: Taken(*step) for message, step in self.first["steps"].items()}
+        if self.tier != RECORDED:
+            steps = {message: step for message, step in steps.items() if step.rule != "measure"}
         studies = {message for message in steps if STUDY.fullmatch(message)}
         planned = {f"simulate {study}" for study in self.points} & studies
         own = {m for m, step in steps.items() if step.rule == "compile"} | planned
