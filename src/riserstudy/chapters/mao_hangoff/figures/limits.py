@@ -20,6 +20,8 @@ from riserstudy.figures.style import GREY, headline, legend_below, panel_title, 
 PERIODS = (5.0, 8.0)  # s, of heave: the least, and one in which heavy risers keep tension
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
+KEPT, LOST = "Blues", "Oranges"  # of tension ranges
+HEAVES = "Greens"  # of heave amplitudes, of which the least is the worst
 viridis = colormaps["viridis"]
 
 
@@ -94,22 +96,23 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         panel_title(ax, f"{HUNG[mode]} ({mode}), {riser}")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
-    _bar(figure, axes[:2], norm, "range of top tension (MN)")
+    _bar(figure, axes[:2], norm, LOST, "range of top tension (MN)")
+    _bar(figure, axes[:2], norm, KEPT, "")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
     most = float(tension_limits["heave_amplitude"].max())
     for ax, wanted in zip(axes[2:], PERIODS, strict=True):
         hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
-        _cells(ax, hard, Normalize(0.0, most))
+        _cells(ax, hard, Normalize(0.0, most), colours=HEAVES)
         period = float(hard["heave_period"])
         panel_title(ax, f"locked, heave of {period:g} s, all risers")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
-    _bar(figure, axes[2:], Normalize(0.0, most), "heave that loses tension (m)")
-    kept, gone = (colormaps[name](0.5) for name in ("Blues", "Oranges"))
+    _bar(figure, axes[2:], Normalize(0.0, most), HEAVES, "heave that loses tension (m)")
+    kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {
-        "tension is kept": Patch(color=kept),
-        "tension is lost (same scale)": Patch(color=gone),
-        f"tension is not lost up to {most:g} m": Line2D(
+        "(a, b) tension is kept": Patch(color=kept),
+        "(a, b) tension is lost": Patch(color=gone),
+        f"(d) tension is not lost up to {most:g} m": Line2D(
             [], [], ls="none", marker="$–$", color="black"
         ),
     }
@@ -123,10 +126,10 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
     return figure
 
 
-def _bar(figure: Figure, of: list[Axes], norm: Normalize, label: str) -> None:
-    """One colour bar for panels that have the same colours."""
-    bar = figure.colorbar(ScalarMappable(norm, "Blues"), ax=of, label=label, pad=0.01)
-    bar.ax.yaxis.set_major_formatter("{x:g}")
+def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str) -> None:
+    """One colour bar for panels that have the same colours; without a label also without numbers."""
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01)
+    bar.ax.yaxis.set_major_formatter("{x:g}" if label else NullFormatter())
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
@@ -134,21 +137,30 @@ def _loses(lost: xr.DataArray) -> str:
     """From which heave on a riser loses tension in the worst period."""
     if bool(lost.isnull().all()):
         return "nowhere"
-    return f"from {float(lost.min()):.2g} m"
+    return f"from {_two_digits(float(lost.min()))} m"
+
+
+def _two_digits(value: float) -> str:
+    """A number to two significant digits, a zero among them."""
+    return f"{value:#.2g}".removesuffix(".")
 
 
 def _cells(
-    ax: Axes, values: xr.DataArray, norm: Normalize, lost: xr.DataArray | None = None
+    ax: Axes,
+    values: xr.DataArray,
+    norm: Normalize,
+    lost: xr.DataArray | None = None,
+    colours: str = KEPT,
 ) -> None:
     """A table in colours, a cell a pair of coordinates; a dash where there is no number."""
     up, across = values.dims
     kept = values if lost is None else values.where(~lost)
-    for drawn, colours in ((kept, "Blues"), (values.where(kept.isnull()), "Oranges")):
-        ax.pcolormesh(drawn.values, norm=norm, cmap=colours, edgecolors="white")
+    for drawn, shades in ((kept, colours), (values.where(kept.isnull()), LOST)):
+        ax.pcolormesh(drawn.values, norm=norm, cmap=shades, edgecolors="white")
     for i, row in enumerate(values.values):
         for j, value in enumerate(row):
             colour = "white" if norm(value) > 0.6 else "black"
-            text = "–" if np.isnan(value) else f"{value:.2g}"
+            text = "–" if np.isnan(value) else _two_digits(value)
             ax.text(j + 0.5, i + 0.5, text, ha="center", va="center", size="small", color=colour)
     ax.set_xticks(np.arange(values.sizes[across]) + 0.5, [f"{x:g}" for x in values[across].values])
     ax.set_yticks(np.arange(values.sizes[up]) + 0.5, [f"{x:g}" for x in values[up].values])
