@@ -10,7 +10,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import NullLocator
+from matplotlib.ticker import LogLocator, NullLocator
 
 from riserstudy.chapters.fem_riser.claims import (
     BEAM,
@@ -70,7 +70,10 @@ def readings(reading_trends: xr.Dataset) -> Figure:
             ax.plot(curve["buoyant_factor"], curve, "o-", label=label, **style)
         ax.set_xlabel("buoyant factor")
         ax.set_ylabel(quantity)
-        ax.set_ylim(bottom=0.0)
+        ax.set_yscale("log")  # so that small changes are seen
+        ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+        ax.yaxis.set_major_formatter("{x:g}")
+        ax.yaxis.set_minor_locator(NullLocator())
     key_below(figure, axes[0], 1)
     raised = [
         reading
@@ -87,7 +90,9 @@ def readings(reading_trends: xr.Dataset) -> Figure:
     ]
     headline(
         figure,
-        f"Only in interpretation {', '.join(raised) or 'none'} the factor raises all three, as claimed",
+        f"Only interpretation {raised[0]} raises all three results, as claimed"
+        if len(raised) == 1
+        else f"Interpretations that raise all three results, as claimed: {', '.join(raised) or 'none'}",
     )
     for ax in axes:
         label_ends(ax, names=list(READINGS))
@@ -112,6 +117,8 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
                 ax.annotate("all" if every else "\n".join(missed), (tide, wave), ha="center",
                             va="center", fontsize="x-small", color="white" if every else "black")  # fmt: skip
         ax.margins(0.15)
+        ax.set_xticks(here["tide"].values, [f"{tide:g}" for tide in here["tide"].values])
+        ax.set_yticks(here["wave_height"].values)
         panel_title(ax, f"joints: {joints}")
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
@@ -123,7 +130,8 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"Claims B5 to B10 hold together in {100 * shares['all six']:.0f} % of the samples",
+        f"The six claims hold together at {100 * float(held.all('claim').mean()):.0f} % of points, "
+        f"{100 * shares['all six']:.0f} % of samples",
     )
     return figure
 
@@ -137,6 +145,7 @@ def _shares(ax: Axes, held: xr.DataArray) -> dict[str, float]:
         ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
     ax.set_yticks(range(len(shares)), list(shares))
     ax.invert_yaxis()
+    panel_title(ax, "samples of the unspecified inputs")
     ax.set_xlim(0, 112)
     ax.set_xlabel(f"share of {held.sizes['sample']} samples (%)")
     return shares
@@ -207,7 +216,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     right.set_ylim(len(rows) - 0.5, -0.5)
     right.set_xscale("log")
     right.xaxis.set_major_formatter("{x:g}")
-    right.set_xlabel(f"run time of {GRID_TIME:g} simulated seconds (s)")
+    right.set_xlabel(f"elapsed time of {GRID_TIME:g} simulated seconds (s)")
     key_below(figure, left, 3)
     most = float(error.sel(element="5 m").max())
     headline(figure, f"Elements of 5 m have an error of at most {most:.1f} %")

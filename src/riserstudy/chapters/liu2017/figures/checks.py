@@ -94,16 +94,16 @@ def coupling(coupling: xr.Dataset) -> Figure:
         panel_title(ax, "largest up to each time")
     cost = turns[["newton_iterations", "solve_seconds"]] / one
     rows = [way.replace(", ", ",\n") for way in ways]
-    axes[2].barh(rows, cost["newton_iterations"], color=shades, alpha=0.6)
-    (dots,) = axes[2].plot(cost["solve_seconds"], rows, "o", color="black")
+    axes[2].barh(rows, cost["newton_iterations"], color=shades)
+    (dots,) = axes[2].plot(cost["solve_seconds"], rows, "o", color="black", mec="white")
     same = axes[2].axvline(1.0, **PRINTED)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("ratio to cost as one")
+    axes[2].set_xlabel("ratio to the coupled system")
     key: dict[str, Any] = {str(line.get_label()): line for line in axes[0].lines}
     key |= {
-        "(c) iterations": Patch(color=GREY, alpha=0.6),
-        "(c) run time": dots,
-        "(c) cost as one": same,
+        "(c) iterations": Patch(color=GREY),
+        "(c) elapsed time": dots,
+        "(c) coupled system": same,
     }
     apart = off["platform_surge"].max("time")
     ends = [

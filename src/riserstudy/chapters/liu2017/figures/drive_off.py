@@ -203,6 +203,9 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         f"The {first_limit(times).item()!s} reaches its limit first, at {float(times.min()):.0f} s",
     )
     axes[0].set_ylabel("utilisation of the limit")
+    for line in axes[0].lines:
+        if line.get_label() == "limit (printed)":
+            line.set_label("limit (printed; of the riser assumed)")
     name_limits(figure, axes, PIPE)
     return figure
 
@@ -239,6 +242,8 @@ def envelope(envelope: xr.Dataset) -> Figure:
     legend_below(figure, [*key.values()], [*key], 3)
     rises = lines["conductor"]
     within = int((np.asarray(rises.get_ydata()) < 1.4).sum()) - 1  # it leaves the panel above
-    label_line(ax, rises, within / (len(used["offset"]) - 1), (8.0, 0.0))
+    most = float(np.interp(1.5 * end, used["offset"], np.asarray(rises.get_ydata())))
+    reaches = f"conductor,\nup to {most:.1f} at {1.5 * end:.0f} m"
+    label_line(ax, rises, within / (len(used["offset"]) - 1), (8.0, 0.0), name=reaches)
     label_ends(ax, [lines[name] for name in LIMITS if name != "conductor"])
     return figure

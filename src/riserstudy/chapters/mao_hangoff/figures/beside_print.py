@@ -23,10 +23,11 @@ from riserstudy.figures.style import (
 
 MARKS = ("o", "s", "^", "D", "v", "P")
 NEAREST = "nearest to all three numbers"
+HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
 RING: dict[str, Any] = {
     "color": "black",
     "marker": "o",
-    "ms": 9,
+    "ms": 13,
     "mfc": "none",
     "ls": "none",
 }
@@ -47,23 +48,40 @@ def readings(
     for weight, colour in weights.items():
         for mark, flow in zip(MARKS, flows, strict=False):
             one = numbers.sel(riser_weight=weight, flow=flow)
-            style: dict[str, Any] = {"color": colour, "marker": mark, "ls": "none", "ms": 4}
+            style: dict[str, Any] = {"color": colour, "marker": mark} | HOLLOW
             axes[0].plot(one["x"], one["moment"], label=f"{weight}; {flow}", **style)
             axes[1].plot(one["x"], one["ratio"], label=f"{weight}; {flow}", **style)
     _around_print(axes, numbers, heavy, light, moment)
     _two_way_key(figure, weights, flows, _printed(heavy, light, moment))
     misses = misses_of_print(readings, heavy, light, moment)
-    _ring_nearest(axes, numbers, misses)
+    nearest = _ring_nearest(axes, numbers, misses)
+    colour = weights[str(nearest["riser_weight"].item())]
+    mark = MARKS[flows.index(str(nearest["flow"].item()))]
+    for ax, name in zip(axes, ("moment", "ratio"), strict=True):
+        on_top: dict[str, Any] = {"marker": mark, "color": colour, "ms": 8, "zorder": 3}
+        ax.plot(nearest["x"], nearest[name], ls="none", **on_top)
+    _name_nearest(axes[0], nearest)
     headline(figure, _how_near(misses, heavy, light, moment, within, "interpretations"))
     return figure
 
 
-def _ring_nearest(axes: list[Axes], numbers: xr.Dataset, misses: xr.Dataset) -> None:
-    """Ring what misses all three numbers by least."""
+def _name_nearest(ax: Axes, nearest: xr.Dataset) -> None:
+    """Write which interpretation the nearest is, with an arrow to its ring."""
+    parts = (str(nearest[axis].item()) for axis in ("riser_weight", "flow", "current_profile"))
+    ax.annotate(
+        ",\n".join(parts), (float(nearest["x"]), float(nearest["moment"])), xytext=(0.98, 0.03),
+        textcoords="axes fraction", ha="right", va="bottom", fontsize="x-small", zorder=4,
+        bbox={"facecolor": "white", "edgecolor": "0.8"}, arrowprops={"arrowstyle": "-", "shrinkB": 6.0},
+    )  # fmt: skip
+
+
+def _ring_nearest(axes: list[Axes], numbers: xr.Dataset, misses: xr.Dataset) -> xr.Dataset:
+    """Ring what misses all three numbers by least, and return its numbers."""
     worst = misses[list(NUMBERS)].to_dataarray("number").max("number")
     nearest = numbers.isel(worst.argmin(...))
     for ax, name in zip(axes, ("moment", "ratio"), strict=True):
         ax.plot(nearest["x"], nearest[name], label=NEAREST, **RING)
+    return nearest
 
 
 def _how_near(
@@ -153,7 +171,7 @@ def _frames(
     growth = light / heavy - 1.0
     return (
         ("moment", 4.1 * heavy, 0.0, 4.2 * moment),
-        ("ratio", 4.1 * heavy, 1.0 - growth, 1.0 + 3.0 * growth),
+        ("ratio", 4.1 * heavy, 1.0 - growth, 1.0 + 2.0 * growth),
     )
 
 

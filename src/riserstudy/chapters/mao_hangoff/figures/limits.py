@@ -36,7 +36,7 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         _speeds(ax, at, governing)
         knots = float((at["speed_through_water"] - at["speed_limit"]).mean())
         words = f"current against: {current:g} m/s ({knots:.1f} kn)"
-        panel_title(ax, words)
+        panel_title(ax, words if current else "no current")
         ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")
     axes[0].set_ylabel("largest speed over ground (kn)")
@@ -44,8 +44,7 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         Line2D([], [], ls="none", marker=MARKS[which], color=GREY, label=_governs(which, names))
         for which in governing
     ]
-    if len(marks) > 1:  # else the title says it
-        legend_below(figure, marks, [str(mark.get_label()) for mark in marks], 4)
+    legend_below(figure, marks, [str(mark.get_label()) for mark in marks], 4)
     headline(figure, _slowest_and_fastest(speed_limits, names))
     for ax in axes[:-1]:
         ax.margins(x=0.0)

@@ -13,6 +13,7 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patheffects import withStroke
 
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     ASTERN,
@@ -41,8 +42,8 @@ START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
 DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
 #: shapes of the current by what their names contain, with the titles of their panels
 FAMILIES = {
-    "none below": "100 m layer, none below",
-    "exponential": "exponential",
+    "none below": "uniform to 100 m,\nzero below the depth shown",
+    "exponential": "exponential,\ndecay length",
     "": "power of height",
 }
 MIDDLE, DEEPEST = 700.0, 1800.0  # m, depths of Fig 8: where lines are named, and its last
@@ -136,9 +137,14 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     panel_title(axes[0], "as in Figs 9 and 10")
     for ax, family in zip(axes[1:], FAMILIES, strict=True):
         of_family = [shape for shape in shapes if _family(shape) == family]
-        for colour, shape in zip(COLOURS[3:], of_family, strict=False):
+        layer = family == "none below"
+        widths = (
+            (2.8, 1.4) if layer else (1.5,) * len(of_family)
+        )  # where they coincide both are seen
+        colours = COLOURS[4:] if layer else COLOURS[3:]  # a colour a depth of 300 m
+        for colour, width, shape in zip(colours, widths, of_family, strict=False):
             curve = _while_it_flows(share.sel(current_profile=shape))
-            (line,) = ax.plot(curve, depth, color=colour, label=shape)
+            (line,) = ax.plot(curve, depth, color=colour, lw=width, label=shape)
             name, level, away = PLACES.get(shape, (shape, MIDDLE, (5.0, 0.0)))
             label_line(ax, line, level / float(depth.max()), away, name=name, size="x-small")
         ax.set_xlabel("share of surface speed")
@@ -194,6 +200,7 @@ def fig09(
     theirs = _sign_of_largest(theirs) * theirs
     for ax, curve in zip(axes, (shape, theirs), strict=False):
         ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=COLOURS[1])
+    _peak(axes[1], theirs)
     titles = ("shape at 130 s", "moment at 130 s", "shapes in time", "axial motion")
     for ax, title in zip(axes, titles, strict=True):
         panel_title(ax, title)
@@ -228,7 +235,7 @@ def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
     shades = plasma(np.linspace(0.0, 0.85, len(DEPTHS)))
     for colour, width, below in zip(shades, (1.0, *NESTED), DEPTHS, strict=True):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
-        name = f"(d) {below:g} m below" if below else "(d) upper flex joint"
+        name = f"(d) {below:g} m below the joint" if below else "(d) upper flex joint"
         ax.plot(at["time"], at - at[0], color=colour, lw=width, label=name)
     ax.set_xlabel(TIME)
     ax.set_ylabel("axial motion (m)")
@@ -239,6 +246,16 @@ def _number(ax: Axes, x: float, up: float, text: str) -> None:
     ax.annotate(
         text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, 4.0 - 8.0 * up),
         textcoords="offset points", ha="right", va="top" if up else "bottom", fontsize="small",
+    )  # fmt: skip
+
+
+def _peak(ax: Axes, moment: xr.DataArray) -> None:
+    """Write the largest moment of the paper's mesh below its peak."""
+    most = moment.isel(s=int(moment.argmax("s")))
+    ax.annotate(
+        f"{float(most):.1f} kN m", (float(most), float(moment["s"][-1] - most["s"])), xytext=(2.0, -11.0),
+        textcoords="offset points", ha="right", va="top", fontsize="x-small", color=COLOURS[1],
+        path_effects=[withStroke(linewidth=2.0, foreground="white")],
     )  # fmt: skip
 
 
