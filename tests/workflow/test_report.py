@@ -165,7 +165,7 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     assert re.search(pressure, text)
     assert re.search(r"platform.heave.amplitude varied \([^)]*\) axis heave_amplitude", text)
     assert "tensioner model: gas law, linear" in text
-    assert "compiling all kernels 81.5 s" in text
+    assert "compiling all kernels took 81.5 s" in text
     assert "One riser paper, simulated again" in text
 
 

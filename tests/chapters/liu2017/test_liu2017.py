@@ -9,7 +9,7 @@ import xarray as xr
 
 from riserstudy.chapters.liu2017 import derived
 from riserstudy.chapters.liu2017.derived import driveoff
-from riserstudy.effects.soil import _py_of_clay
+from riserstudy.effects.soil import py_of_clay
 from riserstudy.model.mesh import even
 from riserstudy.model.soil import springs, ultimate_resistance
 from riserstudy.scene.load import load_scene, read_scene
@@ -125,7 +125,7 @@ def test_springs_of_the_scene_yield_as_the_clay_and_at_its_y50():
     law = np.minimum(3 * strength + 6e3 * z + 0.5 * strength * z / 0.9144, 9 * strength) * 0.9144
     assert soil.ultimate.sum() == pytest.approx(np.trapezoid(law, z), rel=1e-3)
     for y, share in ((45.72e-3, 0.5), (8 * 45.72e-3, 1.0)):
-        force, _, _ = _py_of_clay.py_func(soil, 0, y)
+        force, _, _ = py_of_clay.py_func(soil, 0, y)
         assert force == pytest.approx(share * soil.ultimate[0])
 
 

@@ -1,5 +1,7 @@
 """Figures and grades of Mao's chapter, from few and coarse runs."""
 
+import re
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -87,7 +89,8 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
     for name in ("readings", "open_choices"):
         figure = drawn(datasets, name)
         lines = figure.axes[0].get_lines()
-        weights = {line: str(line.get_label()).partition(";")[0] for line in lines}
+        named = {line: str(line.get_label()).removeprefix("weight: ") for line in lines}
+        weights = {line: re.split(r"; | \(", name)[0] for line, name in named.items()}
         colours.append({n: line.get_color() for line, n in weights.items() if n in WEIGHTS})
     both = colours[0].keys() & colours[1].keys()
     assert both

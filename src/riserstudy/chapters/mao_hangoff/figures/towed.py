@@ -147,7 +147,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
             (line,) = ax.plot(curve, depth, color=colour, lw=width, label=shape)
             name, level, away = PLACES.get(shape, (shape, MIDDLE, (5.0, 0.0)))
             label_line(ax, line, level / float(depth.max()), away, name=name, size="x-small")
-        ax.set_xlabel("share of surface speed")
+        ax.set_xlabel("speed / surface speed")
         panel_title(ax, FAMILIES[family])
     axes[0].set_ylabel("depth below the surface (m)")
     axes[0].set_ylim(1.12 * float(depth.max()), -0.05 * float(depth.max()))  # room for a name
