@@ -15,7 +15,7 @@ from riserstudy.chapters.chang2020.figures.shared import (
     OF_MODEL,
     OF_STATE,
     TIME,
-    minus,
+    named,
 )
 from riserstudy.figures.direct import label_line, legible
 from riserstudy.figures.style import (
@@ -30,7 +30,8 @@ from riserstudy.figures.style import (
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # of them, those that the text names
 SHOWN = 60.0  # s, of runs from rest: three periods of the platform
-DASHES = (0, (4, 4)), (4, (4, 4))  # of lines, by which those that coincide are seen both
+#: dashes of lines, by which those that coincide are seen both
+DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
 HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
 
 
@@ -122,8 +123,8 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
         late.plot(law["time"] - start, law[quantity], color=GAS_LAW, lw=2.2, label="gas law")
         for k, name in enumerate(map(str, straight["line"].values)):
             run = straight.sel(line=name, heave_amplitude=amplitude)
-            late.plot(run["time"] - start, run[quantity], color=OF_MODEL[name], lw=1.2, ls=DASHES[k // 2],
-                      label=minus(name))  # fmt: skip
+            late.plot(run["time"] - start, run[quantity], color=OF_MODEL[name], lw=1.2, ls=DASHES[k],
+                      label=named(name))  # fmt: skip
         for ax, when, end in ((early, "from rest", SHOWN), (late, "settled", 20.0)):
             ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
             ax.set_xlim(0.0, end)

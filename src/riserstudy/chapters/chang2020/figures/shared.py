@@ -25,6 +25,6 @@ OF_START = {"unstretched": OF_STATE["from_rest"], "equilibrium": "#332288"}
 OF_MASS = {"at the ring": GAS_LAW, "along the riser": "#661100"}
 
 
-def minus(name: str) -> str:
-    """A name from a dataset with a true minus before numbers."""
-    return name.replace("-8", "−8")
+def named(line: str) -> str:
+    """What a line of the dataset is called in a key, with a true minus before numbers."""
+    return line.replace("-8", "−8").replace("at rest", "at equilibrium")

@@ -60,7 +60,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
         ax.set_xlabel(AMPLITUDE)
         panel_title(ax, NAMES[model])
     axes[0].set_ylabel("displacement from equilibrium (m)")
-    key_below(figure, axes[0], 2)
+    key_below(figure, axes[0], 3)  # a column for both sides of each
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
     up, down = (
         float(far[f"displacement_{way}"].sel(tensioner_model="gas law")) for way in ("up", "down")
@@ -131,8 +131,9 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     for start, colour in OF_START.items():
         axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
     axes[0].plot([], [], color="black", lw=1.4, label="falling step")
+    axes[0].plot([], [], color=GREY, lw=0.8, label="$S = 1$")
     axes[0].set_ylabel("asymmetry index $S$")
-    key_below(figure, axes[0], 3)
+    key_below(figure, axes[0], 2)
     headline(
         figure,
         f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples",
@@ -218,7 +219,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     top = period_sweep.isel(s_node=-1)
     up, down = top["z_max"] - top["z_static"], top["z_static"] - top["z_min"]
     curves = {
-        "half range / amplitude": 0.5 * (up + down) / top["heave_amplitude"],
+        "riser / platform amplitude": 0.5 * (up + down) / top["heave_amplitude"],
         "asymmetry index $S$": up / down,
     }
     for k, amplitude in enumerate(amplitudes):
@@ -240,10 +241,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
     _name_peak(axes[-1], far)
     low = _name_peak(axes[-1], far, lowest=True)
-    headline(
-        figure,
-        f"Resonance is at {resonance:g} s; asymmetry reverses at twice that period, {low:g} s",
-    )
+    headline(figure, f"Resonance is at {resonance:g} s, asymmetry reverses at {low:g} s")
     key_below(figure, axes[0], 2)
     return figure
 

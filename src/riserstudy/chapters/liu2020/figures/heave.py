@@ -161,10 +161,13 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
         if amplitude is not None:
             _mark(ax, amplitude, level, up)
     words = "Tension stays positive" if negative is None else (
-        f"Effective tension becomes negative at {negative:.1f} m of heave"
+        f"Tension becomes negative at {negative:.1f} m"
     )  # fmt: skip
     met = "no stop is met" if stopped is None else f"the stops are met at {stopped:.1f} m"
-    headline(figure, f"{words}; {met}")
+    first = negative is not None and stopped is not None and negative < stopped
+    headline(
+        figure, f"{words}, before the stops at {stopped:.1f} m" if first else f"{words}; {met}"
+    )
     key_below(figure, axes[0], 3)
     return figure
 

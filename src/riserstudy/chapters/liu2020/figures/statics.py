@@ -43,7 +43,7 @@ MODELS = {
 LINES: dict[str, Any] = {
     "gas law": "-",
     "constant": (0, (4, 4)),
-    VERTICAL: "-",
+    VERTICAL: "--",
     CARRIED: (5, (2, 6)),
     ON_PLATFORM: "-",
 }
@@ -171,7 +171,7 @@ def fig11(
     low, high = _times(statics_tuned, "largest_displacement")
     headline(
         figure,
-        f"A vertical force moves the riser {low:.1f} to {high:.1f} times as far as tensioners",
+        f"A vertical force increases the displacement by factors of {low:.1f} to {high:.1f}",
     )
     return figure
 
@@ -189,22 +189,20 @@ def fig12(
         statics_calibrated, statics_tuned, "bending_moment_static", 1e-3, label, forces
     )
     low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
-    figure.axes[1].legend(fontsize="x-small", loc=(0.03, 0.15))  # where no curve is
-    for left, right, calibration in zip(
-        figure.axes[::2], figure.axes[1::2], CALIBRATIONS, strict=True
-    ):
-        _near_the_ring(right, statics_tuned.sel(calibration=calibration, surface_speed=1.0))
+    figure.axes[1].legend(fontsize="x-small", loc=(0.03, 0.22))  # where no curve is
+    for left, right in zip(figure.axes[::2], figure.axes[1::2], strict=True):
+        _near_the_ring(right)
         # the whole riser on the same scale, so that its lower end is seen as well
         left.set_xlim(right.get_xlim())
         left.texts[0].set(position=(0.03, 0.3), ha="left")
     headline(
         figure,
-        f"Near the ring a vertical force gives {low:.0f} to {high:.0f} times the tensioners' moment",
+        f"A vertical force multiplies the largest moment by {low:.0f} to {high:.0f}",
     )
     return figure
 
 
-def _near_the_ring(ax: Axes, tuned: xr.Dataset) -> None:
+def _near_the_ring(ax: Axes) -> None:
     """A panel cut to what bends near the ring, all but the vertical force, which is told."""
     drawn = [line.get_xdata() for line in ax.get_lines() if line.get_label() != VERTICAL]
     low = min(float(np.min(values)) for values in drawn)
@@ -212,9 +210,11 @@ def _near_the_ring(ax: Axes, tuned: xr.Dataset) -> None:
     room = 0.08 * (high - low)
     ax.set_xlim(low - room, high + room)
     ax.set_ylim(NEAR, 0.0)
-    off = float(tuned["largest_bending_moment_near_ring"].sel(tensioner_model=VERTICAL)) / 1e3
+    curve = next(line for line in ax.get_lines() if line.get_label() == VERTICAL)
+    moments, depths = (np.asarray(values, float) for values in curve.get_data())
+    off = f"{moments[np.argmin(depths)]:.0f}".replace("-", "−")
     ax.annotate(
-        f"under the vertical force {off:.0f} kN m at the ring",
+        f"at the ring under\nthe vertical force:\n{off} kN m",
         (0.04, 0.04),
         xycoords="axes fraction",
         fontsize="x-small",
@@ -241,9 +241,11 @@ def _at_rest(
     figure, axes = panels(2, 2, 4.2)
     for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
         here = scale * runs[name].sel(calibration=calibration)
-        for model, line in (("gas law", "-"), (VERTICAL, "--")):
-            top_load = "tensioners" if model == "gas law" else "232 t, vertical"
-            for speed, colour in zip(SPEEDS, shades(OF_TOP[model], len(SPEEDS)), strict=True):
+        for model in ("gas law", VERTICAL):
+            line, top_load = LINES[model], MODELS[model]
+            # the fastest as in the other panel, which has that speed alone
+            colours = shades(OF_TOP[model], 2 * len(SPEEDS) - 1)[: len(SPEEDS)]
+            for speed, colour in zip(SPEEDS, colours, strict=True):
                 curve = here.sel(tensioner_model=model, surface_speed=speed)
                 width = 2.8 if model == "gas law" else 1.3
                 _by_depth(row[0], curve, line, colour, f"{speed:g} m/s, {top_load}", width)
@@ -272,7 +274,7 @@ def _at_rest(
     for ax in axes[2:]:
         ax.set_xlabel(label)
     axes[1].legend(fontsize="x-small", loc="lower right")
-    key_below(figure, axes[0], 3)
+    key_below(figure, axes[0], 2)
     return figure
 
 

@@ -16,6 +16,7 @@ from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
     GREY,
     headline,
+    key_below,
     legend_below,
     panel_title,
     panels,
@@ -73,11 +74,9 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     ax.set_xlabel(WAVE)
     ax.set_ylabel("pitch / wave amplitude (°/m)")
     ax.legend(fontsize="small")
-    pitch = rao_table["rao_pitch"].sel(platform_unit="medium")
-    headline(
-        figure,
-        f"The medium generic unit pitches most in waves of {float(pitch.idxmax('wave_period')):.1f} s",
-    )
+    most = rao_table["rao_pitch"].idxmax("wave_period")
+    low, high = float(most.min()), float(most.max())
+    headline(figure, f"Generic units pitch most in waves of {low:.1f} to {high:.1f} s")
     return figure
 
 
@@ -90,7 +89,7 @@ def fig23(rao: xr.Dataset) -> Figure:
     where = medium.isel(most)
     headline(
         figure,
-        f"The medium unit's {where['motion'].item()} stresses the riser most: {float(where):.0f} MPa "
+        f"{str(where['motion'].item()).capitalize()} causes the largest stress, {float(where):.0f} MPa "
         f"in waves of {float(where['wave_period']):g} s",
     )
     return figure
@@ -207,12 +206,15 @@ def sea(storm: xr.Dataset) -> Figure:
         right.set_xlabel(f"{label.split()[0]} − mean ({unit})")
         short = label.split()[0]
         worst[short] = float(abs(swing).max() / swing.std())
-        panel_title(left, f"{short} about its largest")
+        panel_title(left, f"{short}, five minutes\naround its maximum")
         panel_title(middle, f"{short}, spectrum")
+        left.set_xlabel(TIME)
+        middle.set_xlabel("frequency (Hz)")
         panel_title(right, f"{short}, peaks: up to {worst[short]:.1f} σ")
-    axes[6].set_xlabel(TIME)
-    axes[7].set_xlabel("frequency (Hz)")
-    axes[2].legend(fontsize="small", loc="lower left")
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.set(wspace=0.08)  # type: ignore[call-arg]
+    key_below(figure, axes[2], 3)
     headline(
         figure,
         f"The moment peaks at {worst['moment']:.1f}, tension at {worst['tension']:.1f} standard deviations",
