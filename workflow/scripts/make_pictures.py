@@ -95,7 +95,7 @@ def overview() -> Figure:
     for part in (*ends, *figure.texts, *figure.legends):
         part.remove()
     whole.set_title("(a) the scene, to scale", loc="left", fontsize="medium")
-    left, width = COLUMNS[1] / WIDTH, (WIDTH - COLUMNS[1] - 0.3) / WIDTH
+    left, width = (COLUMNS[1] + 0.35) / WIDTH, (WIDTH - COLUMNS[1] - 0.65) / WIDTH
     ax = figure.add_axes((left, FLOOR / HEIGHT, width, 6.0 / HEIGHT))
     with xr.open_dataset(ROOT / f"results/liu2017/{run}.nc") as data:
         rest = data.isel(time=0)
