@@ -12,6 +12,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
+from riserstudy.scene.damping import DampingAtPeriod
 from riserstudy.scene.modules_and_lines import Line, Modules
 
 RIGID = 1e3  # bending stiffness of what does not bend, over that of its neighbour
@@ -155,16 +156,8 @@ class Joints(Strict):
     length: Annotated[u.Length, POSITIVE]
 
 
-class StructuralDamping(Strict):
+class StructuralDamping(DampingAtPeriod):
     """Damping proportional to stiffness, as a ratio of critical damping at one period."""
-
-    ratio: Annotated[float, NOT_NEGATIVE]
-    at_period: Annotated[u.Time, POSITIVE]
-
-    @property
-    def time(self) -> float:
-        """Damping over stiffness (s)."""
-        return self.ratio * self.at_period / math.pi
 
 
 class InnerJoint(Strict):

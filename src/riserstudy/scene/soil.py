@@ -12,6 +12,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
+from riserstudy.scene.damping import DampingAtPeriod
 
 
 class Matlock(Strict):
@@ -95,7 +96,7 @@ class TabulatedSoil(Strict):
         return found
 
 
-class SoilDamping(Strict):
+class SoilDamping(DampingAtPeriod):
     """Dashpots parallel to the soil springs, instead of hysteresis: ratio of critical damping at one period.
 
     In a cycle with that period and the displacement ``at_displacement``, a spring and its dashpot dissipate
@@ -103,14 +104,7 @@ class SoilDamping(Strict):
     other periods; that of a dashpot decreases with the period.
     """
 
-    ratio: Annotated[float, NOT_NEGATIVE]
-    at_period: Annotated[u.Time, POSITIVE]
     at_displacement: Annotated[u.Length, POSITIVE] | None = None
-
-    @property
-    def time(self) -> float:
-        """Damping over stiffness (s)."""
-        return self.ratio * self.at_period / math.pi
 
 
 class Soil(Strict):
