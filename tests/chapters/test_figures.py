@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -205,15 +206,7 @@ def test_text_is_not_below_6_points_on_a_page_of_180_mm(paper, name):
 
 @pytest.mark.parametrize("paper, name", FIGURES)
 def test_nothing_is_cut_off(paper, name):
-    figure = drawn(paper, name)
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
-    inside = figure.get_tightbbox(canvas.get_renderer())
-    width, height = figure.get_size_inches()
-    assert inside.x0 >= -0.01
-    assert inside.y0 >= -0.01
-    assert inside.x1 <= width + 0.01
-    assert inside.y1 <= height + 0.01
+    assert_whole(drawn(paper, name))
 
 
 @pytest.mark.parametrize("paper", GRADED)

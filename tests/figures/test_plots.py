@@ -6,6 +6,7 @@ import re
 import numpy as np
 import pytest
 import xarray as xr
+from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import QuadMesh
 
@@ -69,10 +70,7 @@ def test_every_plot_fits_every_grid_that_has_axes_enough(plot, axes):
             assert ax.get_xlabel() or len(ax.get_shared_x_axes().get_siblings(ax)) > 1
         for text in (ax.get_xlabel(), ax.get_ylabel()):
             assert not text or UNIT.search(text) or text == "reading", text
-    inside = figure.get_tightbbox(figure.canvas.get_renderer())
-    width, height = figure.get_size_inches()
-    assert -0.01 <= inside.x0 <= inside.x1 <= width + 0.01
-    assert -0.01 <= inside.y0 <= inside.y1 <= height + 0.01
+    assert_whole(figure)
 
 
 def test_lines_are_the_extremes_in_units_one_reads():

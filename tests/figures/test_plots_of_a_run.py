@@ -5,6 +5,7 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
+from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.cli import main
@@ -96,12 +97,7 @@ def test_a_shape_is_drawn_where_it_is_furthest_to_either_side():
 
 @pytest.mark.parametrize("kind", ["range", "time-series", "shape"])
 def test_nothing_is_clipped(kind):
-    figure = draw(kind, run())
-    FigureCanvasAgg(figure).draw()
-    inside = figure.get_tightbbox(figure.canvas.get_renderer())
-    width, height = figure.get_size_inches()
-    assert -0.01 <= inside.x0 <= inside.x1 <= width + 0.01
-    assert -0.01 <= inside.y0 <= inside.y1 <= height + 0.01
+    assert_whole(draw(kind, run()))
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 import xarray as xr
+from drawn_whole import assert_whole
 from mao import CONFIG, FILE, PAPER, WEIGHTS, WORD
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
@@ -109,13 +109,7 @@ def test_dashed_lines_of_tracks_are_in_the_key(datasets):
 @pytest.mark.parametrize("name", FILE.figures)
 def test_every_figure_is_drawn_whole_with_units(datasets, name):
     figure = drawn(datasets, name)
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
-    inside = figure.get_tightbbox(canvas.get_renderer())
-    width, height = figure.get_size_inches()
-    assert min(inside.x0, inside.y0) >= -0.01
-    assert inside.x1 <= width + 0.01
-    assert inside.y1 <= height + 0.01
+    assert_whole(figure)
     for ax in figure.axes:
         for label in (ax.get_xlabel(), ax.get_ylabel()):
             assert not label or label.endswith(")") or " / " in label, label

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from drawn_whole import assert_whole
 from hypothesis import given
 from hypothesis import strategies as st
-from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex
 
 from chapters.numerics.attempt import Outcome
@@ -165,11 +165,7 @@ def test_steps_shorter_than_the_axis_are_arrows_at_its_end(few):
 def test_methods_that_did_not_run_and_ties_are_told(few):
     less = few.sel({"method": [m for m in few["method"].values if m != "ESDIRK4"]})
     figure = draw("numerics", "stability", {"stability": less})
-    canvas = FigureCanvasAgg(figure)
-    canvas.draw()
-    inside, (width, _) = figure.get_tightbbox(canvas.get_renderer()), figure.get_size_inches()
-    assert inside.x0 >= -0.01
-    assert inside.x1 <= width + 0.01
+    assert_whole(figure)
     key = figure.legends[0]
     said = [text.get_text() for text in key.get_texts()]
     assert "not run at this tier: TR-BDF2, ESDIRK4" in said
