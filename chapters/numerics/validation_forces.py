@@ -58,14 +58,14 @@ def gas(_: Files) -> Iterator[Row]:
     force = run["tensioner_force"].isel(cylinder=0).values
     last = run["time"].values >= 40.0  # from here on the amplitude is whole
     top = int(np.argmax(np.where(last, stroke, -np.inf)))
-    case, by = "cylinder of gas drawn out by heave", "p V^n = const., from mid-stroke"
+    case, by = "gas cylinder extended by heave", "p V^n = const., from mid-stroke"
     because = "the pipe stretches by 1e-8 m; the platform's highest place falls on an output"
     exact = known.gas_pull(**GAS, reach=REACH)
     yield Row(case, "pull", "N", CLOSED, by, exact, float(force[top]), 1e-6, because)
     lift = slice(top - 100, top + 1)  # a quarter of a period, from mid-stroke
     work = float(np.trapezoid(force[lift], stroke[lift]))
     done = known.gas_work(**GAS, reach=REACH)
-    because = "trapezia between 100 outputs"
+    because = "trapezoidal rule over 100 outputs"
     yield Row(case, "work of a lift", "J", CLOSED, "∫ of the pull", done, work, 1e-5, because)
 
 
@@ -94,11 +94,11 @@ def two_chambers(_: Files) -> Iterator[Row]:
         pulled(reach + d) for d in (-aside, 0.0, aside)
     )
     exact, stiffness = known.two_chambers(HIGH, LOW, 1.4, reach)
-    case, by = "direct-acting tensioner drawn out by 3 m", "p V^n = const. in both chambers"
+    case, by = "direct-acting tensioner extended by 3 m", "p V^n = const. in both chambers"
     because = "the pipe stretches by 1e-7 m"
     yield Row(case, "pull", "N", CLOSED, by, exact, pull, 1e-6, because)
     slope = (more - less) / (longer - shorter)
-    because = "a difference over 2 cm, second order"
+    because = "finite difference over 2 cm, second order"
     yield Row(case, "stiffness", "N/m", CLOSED, by, stiffness, slope, 1e-5, because)
 
 
@@ -177,8 +177,8 @@ def terminal(_: Files) -> Iterator[Row]:
     run = simulated(SceneFile("validation", tree)).isel(time=-1)
     speed, way = known.driven(force, drag, mass + added, time)
     case, by = "platform driven to its terminal speed", "√(F/c) tanh(t √(F c) / m)"
-    because = "the thread that stands for a riser pulls with some newtons"
+    because = "the thin riser of the model pulls with a few newtons"
     now = float(run["platform_speed_x"])
     yield Row(case, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
     went = float(run["platform_surge"])
-    yield Row(case, "way after 400 s", "m", CLOSED, "its integral", way, went, 1e-5, because)
+    yield Row(case, "distance after 400 s", "m", CLOSED, "its integral", way, went, 1e-5, because)

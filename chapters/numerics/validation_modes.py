@@ -31,7 +31,7 @@ def taut_beam(files: Files) -> Iterator[Row]:
             mode, length, tension / stretch, bending / stretch**2, mass
         )
         case, number = "beam under tension", f"frequency {mode}"
-        by = "k √((T + EI k²) / m), k = n π / L, lengths before stretching"
+        by = "k √((T + EI k²) / m), k = n π / L, unstretched lengths"
         because = FOURTH
         yield Row(case, number, "rad/s", CLOSED, by, exact, frequencies[mode - 1], 1e-6, because)
 

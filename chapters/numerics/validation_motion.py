@@ -53,10 +53,10 @@ def wave(_: Files) -> Iterator[Row]:
     fall = float(top[0] - top.sel(time=0.6, method="nearest"))
     exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
     case, because = "bar that loses half its pull", "360 segments; the front is 0.2 s long"
-    by = "ΔF t / √(EA m), until the wave is back"
+    by = "ΔF t / √(EA m), until the reflected wave returns"
     yield Row(case, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
     below = float(run["effective_tension"].isel(s=0, time=-1))
-    by = "T - 2 ΔF, once the wave has been thrown back at the foot"
+    by = "T - 2 ΔF, after reflection of the wave at the foot"
     yield Row(case, "tension at its foot", "N", CLOSED, by, 0.0, below, 1e-5, because, pull)
 
 
@@ -122,7 +122,7 @@ def hermite(files: Files) -> Iterator[Row]:
     one, other = _envelope(lumped), _envelope(beam)
     for quantity, unit in UNITS.items():
         case, by = "small surge, lumped masses and finite elements", "Hermite's beam"
-        because = "the beam neither stretches nor turns: strain 3e-4, slopes 3e-3"
+        because = "the beam model neither stretches nor rotates: strain 3e-4, slopes 3e-3"
         yield Row(case, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
 
 
@@ -133,7 +133,7 @@ def energy(files: Files) -> Iterator[Row]:
         run = simulated(files[name], sets)
         share = float(json.loads(run.attrs["audit"])["unexplained_share"])
         case, by = f"energy of {name}", "work = stored + dissipated"
-        because = "quadrature of the account over steps"
+        because = "integration of the energies over time steps"
         yield Row(case, "share unexplained", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
 
 
@@ -145,7 +145,7 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
         scene = files[name].with_values(short, "validation").resolved()
         requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
         for quantity, error in other.errors(run(scene)).items():
-            case, because = f"{name} from beginning to end", "the default accuracy"
+            case, because = f"{name} over the whole run", "the default accuracy"
             yield Row(
                 case, f"largest difference of {quantity}", "1", SECOND,
                 other.about.removeprefix("stored: "), 0.0, error, requested[quantity], because, 1.0,

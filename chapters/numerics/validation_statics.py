@@ -55,7 +55,7 @@ def column(_: Files) -> Iterator[Row]:
     one, two = map(square, weights)
     vanishes = weights[1] + (weights[1] - weights[0]) * two / (one - two)
     by = "9/4 of the square of the first zero of J₋₁/₃ (Greenhill)"
-    because = "the square of the frequency falls all but straight over the last hundredths"
+    because = "the zero of the squared frequency is extrapolated linearly over the last hundredths"
     value = vanishes * length**3 / bending
     yield Row(
         "column under its own weight", "w L³ / EI", "1", CLOSED, by, exact, value, 1e-4, because
@@ -89,13 +89,13 @@ def own_weight(files: Files) -> Iterator[Row]:
 
 
 def loaded_beam(files: Files) -> Iterator[Row]:
-    """A beam under tension and an even load, so small that slopes stay small."""
+    """A beam under tension and a uniform load, so small that slopes stay small."""
     length, axial, bending = pipe_of(files["S4b"])
     tension = 2275e3
     stretch = 1.0 + tension / axial
     exact = known.taut_beam_under_load(length, tension / stretch, bending / stretch**2, 1.0)
     run = simulated(files["S4b"], {"riser[0].lateral_load": "1 N/m"})
-    case, by = "beam under tension and an even load", "EI w′′′′ - T w′′ = q"
+    case, by = "beam under tension and a uniform load", "EI w′′′′ - T w′′ = q"
     because = FOURTH
     x = float(run["x"].max())
     moment = float(abs(run["bending_moment"]).sel(s=0.5 * length, method="nearest"))
@@ -109,7 +109,7 @@ def cantilever(files: Files) -> Iterator[Row]:
     length, _, bending = pipe_of(files["S4c"])
     along, across = known.elastica_tip(length, bending, 324054.15)
     tip = simulated(files["S4c"]).isel(s=-1)
-    case, by = "cantilever bent far over", "the elastica, by elliptic integrals"
+    case, by = "cantilever with a large deflection", "the elastica, by elliptic integrals"
     because = "the pipe stretches by 4e-5, the elastica does not"
     yield Row(case, "tip across", "m", CLOSED, by, across, float(tip["x"]), 1e-4, because)
     yield Row(case, "tip along", "m", CLOSED, by, along, float(tip["z"]), 1e-4, because)
@@ -133,7 +133,7 @@ def current(files: Files) -> Iterator[Row]:
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 600)]
     run = simulated(files["S1"], {"current.profile": profile})
     case, by = (
-        "riser at rest in an even current",
+        "static riser in a uniform current",
         "the rod as a boundary value problem, by collocation",
     )
     because = "200 segments"
@@ -155,7 +155,7 @@ def towed(_: Files) -> Iterator[Row]:
     x, z = (float(run[name].isel(s=0)) for name in "xz")
     exact = known.towed_angle(500.0, 0.5 * 1025.0, 1.0)
     by = "w sin α = q cos² α"
-    case = "string that hangs in a current"
+    case = "string hanging in a current"
     yield Row(
         case, "angle", "rad", CLOSED, by, exact, math.atan2(abs(x), -z), 1e-6, "exact on any mesh"
     )
