@@ -32,8 +32,8 @@ class Facts(NamedTuple):
     meaning: str
     #: what it imports: leading dots, module, names
     imports: list[tuple[int, str, list[str]]]
-    #: functions that it defines
-    functions: list[str]
+    #: functions that it defines: names of arguments that each must be given, and of all, None for any
+    functions: dict[str, tuple[list[str], list[str] | None]]
     #: files beside it that it names in ``DATA_FILES``
     data: list[str]
 
@@ -134,15 +134,8 @@ def arguments_of(modules: Iterable[str], function: str) -> Arguments:
     file = source_of(module) if module else None
     if file is None:
         raise LookupError(function)
-    nodes = _parsed(file.read_bytes(), file).body
-    node = next(n for n in nodes if isinstance(n, ast.FunctionDef) and n.name == function)
-    plain, named = [a.arg for a in node.args.args], [a.arg for a in node.args.kwonlyargs]
-    filled = plain[len(plain) - len(node.args.defaults) :]
-    filled += [n for n, value in zip(named, node.args.kw_defaults, strict=True) if value]
-    if node.decorator_list:  # which may change them
-        return Arguments(set(), None)
-    any_name = node.args.kwarg is not None
-    return Arguments({*plain, *named}.difference(filled), None if any_name else {*plain, *named})
+    needed, taken = facts(file).functions[function]
+    return Arguments({*needed}, None if taken is None else {*taken})
 
 
 def data_of(file: Path) -> tuple[Path, ...]:
@@ -242,9 +235,20 @@ def _read(tree: ast.Module) -> Facts:
         elif isinstance(node, ast.ImportFrom):
             names = [alias.name for alias in node.names]
             imports.append((node.level, node.module or "", names))
-    functions = [node.name for node in tree.body if isinstance(node, ast.FunctionDef)]
+    functions = {node.name: _taken(node) for node in tree.body if isinstance(node, ast.FunctionDef)}
     data = [name for node in tree.body for name in _data_named(node)]
     return Facts(_hash(meaning(tree).encode()), imports, functions, data)
+
+
+def _taken(node: ast.FunctionDef) -> tuple[list[str], list[str] | None]:
+    """Names of arguments that a function must be given, and of all that it takes, None for any."""
+    if node.decorator_list:  # which may change them
+        return [], None
+    plain, named = [a.arg for a in node.args.args], [a.arg for a in node.args.kwonlyargs]
+    filled = plain[len(plain) - len(node.args.defaults) :]
+    filled += [n for n, value in zip(named, node.args.kw_defaults, strict=True) if value]
+    needed = [name for name in plain + named if name not in filled]
+    return needed, None if node.args.kwarg else plain + named
 
 
 def _data_named(node: ast.stmt) -> list[str]:
