@@ -121,9 +121,9 @@ class EffectsStudy(EngineStudy):
     scenes: dict[str, Family] = Field(default_factory=dict)
 
     def scene_files(self, setting: Setting) -> Iterator[tuple[str, SceneFile]]:
-        """Every kind of scene that studies vary, and the study's own."""
-        yield from bases(setting.studies, setting.tier)
+        """The study's own scenes, which compile what no other does, and every kind that studies vary."""
         yield from super().scene_files(setting)
+        yield from bases(setting.studies, setting.tier)
 
 
 class Ladder(Strict):

@@ -90,23 +90,33 @@ def test_numbers_of_few_digits_are_stored_as_they_are(tmp_path):
     assert found.dtype == short.dtype
 
 
-def a_study_of(lengths, seed):
+def a_study_of(lengths, seed, tier="standard"):
     """Shape of a study, and its points with keys that are drawn, as those of a version of the engine."""
     grid = Grid(None, [[{}] * length for length in lengths], "")
     keys = (hashlib.sha256(bytes([seed, *index])).hexdigest() for index in np.ndindex(*lengths))
     points = [Point(index, key) for index, key in zip(np.ndindex(*lengths), keys, strict=True)]
-    study = SimpleNamespace(grid=grid, model=SimpleNamespace(modes=None), estimates=True)
-    return study, points
+    model = SimpleNamespace(modes=None)
+    return SimpleNamespace(grid=grid, model=model, estimates=True, tier=tier), points
 
 
 def test_errors_are_estimated_at_few_points_all_and_of_others_at_some_whatever_their_keys():
     for seed in range(100):
         for lengths in [(4, 4), (1,), (17,), (4, 5), (3, 3, 3)]:
-            study, points = a_study_of(lengths, seed)
-            estimated = sum(has_error_estimate(study, point) for point in points)
-            assert estimated >= min(2, len(points))
-            if len(points) <= 16:
-                assert estimated == len(points)
+            for tier in ("preview", "standard"):
+                study, points = a_study_of(lengths, seed, tier)
+                told = [has_error_estimate(study, point) for point in points]
+                assert sum(told) >= min(2, len(points))
+                assert told[0] and told[-1]
+                if len(points) <= 16 and tier == "standard":
+                    assert all(told)
+
+
+def test_a_preview_estimates_few_errors_of_small_studies():
+    few = [
+        sum(has_error_estimate(study, point) for point in points)
+        for study, points in (a_study_of((16,), seed, "preview") for seed in range(100))
+    ]
+    assert 2.0 < sum(few) / len(few) < 6.0
 
 
 def test_one_point_in_eight_tells_its_error_and_is_lacking_without_it():

@@ -16,7 +16,7 @@ from riserstudy.study.modes import key_of_modes, lacks_modes, make_modes
 from riserstudy.study.processes import each
 from riserstudy.study.study import Study
 
-FEW = 16  # points of a study, up to which the error of each is estimated
+FEW = 16  # points of a study, up to which the error of each is estimated, but in a preview
 ONE_IN = 8  # points of others, by their keys: mostly the same whatever the study
 
 
@@ -25,12 +25,14 @@ def has_error_estimate(study: Study, point: Point) -> bool:
 
     To estimate it takes as long again as the run. In a study whose points have one mesh and one step it is
     much the same from point to point, so that one in so many tells it. The first and the last point of the
-    grid always do: keys are as good as drawn, and might leave a study of some twenty points with none.
+    grid always do: keys are as good as drawn, and might leave a study of some twenty points with none. In a
+    preview, which is made to be waited for, this goes for small studies too.
     """
     grid = study.grid
     if not study.estimates:
         return False
-    return len(grid) <= FEW or point.index in grid.ends or int(point.key[:4], 16) % ONE_IN == 0
+    all_of_them = len(grid) <= FEW and study.tier != "preview"
+    return all_of_them or point.index in grid.ends or int(point.key[:4], 16) % ONE_IN == 0
 
 
 def lacks(study: Study, point: Point, stored: Result | None) -> bool:

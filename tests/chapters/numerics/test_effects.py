@@ -57,7 +57,7 @@ def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
 
 def test_scenes_of_the_study_itself_have_effects_that_no_chapter_has():
     study = read_studies(CONFIG, "numerics").measured["effects"]
-    found = effects(study, Setting(CONFIG, "preview", 1, (), Path("not noted")))
+    found = effects(study, Setting(CONFIG, "standard", 1, (), Path("not noted")))
     assert found["scene"].values.tolist() == ["vibration in a current"]
     lost = found.sel(scene="vibration in a current")
     alone = lost.sel(change="without vortex-induced vibration")
