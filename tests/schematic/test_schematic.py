@@ -158,6 +158,14 @@ def test_what_is_there_is_named_and_what_is_not_is_not():
     assert "water" not in spring
 
 
+@pytest.mark.parametrize("heading, ways", [("0 deg", "surge"), ("30 deg", "surge, sway and yaw")])
+def test_a_platform_is_free_in_the_directions_that_are_simulated(heading, ways):
+    scene = load_scene(CONFIG / "scenes/liu2017/ref_0.yaml", **{"current.heading": heading})
+    said = words(schematic(scene.resolved()))
+    assert f"platform: free to {ways}, 40 800 t and 11 800 t of added mass" in said
+    assert ("three dimensions" in said) == ("sway" in ways)
+
+
 def test_parts_lie_where_the_scene_puts_them():
     """Conductor, LMRP and BOP, riser and telescopic joint one above the other, counted from the wellhead."""
     scene = load_scene(CONFIG / "scenes/liu2017/ref_0.yaml").resolved()

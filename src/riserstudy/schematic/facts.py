@@ -192,8 +192,8 @@ def vessel_texts(scene: Resolved) -> list[str]:
     if vessel is None:
         return []
     wind, drift, thrusters = vessel.wind, vessel.wave_drift, vessel.thrusters
-    added = f" and {mass(vessel.added_mass)} of water" if vessel.added_mass else ""
-    also = [way for way in ("sway", "yaw") if getattr(vessel, way)]
+    added = f" and {mass(vessel.added_mass)} of added mass" if vessel.added_mass else ""
+    also = [way for way in ("sway", "yaw") if scene.spatial and getattr(vessel, way)]
     ways = " and ".join(["surge", *also]) if len(also) < 2 else "surge, sway and yaw"
     texts = [f"platform: free to {ways}, {mass(vessel.mass)}{added}"]
     if wind:

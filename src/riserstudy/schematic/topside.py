@@ -51,7 +51,8 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
     view.box((x, low + 0.55 * (high - low)), pipe, 0.45 * (high - low), facecolor="white")
     stops = joint.stop and {1: joint.stop.stroke, -1: joint.stop.collapse}
     places = [metres(sign * by, "+") for sign, by in (stops or {}).items() if by]
-    stop = f", stop at {' and '.join(places)}" if places else ""
+    origin = "this length" if joint.mid_stroke is None else "the length in equilibrium"
+    stop = f", stop at {' and '.join(places)} from {origin}" if places else ""
     text = f"telescopic joint: {joint.length:.4g} m{stop}"
     view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
     if joint.tension:

@@ -7,16 +7,24 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.patches import Patch
 
-from riserstudy.chapters.liu2017.figures.shared import SHOWN, TIME, UFJ_LIMIT, set_title, viridis
-from riserstudy.figures.direct import legible
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below, panel_title, panels
+from riserstudy.chapters.liu2017.figures.shared import (
+    OF_HEADING,
+    REFERENCE,
+    SHOWN,
+    TIME,
+    UFJ_LIMIT,
+    set_title,
+    viridis,
+)
+from riserstudy.figures.direct import label_line, legible
+from riserstudy.figures.style import GREY, PRINTED, legend_below, panel_title, panels
 
 DEGREES = 180.0 / np.pi
 PASSED = 0.03  # deg, by which an angle is past its largest: half a second after it
 AS_ONE = "as one"  # of platform and riser
-HEADINGS = {"along": "0° (along)", "against": "180° (against)"}  # to the environment, as in Fig 4
 
 
 def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
@@ -26,7 +34,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     passed its largest value, 12 degrees are reached before or never, and no line is drawn.
     """
     figure, (ax,) = panels(height=3.8)
-    top, heads = 0.0, (0.0, 0.0)
+    upper: list[tuple[float, float]] = []  # ends of lines: gain, hull drag
     weights = sorted(calibration["riser_weight"].values, key=lambda name: float(_first(name)))
     for colour, weight in zip(viridis(np.linspace(0.0, 0.8, len(weights))), weights, strict=True):
         run = calibration.sel(riser_weight=weight).transpose("hull_drag", "gain") * DEGREES
@@ -41,26 +49,26 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
             str(weight), (gain, drag), xytext=(5, 0), textcoords="offset points", va="center",
             color=legible(colour), fontsize="small",
         )  # fmt: skip
-        if drag > top:
-            top, heads = drag, (gain, drag)
+        if drag > 0.0:
+            upper.append((gain, drag))
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
-    (used,) = ax.plot(*fit, "o", color="black", label="fit that is used, with the wave")
+    (used,) = ax.plot(*fit, "*", color="black", ms=12, label="fit that is used, in the wave")
     ax.legend(handles=[used], loc="lower right", fontsize="small")
-    ax.annotate(
-        "beyond the lines' upper ends\n12° are reached earlier, or never", (0.02, 0.97),
-        xycoords="axes fraction", va="top", fontsize="small",
-    )  # fmt: skip
-    ax.annotate(
-        "riser's weight\nin water:",
-        heads,
-        xytext=(5, 12),
-        textcoords="offset points",
-        fontsize="small",
-    )
+    if upper:
+        gains = [gain for gain, _ in upper]
+        ax.annotate(
+            f"between {min(gains):.0f} and {max(gains):.0f} kN/m the lines end:\n"
+            "beyond, 12° are reached earlier, or never", (0.02, 0.97),
+            xycoords="axes fraction", va="top", fontsize="small",
+        )  # fmt: skip
+        ax.annotate(
+            "riser's weight\nin water:", max(upper, key=lambda end: end[1]), xytext=(5, 12),
+            textcoords="offset points", fontsize="small",
+        )  # fmt: skip
+        ax.set_xlim(float(calibration["gain"].min()), 1.1 * max(gains))
+        ax.set_ylim(float(calibration["hull_drag"].min()), 1.2 * max(drag for _, drag in upper))
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    ax.set_xlim(float(calibration["gain"].min()), 87.0)
-    ax.set_ylim(float(calibration["hull_drag"].min()), 1.2 * top if top else None)
     set_title(
         figure,
         f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s",
@@ -82,7 +90,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     off = abs(turns[["platform_surge", "ufj_angle"]] - one)
     for ax, name, factor, least, title in (
         (axes[0], "platform_surge", 1e3, 1e-3, "surge (mm)"),
-        (axes[1], "ufj_angle", DEGREES, 1e-6, "UFJ angle (°)"),
+        (axes[1], "ufj_angle", DEGREES, 1e-6, "upper\nflex joint angle (°)"),
     ):
         for colour, way in zip(shades, ways, strict=True):
             so_far = np.maximum.accumulate(factor * off[name].sel(exchange=way).values)
@@ -92,26 +100,29 @@ def coupling(coupling: xr.Dataset) -> Figure:
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {title}")
         panel_title(ax, "largest up to each time")
+    panel_title(axes[2], "cost")
     cost = turns[["newton_iterations", "solve_seconds"]] / one
     rows = [way.replace(", ", ",\n") for way in ways]
     axes[2].barh(rows, cost["newton_iterations"], color=shades)
-    (dots,) = axes[2].plot(cost["solve_seconds"], rows, "o", color="black", mec="white")
-    same = axes[2].axvline(1.0, **PRINTED)
+    (dots,) = axes[2].plot(cost["solve_seconds"], rows, "D", color="white", mec="black", ms=6)
+    same = axes[2].axvline(1.0, zorder=3, **REFERENCE)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("ratio to the coupled system")
+    axes[2].set_xlabel("ratio to one system")
     key: dict[str, Any] = {str(line.get_label()): line for line in axes[0].lines}
     key |= {
         "(c) iterations": Patch(color=GREY),
         "(c) elapsed time": dots,
-        "(c) coupled system": same,
+        "(c) one system": same,
     }
     apart = off["platform_surge"].max("time")
     ends = [
         f"{_millimetres(float(end))} ({str(end['exchange'].item()).partition(',')[0]})"
         for end in (apart[apart.argmin("exchange")], apart[apart.argmax("exchange")])
     ]
-    set_title(figure, f"Solving in turns shifts the platform by {ends[0]} to {ends[1]}")
+    set_title(figure, f"Solving alternately shifts the platform by {ends[0]} to {ends[1]}")
     legend_below(figure, [*key.values()], [*key], 4)
+    (legend,) = figure.legends
+    legend.set_title("(a–c) scheme, exchange interval", FontProperties(size="small"))
     return figure
 
 
@@ -130,17 +141,19 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     latest = max(deadline, *limits.values[np.isfinite(limits.values)].tolist())
     bins = np.arange(20.0, latest + 5.0, 5.0).tolist()
     key: dict[str, Any] = {}
-    for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+    for (label, colour), heading in zip(OF_HEADING.items(), ("along", "against"), strict=True):
         run = angle.sel(heading=heading)
         low, middle, high = (run.quantile(q, "sample") for q in (0.05, 0.5, 0.95))
         style: dict[str, Any] = {"color": colour, "alpha": 0.2, "linewidth": 0.0}
         band = axes[0].fill_between(run["time"], low, high, **style)
+        for edge in (low, high):
+            axes[0].plot(run["time"], edge, color=colour, linewidth=0.8, label="_")
         (line,) = axes[0].plot(run["time"], middle, color=colour)
-        key[f"{label}: median, band of 90 % of samples"] = (band, line)
+        key[label] = (band, line)
         times = limits.sel(heading=heading).where(run.notnull().any("time"))  # never is not unknown
         parts.append(_share_reached(times, heading))
         reached = times.values[np.isfinite(times.values)]
-        width = 3.0 if colour == COLOURS[0] else 1.3  # one in the other, where both are as many
+        width = 3.0 if heading == "along" else 1.3  # one in the other, where both are as many
         axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=width)
     (dot,) = axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black")
     for ax in axes:
@@ -148,10 +161,15 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     key[f"printed: {UFJ_LIMIT:g}° at {deadline:g} s, along"] = (upright, dot)
     then = angle.sel(heading="along").interp(time=deadline)
     least, most = (float(then.quantile(q)) for q in (0.05, 0.95))
+    for end in (least, most):
+        colour = OF_HEADING["0° (along)"]
+        (tick,) = axes[0].plot([deadline], [end], "_", color=colour, ms=14, mew=2.0, label="_")
+        label_line(axes[0], tick, 0.0, (8.0, 0.0), name=f"{end:.0f}°")
     set_title(
         figure,
-        f"At the published time the band along the environment spans {least:.0f}° to {most:.0f}°",
+        f"At the printed time the band along the environment spans {least:.0f}° to {most:.0f}°",
     )
+    panel_title(axes[0], "median and band of 90 % of the samples")
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint angle (°)")
     axes[1].set_xlabel("time to an angle of 12° (s)")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -10,12 +12,16 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from riserstudy.chapters.liu2017.figures.shared import (
+    HEADINGS,
+    OF_HEADING,
     SHOWN,
+    STROKE_OUT,
     SURGE,
     TIME,
     UFJ_LIMIT,
     draw_limits,
     mark_both,
+    mark_stroke_out,
     name_limits,
     set_title,
     viridis,
@@ -33,7 +39,6 @@ from riserstudy.figures.style import (
 )
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
-HEADINGS = {"0": "0° (along)", "180": "180° (against)"}
 EARLY = 20.0  # s, one of them, when the top has moved and the bottom hardly
 TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 PIPE = "riser, 386 MPa\n(assumed)"
@@ -46,14 +51,19 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     figure, axes = panels(2, 2, 3.2, sharex=True)
     beginning = driveoff.sel(time=slice(0.0, SHOWN))
     for column, (kind, title) in enumerate(SETS.items()):
-        for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+        for heading, label in HEADINGS.items():
             for ending, line, word in (("", "-", "with"), ("_no_riser", "--", "without")):
                 run = beginning.sel(case=f"{kind}_{heading}{ending}")
-                text = f"{label}, {word} riser"
-                axes[column].plot(
-                    run["time"], run["platform_surge"], line, color=colour, label=text
-                )
-                axes[2 + column].plot(run["time"], run["platform_speed_x"], line, color=colour)
+                for ax, name in (
+                    (axes[column], "platform_surge"),
+                    (axes[2 + column], "platform_speed_x"),
+                ):
+                    style: dict[str, Any] = {"linestyle": line, "color": OF_HEADING[label]}
+                    before = _until_the_stop(ax, run, name, 1.0)
+                    text = f"{label}, {word} riser"
+                    ax.plot(before["time"], before[name], label=text, **style)
+                    after = run.sel(time=slice(float(before["time"][-1]), None))
+                    ax.plot(after["time"], after[name], linewidth=0.8, label="_", **style)
         axes[column].axhline(100.0, color=GREY, linewidth=0.9)
         axes[column].annotate(
             "false position,\n100 m (printed)", (0.0, 100.0), xytext=(0, 3), fontsize="small",
@@ -77,7 +87,11 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     axes[0].set_ylabel(SURGE)
     axes[2].set_ylabel("speed of the platform (m/s)")
     names = [f"{way}, {riser} riser" for way in ("along", "against") for riser in ("with", "no")]
-    label_ends(axes[1], names=names)
+    out = [line for line in axes[0].lines if line.get_label() == STROKE_OUT]
+    if out:
+        legend_below(figure, out, [f"{STROKE_OUT}, thin line after it"], 1)
+    lines = [line for line in named(axes[1]) if line.get_label() != STROKE_OUT]
+    label_ends(axes[1], lines, names=names)
     return figure
 
 
@@ -90,32 +104,43 @@ def _range(values: list[float]) -> str:
 def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     """Shapes of the riser; against the environment mirrored, so that x is the same in both panels."""
     figure, axes = panels(1, 2, 4.2, sharey=True)
+    farthest = max(float(run["x"].sel(time=list(TIMES)).max()) for run in (ref_0, ref_180))
     for ax, run, sign, label in zip(
         axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True
     ):
         rest = run.isel(time=0)
-        (still,) = ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="rest")
-        label_line(ax, still, 1.0, (-4.0 * sign, 3.0))
+        (still,) = ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="0 s")
+        label_line(ax, still, 1.0, (-6.0 * sign, 3.0))
         for colour, time in zip(viridis(np.linspace(0.0, 0.9, len(TIMES))), TIMES, strict=True):
             shape = run.sel(time=time)
             (line,) = ax.plot(sign * shape["x"], shape["z"], color=colour, label=f"{time:g} s")
             label_line(ax, line, 1.0, (0.0, 3.0))
-        ax.margins(x=0.12)
+        ax.set_xlim(*sorted((-0.12 * sign * farthest, 1.08 * sign * farthest)))  # one scale
         ax.set_ylim(top=1.07 * float(rest["z"].max()))  # room for the times
         ax.set_xlabel("lateral displacement (m)")
         panel_title(ax, label)
     early = ref_0.sel(time=EARLY)
     after = abs(early["x"] - ref_0["x"].isel(time=0))
     ends = [after.sel(s=LOW, method="nearest"), after.isel(s=-1)]
+    then = next(line for line in axes[0].lines if line.get_label() == f"{EARLY:g} s")
     for moved in ends:
         there = early.sel(s=moved["s"])
-        axes[0].plot(there["x"], there["z"], "o", color="black", ms=4)
+        axes[0].plot(
+            there["x"],
+            there["z"],
+            "o",
+            color=then.get_color(),
+            mfc="white",
+            ms=6,
+            zorder=4,
+            label="_",
+        )
     low, high = (float(moved) for moved in ends)
     axes[0].annotate(
-        f"dots, moved in {EARLY:g} s:\ntop {high:.1f} m,\na tenth up {low:.1f} m", (0.97, 0.04), ha="right",
+        f"circles: after {EARLY:g} s,\nat the top and a tenth up", (0.97, 0.04), ha="right",
         xycoords="axes fraction", va="bottom", fontsize="small",
     )  # fmt: skip
-    set_title(figure, f"The lowest tenth has moved {low:.1f} m when the top has moved {high:.1f} m")
+    set_title(figure, f"A tenth up, the riser has moved {low:.1f} m, its top {high:.0f} m")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 
@@ -125,7 +150,8 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     figure, axes = panels(1, 2, 3.6, sharey=True)
     beginning = driveoff.sel(time=slice(0.0, SHOWN))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
-        for colour, (heading, label) in zip(COLOURS, HEADINGS.items(), strict=False):
+        for heading, label in HEADINGS.items():
+            colour = OF_HEADING[label]
             run = beginning.sel(case=f"{kind}_{heading}")
             run = _until_the_stop(ax, run, "riser_force_x", 1e-6)
             printed, exact = run["riser_force_x"] / 1e6, run["riser_reaction_x"] / 1e6
@@ -162,22 +188,15 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
-    """A run until the telescopic joint meets its end, where a cross is drawn at a quantity.
-
-    The paper does not mention a stop; behind it the curves are those of an assumption.
-    """
+    """A run until the telescopic joint meets its end, where a cross is drawn at a quantity."""
+    if not bool(run["stroke"].notnull().any()):
+        return run  # no riser
     end = float(first_crossing(run["stroke"], LIMITS["telescopic joint"].most))
     if not np.isfinite(end):
         return run
     kept = run.sel(time=slice(0.0, end))
-    last = scale * float(kept[name].isel(time=-1))
-    key = "stroke ends (assumed stop)" if not _has_key(ax, "stroke ends (assumed stop)") else None
-    ax.plot([end], [last], "x", color="black", markersize=8, label=key)
+    mark_stroke_out(ax, end, scale * float(kept[name].isel(time=-1)))
     return kept
-
-
-def _has_key(ax: Axes, label: str) -> bool:
-    return label in ax.get_legend_handles_labels()[1]
 
 
 def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
@@ -198,10 +217,8 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
         panel_title(ax, title)
     run = driveoff.sel(case="ref_0")
     times = reached(run)
-    set_title(
-        figure,
-        f"The {first_limit(times).item()!s} reaches its limit first, at {float(times.min()):.0f} s",
-    )
+    first, when = first_limit(times).item(), float(times.min())
+    set_title(figure, f"The {first!s} reaches its limit first, at {when:.0f} s (calibrated)")
     axes[0].set_ylabel("utilisation of the limit")
     for line in axes[0].lines:
         if line.get_label() == "limit (printed)":
@@ -233,13 +250,14 @@ def envelope(envelope: xr.Dataset) -> Figure:
     )
     lines = {str(line.get_label()): line for line in named(ax)}
     speeds = [float(speed) for speed in used["surface_speed"].values]
-    band = f"currents of {min(speeds):g} to {max(speeds):g} m/s at the surface".replace("-", "−")
+    band = f"surface currents of {min(speeds):g} to {max(speeds):g} m/s".replace("-", "−")
     key = {
         "still water": Line2D([], [], color=GREY),
         band: Patch(color=GREY, alpha=0.25, linewidth=0.0),
         "limit (printed)": lines["limit (printed)"],
+        STROKE_OUT: lines[STROKE_OUT],
     }
-    legend_below(figure, [*key.values()], [*key], 3)
+    legend_below(figure, [*key.values()], [*key], 2)
     rises = lines["conductor"]
     within = int((np.asarray(rises.get_ydata()) < 1.4).sum()) - 1  # it leaves the panel above
     most = float(np.interp(1.5 * end, used["offset"], np.asarray(rises.get_ydata())))

@@ -8,8 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.liu2017.figures.shared import (
+    REFERENCE,
     draw_limits,
     mark_both,
+    mark_stroke_out,
     name_limits,
     plasma,
     set_title,
@@ -17,20 +19,27 @@ from riserstudy.chapters.liu2017.figures.shared import (
 from riserstudy.chapters.liu2017.limits import LIMITS
 from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.direct import label_ends, label_line, named
-from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, legend_below, panel_title, panels
 
 DRIFT_OFF = "all thrust lost"  # the scenario that is no drive-off
+TITLES = {
+    "unlimited thrust": "drive-off, unlimited thrust",
+    "thrust of 4.5 MN": "drive-off, thrust limited to 4.5 MN",
+    DRIFT_OFF: f"drift-off, {DRIFT_OFF}",
+}
+LOSSES = {"drive-off": "unlimited thrust", "drift-off": DRIFT_OFF}
 
 
 def losses(losses: xr.Dataset) -> Figure:
     """Shares of the limits in a drive-off and in a drift-off."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
-    for ax, loss in zip(axes, ("drive-off", "drift-off"), strict=True):
+    for ax, (loss, thrust) in zip(axes, LOSSES.items(), strict=True):
         run = losses.sel(loss=loss).dropna("time", how="all")
         draw_limits(ax, run["limit_share"])
         end = float(run["limit_time"].sel(limit="telescopic joint"))
-        ax.axvline(end, color=GREY, linestyle=":", label="telescopic joint at its end")
-        panel_title(ax, loss)
+        if np.isfinite(end):
+            mark_stroke_out(ax, end, 1.0)
+        panel_title(ax, f"{loss}, {thrust}")
     lost = losses["limit_time"].sel(loss="drift-off")
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     set_title(
@@ -56,8 +65,8 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
         run = disconnect.sel(scenario=scenario)
         _limit_times(times, run)
         _circles(circles, run, station)
-        circles.axhline(station, label=f"station keeping within {station:g} m (assumed)", **PRINTED)
-        panel_title(times, str(scenario))
+        circles.axhline(station, label=_station(station), **REFERENCE)
+        panel_title(times, TITLES.get(str(scenario), str(scenario)))
         circles.set_xlabel("environment to hull (°)")
         circles.set_xticks(range(0, 181, 45))
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
@@ -71,6 +80,10 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
     legend_below(figure, [line], [str(line.get_label())], 1)
     _name_lines(above, below[-1])
     return figure
+
+
+def _station(station: float) -> str:
+    return f"station keeping within {station:g} m (assumed); a red circle below this line: too late"
 
 
 def _name_lines(above: list[Axes], last: Axes) -> None:
@@ -120,13 +133,17 @@ def _in_time(disconnect: xr.Dataset, station: float) -> xr.DataArray:
 
 
 def _slowest_in_time(disconnect: xr.Dataset, station: float) -> str:
-    """Of each scenario the longest disconnect that is in time whatever the direction."""
-    longest = disconnect["eds_time"].where(_in_time(disconnect, station)).max("eds_time")
+    """Of each scenario the longest tested disconnect that is in time whatever the direction, and the next."""
+    tested = disconnect["eds_time"]
+    longest = tested.where(_in_time(disconnect, station)).max("eds_time")
     if bool(longest.isnull().any()):
         never = longest["scenario"].values[np.isnan(longest.values)]
         return f"No tested disconnect is in time in every direction ({', '.join(map(str, never))})"
     least = float(longest.min())
     shortest = longest["scenario"].values[longest.values == least]
+    longer = tested.values[tested.values > least]
+    late = f", {longer.min():g} s too late" if longer.size else ""
+    where = f"Under {', '.join(map(str, shortest))}"
     if set(shortest) == set(longest["scenario"].values) - {DRIFT_OFF}:
-        return f"In a drive-off the disconnect must take at most {least:g} s"
-    return f"The disconnect must take at most {least:g} s ({', '.join(map(str, shortest))})"
+        where = "In a drive-off"
+    return f"{where} a {least:g} s disconnect is in time{late}"

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from riserstudy.chapters.liu2017.limits import LIMITS
 from riserstudy.figures.direct import label_ends
-from riserstudy.figures.style import COLOURS, PRINTED, legend_below
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below
 
 TIME, SURGE = "time (s)", "surge of the platform (m)"
 SHOWN = 100.0  # s
 UFJ_LIMIT = 12.0  # degrees, of Table 4
+HEADINGS = {"0": "0° (along)", "180": "180° (against)"}  # of the environment
+#: by heading; neither is a colour of a limit
+OF_HEADING = {"0° (along)": "#332288", "180° (against)": "#999933"}
+STROKE_OUT = "stroke-out (assumed stop)"
+REFERENCE: dict[str, Any] = {"color": GREY, "linestyle": ":", "linewidth": 1.6}  # not printed
 viridis = colormaps["viridis"]
 plasma = colormaps["plasma"]  # where limits have colours, of which it has none
 
@@ -35,10 +43,22 @@ def name_limits(figure: Figure, axes: list[Axes], *others: str) -> None:
     label_ends(axes[-1], [line for line in axes[-1].lines if line.get_label() in written])
 
 
-def mark_both(ax: Axes, first: float, second: float, unit: str) -> None:
-    """Mark where two limits are reached one soon after the other, with both places."""
-    for place, across, up in ((first, "right", "bottom"), (second, "left", "top")):
-        ax.plot([place], [1.0], "o", color="black", ms=4, zorder=3)
+def mark_stroke_out(ax: Axes, place: float, value: float) -> Line2D:
+    """The mark of all figures for the telescopic joint at the end of its stroke.
+
+    The paper prints the limit and no stop; curves beyond it are those of an assumption.
+    """
+    label = "_" if STROKE_OUT in ax.get_legend_handles_labels()[1] else STROKE_OUT
+    (mark,) = ax.plot([place], [value], "x", color="black", markersize=8, zorder=4, label=label)
+    return mark
+
+
+def mark_both(ax: Axes, out: float, conductor: float, unit: str) -> None:
+    """Mark stroke-out and the limit of the conductor soon after it, with both places."""
+    mark_stroke_out(ax, out, 1.0)
+    colour = dict(zip(LIMITS, COLOURS, strict=False))["conductor"]
+    ax.plot([conductor], [1.0], "o", color=colour, mec="black", mew=0.7, ms=5, zorder=5)
+    for place, across, up in ((out, "right", "bottom"), (conductor, "left", "top")):
         ax.annotate(
             f"{place:.0f} {unit}", (place, 1.0), ha=across, va=up, fontsize="small",
             xytext=(-5.0 if across == "right" else 5.0, 4.0 if up == "bottom" else -4.0),
