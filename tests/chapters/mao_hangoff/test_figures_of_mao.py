@@ -97,13 +97,44 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
     assert {name: colours[0][name] for name in both} == {name: colours[1][name] for name in both}
 
 
-def test_dashed_lines_of_tracks_are_in_the_key(datasets):
+def test_dash_dotted_lines_of_tracks_are_in_the_key(datasets):
     figure = drawn(datasets, "fig13")
-    dashed = [
-        line.get_label() for line in figure.axes[0].get_lines() if line.get_linestyle() == "--"
-    ]
+    lines = [line for line in figure.axes[0].get_lines() if line.get_linestyle() == "-."]
     shown = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
-    assert any(label in shown for label in dashed)
+    assert len(lines) > 1
+    assert [line.get_label() for line in lines if line.get_label() in shown]
+
+
+def test_the_limit_that_governs_everywhere_is_named_with_its_value(datasets):
+    """As the study file has it; where several govern, a key names them."""
+    made = datasets["speed_limits"]
+    alone = made.assign(governing_limit=xr.zeros_like(made["governing_limit"]))
+    for angle, words in (("9 deg", "9° (assumed)"), ("5.5 deg", "5.5° (assumed)")):
+        alone.attrs["settings"] = made.attrs["settings"].replace('"9 deg"', f'"{angle}"')
+        figure = draw(PAPER, "speed_limits", {"speed_limits": alone}, {})
+        (text,) = figure.axes[0].texts
+        assert text.get_text().endswith(words)
+        assert not figure.legends
+    several = alone.copy(deep=True)
+    several["governing_limit"][0, 0, 0] = 1.0
+    figure = draw(PAPER, "speed_limits", {"speed_limits": several}, {})
+    assert not figure.axes[0].texts
+    (key,) = figure.legends
+    assert [t.get_text() for t in key.get_texts()] == ["joint angle governs", "clearance governs"]
+
+
+def test_a_heave_that_never_loses_tension_is_as_dark_as_the_largest(datasets):
+    """Cells without a number are beyond the scale, so that light is worst everywhere."""
+    made = datasets["tension_limits"].copy(deep=True)
+    made["heave_that_loses_tension"][:] = np.nan
+    figure = draw(PAPER, "hang_off", {"tension_limits": made}, {})
+    most = float(made["heave_amplitude"].max())
+    for ax in figure.axes[2:4]:
+        assert {text.get_text() for text in ax.texts} == {f"> {most:g}"}
+        seen = [mesh for mesh in ax.collections if np.ma.count(mesh.get_array())]
+        (mesh,) = seen
+        assert mesh.get_cmap().name == "Greens"
+        assert (mesh.get_array() == most).all()
 
 
 @pytest.mark.parametrize("name", FILE.figures)

@@ -54,13 +54,10 @@ def readings(
     _around_print(axes, numbers, heavy, light, moment)
     _two_way_key(figure, weights, flows, _printed(heavy, light, moment))
     misses = misses_of_print(readings, heavy, light, moment)
-    nearest = _ring_nearest(axes, numbers, misses)
+    nearest = _nearest(numbers, misses)
     colour = weights[str(nearest["riser_weight"].item())]
-    mark = MARKS[flows.index(str(nearest["flow"].item()))]
-    for ax, name in zip(axes, ("moment", "ratio"), strict=True):
-        on_top: dict[str, Any] = {"marker": mark, "color": colour, "ms": 8, "zorder": 3}
-        ax.plot(nearest["x"], nearest[name], ls="none", **on_top)
-    _name_nearest(axes[0], nearest)
+    _ring(axes, nearest, MARKS[flows.index(str(nearest["flow"].item()))], colour)
+    _name_nearest(axes[1], nearest)
     headline(figure, _how_near(misses, heavy, light, moment, within, "interpretations"))
     return figure
 
@@ -69,19 +66,24 @@ def _name_nearest(ax: Axes, nearest: xr.Dataset) -> None:
     """Write which interpretation the nearest is, with an arrow to its ring."""
     parts = (str(nearest[axis].item()) for axis in ("riser_weight", "flow", "current_profile"))
     ax.annotate(
-        ",\n".join(parts), (float(nearest["x"]), float(nearest["moment"])), xytext=(0.98, 0.03),
+        ",\n".join(parts), (float(nearest["x"]), float(nearest["ratio"])), xytext=(0.98, 0.03),
         textcoords="axes fraction", ha="right", va="bottom", fontsize="x-small", zorder=4,
         bbox={"facecolor": "white", "edgecolor": "0.8"}, arrowprops={"arrowstyle": "-", "shrinkB": 6.0},
     )  # fmt: skip
 
 
-def _ring_nearest(axes: list[Axes], numbers: xr.Dataset, misses: xr.Dataset) -> xr.Dataset:
-    """Ring what misses all three numbers by least, and return its numbers."""
+def _nearest(numbers: xr.Dataset, misses: xr.Dataset) -> xr.Dataset:
+    """Numbers of what misses all three printed ones by least."""
     worst = misses[list(NUMBERS)].to_dataarray("number").max("number")
-    nearest = numbers.isel(worst.argmin(...))
+    return numbers.isel(worst.argmin(...))
+
+
+def _ring(axes: list[Axes], nearest: xr.Dataset, mark: str, colour: str) -> None:
+    """Ring the nearest in both panels, and draw it again over its neighbours."""
+    on_top: dict[str, Any] = {"marker": mark, "color": colour, "ms": 8, "zorder": 3, "ls": "none"}
     for ax, name in zip(axes, ("moment", "ratio"), strict=True):
         ax.plot(nearest["x"], nearest[name], label=NEAREST, **RING)
-    return nearest
+        ax.plot(nearest["x"], nearest[name], **on_top)
 
 
 def _how_near(
@@ -127,7 +129,7 @@ def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str], prin
 
 
 def _legend_line(label: str, mark: str = "", colour: str = "none") -> Line2D:
-    return Line2D([], [], ls="none", marker=mark, color=colour, ms=4, label=label)
+    return Line2D([], [], marker=mark, color=colour, label=label, **HOLLOW)
 
 
 def open_choices(
@@ -137,7 +139,8 @@ def open_choices(
     numbers = _numbers(open_lmrp_mass)
     figure, axes = _compare_with_print(heavy, light, moment)
     weights = open_lmrp_mass["assumed_riser_weight"]
-    for weight, colour in _coloured(weights).items():
+    colours = _coloured(weights)
+    for weight, colour in colours.items():
         one = numbers.sel(sample=weights == weight)
         outside = all(bool(_beyond(one, *of).all()) for of in _frames(heavy, light, moment))
         label = f"weight: {weight}" + (" (outside the frame)" if outside else "")
@@ -145,7 +148,8 @@ def open_choices(
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=4)
     _around_print(axes, numbers, heavy, light, moment)
     misses = misses_of_print(open_lmrp_mass, heavy, light, moment)
-    _ring_nearest(axes, numbers, misses)
+    nearest = _nearest(numbers, misses)
+    _ring(axes, nearest, "o", colours[str(weights.sel(sample=nearest["sample"]).item())])
     key_below(figure, axes[0], 3)
     headline(figure, _how_near(misses, heavy, light, moment, within, "samples"))
     return figure
@@ -189,10 +193,10 @@ def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figu
     figure, axes = panels(1, 2, 4.6, sharex=True)
     axes[0].axhline(moment, label=_printed(heavy, light, moment), **PRINTED)
     axes[1].axhline(light / heavy, **PRINTED)
-    labels = ("largest moment at 130 s (kN m)", "distance, 120 t / 140 t")
+    labels = ("largest moment at 130 s (kN m)", "displacement astern, 120 t / 140 t")
     for ax, label in zip(axes, labels, strict=True):
         ax.axvline(heavy, **PRINTED)
-        ax.set_xlabel("distance of the LMRP astern at 130 s, 140 t (m)")
+        ax.set_xlabel("displacement astern at 130 s, 140 t (m)")
         ax.set_ylabel(label)
     return figure, axes
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
@@ -11,18 +13,27 @@ from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.text import Annotation
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
 from riserstudy.figures.direct import label_ends
-from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    headline,
+    legend_below,
+    panel_title,
+    panels,
+    shades,
+)
+from riserstudy.scene.origin import unwrap
 
 PERIODS = (5.0, 8.0)  # s, of heave: the least, and one in which heavy risers keep tension
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
 KEPT, LOST = "Blues", "Oranges"  # of tension ranges
 HEAVES = "Greens"  # of heave amplitudes, of which the least is the worst
-viridis = colormaps["viridis"]
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
@@ -40,27 +51,34 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         ax.set_xticks(at["riser_length"].values)
         ax.set_xlabel("riser length (m)")
     axes[0].set_ylabel("largest speed over ground (kn)")
-    marks = [
-        Line2D([], [], ls="none", marker=MARKS[which], color=GREY, label=_governs(which, names))
-        for which in governing
-    ]
-    legend_below(figure, marks, [str(mark.get_label()) for mark in marks], 4)
+    if len(governing) > 1 or governing[0] < 0:
+        marks = [
+            Line2D([], [], ls="none", marker=MARKS[which], color=GREY, label=_governs(which, names))
+            for which in governing
+        ]
+        legend_below(figure, marks, [str(mark.get_label()) for mark in marks], 4)
+    else:
+        axes[0].annotate(
+            _limit_in_words(speed_limits, names[governing[0]]), (0.05, 0.05), xycoords="axes fraction",
+            fontsize="small",
+        )  # fmt: skip
     headline(figure, _slowest_and_fastest(speed_limits, names))
     for ax in axes[:-1]:
         ax.margins(x=0.0)
     label_ends(axes[-1])
     for ax in axes:
         ax.margins(x=0.05)  # so that marks are whole, and numbers of neighbours apart
+    highest = max(float(text.xy[1]) for text in axes[-1].texts if isinstance(text, Annotation))
     axes[-1].annotate(
-        "LMRP\nmass", (1.0, 1.0), xycoords="axes fraction", xytext=(4.0, 0.0), fontsize="small",
-        textcoords="offset points", va="top", annotation_clip=False,
+        "LMRP\nmass", (1.0, highest), xycoords="axes fraction", xytext=(4.0, 7.0), fontsize="small",
+        textcoords="offset points", va="bottom", annotation_clip=False,
     )  # fmt: skip
     return figure
 
 
 def _speeds(ax: Axes, at: xr.Dataset, governing: NDArray[np.int_]) -> None:
     masses = at["lmrp_mass"].values
-    for colour, mass in zip(viridis(np.linspace(0.0, 0.85, len(masses))), masses, strict=True):
+    for colour, mass in zip(shades(COLOURS[0], len(masses)), masses, strict=True):
         one = at.sel(lmrp_mass=mass)
         ax.plot(one["riser_length"], one["speed_limit"], color=colour, label=f"{mass:g} t")
         for which in governing:
@@ -70,6 +88,14 @@ def _speeds(ax: Axes, at: xr.Dataset, governing: NDArray[np.int_]) -> None:
 
 def _governs(which: int, names: list[str]) -> str:
     return "no limit reached up to this speed" if which < 0 else f"{names[which]} governs"
+
+
+def _limit_in_words(speed_limits: xr.Dataset, name: str) -> str:
+    """A limit that governs everywhere, with its value and whether that is assumed."""
+    plain, given, _ = unwrap(json.loads(speed_limits.attrs["settings"]))
+    setting = name.replace(" ", "_")
+    status = f" ({given[setting].status})" if setting in given else ""
+    return f"on all lines the {name}\nreaches {plain[setting].replace(' deg', '°')}{status}"
 
 
 def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
@@ -106,16 +132,19 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         panel_title(ax, f"locked, heave of {period:g} s, all risers")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
-    _bar(figure, axes[2:], Normalize(0.0, most), HEAVES, "heave that loses tension (m)")
+    _bar(
+        figure,
+        axes[2:],
+        Normalize(0.0, most),
+        HEAVES,
+        "heave that loses tension (m)\n(darker is better)",
+    )
     kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {
         "(a, b) tension is kept": Patch(color=kept),
         "(a, b) tension is lost": Patch(color=gone),
-        f"(d) tension is not lost up to {most:g} m": Line2D(
-            [], [], ls="none", marker="$–$", color="black"
-        ),
     }
-    legend_below(figure, [*key.values()], [*key], 3)
+    legend_below(figure, [*key.values()], [*key], 2)
     papers = lost.isel(riser_length=-1, lmrp_mass=-1)
     on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
     headline(
@@ -151,15 +180,17 @@ def _cells(
     lost: xr.DataArray | None = None,
     colours: str = KEPT,
 ) -> None:
-    """A table in colours, a cell a pair of coordinates; a dash where there is no number."""
+    """A table in colours, a cell a pair of coordinates; no number: beyond the scale."""
     up, across = values.dims
     kept = values if lost is None else values.where(~lost)
-    for drawn, shades in ((kept, colours), (values.where(kept.isnull()), LOST)):
-        ax.pcolormesh(drawn.values, norm=norm, cmap=shades, edgecolors="white")
+    beyond = xr.where(values.isnull(), norm.vmax, np.nan)  # as dark as the largest that is shown
+    layers = ((kept, colours), (values.where(kept.isnull()), LOST), (beyond, colours))
+    for drawn, shade in layers:
+        ax.pcolormesh(drawn.values, norm=norm, cmap=shade, edgecolors="white")
     for i, row in enumerate(values.values):
         for j, value in enumerate(row):
-            colour = "white" if norm(value) > 0.6 else "black"
-            text = "–" if np.isnan(value) else _two_digits(value)
+            colour = "white" if np.isnan(value) or norm(value) > 0.6 else "black"
+            text = f"> {norm.vmax:g}" if np.isnan(value) else _two_digits(value)
             ax.text(j + 0.5, i + 0.5, text, ha="center", va="center", size="small", color=colour)
     ax.set_xticks(np.arange(values.sizes[across]) + 0.5, [f"{x:g}" for x in values[across].values])
     ax.set_yticks(np.arange(values.sizes[up]) + 0.5, [f"{x:g}" for x in values[up].values])

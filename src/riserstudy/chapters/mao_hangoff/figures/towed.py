@@ -13,9 +13,9 @@ from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patheffects import withStroke
 
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
+    AGAINST,
     ASTERN,
     NESTED,
     TIME,
@@ -56,10 +56,11 @@ PLACES = {
     "exponential 700 m": ("700 m", 1100.0, (5.0, 0.0)),
     "uniform": ("0 (uniform)", DEEPEST, (-0.5, -4.0)),
     "power 1/7": ("1/7", 1500.0, (4.0, 0.0)),
-    "power 1/4": ("1/4", 1500.0, (-4.0, 0.0)),
+    "power 1/4": ("1/4 (Figs\n11 to 13)", 1500.0, (-4.0, 1.0)),
     "linear to the seabed": ("1 (linear)", 700.0, (-5.0, 0.0)),
 }
 SIGNED = "bending moment at 130 s, signed (kN m)"
+OWN_MESH = "computed, 50 elements and\n0.00163 s as the paper"
 HEAVE = 10.0  # s, period of the base case's heave
 plasma, viridis = colormaps["plasma"], colormaps["viridis"]
 
@@ -79,6 +80,11 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
             ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
             if ax is axes[0]:
                 label_line(ax, line, 0.1)
+    _name_largest_difference(axes[1], moments.sel(time=list(START)), depth)
+    for ax, title in zip(
+        axes, ("shape, replacement case", "moment, replacement case"), strict=True
+    ):
+        panel_title(ax, title)
     implicit = axes[1].plot([], [], color=GREY, label="implicit")
     explicit = axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
     down(axes[0], ASTERN)
@@ -92,9 +98,24 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
         shares.append(100.0 * float(apart / abs(at).max()))
     headline(
         figure,
-        f"Shapes by implicit and explicit stepping agree to {shares[0]:.1g} %, moments to {shares[1]:.1g} %",
+        f"Shapes by implicit and explicit integration agree to {shares[0]:.1g} %, "
+        f"moments to {shares[1]:.1g} %",
     )
     return figure
+
+
+def _name_largest_difference(ax: Axes, moments: xr.DataArray, depth: xr.DataArray) -> None:
+    """Point to where moments (kN m) by both integrators differ most."""
+    implicit, explicit = (moments.sel(integrator=name) for name in ("implicit", "explicit"))
+    apart = abs(explicit - implicit)
+    at = apart.argmax(...)
+    there = apart.isel(at)
+    ax.annotate(
+        f"largest difference,\n{float(there):.1g} kN m at {float(there['time']):g} s",
+        (float(explicit.isel(at)), float(depth.isel(s=at["s"]))), xytext=(0.97, 0.5),
+        textcoords="axes fraction", ha="right", va="top", fontsize="small",
+        arrowprops={"arrowstyle": "-", "color": GREY, "shrinkB": 3.0},
+    )  # fmt: skip
 
 
 def fig07(pe_pipe: xr.Dataset) -> Figure:
@@ -129,12 +150,14 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     share = current_profiles["current_share"]
     depth, shapes = share["below_surface"], [str(one) for one in share["current_profile"].values]
     for colour, speed in zip(COLOURS, (1.0, 1.1, 1.2), strict=False):
-        axes[0].plot(_while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:g} m/s")
+        axes[0].plot(
+            _while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:.1f} m/s"
+        )
     axes[0].legend(
         fontsize="small", loc="lower right", title="at the surface", title_fontsize="small"
     )
     axes[0].set_xlabel("current speed (m/s)")
-    panel_title(axes[0], "as in Figs 9 and 10")
+    panel_title(axes[0], "shape of Figs 9 and 10")
     for ax, family in zip(axes[1:], FAMILIES, strict=True):
         of_family = [shape for shape in shapes if _family(shape) == family]
         layer = family == "none below"
@@ -201,7 +224,8 @@ def fig09(
     for ax, curve in zip(axes, (shape, theirs), strict=False):
         ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=COLOURS[1])
     _peak(axes[1], theirs)
-    titles = ("shape at 130 s", "moment at 130 s", "shapes in time", "axial motion")
+    axes[1].set_xlim(right=1.36 * float(theirs.max()))  # room for its number
+    titles = (f"shape at 130 s, {AGAINST}", "moment at 130 s", "shapes in time", "axial motion")
     for ax, title in zip(axes, titles, strict=True):
         panel_title(ax, title)
     for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
@@ -214,8 +238,8 @@ def fig09(
     axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
     axes[2].margins(x=0.09)
     known = (
-        (Line2D([], [], color=COLOURS[0]), "computed"),
-        (Line2D([], [], color=COLOURS[1], ls=":"), "the paper's mesh and step"),
+        (Line2D([], [], color=COLOURS[0]), "computed, fine mesh"),
+        (Line2D([], [], color=COLOURS[1], ls=":"), OWN_MESH),
         (Line2D([], [], **PRINTED), "printed"),
         (band, f"(b) range in {HEAVE:g} s of heave"),
     )
@@ -250,12 +274,11 @@ def _number(ax: Axes, x: float, up: float, text: str) -> None:
 
 
 def _peak(ax: Axes, moment: xr.DataArray) -> None:
-    """Write the largest moment of the paper's mesh below its peak."""
+    """Write the largest moment of the paper's mesh beside its peak."""
     most = moment.isel(s=int(moment.argmax("s")))
     ax.annotate(
-        f"{float(most):.1f} kN m", (float(most), float(moment["s"][-1] - most["s"])), xytext=(2.0, -11.0),
-        textcoords="offset points", ha="right", va="top", fontsize="x-small", color=COLOURS[1],
-        path_effects=[withStroke(linewidth=2.0, foreground="white")],
+        f"{float(most):.1f} kN m", (float(most), float(moment["s"][-1] - most["s"])), xytext=(4.0, 0.0),
+        textcoords="offset points", ha="left", va="center", fontsize="x-small", color=COLOURS[1],
     )  # fmt: skip
 
 
@@ -270,7 +293,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
     """
     masses = (140.0, 130.0, 120.0)
-    figure = three_panels(lmrp_mass, "lmrp_mass", masses, "LMRP {:g} t", key=False)
+    figure = three_panels(lmrp_mass, "lmrp_mass", masses, "LMRP {:g} t", AGAINST)
     shapes, moments = figure.axes[:2]
     for ax in (shapes, moments):  # masses change little
         for line, width in zip(ax.lines, NESTED, strict=True):

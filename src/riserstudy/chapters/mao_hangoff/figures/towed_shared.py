@@ -10,12 +10,13 @@ from riserstudy.chapters.mao_hangoff.runs import STATED
 from riserstudy.figures.insets import close_up
 from riserstudy.figures.style import (
     COLOURS,
-    key_below,
+    panel_title,
     panels,
 )
 
+AGAINST = "current 1 m/s, against"  # of Figs 9, 10 and 14
 ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
-MOMENT = "bending moment at 130 s (kN m)"
+MOMENT = "|bending moment| at 130 s (kN m)"
 RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
 NESTED = (
@@ -37,9 +38,9 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
 
 
 def three_panels(
-    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, key: bool = True
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str
 ) -> Figure:
-    """Panels (a) to (c) of Figs 10 to 14, with their key unless more is to come."""
+    """Panels (a) to (c) of Figs 10 to 14, without a key; ``current``: speed and direction, of panel (a)."""
     figure, axes = panels(1, 3, 3.7)
     for colour, value, width in zip(COLOURS, values, NESTED, strict=False):
         run = runs.sel({axis: value}, method="nearest")
@@ -50,13 +51,12 @@ def three_panels(
         axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
         axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
         axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=width)
+    panel_title(axes[0], current)
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
     close_up(axes[2])
-    if key:
-        key_below(figure, axes[0], 3)
     return figure
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-import numpy as np
+from typing import Any
+
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
+    AGAINST,
     ASTERN,
     MOMENT,
     NESTED,
@@ -36,21 +38,30 @@ ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 
 def fig11(current_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the current, in two profiles."""
-    figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), "current {:g} m/s")
+    held = "current along, platform 1.289 m/s"
+    label = "current {:.1f} m/s"
+    figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), label, held)
     headline(figure, _by_profile("current", current_speed, "current_speed", 1.0, 1.2))
     return figure
 
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
     """The same for three speeds of the platform, in two profiles."""
-    figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), "platform {:g} kn")
+    held = "current 1.2 m/s, along"
+    label = "platform {:g} kn"
+    figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), label, held)
     headline(figure, _by_profile("platform", platform_speed, "platform_speed", 2.4, 2.6))
     return figure
 
 
-def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str) -> Figure:
-    """Panels in the profile that is drawn first; dashed, shapes and moments in the other."""
-    figure = three_panels(as_drawn(runs), axis, values, label, key=False)
+def _two_profiles(
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str
+) -> Figure:
+    """Panels in the profile that is drawn first; dashed, shapes and moments in the other.
+
+    ``held``: speed and direction that panel (a) states.
+    """
+    figure = three_panels(as_drawn(runs), axis, values, label, held)
     axes = figure.axes
     names = [str(name) for name in runs["current_profile"].values]
     other = runs.isel(current_profile=-1, drop=True)
@@ -70,6 +81,7 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
             f"the three dashed\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
+    panel_title(axes[2], f"{names[0]} only")
     axes[0].plot([], [], color=GREY, label=f"current: {names[0]} (assumed)")
     axes[0].plot([], [], "--", color=GREY, label=f"current: {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
@@ -77,7 +89,7 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
 
 
 def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
-    """The same for three angles of the track, both speeds in one profile; dashed, speeds apart."""
+    """The same for three angles of the track, both speeds in one profile; dash-dotted, separate speeds."""
     figure, axes = panels(1, 3, 3.7)
     shapes = displacement(track_one_profile).sel(time=STATED)
     moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
@@ -93,16 +105,20 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         apart = track_angle.sel(track_angle=angle)
         shape = apart["displacement_along"].sel(time=STATED)
         own = float(shape["s"][-1]) - shape["s"]
-        axes[0].plot(-shape, own, "--", color=colour, lw=0.8)
-        axes[1].plot(apart["bending_moment_size"] / 1e3, own, "--", color=colour, lw=0.8)
+        axes[0].plot(-shape, own, "-.", color=colour, lw=0.8)
+        axes[1].plot(apart["bending_moment_size"] / 1e3, own, "-.", color=colour, lw=0.8)
     axes[0].plot([], [], color=GREY, label="both speeds in one profile")
-    axes[0].plot([], [], "--", color=GREY, lw=0.8, label="water and platform apart")
+    axes[0].plot(
+        [], [], "-.", color=GREY, lw=0.8, label="(a, b) separate speeds of water and platform"
+    )
     axes[0].axvline(0.0, color=GREY, lw=0.6)
     for side, word, to in ((-0.03, "ahead ←", "right"), (0.03, "→ astern", "left")):
         axes[0].annotate(
             word, (0.0, 1.0), xycoords=("data", "axes fraction"), xytext=(100.0 * side, -3.0),
             textcoords="offset points", ha=to, va="top", fontsize="x-small",
         )  # fmt: skip
+    panel_title(axes[0], "current 3 m/s, power 1/4 (assumed)")
+    panel_title(axes[2], "both speeds in one profile")
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
@@ -124,13 +140,13 @@ def _trails(*astern: float) -> str:
 
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
-    lengths = (1200.0, 1500.0, 1800.0)
-    figure = three_panels(riser_length, "riser_length", lengths, "riser {:g} m", key=False)
+    lengths = (1800.0, 1500.0, 1200.0)  # the base case first, as in Figs 9 and 10
+    figure = three_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
     for line in figure.axes[0].lines:
         label_line(figure.axes[0], line, 0.0, (-5.0, 0.0))
     change = changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
-    verb = "lowers" if change[least] < 0.0 else "raises"
+    verb = "decreases" if change[least] < 0.0 else "increases"
     headline(
         figure,
         f"A longer riser {verb} the {least} by {abs(change[least]):.0f} %; published: an increase",
@@ -146,7 +162,7 @@ def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: 
         return f"A faster {quantity} changes the displacement by {low} or {high:+} %, depending on profile"
     verb = "increases" if high > 0 else "decreases"
     least, most = sorted((abs(low), abs(high)))
-    between = f"{least} to {most}" if least < most else f"{most}"
+    between = f"{least} or {most}" if least < most else f"{most}"
     return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"
 
 
@@ -157,54 +173,81 @@ def trends(
     riser_length: xr.Dataset,
     track_angle: xr.Dataset,
 ) -> Figure:
-    """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %."""
-    figure, axes = panels(1, 4, 3.4)
+    """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %.
+
+    Solid and dashed as in Figs 11 and 12: the profile of the current.
+    """
+    figure, axes = panels(1, 4, 3.7)
     spans = {
-        "lmrp_mass": (lmrp_mass, "LMRP {:.0f} to {:.0f} t"),
-        "current_speed": (current_speed, "current {:.1f} to {:.1f} m/s"),
-        "platform_speed": (platform_speed, "platform {:.1f} to {:.1f} kn"),
-        "riser_length": (riser_length, "riser {:.0f} to {:.0f} m"),
+        "lmrp_mass": (lmrp_mass, "LMRP {:.0f} to {:.0f} t, current against"),
+        "current_speed": (current_speed, "current {:.1f} to {:.1f} m/s, along"),
+        "platform_speed": (platform_speed, "platform {:.1f} to {:.1f} kn, current along"),
+        "riser_length": (riser_length, "riser {:.0f} to {:.0f} m, current against"),
     }
-    ends: dict[str, NDArray[np.float64]] = {}
-    for colour, (axis, (full, label)) in zip(COLOURS, spans.items(), strict=False):
-        curves = _at_the_stated_time(as_drawn(full))
-        values = curves[0][axis].values
-        along = 100.0 * (values / values[0] - 1.0)
-        changes = [100.0 * (curve / curve.isel({axis: 0}) - 1.0) for curve in curves]
+    first, other = (str(name) for name in current_speed["current_profile"].values)
+    by_profile: list[dict[str, float]] = [{}, {}]
+    for colour, (axis, (runs, label)) in zip(COLOURS, spans.items(), strict=False):
+        values = runs[axis].values
         name = label.format(values[0], values[-1])
-        for ax, change in zip(axes, changes, strict=False):
-            ax.plot(along, change, color=colour, label=name)
         words = axis.replace("_", " ").replace("lmrp", "LMRP")
-        ends[words] = np.array([float(change[-1]) / along[-1] for change in changes])
-    titles = ("LMRP astern", "largest moment", "joint angle")
-    for ax, title in zip(axes, titles, strict=False):
+        varied = "current_profile" in runs.dims
+        for k, style in enumerate(("-", "--")):
+            if not varied and k == 0:  # these are in the other profile only
+                continue
+            one = runs.isel(current_profile=-k, drop=True) if varied else runs
+            ends = _changes_over_input(axes[:3], one, axis, {"ls": style, "color": colour})
+            by_profile[k][words] = ends
+        axes[0].plot([], [], color=colour, ls="-" if varied else "--", label=name)
+    for ax, title in zip(
+        axes, ("displacement astern", "largest moment", "joint angle"), strict=False
+    ):
         panel_title(ax, title)
         ax.set_xlabel("change of input (%)")
         ax.axhline(0.0, color=GREY, linewidth=0.8)
     axes[0].set_ylabel("change of result (%)")
-    at = as_drawn(track_angle).sel(time=STATED)
-    angle = track_angle["track_angle"]
-    for values, style, label in (
-        (-at["lmrp_displacement"], "-", "astern"),
-        (at["lmrp_displacement_cross"], "--", "across"),
-    ):
-        axes[3].plot(angle, values, style, color=COLOURS[4], label=label)
-    axes[3].set_xlabel("track angle (°)")
-    axes[3].set_ylabel("place of the LMRP (m)")
-    axes[3].set_xticks([0, 90, 180])
-    panel_title(axes[3], "tracks in 3 m/s")
-    for line, share, offset in zip(
-        axes[3].lines, (0.95, 0.45), ((-6.0, 0.0), (-5.0, 2.0)), strict=True
-    ):
-        label_line(axes[3], line, share, offset)
-    most = max(ends, key=lambda name: float(abs(ends[name]).max()))
-    least = min(ends, key=lambda name: float(abs(ends[name]).max()))
-    headline(
-        figure,
-        f"Per cent for per cent the {most} matters most, the {least} least",
-    )
-    key_below(figure, axes[0], 4)
+    _positions(axes[3], track_angle)
+    axes[0].plot([], [], color=GREY, label=f"current: {first} (assumed)")
+    axes[0].plot([], [], "--", color=GREY, label=f"current: {other} (assumed)")
+    headline(figure, _matters_most(by_profile))
+    key_below(figure, axes[0], 3)
     return figure
+
+
+def _changes_over_input(
+    axes: list[Axes], runs: xr.Dataset, axis: str, style: dict[str, Any]
+) -> float:
+    """Draw changes of the results over that of an input, and return the largest quotient at its end."""
+    values = runs[axis].values
+    along = 100.0 * (values / values[0] - 1.0)
+    quotients: list[float] = []
+    for ax, curve in zip(axes, _at_the_stated_time(runs), strict=True):
+        change = 100.0 * (curve / curve.isel({axis: 0}) - 1.0)
+        ax.plot(along, change, **style)
+        quotients.append(abs(float(change[-1]) / along[-1]))
+    return max(quotients)
+
+
+def _positions(ax: Axes, track_angle: xr.Dataset) -> None:
+    """Displacement of the LMRP along and across the track over its angle."""
+    at = track_angle.sel(time=STATED)
+    for values, colour, label, share, offset in (
+        (-at["lmrp_displacement"], COLOURS[4], "astern", 0.95, (-6.0, 0.0)),
+        (at["lmrp_displacement_cross"], COLOURS[6], "across", 0.45, (-5.0, 2.0)),
+    ):
+        (line,) = ax.plot(track_angle["track_angle"], values, "-.", color=colour, label=label)
+        label_line(ax, line, share, offset)
+    ax.set_xlabel("track angle (°)")
+    ax.set_ylabel("LMRP displacement (m)")
+    ax.set_xticks([0, 90, 180])
+    panel_title(ax, "power 1/4, 3 m/s,\nseparate speeds")
+
+
+def _matters_most(by_profile: list[dict[str, float]]) -> str:
+    """Which input changes a result most in each profile, per cent of result for per cent of input."""
+    most = list(dict.fromkeys(max(ends, key=lambda name: ends[name]) for ends in by_profile))
+    verb = "matters" if len(most) == 1 else "matter"
+    condition = "" if len(most) == 1 else ", depending on profile"
+    return f"Per cent for per cent the {' or the '.join(most)} {verb} most{condition}"
 
 
 def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:
