@@ -1,4 +1,4 @@
-"""What accuracy costs, in one picture: codes compared, the price of an unknown mesh, honesty."""
+"""What accuracy costs, in one picture: by tolerance and code, of an unknown mesh, and honesty."""
 
 from __future__ import annotations
 
@@ -33,9 +33,10 @@ Array = NDArray[np.float64]
 
 
 def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
-    """Single runs of codes, the ratio of a run with a tolerance to the cheapest, and honesty of estimates."""
-    figure = Figure((10.6, 4.4), dpi=150, layout="constrained")
-    runs, ratios, honest = figure.subplots(1, 3, width_ratios=[1.5, 1.0, 1.0])
+    """Time over tolerance, single runs of codes, the ratio to the cheapest run, and honesty of estimates."""
+    figure = Figure((10.6, 8.0), dpi=150, layout="constrained")
+    (tolerances, runs), (ratios, honest) = figure.subplots(2, 2)
+    _tolerances(tolerances, accuracy)
     _runs(runs, accuracy)
     _ratios(ratios, accuracy)
     _honesty(honest, random_scenes)
@@ -48,7 +49,54 @@ def answer(accuracy: xr.Dataset) -> str:
     found = price(accuracy)
     if found is None:
         return "What accuracy costs"
-    return f"{found.coarse / found.fine:.0f} times the accuracy takes {found.words} times the time"
+    return (
+        f"A tolerance {found.coarse / found.fine:.0f} times finer takes {found.words} times as long"
+    )
+
+
+def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
+    """Time of all runs over the tolerance, a line per scene, with the ratio that the title counts."""
+    found = price(accuracy)
+    ends: list[tuple[float, float, str, str]] = []
+    for k, scene in enumerate(_scenes(accuracy)):
+        here = accuracy["request_scene"].values == scene
+        requested, seconds = (
+            accuracy["requested"].values[here],
+            accuracy["request_seconds"].values[here],
+        )
+        order = np.argsort(-requested)
+        x, y = requested[order], seconds[order]
+        if not np.isfinite(y).any():
+            continue
+        colour = COLOURS[k % len(COLOURS)]
+        ax.plot(x, y, "o-", color=colour, linewidth=1.6, markersize=4)
+        times = dict(zip(x.tolist(), y.tolist(), strict=True))
+        both = [] if found is None else [times.get(found.coarse), times.get(found.fine)]
+        ratio = f": {both[1] / both[0]:.2g}×" if len(both) == 2 and all(both) else ""
+        last = int(np.flatnonzero(np.isfinite(y))[-1])
+        ends.append((x[last], y[last], " ".join(_short(scene).split()) + ratio, colour))
+    _label_ends(ax, ends)
+    for tolerance in (found.coarse, found.fine) if found else ():
+        ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
+    ax.set_xscale("log")
+    ax.set_yscale("log")
+    ax.set_xlim(WIDEST, FINEST / 70.0)  # names stand to the right
+    _percent_ticks(ax)
+    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: _time(x)))
+    ax.yaxis.set_minor_formatter(NullFormatter())
+    ax.grid(True, color="0.92", linewidth=0.6)
+    ax.set_axisbelow(True)
+    ax.set_xlabel("tolerance (%): more accurate →")
+    ax.set_ylabel("elapsed time of all runs (s)")
+    between = f"; ×: {100 * found.fine:g} % compared with {100 * found.coarse:g} %" if found else ""
+    ax.set_title(f"(a) riserstudy, time over tolerance{between}", loc="left", fontsize="small")
+
+
+def _percent_ticks(ax: Axes) -> None:
+    """Ticks of errors at usual tolerances, in per cent."""
+    ticks = [tick for tick in TICKS if FINEST < tick < WIDEST]
+    ax.set_xticks(ticks, [f"{100 * tick:g}" for tick in ticks])
+    ax.xaxis.set_minor_locator(NullLocator())
 
 
 def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
@@ -74,18 +122,16 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_xlim(WIDEST, FINEST / 9.0)
-    ticks = [tick for tick in TICKS if FINEST < tick < WIDEST]
-    ax.set_xticks(ticks, [f"{100 * tick:g}" for tick in ticks])
-    ax.xaxis.set_minor_locator(NullLocator())
+    _percent_ticks(ax)
     ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: _time(x)))
     ax.yaxis.set_minor_formatter(NullFormatter())
     ax.grid(True, color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)
     ax.set_xlabel("true error of displacement (%): more accurate →")
     ax.set_ylabel("elapsed time of one run (s)")
-    compared = f"; ×: time compared with {OURS} at {100 * COMPARED:g} %" if names[1:] else ""
+    compared = f"; ×: {OURS} = 1 at {100 * COMPARED:g} %" if names[1:] else ""
     words = " ".join(NAMES.get(scene, scene).split())
-    ax.set_title(f"(a) {words}{compared}", loc="left", fontsize="small")
+    ax.set_title(f"(b) single runs, {words}{compared}", loc="left", fontsize="small")
 
 
 def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
@@ -111,15 +157,17 @@ def _at(single: Array, error: Array) -> Array:
 
 
 def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
-    """Names at the ends of lines, moved apart upwards."""
-    lowest = 0.0
+    """Names at the ends of lines, moved apart upwards; below the end of a line that others outrun."""
+    lowest, farthest = 0.0, min((x for x, *_ in names), default=0.0)
     for x, y, name, colour in sorted(names, key=lambda one: one[1]):
-        at = max(y, lowest)
+        short = x > 2.0 * farthest
+        at = y if short else max(y, lowest)
         ax.annotate(
-            name, (x, at), xytext=(7, 0), textcoords="offset points", va="center",
-            fontsize="small", color=colour, fontweight="bold" if name == OURS else "normal",
+            name, (x, at), xytext=(8, -9) if short else (7, 0), textcoords="offset points",
+            ha="center" if short else "left", va="top" if short else "center", fontsize="small", color=colour,
+            fontweight="bold" if name == OURS else "normal",
         )  # fmt: skip
-        lowest = at * APART
+        lowest = lowest if short else at * APART
 
 
 def lowest_cost(of: xr.Dataset) -> Array:
@@ -137,7 +185,7 @@ def lowest_cost(of: xr.Dataset) -> Array:
 def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
     """Time with a tolerance divided by the cheapest run of no larger error, all runs and the last alone."""
     scenes = _scenes(accuracy)
-    labels = {"all": "all runs, which find the mesh", "last": "last run alone: the mesh is known"}
+    labels = {"all": "all runs, including those that find the mesh", "last": "only the last run"}
     for k, scene in enumerate(scenes):
         every, last, missing = over_lowest_cost(accuracy, scene)
         if missing:
@@ -153,10 +201,11 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
     ax.set_yticks(range(len(scenes)), [_short(scene) for scene in scenes], fontsize="small")
     ax.set_ylim(len(scenes) - 0.4, -0.6)
     ax.margins(x=0.16)
-    ax.set_xlabel("time / cheapest run of equal error")
+    ax.set_xlabel("time / time of the cheapest run of equal error")
     ax.set_title(
-        f"(b) cost of finding the mesh for {100 * TOLERANCE:g} %", loc="left", fontsize="small"
-    )
+        f"(c) cost of finding mesh and time step for {100 * TOLERANCE:g} %",
+        loc="left", fontsize="small",
+    )  # fmt: skip
     if not labels:
         ax.legend(loc="upper center", bbox_to_anchor=(0.4, -0.15), fontsize="small", frameon=False)
 
@@ -194,7 +243,7 @@ def over_lowest_cost(accuracy: xr.Dataset, scene: str) -> tuple[float, float, st
     allowed = max(TOLERANCE, reached[compared].max(initial=0.0))
     good = np.isfinite(seconds) & np.isfinite(worst) & (worst <= allowed)
     if not good.any() or not compared.any():
-        return np.nan, np.nan, "no single run of equal error"
+        return np.nan, np.nan, "no single run has so small an error"
     least = seconds[good].min()
     every, last = (float(of[f"request_{name}"][0]) for name in ("seconds", "last_seconds"))
     return every / least, last / least, ""
@@ -237,11 +286,11 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
         axis.set_minor_formatter(NullFormatter())
     ax.grid(True, color="0.92", linewidth=0.6)
     beside: dict[str, Any] = {"transform": ax.transAxes, "fontsize": "small", "color": "0.4"}
-    ax.text(0.04, 0.96, "estimate too high: safe", va="top", **beside)
-    ax.text(0.97, 0.42, "too low", ha="right", va="top", **beside)
+    ax.text(0.04, 0.96, "estimate above the true error: safe", va="top", **beside)
+    ax.text(0.7, 0.1, "estimate too low", ha="right", va="top", **beside)
     ax.set_xlabel("true error (%)")
     ax.set_ylabel("estimated error (%)")
     ax.set_title(
-        f"(c) {kept} of {len(true)} random scenes meet {100 * requested:g} %",
+        f"(d) {kept} of {len(true)} random scenes meet their tolerance of {100 * requested:g} %",
         loc="left", fontsize="small",
     )  # fmt: skip

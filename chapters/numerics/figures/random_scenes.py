@@ -42,14 +42,14 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
     requested = float(of.attrs["requested"])
     true, estimated = (np.maximum(of[name], LEAST) for name in ("true", "estimated"))
     ends = np.array([LEAST, 1.0])
-    band = "estimate of half to five times the error"
+    band = "estimate of 0.5 to 5 times the error"
     ax.fill_between(ends, HONEST[0] * ends, HONEST[1] * ends, color="0.92", lw=0.0, label=band)
     ax.plot(ends, ends, color=GREY, linewidth=0.8, label="estimate equal to the error")
-    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0, label="request")
+    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0, label="tolerance")
     missed = (of["true"] > requested).values
     for here, colour, words in (
         (~missed, COLOURS[0], ""),
-        (missed, COLOURS[1], ", misses the request"),
+        (missed, COLOURS[1], ", error above the tolerance"),
     ):
         for held_out, kind in ((False, "used to tune"), (True, "held out from tuning")):
             chosen = here & (of["held_out"] == held_out).values
@@ -106,4 +106,4 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
     ax.set_yticks(range(len(families)), families, fontsize="small")
     ax.set_xlim(0.4, 80.0)
     ax.set_ylim(len(families) - 0.5, -0.5)
-    ax.set_xlabel("work / work of the cheapest")
+    ax.set_xlabel("work / work of the cheapest setting")

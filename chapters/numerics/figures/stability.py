@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import zip_longest
 from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
@@ -29,6 +31,7 @@ EXPLICIT = "explicit"
 SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
 NAMES = {"gen.-alpha 0.8": "generalised-alpha", "Newmark 1/4 1/2": "Newmark"}  # in the key
 SHORTEST = 0.01  # step over the default's that the axis reaches; an arrow where it is shorter
+LIMIT = "predicted explicit limit"
 MORE, LESS = ">", "<"  # marks of a range that goes on, and of one off the axis
 SAME = 1e-9  # relative difference of steps that are the same
 WORST = 2  # cases that are named, at least
@@ -218,7 +221,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
             y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
             if limit >= SHORTEST:
                 ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
-            ax.plot([], [], "|", color="black", label="" if ticked else "predicted explicit limit")
+            ax.plot([], [], "|", color="black", label="" if ticked else LIMIT)
             ticked = True
     ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
     ax.set_xscale("log")
@@ -230,28 +233,51 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     if families:
         ax.annotate(
-            "chosen step", (1.0, -0.5), xytext=(-4, -3), textcoords="offset points",
+            "the engine's step", (1.0, -0.5), xytext=(-4, -3), textcoords="offset points",
             ha="right", va="top", fontsize="small", color="0.35",
         )  # fmt: skip
-    ax.set_xlabel("time step / step chosen at the default tolerance: longer steps →")
+    ax.set_xlabel("time step / step that the engine chooses: longer steps →")
     ax.set_title(f"(b) {_bearable(stability, families, methods)}", loc="left", fontsize="small")
 
 
 def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
-    """Methods by colour, ends of ranges by mark, and which methods were not run."""
-    grey: dict[str, Any] = {"color": "0.4", "linestyle": ""}
-    ax.plot([], [], "o", markersize=4.5, label="largest accurate", **grey)
-    hollow = grey | {"markersize": 7.5, "markerfacecolor": "none"}
-    ax.plot([], [], "o", label="largest stable", **hollow)
-    ax.plot([], [], LESS, label=f"below {SHORTEST:g}", **hollow)
-    ax.plot([], [], MORE, label="stable at the longest tested", **hollow)
+    """Two rows below the panel: colours, each a method, and marks, each an end of a range."""
     handles, labels = ax.get_legend_handles_labels()
+    methods = [
+        Line2D([], [], color=handle.get_color(), linewidth=3.0)
+        for handle, label in zip(handles, labels, strict=True)
+        if label != LIMIT
+    ]
+    names = [label for label in labels if label != LIMIT]
     if absent:
-        handles.append(Patch(visible=False))
-        labels.append(f"not run at this tier: {', '.join(absent)}")
-    figure.legend(
-        handles, labels, loc="outside lower center", ncols=4, fontsize="small", frameon=False
+        methods.append(Line2D([], [], linestyle=""))
+        names.append(f"not run at this tier: {', '.join(absent)}")
+    drawn = {str(line.get_marker()) for line in ax.lines if len(line.get_xdata())}
+    grey: dict[str, Any] = {"color": "0.4", "linestyle": "", "markersize": 7.5}
+    marks = {
+        "accurate": Line2D([], [], marker="o", **grey | {"markersize": 4.5}),
+        "stable": Line2D([], [], marker="o", markerfacecolor="none", **grey),
+        MORE: Line2D([], [], marker=MORE, markerfacecolor="none", **grey),
+        LESS: Line2D([], [], marker=LESS, markerfacecolor="none", **grey),
+        "|": Line2D([], [], marker="|", color="black", linestyle="", markersize=11),
+    }
+    words = {
+        "accurate": "longest accurate step",
+        "stable": "longest stable step",
+        MORE: "stable at longest step tested",
+        LESS: f"below {SHORTEST:g}",
+        "|": LIMIT,
+    }
+    seen = [mark for mark in marks if mark in ("accurate", "stable") or mark in drawn]
+    empty = (Line2D([], [], linestyle=""), "")
+    rows = zip_longest(
+        zip(methods, names, strict=True), ((marks[m], words[m]) for m in seen), fillvalue=empty
     )
+    shown, said = zip(*(one for pair in rows for one in pair), strict=True)
+    figure.legend(  # filled column by column: methods in the upper row, marks in the lower
+        shown, said, loc="outside lower center", ncols=len(said) // 2, fontsize="small",
+        frameon=False, columnspacing=1.2, handlelength=1.4,
+    )  # fmt: skip
 
 
 def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) -> str:

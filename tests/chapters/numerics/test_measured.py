@@ -116,9 +116,9 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert there.sizes["drawn"] > 0
     assert (there["fixed_error"] <= there["true"]).all()
     assert (there["work_fixed"] <= there["work_asked"]).all()
-    assert "misses" not in key_of_random_scenes(found)
+    assert "above the tolerance" not in key_of_random_scenes(found)
     missed = found.assign(true=found["true"] + 0.02)
-    assert "misses the request" in key_of_random_scenes(missed)
+    assert "error above the tolerance" in key_of_random_scenes(missed)
     assert (
         section({"random_scenes": found})
         .sentences[0]
