@@ -96,7 +96,7 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
     assert (
-        "The other 3 use a fixed mesh and time step; their error was estimated for 2"
+        "The other 3 use a fixed mesh and time step; their error was estimated for 2 of them"
         in of.sentences
     )
 

@@ -165,7 +165,7 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     assert re.search(pressure, text)
     assert re.search(r"platform.heave.amplitude varied \([^)]*\) axis heave_amplitude", text)
     assert "tensioner model: gas law, linear" in text
-    assert "compiling all kernels took 81.5 s" in text
+    assert "compiling the engine took 81.5 s" in text
     assert "One riser paper, simulated again" in text
 
 
@@ -222,9 +222,12 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["A10"].sentences == [
         "Base case: 3, true.",
         "As in A1.",
-        "Margin to the threshold: +10 % (90 % range −2 to +30 %).",
+        "Margin to a change of the outcome: +10 % (90 % range −2 to +30 %).",
     ]
-    assert found["A2"].sentences == ["Base case: 1.5, true.", "Margin to the threshold: +25 %."]
+    assert found["A2"].sentences == [
+        "Base case: 1.5, true.",
+        "Margin to a change of the outcome: +25 %.",
+    ]
     assert found["B0"].sentences == []
     assert found["A10"].why == "Depends on the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."

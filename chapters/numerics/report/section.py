@@ -46,7 +46,7 @@ def unexpected(stability: xr.Dataset) -> list[Table]:
     bad = stability.isel(case=~stability["as_expected"].values)
     columns = [map(str, bad[name].values) for name in ("case", "about", "expected", "finding")]
     rows = [[Cell(text) for text in row] for row in zip(*columns, strict=True)]
-    about = "What was expected of each, and what was found"
+    about = "Expected and observed outcome of each case"
     heads = ["Case", "What it is", "Expected", "Found"]
     title = "Hard cases that did not end as expected"
     return [Table(title, about, heads, set(), rows, folded=False)] if rows else []
@@ -68,7 +68,7 @@ def references(datasets: Mapping[str, xr.Dataset]) -> list[str]:
     met = len(deviations) - len(bad)
     but = f"; not: {listed(bad)}" if bad else ""
     return [
-        "Reference solutions that a rerun finds within the estimated errors: "
+        "Reference solutions that a rerun reproduces within the estimated errors: "
         f"{met} of {len(deviations)}{but}."
     ]
 
@@ -91,7 +91,7 @@ def known(validation: xr.Dataset) -> str:
     bad = validation.isel(row=~holds)
     named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
     but = f"; not: {listed(named)}" if named else ""
-    return f"Numbers within their tolerance of what is known: {met} ({text}){but}."
+    return f"Results that agree with a known value within the tolerance: {met} ({text}){but}."
 
 
 def stable_steps(steps: xr.Dataset) -> str:
@@ -103,8 +103,8 @@ def stable_steps(steps: xr.Dataset) -> str:
         for name, x in zip(unsafe["variant"].values, unsafe.values, strict=True)
     ]
     return (
-        f"Explicit stepping: the longest stable step measured is {float(ratio.min()):.3f} to "
-        f"{float(ratio.max()):.3f} of the predicted one; "
+        f"Explicit stepping: the longest stable time step is {float(ratio.min()):.3f} to "
+        f"{float(ratio.max()):.3f} times the predicted one; "
         + (
             f"predictions that were too long: {listed(named)}."
             if named
@@ -123,10 +123,10 @@ def costs(effects: xr.Dataset) -> list[str]:
     ]
     cold = effects.attrs["cold_compile_seconds"]
     spent = effects.attrs["cold_compile_core_seconds"]
-    compiled = f"Compiled: {effects.attrs['compiled_functions']} functions"
+    compiled = f"The engine has {effects.attrs['compiled_functions']} compiled functions"
     return [
         f"Most expensive effects, by their highest share of the run time in any scene: {listed(named)}.",
-        f"{compiled}; from nothing in {seconds(cold)}, {spent:.0f} core-seconds."
+        f"{compiled}; compiling all of them takes {seconds(cold)} ({spent:.0f} core-seconds)."
         if cold == cold
         else f"{compiled}.",
     ]
@@ -138,8 +138,8 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
     counts = (
-        f"{counted(count, 'random scene')} requested {100 * requested:g} %: "
-        f"{count - left - ran.sizes['drawn']} refused, {left} not judged because the request took long"
+        f"{counted(count, 'random scene')} with a tolerance of {100 * requested:g} %: "
+        f"{count - left - ran.sizes['drawn']} refused, {left} not judged because they took too long"
     )
     if not ran.sizes["drawn"]:
         return [f"{counts}."]
@@ -153,8 +153,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
 
     honest = float(((ratio >= HONEST[0]) & (ratio <= HONEST[1])).mean())
     lines = [
-        f"{counts}. The true error is within it in {within(ran)}, of those held out in {within(held)}; "
-        f"in {100 * honest:.0f} % of the scenes the estimate is between 0.5 and 5 times the true error."
+        f"{counts}. In {within(ran)} of the judged scenes the true error is within the tolerance; of the "
+        f"scenes that were not used for tuning, in {within(held)}. In {100 * honest:.0f} % of the scenes the "
+        "estimate is between 0.5 and 5 times the true error."
     ]
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
@@ -175,15 +176,15 @@ def long_runs(long: xr.Dataset) -> list[str]:
         for error, label in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
-                parts.append(f"no setting gives {label} to {100 * WANTED:g} %")
+                parts.append(f"no setting gives {label} with an error of {100 * WANTED:g} %")
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
-            published = f"; published run time: {seconds(named)}" if named == named else ""
+            published = f" The published run time is {seconds(named)}." if named == named else ""
             parts.append(
-                f"{seconds(spent)} of CPU time give {label} to {100 * float(best[error]):.2g} % "
-                f"({best['candidate'].item()}, {int(best['elements'])} segments, "
-                f"step {float(best['asked_step']):g} s)"
+                f"{seconds(spent)} of CPU time give {label} with an error of "
+                f"{100 * float(best[error]):.2g} % ({best['candidate'].item()}, "
+                f"{int(best['elements'])} segments, time step {float(best['asked_step']):g} s)"
             )
-        lines.append(f"Long simulation, {case}: {', '.join(parts)}{published}.")
+        lines.append(f"Long simulation, {case}: {'; '.join(parts)}.{published}")
     return lines

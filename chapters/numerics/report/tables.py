@@ -60,9 +60,9 @@ def hard_cases(stability: xr.Dataset) -> Table:
             ]
         )
     about = (
-        "One case a row. Error and estimate are of the scene as it is written. For each method: the largest "
-        "step (s) that is accurate to 1 %, and the largest that survives, on the mesh of the default "
-        "accuracy; a dash where no step of the ladder is."
+        "Each row is a case. Error and estimate refer to the scene as written. For each method: the longest "
+        "time step (s) that is accurate to 1 %, and the longest that is stable, on the mesh of the default "
+        "accuracy. A dash means that no tested time step is."
     )
     columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)
@@ -87,10 +87,10 @@ def changes(effects: xr.Dataset) -> Table:
                 *map(_share, values),
                 Cell(signed, _order(time)),
             ]
-            rows.append([*cells, Cell(f"cannot be done without: {sentences}" if sentences else "")])
+            rows.append([*cells, Cell(f"cannot be removed: {sentences}" if sentences else "")])
     about = (
-        "Each effect taken out of a scene (without) or put in (with), on the same mesh with the same step: "
-        "relative change of the largest displacement, moment and top tension, and of the run time."
+        "Each row removes an effect from a scene (without) or adds one (with), on the same mesh and time "
+        "step. Relative change of the largest displacement, moment and top tension, and of the run time."
     )
     columns = ["Scene", "Change", *map(str.capitalize, CHANGES.values()), "Time", "Remark"]
     return Table("Effects, one by one", about, columns, {2, 3, 4, 5}, rows)
@@ -118,18 +118,21 @@ def requests(accuracy: xr.Dataset) -> Table:
                 Cell(str(of["request_message"].values)),
             ]
         )
-    about = "The largest error of displacement, moment and tension; time of all runs that the request took."
+    about = (
+        "Errors: the largest of displacement, moment and tension. Time: all runs, including those that find "
+        "mesh and time step."
+    )
     columns = [
         "Scene",
         "Tolerance",
-        "Estimated",
-        "Reached",
+        "Estimated error",
+        "True error",
         "Time",
         "Segments",
         "Step (s)",
         "Remark",
     ]
-    return Table("Requests for an accuracy", about, columns, {1, 2, 3, 4, 5, 6}, rows)
+    return Table("Runs with a tolerance", about, columns, {1, 2, 3, 4, 5, 6}, rows)
 
 
 def balances(energy: xr.Dataset) -> Table:
@@ -141,7 +144,7 @@ def balances(energy: xr.Dataset) -> Table:
             scale = max(float(abs(of[name]).max()) for name in ("exchanged", "stored"))
             shares = [float(abs(of[n]).max()) / scale for n in ("numerical", "unexplained")]
             rows.append([Cell(str(case)), Cell(str(method)), *map(_share, shares)])
-    about = "Largest values over time, as shares of the energy exchanged or stored."
+    about = "Largest values over time, divided by the energy exchanged or stored."
     columns = ["Case", "Method", "Dissipated by the method", "Unexplained"]
     return Table("Energy", about, columns, {2, 3}, rows)
 
@@ -166,12 +169,12 @@ def known(validation: xr.Dataset) -> Table:
         words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
         rows.append([*words, *both, *allowed, verdict, Cell(text["because"])])
     about = (
-        "Run anew with every study. The error is the difference over the size of the reference; the last "
-        "column says what its tolerance leaves room for."
+        "Every study repeats these comparisons. The error is the difference divided by the magnitude of the "
+        "reference. The last column gives the reason for the tolerance."
     )
     columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
     return Table(
-        "Compared with what is known", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
+        "Comparison with known results", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
     )
 
 

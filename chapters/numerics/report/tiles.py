@@ -39,7 +39,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     if found is None:
         return None
     answer = (
-        f"the run time for {found.coarse / found.fine:.0f} times the accuracy "
+        f"as long for {found.coarse / found.fine:.0f} times the accuracy "
         f"({100 * found.coarse:g}\u00a0% to {100 * found.fine:g}\u00a0%)."
     )
     if peers := others(accuracy):
@@ -55,7 +55,8 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         points = sorted(zip(-requested[of], seconds[of], strict=True))
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
     drawn = _lines([line for line in lines if len(line) > 1])
-    under = f"run time over tolerance, {100 * found.coarse:g} → {100 * found.fine:g} %; a line per scene"
+    between = f"{100 * found.coarse:g} to {100 * found.fine:g} %"
+    under = f"run time for tolerances from {between}; one line per scene"
     return f"{found.words}×", answer, drawn + (_under(under) if drawn else "")
 
 

@@ -130,7 +130,7 @@ def listed(names: Iterable[str]) -> str:
 
 def margin_in_words(margin: float, low: float | None, high: float | None) -> str:
     """How far a verdict is from turning; a difference over the larger of the two that are compared."""
-    text = f"Margin to the threshold: {_signed(margin)} %"
+    text = f"Margin to a change of the outcome: {_signed(margin)} %"
     if low is None or high is None:
         return f"{text}."
     return f"{text} (90 % range {_signed(low)} to {_signed(high)} %)."
@@ -213,15 +213,16 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others, alone = listed(together.others), together.alone
     of = "samples" if alone.draws is not None else "interpretations"
-    yield f"Judged together with {others}; alone it is met in {alone.met} of {alone.samples} {of}."
+    met = f"alone it is met in {alone.met} of {alone.samples} {of}"
+    yield f"It must be met in the same case as {others}; {met}."
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
     """What of the base case was chosen by it."""
     if chosen is None:
         return
-    then = "samples vary it" if chosen.varied else "no sample varies it, so this proves nothing"
-    yield f"The base case was chosen to give this, by {chosen.what}; {then}."
+    then = "Samples vary it." if chosen.varied else "No sample varies it, so this proves nothing."
+    yield f"The following was chosen such that the base case gives this: {chosen.what}. {then}"
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:
@@ -239,12 +240,12 @@ def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
     """The base case or a further case, of one cell or many."""
     true, false = _HIT[kind]
     of = f" {unit}" if unit not in ("", "1") else ""
-    cells = f"{outcome.low:.3g} to {outcome.high:.3g}{of}"
+    cells = f"{_plain(outcome.low)} to {_plain(outcome.high)}{of}"
     if outcome.readings:
         return f"{outcome.name}: {cells}, {by_reading(kind, outcome.readings)}."
     if outcome.share is None:
         answer = "no difference" if outcome.same else true if outcome.met else false
-        return f"{outcome.name}: {outcome.low:.3g}{of}, {answer}."
+        return f"{outcome.name}: {_plain(outcome.low)}{of}, {answer}."
     by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
     return f"{outcome.name}: {cells}, {_share(outcome.share, true)}{by}."
 
@@ -257,6 +258,11 @@ def _share(share: Share, word: str) -> str:
     same = f", no difference in {share.same}" if share.same else ""
     of = "samples" if share.draws is not None else "interpretations"
     return f"{word} in {share.met} of {share.samples} {of} ({percent}){same}"
+
+
+def _plain(value: float) -> str:
+    """Three digits, without an exponent where a number is of a usual size."""
+    return f"{float(f'{value:.3g}'):g}"
 
 
 def _capital(text: str) -> str:

@@ -91,13 +91,13 @@ class Missed(NamedTuple):
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
         sentence = (
             f"The other {spaced(prescribed)} use a fixed mesh and time step; "
-            f"their error was estimated for {self.estimated}"
+            f"their error was estimated for {self.estimated} of them"
         )
         if not fixed:
             return f"{requested}. {sentence} and is at most {share(TOLERANCE)}."
         return (
             f"{requested}. {sentence} and exceeds {share(TOLERANCE)} for {fixed}. "
-            f"The largest is {share(self.worst)}, in {self.where}."
+            f"The largest estimate is {share(self.worst)}, in {self.where}."
         )
 
 

@@ -25,7 +25,10 @@ SEEN = 0.02  # share of the margin's variance from which an input is shown
 PARTS = 3  # of a range, equally filled
 #: px: where the columns begin and end, height of the margins, of a row, and of what is above and below
 LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 285, 585, 640, 90, 17, 18
-VARY = ("varies, too, and is not shown", "vary, too, and are not shown")
+VARY = (
+    "with little effect also varies and is not shown",
+    "with little effect also vary and are not shown",
+)
 SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 
 
@@ -108,12 +111,13 @@ def curve(cases: Cases) -> Curve:
 
 def _caption(cases: Cases, step: int) -> str:
     count, left = len(cases.margin), cases.hidden
-    every = f", one of {step} drawn" if step > 1 else ""
-    more = f" {counted(left, 'other input')} of little effect {VARY[left > 1]}." if left else ""
+    every = f" (one of {step} is drawn)" if step > 1 else ""
+    more = f" {counted(left, 'other input')} {VARY[left > 1]}." if left else ""
     return (
-        f"Top: margin to the threshold of {count} cases in ascending order{every}; the triangle marks the "
-        "base case. Below: the option of each case, and at the right the share of its cases that agree. "
-        f"Where the marks of an option lie on one side, that input decides.{more}"
+        f"Top: one line for each of {count} cases{every}, in ascending order of the margin. Cases with a "
+        "positive margin agree; the triangle marks the base case. Below: one row per option of an input. "
+        "Marks show which cases have this option, and the number at the right is the share of them that "
+        f"agree. If all marks of an option are on one side, that input decides.{more}"
     )
 
 
@@ -194,7 +198,7 @@ def _margins(cases: Cases, drawn: NDArray[np.int64]) -> Iterator[str]:
     yield f'<path class="axis" d="M{LEFT} {middle:.0f}H{RIGHT}"/>'
     for text, y in ((f"+{100 * scale:.0f} %", -half), ("0", 0.0), (f"−{100 * scale:.0f} %", half)):
         yield _text(LEFT - 8, middle + y + 4, text, "end")
-    yield _text(0, middle + 4, "Margin to the threshold", "name")
+    yield _text(0, middle + 4, "Margin", "name")
     share = f"{int(cases.met.sum())} of {len(cases.met)} cases agree"
     yield _text(0, middle + 4 + ROW, share, "")
     if cases.base is not None:

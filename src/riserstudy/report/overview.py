@@ -20,7 +20,10 @@ SAID = {
         "depend on inputs that the papers omit",
     ),
     "fails": ("fails", "fail"),
-    "not comparable": ("has another definition", "have other definitions"),
+    "not comparable": (
+        "is defined differently in the paper",
+        "are defined differently in the papers",
+    ),
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }
 
@@ -62,8 +65,8 @@ def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
     plain = "paper" if len(papers) == 1 else "papers"
     return (
         f"{count} {things}, simulated again",
-        f"riserstudy simulates what {count.lower()} published {plain} on deepwater drilling risers computed, "
-        "and checks every value and claim. Inputs that a paper omits are varied.",
+        f"riserstudy repeats the simulations of {count.lower()} published {plain} on deepwater drilling "
+        "risers, and checks every published value and claim. Inputs that a paper omits are varied.",
     )
 
 

@@ -33,7 +33,7 @@ class WithoutPoints(NamedTuple):
         """How many cannot be graded anew, in words; "" where all can."""
         if not self.bound:
             return ""
-        return f"{len(self.bound)} cannot be checked, as the base case or every case needs such a point"
+        return f"{len(self.bound)} cannot be checked, because the base case or every case needs such a point"
 
 
 def without_points(

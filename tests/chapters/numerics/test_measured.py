@@ -122,7 +122,7 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert (
         section({"random_scenes": found})
         .sentences[0]
-        .startswith("2 random scenes requested 1 %: 0 refused")
+        .startswith("2 random scenes with a tolerance of 1 %: 0 refused")
     )
 
 
@@ -144,7 +144,7 @@ def test_a_request_that_takes_long_is_a_row_that_says_so():
     assert all(message.startswith("not judged: ") for message in found["message"].values)
     assert found["true"].isnull().all()
     said = section({"random_scenes": found}).sentences[0]
-    assert said.startswith("2 random scenes requested 1 %: 0 refused, 2 not judged")
+    assert said.startswith("2 random scenes with a tolerance of 1 %: 0 refused, 2 not judged")
 
 
 def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates():
