@@ -70,9 +70,9 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
             continue
         colour = COLOURS[k % len(COLOURS)]
         ax.plot(x, y, "o-", color=colour, linewidth=1.6, markersize=4)
-        times = dict(zip(x.tolist(), y.tolist(), strict=True))
-        both = [] if found is None else [times.get(found.coarse), times.get(found.fine)]
-        ratio = f": {both[1] / both[0]:.2g}×" if len(both) == 2 and all(both) else ""
+        ratio = ""
+        if found and {found.coarse, found.fine} <= set(x[np.isfinite(y)].tolist()):
+            ratio = f": {float(y[x == found.fine][0] / y[x == found.coarse][0]):.2g}×"
         last = int(np.flatnonzero(np.isfinite(y))[-1])
         ends.append((x[last], y[last], " ".join(_short(scene).split()) + ratio, colour))
     _label_ends(ax, ends)

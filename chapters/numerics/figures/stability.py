@@ -246,13 +246,13 @@ def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
     methods = [
         Line2D([], [], color=handle.get_color(), linewidth=3.0)
         for handle, label in zip(handles, labels, strict=True)
-        if label != LIMIT
+        if label != LIMIT and isinstance(handle, Line2D)
     ]
     names = [label for label in labels if label != LIMIT]
     if absent:
         methods.append(Line2D([], [], linestyle=""))
         names.append(f"not run at this tier: {', '.join(absent)}")
-    drawn = {str(line.get_marker()) for line in ax.lines if len(line.get_xdata())}
+    drawn = {str(line.get_marker()) for line in ax.lines if np.size(line.get_xdata())}
     grey: dict[str, Any] = {"color": "0.4", "linestyle": "", "markersize": 7.5}
     marks = {
         "accurate": Line2D([], [], marker="o", **grey | {"markersize": 4.5}),
