@@ -164,8 +164,9 @@ def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
         at = y if short else max(y, lowest)
         ax.annotate(
             name, (x, at), xytext=(8, -9) if short else (7, 0), textcoords="offset points",
-            ha="center" if short else "left", va="top" if short else "center", fontsize="small", color=colour,
-            fontweight="bold" if name == OURS else "normal",
+            ha="center" if short else "left", va="top" if short else "center",
+            fontsize="small", color=colour, fontweight="bold" if name == OURS else "normal",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85},
         )  # fmt: skip
         lowest = lowest if short else at * APART
 
