@@ -156,3 +156,32 @@ def fresh(checkout):
     for part in ("results", "logs", ".snakemake", ".cache/points"):
         shutil.rmtree(checkout / part)
     return checkout
+
+
+@pytest.fixture(scope="session")
+def page(tmp_path_factory):
+    """The report of two runs and a small graded table."""
+    from report_in_browser import report_in  # other tests need no browser
+
+    return report_in(tmp_path_factory.mktemp("page"))
+
+
+@pytest.fixture(scope="session")
+def chromium(tmp_path_factory):
+    """A browser without a network."""
+    from report_in_browser import started
+
+    browser = started(tmp_path_factory.mktemp("chromium"))
+    yield browser
+    browser.quit()
+
+
+@pytest.fixture
+def browser(chromium, page):
+    """The page, just opened, with its tables ready; at the end nothing may have complained."""
+    from report_in_browser import open_page
+
+    open_page(chromium, page)
+    yield chromium
+    # a browser that draws without graphics hardware warns that this is slow
+    assert [row for row in chromium.get_log("browser") if row["level"] != "WARNING"] == []
