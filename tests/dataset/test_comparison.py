@@ -148,7 +148,7 @@ def test_a_figure_has_a_panel_for_each_column(table):
     figure = comparison(compared(run(), path).pairs, "a run", "other.csv")
     assert [ax.get_title(loc="left") for ax in figure.axes] == [
         "(a) effective tension at 100 m",
-        "(b) ufj angle",
+        "(b) UFJ angle",
     ]
     assert [ax.get_ylabel() for ax in figure.axes] == ["kN", "deg"]
 

@@ -115,7 +115,7 @@ def test_utilisation_is_the_largest_of_all_limits_and_names_the_one_that_governs
     assert figure.get_suptitle().startswith("0 of 6 points exceed a limit; at ")
     (legend,) = figure.legends
     assert {text.get_text() for text in legend.get_texts()} == {
-        "drilling: largest ufj angle", "connected: largest stroke",
+        "drilling: largest UFJ angle", "connected: largest stroke",
     }  # fmt: skip
 
 

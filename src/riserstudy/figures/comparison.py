@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 
 from riserstudy.dataset.comparison import Pair
 from riserstudy.dataset.unit_systems import read_in
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
 MOST = 6  # panels
@@ -33,8 +34,7 @@ def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
             linewidth=1.2,
             label=other,
         )
-        name = pair.name.replace("_", " ")
-        panel_title(ax, name)
+        panel_title(ax, in_words(pair.name))
         ax.set_ylabel(unit if unit != "1" else "")
     axes[-1].set_xlabel("time (s)" if pairs[0].axis == "time" else "arclength from the bottom (m)")
     key_below(figure, axes[-1], 2)

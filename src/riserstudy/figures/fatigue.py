@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.fatigue.years import Years
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, as_written, headline, key_below, panel_title, panels
 
 LEAST = 1e-6  # of the largest damage, below which a line is not drawn
@@ -87,4 +88,4 @@ def _by_sea(figure: Figure, ax: Axes, years: Years) -> None:
 
 def _named(years: Years, k: int) -> str:
     axis, unit = years.axes[k]
-    return f"{axis.replace('_', ' ')} ({unit})" if unit else axis.replace("_", " ")
+    return f"{in_words(axis)} ({unit})" if unit else in_words(axis)

@@ -11,6 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline
 from riserstudy.seas.cover import scale_of
 from riserstudy.seas.riser_hours import excess_of
@@ -45,7 +46,7 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     displayed[unknown] = np.nan
     figure = Figure((7.2, 5.0), dpi=150, layout="constrained")
     ax = figure.subplots()
-    labels = [str(name) for name in responses["limit"].values]
+    labels = [in_words(str(name)) for name in responses["limit"].values]
     colours = [WITHIN, *(COLOURS[k % len(COLOURS)] for k in range(len(labels)))]
     ax.pcolormesh(
         periods, heights, displayed, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(labels) + 0.5

@@ -17,6 +17,7 @@ from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import key_below, panels
 
 #: dimensions that are no axes of the grid
@@ -58,11 +59,11 @@ def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.
 
 def called(value: xr.DataArray) -> str:
     """One value of an axis, with the axis's name and unit: ``mud weight 1800 kg/m³``."""
+    name = in_words(str(value.name))
     if value.dtype.kind not in "fiu":
         label = str(value.item())
-        return f"{str(value.name).replace('_', ' ')} {label}" if label.isdigit() else label
+        return f"{name} {label}" if label.isdigit() else label
     factor, unit = read_in(about(value).get("units", ""))
-    name = str(value.name).replace("_", " ")
     return f"{name} {factor * value.item():.4g}" + ("" if unit in ("", "1") else f" {unit}")
 
 
@@ -136,7 +137,7 @@ def read(values: xr.DataArray) -> xr.DataArray:
 def label(values: xr.DataArray) -> str:
     """What an axis says: long name and the unit that one reads it in; words have none."""
     unit = about(values).get("units", "")
-    name = about(values).get("long_name", str(values.name).replace("_", " "))
+    name = about(values).get("long_name", in_words(str(values.name)))
     if values.dtype.kind not in "fiu":
         return name
     unit = "-" if unit in ("", "1") else read_in(unit).unit

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points, read
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, panel_title
 
 FloatArray = NDArray[np.float64]
@@ -51,7 +52,7 @@ def _lines(uses: xr.Dataset) -> Figure:
             color=colour,
             marker="o",
             markersize=3.0,
-            label=_short(name),
+            label=in_words(str(name)),
         )
     ax.axhline(1.0, color="black", linewidth=0.8)
     ax.set_xlabel(label(uses[axis]))
@@ -66,7 +67,7 @@ def _maps(uses: xr.Dataset) -> Figure:
     last = len(slices) - 1
     chosen = [slices[k] for k in sorted({round(last * j / (SLICES - 1)) for j in range(SLICES)})]
     figure, axes = laid_out(2 * len(chosen))
-    names = [_short(str(name)) for name in uses["limit"].values]
+    names = [in_words(str(name)) for name in uses["limit"].values]
     displayed = set()
     for row, (called, point) in enumerate(chosen):
         use = point["use_of_limit"].transpose("limit", up, across)
@@ -139,13 +140,9 @@ def _use_in_words(use: xr.DataArray) -> str:
         return "no limit is evaluated at any point"
     numbers, counts = np.unique(which[which >= 0], return_counts=True)
     first = int(numbers[counts.argmax()])
-    name = _short(str(use["limit"].values[first]))
+    name = in_words(str(use["limit"].values[first]))
     many = "all" if counts.max() == all_points else f"{counts.max()}"
     return f"{beyond} of {all_points} points exceed a limit; at {many} governs: {name}"
-
-
-def _short(name: str) -> str:
-    return name.replace("_", " ")
 
 
 def _colour(k: int) -> str:

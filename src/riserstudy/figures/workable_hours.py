@@ -11,14 +11,13 @@ from matplotlib.figure import Figure
 
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import called
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
 
 MOST = 6  # settings that are drawn, evenly chosen
 WRAPPED = 20  # letters of the name of a limit in a line
 STACKED = " "  # a name that no axis has
 FLAT = 2.0  # per cent of the hours; what differs by less over the months is drawn in so much of the axis
-#: names of outputs, and how they are written
-WRITTEN = {"ufj": "UFJ", "lfj": "LFJ", "von mises": "von Mises", "lmrp": "LMRP"}
 OVER = ("riser_mode", "limit", "month", "year", "window", "sea_state")  # no axes of settings
 
 
@@ -111,7 +110,7 @@ def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     """Share of hours in which each limit is exceeded, and alone is."""
-    names = [fill(_written(str(n)), WRAPPED) for n in drawn[0][1]["limit"].values]
+    names = [fill(in_words(str(n)), WRAPPED) for n in drawn[0][1]["limit"].values]
     height = 0.8 / len(drawn)
     for k, (_, one) in enumerate(drawn):
         places = np.arange(len(names)) + (k - (len(drawn) - 1) / 2.0) * height
@@ -121,14 +120,6 @@ def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     ax.invert_yaxis()
     ax.set_xlabel("hours in which a limit is exceeded (%)")
     panel_title(ax, "dark: hours in which no other is exceeded")
-
-
-def _written(limit: str) -> str:
-    """The name of a limit in words."""
-    name = limit.replace("_", " ")
-    for short, word in WRITTEN.items():
-        name = name.replace(short, word)
-    return name
 
 
 def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:

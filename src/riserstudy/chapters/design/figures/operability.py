@@ -7,15 +7,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
-
-NAMES = {
-    "lfj_angle": "LFJ angle",
-    "ufj_angle": "UFJ angle",
-    "joint_stroke": "stroke",
-    "von_mises_stress": "von Mises stress",
-    "effective_tension": "effective tension",
-}
 
 #: what a mode allows, as the title says it
 ALLOWED = {
@@ -49,7 +42,7 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     for ax, mud in zip(axes, muds, strict=True):
         for colour, name in zip(COLOURS, mine, strict=False):
             reached = np.isfinite(limits.sel(limit=name)).any()
-            label = _plain(str(name)) + ("" if reached else " (not reached)")
+            label = in_words(str(name).partition(": ")[2]) + ("" if reached else " (not reached)")
             _line(ax, limits.sel(limit=name, mud_weight=mud), colour, label)
         envelope = operability["envelope_offset"].sel(operation=mode, mud_weight=mud)
         _shade(ax, envelope, operability.attrs["reach"])
@@ -96,14 +89,3 @@ def _answer(of: xr.Dataset, mode: str) -> str:
         return f"At {left[-1]:g} m/s no limit bounds the offset for {ALLOWED[mode]}"
     tested = ", the strongest tested," if left[-1] == speeds[-1] else ""
     return f"At {left[-1]:g} m/s{tested} {width:.0f} m of offset allow {ALLOWED[mode]} in {muds}"
-
-
-def _words(name: str) -> str:
-    for variable, label in NAMES.items():
-        name = name.replace(variable, label)
-    return name
-
-
-def _plain(name: str) -> str:
-    """A limit without its mode."""
-    return _words(name.split(": ", 1)[1])

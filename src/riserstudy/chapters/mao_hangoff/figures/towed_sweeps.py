@@ -22,6 +22,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
 from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_line
+from riserstudy.figures.names import in_words
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -189,14 +190,13 @@ def trends(
     for colour, (axis, (runs, label)) in zip(COLOURS, spans.items(), strict=False):
         values = runs[axis].values
         name = label.format(values[0], values[-1])
-        words = axis.replace("_", " ").replace("lmrp", "LMRP")
         varied = "current_profile" in runs.dims
         for k, style in enumerate(("-", "--")):
             if not varied and k == 0:  # these are in the other profile only
                 continue
             one = runs.isel(current_profile=-k, drop=True) if varied else runs
             ends = _changes_over_input(axes[:3], one, axis, {"ls": style, "color": colour})
-            by_profile[k][words] = ends
+            by_profile[k][in_words(axis)] = ends
         axes[0].plot([], [], color=colour, ls="-" if varied else "--", label=name)
     for ax, title in zip(
         axes, ("displacement astern", "largest moment", "joint angle"), strict=False
