@@ -11,7 +11,8 @@ from riserstudy.dataset.place_of_crossing import place_of_crossing
 def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
     """Coordinate at which a curve first reaches a level, in the coordinate's unit; infinite if never.
 
-    Straight between points; the level is in the unit of the curve.
+    Straight between points; not a number where it is not known, see ``place_of_crossing``. The level is in
+    the unit of the curve.
     """
     place = curve[along].values
     times: xr.DataArray = xr.apply_ufunc(
@@ -24,12 +25,14 @@ def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr
 
 
 def first_limit(times: xr.DataArray) -> xr.DataArray:
-    """Name of the limit that is reached first, "none" where none is.
+    """Name of the limit that is reached first; "none" where none is, "unknown" where a value is missing.
 
     ``times`` over ``limit`` and more, infinite where it is never reached.
     """
-    names = times["limit"].astype(object).isel(limit=times.argmin("limit"))
-    return names.drop_vars("limit").where(np.isfinite(times.min("limit")), "none").astype(str)
+    known = times.fillna(np.inf)
+    names = times["limit"].astype(object).isel(limit=known.argmin("limit")).drop_vars("limit")
+    names = names.where(np.isfinite(known.min("limit")), "none")
+    return names.where(times.notnull().all("limit"), "unknown").astype(str)
 
 
 def at_time(history: xr.DataArray, time: xr.DataArray) -> xr.DataArray:

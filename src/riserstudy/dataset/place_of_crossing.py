@@ -11,14 +11,23 @@ def place_of_crossing(
 ) -> float:
     """Place at which a curve first reaches a level, straight between points; infinite if never.
 
+    The curve ends with its last value: missing values after it are those of a shorter run. It is not known,
+    and the place not a number, where there is no value at all, or one is missing that could have reached the
+    level first.
+
     Parameters
     ----------
     curve, place : (n,); the level is in the unit of the curve.
     """
     over = np.flatnonzero(curve >= level)
+    present = np.flatnonzero(~np.isnan(curve))
+    if len(present) == 0:
+        return np.nan
+    k = int(over[0] if len(over) else present[-1])
+    if np.isnan(curve[:k]).any():
+        return np.nan
     if len(over) == 0:
         return np.inf
-    k = int(over[0])
     if k == 0:
         return float(place[0])
     share = (level - curve[k - 1]) / (curve[k] - curve[k - 1])

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.crossing import at_time
+from riserstudy.scene.units import to_si
 
 #: what a watch circle can be, by its flag
-NEVER, TOO_LATE, CIRCLE = 0, 1, 2
-MEANINGS = "no_limit_is_reached even_an_alarm_at_the_start_is_too_late circle"
+NEVER, TOO_LATE, CIRCLE, UNKNOWN = range(4)
+MEANINGS = "no_limit_is_reached even_an_alarm_at_the_start_is_too_late circle not_known"
+FLAGS = {"flag_values": np.arange(4, dtype=np.int8), "flag_meanings": MEANINGS}
 
 
 def watch_circle(
@@ -19,22 +23,52 @@ def watch_circle(
 
     Parameters
     ----------
-    first : time at which the first limit is reached (s), infinite if never.
+    first : time at which the first limit is reached (s), infinite if never, not a number if it is not known.
     offset : the platform's way off the well over ``time`` (m).
     before : time that the emergency disconnect takes, with what must come before it (s).
 
     Returns
     -------
     ``circle_outcome`` (flag, see MEANINGS) and ``circle_radius`` (m), which is 0 where an alarm at the
-    very start would be too late, and the largest offset where no limit is reached at all.
+    very start would be too late, the largest offset where no limit is reached at all, and not a number where
+    the first limit is not known.
     """
     latest = first - before
     outcome = xr.where(np.isinf(first), NEVER, xr.where(latest > 0.0, CIRCLE, TOO_LATE))
+    outcome = xr.where(np.isnan(first), UNKNOWN, outcome)
     radius = at_time(offset, latest.where(latest > 0.0, 0.0))
     radius = xr.where(outcome == NEVER, offset.max("time"), radius)
     return xr.Dataset(
         {
             "circle_outcome": outcome.astype(np.int8),
-            "circle_radius": radius.where(outcome != TOO_LATE, 0.0),
+            "circle_radius": radius.where(outcome != TOO_LATE, 0.0).where(outcome != UNKNOWN),
         }
     )
+
+
+def red_and_yellow(
+    first: xr.DataArray, offset: xr.DataArray, eds_times: Sequence[str], preparing: str
+) -> xr.Dataset:
+    """Both watch circles over ``eds_time`` (s), variables of ``watch_circle`` after ``red_`` and ``yellow_``.
+
+    Parameters
+    ----------
+    first, offset : as in ``watch_circle``.
+    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
+    preparing : time from the yellow alarm to the red one, with its unit.
+    """
+    seconds = [to_si(time, "s") for time in eds_times]
+    eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
+    circles = {
+        "red": watch_circle(first, offset, eds),
+        "yellow": watch_circle(first, offset, eds + to_si(preparing, "s")),
+    }
+    return xr.Dataset({f"{c}_{n}": values for c, of in circles.items() for n, values in of.items()})
+
+
+def with_flags(circles: xr.Dataset) -> xr.Dataset:
+    """The dataset, with the meanings of the flags among the attributes of each outcome."""
+    for name in circles:
+        if str(name).endswith("circle_outcome"):
+            circles[name].attrs |= FLAGS
+    return circles

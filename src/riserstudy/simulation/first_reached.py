@@ -23,7 +23,7 @@ NEVER, UNKNOWN = "never", "unknown"
 def first_reached(
     scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays
 ) -> list[float | str]:
-    """Time (s) at which each limit is first reached, NEVER, or UNKNOWN where there is no history of it.
+    """Time (s) at which each limit is first reached, NEVER, or UNKNOWN where its history is missing.
 
     Straight between the outputs. A mean is reached at no time: UNKNOWN.
 
@@ -41,7 +41,7 @@ def first_reached(
             continue
         sign = -1.0 if limit.side == "smallest" else 1.0
         time = place_of_crossing(sign * values, sign * limit.allowable, arrays["time"])
-        found.append(time if math.isfinite(time) else NEVER)
+        found.append(UNKNOWN if math.isnan(time) else time if math.isfinite(time) else NEVER)
     return found
 
 

@@ -21,7 +21,7 @@ from riserstudy.chapters.liu2017.limits import (
 )
 from riserstudy.dataset.crossing import at_time, first_crossing, first_limit
 from riserstudy.dataset.describe import described
-from riserstudy.design.watch_circles import MEANINGS, watch_circle
+from riserstudy.design.watch_circles import red_and_yellow, with_flags
 from riserstudy.scene.units import to_si
 
 PAPER = "liu2017"
@@ -159,30 +159,19 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
     eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
     preparing : time from the yellow alarm to the red one, with its unit.
     """
-    seconds = [to_si(time, "s") for time in eds_times]
     runs = measured(headings)
     runs = runs.assign_coords(environment_heading=headings["environment_heading"].astype(float))
     times = reached(runs)
-    eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
-    first, offset = times.min("limit"), runs["platform_offset"]
-    red, yellow = (watch_circle(first, offset, eds + more) for more in (0.0, to_si(preparing, "s")))
+    first, offset = times.min("limit", skipna=False), runs["platform_offset"]
     dataset = xr.Dataset(
         {
             "limit_time": times,
             "limit_offset": at_time(offset, times).where(np.isfinite(times)),
             "first_limit": first_limit(times),
             "disconnect_time": first,
-            **{f"red_{name}": values for name, values in red.items()},
-            **{f"yellow_{name}": values for name, values in yellow.items()},
         }
-    )
-    dataset = described(dataset, PAPER, "point of disconnect and watch circles")
-    for colour in ("red", "yellow"):
-        dataset[f"{colour}_circle_outcome"].attrs |= {
-            "flag_values": np.array([0, 1, 2], np.int8),
-            "flag_meanings": MEANINGS,
-        }
-    return dataset
+    ).assign(red_and_yellow(first, offset, eds_times, preparing))
+    return with_flags(described(dataset, PAPER, "point of disconnect and watch circles"))
 
 
 def lag(late: xr.Dataset) -> xr.Dataset:

@@ -11,7 +11,7 @@ from riserstudy.chapters.design.derived.operability import allowed
 from riserstudy.dataset.crossing import first_crossing
 from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.design.drift import Hull, drift
-from riserstudy.design.watch_circles import MEANINGS, watch_circle
+from riserstudy.design.watch_circles import red_and_yellow, with_flags
 from riserstudy.scene.units import to_si
 
 PAPER = "design"
@@ -58,14 +58,6 @@ def watch_circles(
         np.reshape(way, (*shape, len(TIMES))), dims=(*over, "time"), coords=coords | {"time": TIMES}
     )
     first = first_crossing(offset - limit, 0.0)
-    seconds = [to_si(time, "s") for time in eds_times]
-    eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
     made = xr.Dataset({"limit_offset": limit, "disconnect_time": first})
-    for colour, more in (("red", 0.0), ("yellow", to_si(preparing, "s"))):
-        circle = watch_circle(first, offset, eds + more)
-        made = made.assign({f"{colour}_{name}": values for name, values in circle.items()})
-    made = described(made, PAPER, "watch circles of a vessel adrift")
-    for colour in ("red", "yellow"):
-        flags = {"flag_values": np.array([0, 1, 2], np.int8), "flag_meanings": MEANINGS}
-        made[f"{colour}_circle_outcome"].attrs |= flags
-    return made
+    made = made.assign(red_and_yellow(first, offset, eds_times, preparing))
+    return with_flags(described(made, PAPER, "watch circles of a vessel adrift"))
