@@ -36,7 +36,7 @@ FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
 PATIENCE = 2.0  # processor seconds of a Radau run: a busy machine refuses no more than an idle one
 FASTEST = 10.0  # m/s, the speed whose share by the tolerance is an absolute error
-RADAU, EULER = "Radau", "semi-implicit Euler"
+RADAU = "Radau"
 REACH = 4  # nodes: bending moments pass on to two on either side, ends may hold more
 
 

@@ -25,7 +25,6 @@ UNIFORM = {
     "current__profile": {"shape": "uniform", "surface_speed": "-1.3 m/s"},
     "platform__cruise__speed": "1.3 m/s",
 }
-NO_LAYER = {"current__profile__layer": None, "current__profile__vanishes": None}
 WIDE = {"riser[0].drag": {"coefficient": 1.2, "diameter": "1.2 m"}}
 
 HARD = {

@@ -64,7 +64,7 @@ def test_a_dataset_of_stored_points_is_that_of_whole_runs(study, keep, sets):
     results, made = results_of(mine, 1, lambda _: None)
     assert made == 2
     same(dataset_of(mine, results), whole(mine))
-    every = {name for file in store.about_points() for name in file["left_out"]}
+    every = {name for held in store.everything() for name in store.about(held.key)["left_out"]}
     assert {"effective_tension_max", "z_max"}.difference(with_envelopes(keep)) <= every
 
 

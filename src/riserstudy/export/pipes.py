@@ -62,9 +62,9 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     scene, path = deck.scene, f"riser[{k}]"
     if section.mass is None:
         raise deck.refused(f"{path}.mass", "missing", "a deck needs the mass of every section")
-    gravity, water = scene.gravity or GRAVITY, scene.water.density if scene.water else 0.0
+    water = scene.water.density if scene.water else 0.0
     lost = section.mass - (section.submerged_weight or 0.0) / GRAVITY  # kg/m, in the water
-    _above_water(deck, section, k, gravity)
+    _above_water(deck, section, k)
     high = _levels(deck, k)[1]
     outer = section.outer_diameter or 0.0
     afloat = scene.water is not None and (scene.water.surface or 0.0) < high
@@ -106,7 +106,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     return entry | _water(deck, section, k, outer, bool(pipe))
 
 
-def _above_water(deck: Deck, section: Section, k: int, gravity: float) -> None:
+def _above_water(deck: Deck, section: Section, k: int) -> None:
     """Name the weight of a section above the water that is another in a deck: there nothing displaces."""
     water = deck.scene.water
     low, high = _levels(deck, k)

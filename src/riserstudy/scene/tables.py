@@ -144,7 +144,7 @@ def texts_of_tables(
     """
     names = sorted({*names_of_tables(tree)})
     if held is not None:
-        return {name: _held(folder, name, held) for name in names}
+        return {name: _held(name, held) for name in names}
     return {name: read_text(_file(folder, name), MOST_BYTES) for name in names}
 
 
@@ -154,10 +154,10 @@ def _rows_of(
     """Rows of a table by its name in the scene."""
     if held is None:
         return read_table(_file(folder, name), place)
-    return _rows(_lines(str(name), _held(folder, name, held)), str(name), place)
+    return _rows(_lines(str(name), _held(name, held)), str(name), place)
 
 
-def _held(folder: Path, name: object, held: Mapping[str, str]) -> str:
+def _held(name: object, held: Mapping[str, str]) -> str:
     """Text of a table that a dataset brings; a scene from elsewhere reads no other."""
     if not isinstance(name, str) or name not in held:
         allowed = "a scene in a dataset reads only the tables that the dataset holds"

@@ -95,7 +95,7 @@ def reason_not_shown(plot: Plot, quantity: str, study: Study) -> Reason | None:
             else "at rest it has no extremes"
         )
         return Reason("is not kept", has)
-    return _reason_not_returned(plot, quantity, stem, study)
+    return _reason_not_returned(plot, stem, study)
 
 
 def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
@@ -120,7 +120,7 @@ def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
     return there(quantity, stem)
 
 
-def _reason_not_returned(plot: Plot, quantity: str, stem: str, study: Study) -> Reason | None:
+def _reason_not_returned(plot: Plot, stem: str, study: Study) -> Reason | None:
     """What no run of a study has, for it to return a quantity; None where one may have it."""
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):

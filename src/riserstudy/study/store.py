@@ -271,14 +271,6 @@ def about(key: str) -> dict[str, Any] | None:
     return None if stored is None else stored.about
 
 
-def about_points() -> Iterator[dict[str, Any]]:
-    """What each stored point says of itself, with its key."""
-    alone = {path.stem for path in (cache_folder() / "points").glob(f"*/*{ENDING}")}
-    for key in sorted(alone.union(_packs().keys())):
-        if (stored := _read(key)) is not None:
-            yield {"key": key, **stored.about}
-
-
 class Held(NamedTuple):
     """Something that takes space in the store; without a key where it is no point of today's format."""
 

@@ -9,8 +9,8 @@ from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.design.recoil import limits, outcome
 
 PAPER = "design"
-#: what a disconnect came to, by the worst of its phases
-KEPT, DOWN, OUT, BOTH = 0, 1, 2, 3
+#: what a disconnect came to, by the worst of its phases; both together are 3
+DOWN, OUT = 1, 2
 
 
 def recoil_outcome(recoil: xr.Dataset) -> xr.Dataset:

@@ -58,7 +58,7 @@ def readings(
     colour = weights[str(nearest["riser_weight"].item())]
     _ring(axes, nearest, MARKS[flows.index(str(nearest["flow"].item()))], colour)
     _name_nearest(axes[1], nearest)
-    headline(figure, _how_near(misses, heavy, light, moment, within, "interpretations"))
+    headline(figure, _how_near(misses, within, "interpretations"))
     return figure
 
 
@@ -86,9 +86,7 @@ def _ring(axes: list[Axes], nearest: xr.Dataset, mark: str, colour: str) -> None
         ax.plot(nearest["x"], nearest[name], **on_top)
 
 
-def _how_near(
-    misses: xr.Dataset, heavy: float, light: float, moment: float, within: float, label: str
-) -> str:
+def _how_near(misses: xr.Dataset, within: float, label: str) -> str:
     """How many come within a share of each number and of all three, and what the nearest misses by."""
     three = misses[list(NUMBERS)].to_dataarray("number")
     worst = three.max("number")
@@ -151,7 +149,7 @@ def open_choices(
     nearest = _nearest(numbers, misses)
     _ring(axes, nearest, "o", colours[str(weights.sel(sample=nearest["sample"]).item())])
     key_below(figure, axes[0], 3)
-    headline(figure, _how_near(misses, heavy, light, moment, within, "samples"))
+    headline(figure, _how_near(misses, within, "samples"))
     return figure
 
 
