@@ -41,7 +41,7 @@ REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
 SIDE_BY_SIDE = 8  # threads that the jobs of hours of a record share
 ALL_CORES = 64  # more than there are: Snakemake gives what it has
-STUDIES, KERNELS, EARLY_RESULTS = 2, 3, 4  # priorities
+TIMED, STUDIES, KERNELS, EARLY_RESULTS = 1, 2, 3, 4  # priorities
 FIRST = "line"  # kernels of the first results
 EARLY = 64  # points, at most, of a study that is simulated before other kernels are compiled
 #: strings take seconds, and measurements wait for all
@@ -265,8 +265,11 @@ class Workplan(Configuration):
         return KERNELS - COMPILED_IN_ORDER.index(group) / len(COMPILED_IN_ORDER)
 
     def measure_priority(self, paper: str, name: str) -> float:
-        """What may run beside others begins before studies: the longest of it takes minutes on one core."""
-        return STUDIES if self.measured(paper, name).timed else KERNELS
+        """What may run beside others begins before studies: the longest of it takes minutes on one core.
+
+        What tells times runs alone, after them, and does not leave one core to the last study.
+        """
+        return TIMED if self.measured(paper, name).timed else KERNELS
 
     def kernels_of(self, group: str) -> str:
         """Marker of a group of them."""
