@@ -19,7 +19,7 @@ from riserstudy.figures.drawn import headline
 from riserstudy.jobs.figure import from_scene
 from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic
-from riserstudy.schematic.geometry import Geometry
+from riserstudy.schematic.geometry import Geometry, labelled
 from riserstudy.schematic.labels import LOAD, spread
 from riserstudy.study.read import read_studies
 
@@ -215,6 +215,30 @@ def test_words_of_a_scene_are_drawn_as_written(tmp_path):
     drawn = [text.get_text() for text in figure.findobj(Text)]
     assert words in drawn
     assert any(r"$\alpha{$ [/x]" in text for text in drawn)
+
+
+def test_a_remark_follows_the_label_of_its_part_and_no_other_is_accepted(tmp_path):
+    scene = read_studies(CONFIG, "liu2020").schematics["fig01"].file(CONFIG).resolved()
+    bear = [*labelled(scene)]
+    assert {"riser[0]", "current", "platform.centre_of_rotation"} <= set(bear)
+    said = words(
+        schematic(scene, remarks={path: f"remark {k} of this" for k, path in enumerate(bear)})
+    )
+    for k in range(len(bear)):
+        assert f"(remark {k} of this)" in said
+    shutil.copytree(CONFIG / "studies", tmp_path / "studies")
+    shutil.copytree(CONFIG / "scenes", tmp_path / "scenes")
+    path = tmp_path / "studies/chang2020.yaml"
+    path.write_text(path.read_text("utf-8").replace('"riser[0]": k', '"riser[1]": k'), "utf-8")
+    with pytest.raises(InputError, match=r"schematics\.fig07\.remarks\.riser\[1\]: .*riser\[0\]"):
+        from_scene(tmp_path, "chang2020", "fig07")
+
+
+def test_x_is_no_axis_where_nothing_moves_aside():
+    for paper, name in SHOWN:
+        scene = read_studies(CONFIG, paper).schematics[name].file(CONFIG).resolved()
+        names = {ax.get_xlabel() for ax in drawn(paper, name).axes}
+        assert names == {"x (m)" if scene.lateral or scene.spatial else "horizontal position (m)"}
 
 
 def levels(figure):

@@ -42,18 +42,25 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
     Raises
     ------
     InputError
-        When cylinders are to stand that the scene arranges, or does not have: study file and field.
+        When cylinders are to stand that the scene arranges, or does not have, or a remark is about no part
+        whose label can bear one: study file and field.
     """
     from riserstudy.schematic import schematic
+    from riserstudy.schematic.geometry import labelled
 
     model = read_studies(config, paper).schematics[name]
     scene, standing = model.file(config).resolved(), model.cylinders == "standing"
+    where = config / f"studies/{paper}.yaml"
+    bearing = [*labelled(scene)]
+    for path in model.remarks:
+        if path not in bearing:
+            found, allowed = "no part that can bear a remark", f"allowed are {', '.join(bearing)}"
+            raise InputError(where, f"schematics.{name}.remarks.{path}", found, allowed)
     rig = scene.top.tensioners
     if standing and (rig is None or rig.arrangement):
-        where = config / f"studies/{paper}.yaml"
         found = "standing, but the scene " + (
             "arranges its tensioners" if rig else "has no tensioners"
         )
         allowed = "tensioners without an arrangement, or 'hanging'"
         raise InputError(where, f"schematics.{name}.cylinders", found, allowed)
-    return schematic(scene, standing=standing)
+    return schematic(scene, standing=standing, remarks=model.remarks)

@@ -8,6 +8,7 @@ cylinders) is drawn dashed, as a symbol. The riser is drawn unstretched, before 
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Mapping
 
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -35,16 +36,23 @@ MARGIN = 0.16  # of the view of everything, above and below what has a place
 NEAR = 0.12  # of the riser's length, shown at its ends
 MOST = 40.0  # at most so much (m), where nothing longer is there
 HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
+AXES = ("horizontal position (m)", "elevation (m)")  # where nothing moves aside, and x is no input
 NOTE = (
     "Each panel has one scale in both directions; lines have a least width. Dashed: symbols of parts without "
-    "a size in the scene. The riser is unstretched, before current and waves act on it."
+    "a size in the scene; in (a) they are enlarged"
 )
 
 
-def schematic(scene: Resolved, *, standing: bool = False) -> Figure:
-    """Drawing of a scene; ``standing``: cylinders without an arrangement are drawn below the ring."""
+def schematic(
+    scene: Resolved, *, standing: bool = False, remarks: Mapping[str, str] | None = None
+) -> Figure:
+    """Drawing of a scene.
+
+    ``standing``: cylinders without an arrangement are drawn below the ring. ``remarks``: words for the
+    labels of parts, by their paths.
+    """
     with as_written():
-        return _schematic(Geometry(scene, standing), scene)
+        return _schematic(Geometry(scene, standing, remarks or {}), scene)
 
 
 def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
@@ -79,7 +87,11 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         above(views[3], geometry)
     for view in views:
         view.labels.place(view.ax)
-    _texts(figure, scene, {row.colour for view in views for row in view.labels.rows})
+    if not (scene.lateral or plan):
+        for view in views:
+            view.ax.set_xlabel(AXES[0])
+            view.ax.set_ylabel(AXES[1])
+    _texts(figure, geometry, {row.colour for view in views for row in view.labels.rows})
     return figure
 
 
@@ -156,8 +168,25 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
     return (x, z + above - 0.5 * height), height
 
 
-def _texts(figure: Figure, scene: Resolved, used: set[str]) -> None:
+def _note(geometry: Geometry) -> str:
+    """What is to scale, and what is not there."""
+    scene = geometry.scene
+    moved = ""
+    if (scene.platform or scene.vessel) and geometry.has_upright_cylinders:
+        moved = (
+            f", as is the ring, and the platform is moved {'down' if geometry.standing else 'up'}"
+        )
+    current, waves = scene.current is not None, scene.wave is not None
+    loads = "current and waves act" if current and waves else "the current acts"
+    before = f", before {loads if current else 'waves act'} on it" if current or waves else ""
+    named = ", ".join(map(in_words, parts_left_out(scene)))
+    missing = f" Not shown: {named}." if named else ""
+    return f"{NOTE}{moved}. The riser is unstretched{before}.{missing}"
+
+
+def _texts(figure: Figure, geometry: Geometry, used: set[str]) -> None:
     """Title, directions of motion, what those colours mean that are used, and what is to scale."""
+    scene = geometry.scene
     title = "\n".join(textwrap.wrap(scene.title, 100))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)
     figure.text(
@@ -170,7 +199,5 @@ def _texts(figure: Figure, scene: Resolved, used: set[str]) -> None:
         handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
         frameon=False, handlelength=1.2, columnspacing=1.2,
     )  # fmt: skip
-    named = ", ".join(map(in_words, parts_left_out(scene)))
-    missing = f" Not shown: {named}." if named else ""
-    note = "\n".join(textwrap.wrap(NOTE + missing, 150))
+    note = "\n".join(textwrap.wrap(_note(geometry), 150))
     figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

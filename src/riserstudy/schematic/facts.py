@@ -13,6 +13,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
+from riserstudy.schematic.geometry import Geometry, is_spring
 from riserstudy.schematic.labels import UNBROKEN
 from riserstudy.schematic.words import in_words
 
@@ -53,6 +54,9 @@ def sentence(parts: Iterable[str]) -> str:
 def section_text(section: Section, wet: bool) -> str:
     """Name, size, stiffness, mass and weight of a section, and what is in and around it."""
     size = metres(section.total_length)
+    if is_spring(section) and section.axial_stiffness:
+        stiffness = amount(section.axial_stiffness / section.total_length, "N/m")
+        return f"{section.name}: k = {stiffness}, {size} long"
     if section.joints:
         size = f"{section.joints.count} × {section.joints.length:.4g} m"
     outer, inner = section.outer_diameter, section.inner_diameter
@@ -158,11 +162,11 @@ def tensioner_text(rig: Tensioners) -> str:
     return sentence([f"tensioners: {cylinders}", law, made_linear, damped, stops, failed])
 
 
-def platform_texts(platform: Platform) -> list[str]:
+def platform_texts(platform: Platform, geometry: Geometry) -> list[str]:
     """The platform's prescribed motions, one text each."""
     texts = []
     for name, motion in platform.harmonics:
-        texts.append(f"{name} {_harmonic(name, motion)}")
+        texts.append(f"{name} {_harmonic(name, motion)}{geometry.remark(f'platform.{name}')}")
     for name in ("surge", "sway", "heave", "roll", "pitch", "yaw"):
         if hasattr(getattr(platform, name), "points"):
             texts.append(f"{name} by a time series")

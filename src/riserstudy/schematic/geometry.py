@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -24,10 +25,16 @@ class Geometry:
     """A scene's riser as a line in the plane of x and z, unstretched, and the levels beside it (m).
 
     ``standing``: cylinders that have no arrangement stand on the platform and push the ring up.
+    ``remarks``: words for the labels of parts, by their paths.
     """
 
     scene: Resolved
     standing: bool = False
+    remarks: Mapping[str, str] = field(default_factory=dict)
+
+    def remark(self, path: str) -> str:
+        """What follows the label of a part: its remark in brackets, if it has one."""
+        return f" ({self.remarks[path]})" if path in self.remarks else ""
 
     @cached_property
     def length(self) -> float:
@@ -139,6 +146,12 @@ class Geometry:
         surfaces = [] if self.surface is None else [self.surface]
         return float(max([self.deck, *self.line[2], *surfaces]))
 
+    @cached_property
+    def has_upright_cylinders(self) -> bool:
+        """Whether the scene gives cylinders no length: symbols, by which the platform is moved."""
+        top = self.scene.top
+        return bool(top.tensioners and not top.tensioners.arrangement and not top.telescopic_joint)
+
     def short_below(self) -> float:
         """Length of the short sections at the lower end."""
         total = 0.0
@@ -147,3 +160,20 @@ class Geometry:
                 break
             total += section.total_length
         return total
+
+
+def labelled(scene: Resolved) -> Iterator[str]:
+    """Paths of the parts whose labels can bear a remark."""
+    yield from (f"riser[{k}]" for k in range(len(scene.riser)))
+    if scene.current:
+        yield "current"
+    platform = scene.platform
+    if platform:
+        yield from (f"platform.{name}" for name, _ in platform.harmonics)
+        if platform.centre_of_rotation:
+            yield "platform.centre_of_rotation"
+
+
+def is_spring(section: Section) -> bool:
+    """Whether a section is nothing but its stiffness."""
+    return section.mass is None and section.submerged_weight is None and not section.outer_diameter

@@ -16,7 +16,7 @@ from riserstudy.schematic.facts import (
     section_text,
     top_text,
 )
-from riserstudy.schematic.geometry import SHORT, Geometry, Point
+from riserstudy.schematic.geometry import SHORT, Geometry, Point, is_spring
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART
 from riserstudy.schematic.view import SYMBOL, THIN, View
 
@@ -27,12 +27,13 @@ SPRINGS = 8  # drawn along a conductor
 def riser(view: View, geometry: Geometry) -> None:
     """All sections, with the diameters that the scene gives them."""
     scene, length = geometry.scene, geometry.riser_length
-    for section, low, high in geometry.sections:
+    for k, (section, low, high) in enumerate(geometry.sections):
         _section(view, geometry, section, low, high)
         long = high - low > SHORT * length
         visible = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
         if visible:
             text = section_text(section, scene.water is not None)
+            text += geometry.remark(f"riser[{k}]")
             view.name(text, geometry.at(visible[0]), whole=long)
         if section.lateral_load:
             _line_load(view, geometry, section.lateral_load, low, high)
@@ -59,7 +60,7 @@ def _joint_name(geometry: Geometry) -> str:
 
 def _section(view: View, geometry: Geometry, section: Section, low: float, high: float) -> None:
     x, z = geometry.between(low, high)
-    if section.mass is None and section.submerged_weight is None and not section.outer_diameter:
+    if is_spring(section):
         view.spring((x[0], z[0]), (x[-1], z[-1]), 0.18 * view.inch)
         return
     pipe = section.outer_diameter

@@ -92,5 +92,6 @@ def current(view: View, geometry: Geometry) -> None:
         text += (
             f"; towards {degrees(scene.current.towards % (2.0 * math.pi))} (drawn: part along x)"
         )
+    text += geometry.remark("current")
     # named at the second arrow from above: labels of the surface stand at the first
     view.name(text, ([(foot, levels[-1]), *drawn])[-2], WATER, whole=True)

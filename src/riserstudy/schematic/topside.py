@@ -64,10 +64,9 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
 
 def deck(view: View, geometry: Geometry) -> float:
     """Elevation of the platform as drawn; above tensioners without a length, by theirs as drawn."""
-    rig = geometry.scene.top.tensioners
     if geometry.standing:
         return geometry.ring[1] - (UPRIGHT + HULL[1]) * view.symbol
-    if rig and rig.arrangement is None and not geometry.scene.top.telescopic_joint:
+    if geometry.has_upright_cylinders:
         return geometry.ring[1] + UPRIGHT * view.symbol
     return geometry.deck
 
@@ -119,7 +118,7 @@ def platform(view: View, geometry: Geometry) -> None:
     edge = x + 0.5 * width
     afloat = vessel_texts(scene)
     if scene.platform:
-        motion = "; ".join(platform_texts(scene.platform) or ["none"])
+        motion = "; ".join(platform_texts(scene.platform, geometry) or ["none"])
         _motions(view, geometry, (x, middle), (width, height))
         if afloat:  # one label, for want of room
             afloat[0] += f"; first-order motion: {motion}"
@@ -154,4 +153,5 @@ def _motions(
     if centre and moving & {"roll", "pitch", "yaw"}:
         place = (centre.x or 0.0, centre.elevation)
         view.ax.plot(*place, "P", markersize=6, color=FREEDOM, markeredgecolor="white", zorder=7)
-        view.name("centre of rotation", place, FREEDOM)
+        text = f"centre of rotation{geometry.remark('platform.centre_of_rotation')}"
+        view.name(text, place, FREEDOM)

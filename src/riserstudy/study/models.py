@@ -182,13 +182,15 @@ class SchematicModel(Strict):
     """A scene drawn to scale, with what is set on top of it. Absent set: nothing.
 
     ``cylinders``: whether tensioners without an arrangement hang from the platform above the ring, or stand
-    on it below the ring; no equation differs. Absent: they hang.
+    on it below the ring; no equation differs. Absent: they hang. ``remarks``: words that follow the labels
+    of parts, by their paths. Absent: none.
     """
 
     caption: str
     scene: str
     set: dict[str, Any] = Field(default_factory=dict)
     cylinders: Literal["hanging", "standing"] = "hanging"
+    remarks: dict[str, str] = Field(default_factory=dict)
 
     def file(self, config: Path) -> SceneFile:
         """The scene that is drawn."""
