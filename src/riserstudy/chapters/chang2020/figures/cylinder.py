@@ -15,7 +15,7 @@ from riserstudy.figures.direct import label_line
 from riserstudy.figures.style import headline, panels
 
 RANGE = (-8.0, 8.0)  # m, of the line in Fig 9
-PISTON = "piston displacement X = x − a (m)"
+PISTON = "piston displacement $X = x - a$ (m)"
 
 
 def fig05(quasi_static: xr.Dataset) -> Figure:
@@ -27,7 +27,9 @@ def fig05(quasi_static: xr.Dataset) -> Figure:
     ax.set_xlabel(PISTON)
     ax.set_ylabel("force of four cylinders (MN)")
     _per_cylinder(ax, "force of one cylinder (MN)")
-    headline(figure, "The tensioner's force falls along a convex curve")
+    steps = law.diff("X")
+    convex = bool((steps < 0.0).all() and (steps.diff("X") > 0.0).all())
+    headline(figure, f"The tensioner's force decreases{' along a convex curve' if convex else ''}")
     return figure
 
 
@@ -39,35 +41,42 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
     at = np.linspace(*RANGE, 401)
     at = at[np.abs(at) > 1e-6]
     slope = np.abs(curve(at, 1)) / 1e6
-    (tangent,) = ax.plot(at, slope, ":", color=GAS_LAW, lw=1.8, label="tangent |dF/dX|")
+    (tangent,) = ax.plot(at, slope, ":", color=GAS_LAW, lw=1.8, label=r"tangent $|dF/dX|$")
     secant = np.abs((curve(at) - curve(0.0)) / at)
     (chord,) = ax.plot(
         at,
         secant / 1e6,
         color=GAS_LAW,
-        label="secant |F(X) − F(0)| / |X|,\nas Eq. 5 (right axis)",
+        label="secant $|F(X) - F(0)| / |X|$ (Eq. 5)",
     )
     ax.set_xlabel(PISTON)
     ax.set_ylabel("stiffness of four cylinders (MN/m)")
     label_line(ax, tangent, 0.15, (8.0, 4.0))
     label_line(ax, chord, 0.62, (4.0, 8.0))
-    _per_cylinder(ax, "stiffness of one cylinder (MN/m)")
-    headline(figure, "Stiffness falls with the displacement; Eq. 5 prints the secant")
+    _per_cylinder(ax, "stiffness of one cylinder,\nas in Eq. 5 (MN/m)")
+    exceeds = "exceeds" if bool((slope > secant / 1e6)[at < 0.0].all()) else "does not exceed"
+    headline(
+        figure, f"The tangent stiffness {exceeds} the secant stiffness of Eq. 5 in compression"
+    )
     return figure
 
 
 def fig09(quasi_static: xr.Dataset) -> Figure:
     """Gas law and its least-squares line."""
     figure, (ax,) = panels()
+    at = np.linspace(*RANGE, 161)
+    laws = {model: _law(quasi_static, model).interp(X=at, method="cubic") for model in MODELS}
     for model, line in MODELS.items():
-        law = _law(quasi_static, model).interp(X=np.linspace(*RANGE, 161), method="cubic")
-        (drawn,) = ax.plot(law["X"], law / 1e6, line, color=OF_MODEL[model], label=NAMES[model])
+        (drawn,) = ax.plot(at, laws[model] / 1e6, line, color=OF_MODEL[model], label=NAMES[model])
         above = model == "linear"
         label_line(ax, drawn, 0.45, (6.0, 5.0) if above else (-6.0, -5.0))
     ax.set_xlabel(PISTON)
     ax.set_ylabel("force of four cylinders (MN)")
     _per_cylinder(ax, "force of one cylinder (MN)")
-    headline(figure, "The least-squares line deviates most from the gas law at its ends")
+    apart = (laws["gas law"] - laws["linear"]).values
+    least = min(float(apart[0]), float(apart[-1]))
+    where = "most from the gas law at its ends" if least > -apart.min() else "from the gas law"
+    headline(figure, f"The least-squares line deviates {where}")
     return figure
 
 

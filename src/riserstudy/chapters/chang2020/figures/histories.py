@@ -10,12 +10,14 @@ from matplotlib.ticker import MaxNLocator
 
 from riserstudy.chapters.chang2020.figures.shared import (
     GAS_LAW,
+    LINES,
     MODELS,
     NAMES,
     OF_MODEL,
     OF_STATE,
+    STATES,
     TIME,
-    named,
+    of_amplitude,
 )
 from riserstudy.figures.direct import label_line, legible
 from riserstudy.figures.style import (
@@ -32,29 +34,31 @@ NAMED = (3.0, 10.0)  # of them, those that the text names
 SHOWN = 60.0  # s, of runs from rest: three periods of the platform
 #: dashes of lines, by which those that coincide are seen both
 DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
-HEAVE, TENSION = "riser heave x (m)", "riser tension (MN)"
+HEAVE, TENSION = "riser heave $x$ (m)", "riser tension (MN)"
+IN_PERIOD = "time in a steady-state period (s)"
 
 
 def fig08(
     from_rest: xr.Dataset, steady: xr.Dataset, rigid: xr.Dataset, tension: float, heave: float
 ) -> Figure:
-    """Riser tension and heave with and without tensioner, H = 5 m read in two ways.
+    """Riser tension and heave with and without tensioner, H = 5 m interpreted in two ways.
 
     ``tension``, ``heave``: the printed reductions (-).
     """
-    reduced = {"tension": tension, "heave": heave}
-    figure, axes = panels(2, 2, 3.0, sharex=True)
+    printed = {"tension": tension, "heave": heave}
+    figure, axes = panels(2, 2, 3.1, sharex=True)
+    found: list[dict[str, float]] = []  # reductions of each panel
     for column, (amplitude, meant) in enumerate(
-        ((5.0, "H = 5 m is the amplitude"), (2.5, "H = 5 m is twice the amplitude"))
+        ((5.0, "$H$ = 5 m is the amplitude"), (2.5, "$H$ = 5 m is twice the amplitude"))
     ):
         runs = {
             "without tensioner": (_histories(rigid).sel(heave_amplitude=amplitude), GREY, 1.4),
-            "with tensioner, from rest": (
+            f"with tensioner, {STATES['from_rest']}": (
                 _gas(from_rest).sel(heave_amplitude=amplitude),
                 OF_STATE["from_rest"],
                 1.2,
             ),
-            "with tensioner, settled": (
+            f"with tensioner, {STATES['steady']}": (
                 _repeated(_gas(steady).sel(heave_amplitude=amplitude), from_rest["time"]),
                 OF_STATE["steady"],
                 1.2,
@@ -65,37 +69,48 @@ def fig08(
         ):
             for name, (run, colour, width) in runs.items():
                 ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
-            swing = {name: float(np.ptp(run[quantity].values)) for name, (run, *_) in runs.items()}
-            bare = swing.pop("without tensioner")
-            panel_title(ax, meant)
+            panel_title(ax, f"{quantity}, {meant}")
             ax.set_ylabel(label)
-            reductions = [
-                f"{name[16:]} {100.0 * (1.0 - part / bare):.0f} %" for name, part in swing.items()
-            ]
-            ax.annotate(
-                f"range smaller by: {', '.join(reductions)}; printed about {100.0 * reduced[quantity]:.0f} %",
-                (0.5, 0.97),
-                xycoords="axes fraction",
-                ha="center",
-                va="top",
-                fontsize="x-small",
-                bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
+            ax.margins(y=0.06)
+            ranges = [float(np.ptp(run[quantity].values)) for run, *_ in runs.values()]
+            states = ("from rest", STATES["steady"])
+            found.append(
+                {s: 1.0 - part / ranges[0] for s, part in zip(states, ranges[1:], strict=True)}
             )
-            ax.margins(y=0.18)
-            _printed_swing(ax, runs["without tensioner"][0][quantity], reduced[quantity])
+            _reductions(ax, found[-1], printed[quantity])
+            _printed_range(ax, runs["without tensioner"][0][quantity], printed[quantity])
+            low, high = ax.get_ylim()
+            ax.set_ylim(top=high + 0.22 * (high - low))  # room for the reductions
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     axes[-1].set_xlim(0, 104)
+    alike = all(
+        np.isclose(of_tension[s], of_heave[s], atol=1e-3)
+        for of_tension, of_heave in zip(found[::2], found[1::2], strict=True)
+        for s in of_tension
+    )
     headline(
         figure,
-        "No interpretation gives both reductions: tension and heave decrease in proportion",
+        "No interpretation gives both printed reductions: tension and heave decrease in proportion"
+        if alike and tension != heave
+        else "Tension and heave of the riser with and without tensioner",
     )
     key_below(figure, axes[0], 2)
     return figure
 
 
-def _printed_swing(ax: Axes, bare: xr.DataArray, reduction: float) -> None:
-    """The swing that a printed reduction (-) leaves of one without tensioner, beside the histories."""
+def _reductions(ax: Axes, found: dict[str, float], printed: float) -> None:
+    """Write by how much (-) the peak-to-peak range is reduced in each state, and by how much as printed."""
+    states = ", ".join(f"{100.0 * part:.0f} % ({name})" for name, part in found.items())
+    ax.annotate(
+        f"peak-to-peak range reduced by\n{states}; printed: about {100.0 * printed:.0f} %",
+        (0.5, 0.975), xycoords="axes fraction", ha="center", va="top", fontsize="x-small",
+        bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
+    )  # fmt: skip
+
+
+def _printed_range(ax: Axes, bare: xr.DataArray, reduction: float) -> None:
+    """The peak-to-peak range that a printed reduction (-) leaves of one without tensioner."""
     low, high = float(bare.min()), float(bare.max())
     ax.errorbar(
         101.5,
@@ -104,12 +119,12 @@ def _printed_swing(ax: Axes, bare: xr.DataArray, reduction: float) -> None:
         color="black",
         capsize=3,
         clip_on=False,
-        label="range that the printed reduction leaves",
+        label="peak-to-peak range after the printed reduction",
     )
 
 
 def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
-    """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) from rest as printed, then settled."""
+    """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) as printed, then in steady state."""
     figure, axes = panels(4, 2, 2.2)
     started, settled = _histories(from_rest), _histories(steady)
     straight = _histories(lines_settled)
@@ -124,21 +139,23 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
         for k, name in enumerate(map(str, straight["line"].values)):
             run = straight.sel(line=name, heave_amplitude=amplitude)
             late.plot(run["time"] - start, run[quantity], color=OF_MODEL[name], lw=1.2, ls=DASHES[k],
-                      label=named(name))  # fmt: skip
-        for ax, when, end in ((early, "from rest", SHOWN), (late, "settled", 20.0)):
+                      label=LINES[name])  # fmt: skip
+        for ax, when, end in ((early, "from_rest", SHOWN), (late, "steady", 20.0)):
             ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
             ax.set_xlim(0.0, end)
-            panel_title(ax, f"platform {amplitude:g} m, {when}")
+            panel_title(ax, f"{of_amplitude(amplitude)}, {STATES[when]}")
     for ax in axes[2:4]:
         ax.set_xlabel(TIME)
     for ax in axes[6:]:
-        ax.set_xlabel("time in the settled period (s)")
+        ax.set_xlabel(IN_PERIOD)
     lowest = {"heave_amplitude": NAMED[1]}
     curved = float(settled["heave"].sel(lowest | {"tensioner_model": "gas law"}).min("time"))
     troughs = straight["heave"].sel(lowest).min("time")
     deeper = int((troughs < curved).sum())
     count = (
-        "every line gives" if deeper == troughs.size else f"{deeper} of {troughs.size} lines give"
+        "every linearised tensioner gives"
+        if deeper == troughs.size
+        else f"{deeper} of {troughs.size} linearised tensioners give"
     )
     headline(figure, f"At {NAMED[1]:g} m {count} deeper troughs than the gas law")
     key_below(figure, axes[4], 3)
@@ -156,7 +173,7 @@ def fig12(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
 
 
 def settled_response(steady: xr.Dataset) -> Figure:
-    """Figs 10 to 12 without start-up ringing, over one period."""
+    """Figs 10 to 12 in steady state, over one period."""
     figure, axes = panels(3, 2, 2.7, sharex=True)
     _models_compared(axes, steady)
     for line, up in zip(axes[0].lines, (-9.0, 3.0), strict=True):
@@ -166,12 +183,11 @@ def settled_response(steady: xr.Dataset) -> Figure:
         _amplitudes(ax, steady, quantity)
         panel_title(ax, "gas law, by amplitude")
         ax.set_ylabel(label)
-        ax.set_xlabel("time in the settled period (s)")
+        ax.set_xlabel(IN_PERIOD)
     axes[0].set_xlim(0, 20)
-    headline(
-        figure,
-        "At 10 m the gas law gives high crests and flat troughs",
-    )
+    index = float(_steady_index(steady).sel(heave_amplitude=FOUR[-1]))
+    shape = "high crests and flat troughs" if index > 1.0 else "crests no higher than troughs"
+    headline(figure, f"At {FOUR[-1]:g} m the gas law gives {shape}")
     return figure
 
 
@@ -188,13 +204,13 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
                 ax.plot(run["time"] - start, run[quantity], line, color=OF_MODEL[model], lw=1.2,
                         label=NAMES[model])  # fmt: skip
             ax.set_ylabel(label)
-            panel_title(ax, f"platform {amplitude:g} m")
+            panel_title(ax, of_amplitude(amplitude))
 
 
 def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:
-    """A panel an amplitude: from rest, and the settled motion to which the ringing decays.
+    """A panel an amplitude: from rest, and the steady state to which the transient decays.
 
-    Beside each panel: how far settled crests and troughs are from equilibrium.
+    Beside each panel: how far crests and troughs of the steady state are from equilibrium.
     """
     figure, axes = panels(4, 1, 1.75, sharex=True, sharey=True)
     rest = _histories(runs, "static")[quantity].sel(tensioner_model="gas law")
@@ -203,41 +219,40 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
         settled = _repeated(_gas(steady).sel(heave_amplitude=amplitude), run["time"])
         level = float(rest.isel(heave_amplitude=0))
         ax.axhline(level, color="black", lw=0.6, label="equilibrium")
-        ax.plot(run["time"], run[quantity], color=OF_STATE["from_rest"], lw=1.0, label="from rest")
-        ax.plot(
-            settled["time"], settled[quantity], color=OF_STATE["steady"], lw=2.0, label="settled"
-        )
-        panel_title(ax, f"platform {amplitude:g} m" + ("" if amplitude in NAMED else " (assumed)"))
+        for state, shown, width in (("from_rest", run, 1.0), ("steady", settled, 2.0)):
+            ax.plot(shown["time"], shown[quantity], color=OF_STATE[state], lw=width,
+                    label=STATES[state])  # fmt: skip
+        panel_title(ax, of_amplitude(amplitude) + ("" if amplitude in NAMED else " (assumed)"))
         ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
         _heights(ax, settled[quantity], level, label)
     axes[0].annotate(
-        "settled, from\nequilibrium:", (1.01, 1.0), xycoords="axes fraction", fontsize="small",
+        "steady state,\nfrom equilibrium:", (1.01, 1.0), xycoords="axes fraction", fontsize="small",
         va="top", color=legible(OF_STATE["steady"]),
     )  # fmt: skip
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME)
     axes[-1].set_xlim(0, SHOWN)
-    index = _settled_index(steady).sel(heave_amplitude=list(FOUR))
+    index = _steady_index(steady).sel(heave_amplitude=list(FOUR))
     low, high = float(index[0]), float(index[-1])
     headline(
         figure,
-        f"Settled crests of {quantity} exceed troughs by more, the larger the amplitude"
+        f"Steady-state crests of {quantity} exceed troughs, by more at larger amplitudes"
         if low > 1.0 and bool((index.diff("heave_amplitude") > 0.0).all())
-        else f"Settled {quantity} has asymmetry indices of {low:.2f} to {high:.2f}",
+        else f"Steady-state {quantity} has asymmetry indices of {low:.2f} to {high:.2f}",
     )
     key_below(figure, axes[0], 3)
     return figure
 
 
-def _settled_index(steady: xr.Dataset) -> xr.DataArray:
-    """Settled displacement above over that below the equilibrium; alike of heave and of tension."""
+def _steady_index(steady: xr.Dataset) -> xr.DataArray:
+    """Steady-state displacement above over that below the equilibrium; alike of heave and of tension."""
     top = steady.isel(s_node=-1).sel(tensioner_model="gas law")
     index: xr.DataArray = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
     return index
 
 
 def _heights(ax: Axes, settled: xr.DataArray, rest: float, label: str) -> None:
-    """How far settled crests and troughs are from rest, in the unit of a label, beside a panel."""
+    """How far crests and troughs are from equilibrium, in the unit of a label, beside a panel."""
     unit = label.rpartition("(")[2].rstrip(")")
     for height, side in (
         (float(settled.max()) - rest, "crests +"),
@@ -281,7 +296,7 @@ def _gas(runs: xr.Dataset) -> xr.Dataset:
 
 
 def _repeated(period: xr.Dataset, time: xr.DataArray) -> xr.Dataset:
-    """A settled period laid end to end over other times; both start at the same phase."""
+    """A steady-state period laid end to end over other times; both start at the same phase."""
     start, end = float(period["time"][0]), float(period["time"][-1])
     within = start + np.mod(time.values - start, end - start)
     return period.interp(time=within).assign_coords(time=time.values)

@@ -6,6 +6,13 @@ MODELS = {"gas law": "-", "linear": "--"}
 #: of these, as figures name them
 NAMES = {"gas law": "gas law", "linear": "least-squares line"}
 AMPLITUDE, TIME = "heave amplitude of the platform (m)", "time (s)"
+AWAY = "displacement from equilibrium (m)"
+#: states of motion, as figures name them
+STATES = {
+    "steady": "steady state",
+    "from_rest": "transient from rest",
+    "quasi_static": "quasi-static",
+}
 
 GAS_LAW, FITTED = "#0072b2", "#d55e00"
 #: the gas law and lines in its place; config/studies/chang2020.yaml, readings
@@ -25,6 +32,15 @@ OF_START = {"unstretched": OF_STATE["from_rest"], "equilibrium": "#332288"}
 OF_MASS = {"at the ring": GAS_LAW, "along the riser": "#661100"}
 
 
-def named(line: str) -> str:
-    """What a line of the dataset is called in a key, with a true minus before numbers."""
-    return line.replace("-8", "−8").replace("at rest", "at equilibrium")
+#: lines in place of the gas law, as figures name them
+LINES = {
+    "least squares over -8 to 8 m": "least-squares line, −8 to 8 m",
+    "chord from -8 to 8 m": "chord, −8 to 8 m",
+    "tangent at X = 0": "tangent at $X = 0$",
+    "tangent at rest": "tangent at equilibrium",
+}
+
+
+def of_amplitude(amplitude: float) -> str:
+    """How the title of a panel names the heave amplitude of the platform (m)."""
+    return f"heave amplitude {amplitude:g} m"

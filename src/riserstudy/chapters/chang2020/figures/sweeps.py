@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
+import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.chapters.chang2020.figures.shared import (
     AMPLITUDE,
+    AWAY,
     MODELS,
     NAMES,
     OF_MASS,
     OF_MODEL,
     OF_START,
     OF_STATE,
+    STATES,
     TIME,
+    of_amplitude,
 )
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
     GREY,
     PRINTED,
+    WIDE,
+    WIDTH,
     headline,
     key_below,
     panel_title,
@@ -27,13 +33,9 @@ from riserstudy.figures.style import (
     shades,
 )
 
-READINGS = {
-    "steady": "settled",
-    "from_rest": "first 100 s from rest",
-    "quasi_static": "quasi-static",
-}
-SHORT = READINGS | {"from_rest": "from rest"}
-STARTS = {"unstretched": "unstretched at rest", "equilibrium": "in equilibrium"}
+READINGS = STATES | {"from_rest": f"{STATES['from_rest']}, first 100 s"}
+STARTS = {"unstretched": "from rest, unstretched", "equilibrium": "from equilibrium"}
+LOW = 2.0  # m, amplitude up to which start-up transients hide the asymmetry
 
 
 def fig13(asymmetry: xr.Dataset) -> Figure:
@@ -59,7 +61,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
                 )
         ax.set_xlabel(AMPLITUDE)
         panel_title(ax, NAMES[model])
-    axes[0].set_ylabel("displacement from equilibrium (m)")
+    axes[0].set_ylabel(AWAY)
     key_below(figure, axes[0], 3)  # a column for both sides of each
     far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
     up, down = (
@@ -67,7 +69,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
     )
     headline(
         figure,
-        f"Settled motion on the gas law reaches {up:.1f} m up, {down:.1f} m down",
+        f"With the gas law, steady-state motion reaches {up:.1f} m up, {down:.1f} m down",
     )
     return figure
 
@@ -75,6 +77,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
 def fig14(asymmetry: xr.Dataset) -> Figure:
     """Asymmetry index over heave amplitude."""
     figure, (ax,) = panels()
+    figure.set_figwidth(WIDE * WIDTH)  # with names at the right
     index = asymmetry["asymmetry_index"]
     for reading in READINGS:
         for model, line in MODELS.items():
@@ -88,7 +91,8 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
                 marker=mark,
                 markersize=5,
                 color=OF_STATE[reading],
-                label=f"{SHORT[reading]}, {'gas law' if model == 'gas law' else 'linear'}",
+                label=f"{STATES[reading]}, {NAMES[model]}",
+                clip_on=False,
             )
     ax.set_xlabel(AMPLITUDE)
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
@@ -96,7 +100,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     settled, started = (float(far.sel(reading=reading)) for reading in ("steady", "from_rest"))
     headline(
         figure,
-        f"The gas law's asymmetry index reaches {settled:.2f} settled, {started:.2f} from rest",
+        f"The gas law's asymmetry index reaches {settled:.2f} in steady state, {started:.2f} from rest",
     )
     ax.set_ylim(bottom=0.85)
     label_ends(ax)
@@ -111,7 +115,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     moving = runs.sel(heave_amplitude=runs["heave_amplitude"] > 0)
     index = (moving["z_max"] - rest) / (rest - moving["z_min"])
     grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
-    ramps = (("None", "platform moves at once"), ("40 s", "motion grows over 40 s"))
+    ramps = (("None", "without a ramp"), ("40 s", "with a ramp of 40 s"))
     for ax, (ramp, title) in zip(axes, ramps, strict=True):
         for start, colour in OF_START.items():
             chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (
@@ -119,18 +123,18 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
             )
             lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
             ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
-            _falling_steps(ax, lines)
-        grow = grows.sel(sample=runs["assumed_platform_heave_ramp"] == ramp)
+            _decreases(ax, lines)
+        of_ramp = runs["assumed_platform_heave_ramp"] == ramp
         ax.annotate(
-            f"increasing throughout: {int(grow.sum())} of {grow.size} samples",
+            _counted(index.sel(sample=of_ramp), grows.sel(sample=of_ramp)),
             (0.03, 0.96), xycoords="axes fraction", va="top", fontsize="small",
         )  # fmt: skip
         ax.axhline(1.0, color=GREY, linewidth=0.8)
         panel_title(ax, title)
         ax.set_xlabel(AMPLITUDE)
     for start, colour in OF_START.items():
-        axes[0].plot([], [], color=colour, label=f"one sample, riser starts {STARTS[start]}")
-    axes[0].plot([], [], color="black", lw=1.4, label="falling step")
+        axes[0].plot([], [], color=colour, label=f"one sample, {STARTS[start]}")
+    axes[0].plot([], [], color="black", lw=1.4, label="decrease")
     axes[0].plot([], [], color=GREY, lw=0.8, label="$S = 1$")
     axes[0].set_ylabel("asymmetry index $S$")
     key_below(figure, axes[0], 2)
@@ -141,7 +145,18 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     return figure
 
 
-def _falling_steps(ax: Axes, lines: xr.DataArray) -> None:
+def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
+    """How many samples increase throughout, and where the rest do not."""
+    ends = index["heave_amplitude"].values[1:]
+    dips = (index.diff("heave_amplitude") <= 0.0).assign_coords(heave_amplitude=ends)
+    above = int(dips.sel(heave_amplitude=ends > LOW).any("heave_amplitude").sum())
+    rest = int((~grows).sum())
+    where = f"all below {LOW:g} m" if above == 0 else f"{above} of them above {LOW:g} m"
+    text = f"increasing throughout: {int(grows.sum())} of {grows.size} samples"
+    return f"{text}\ndecreasing somewhere: {rest}" + (f", {where}" if rest else "")
+
+
+def _decreases(ax: Axes, lines: xr.DataArray) -> None:
     """Steps of amplitude over which an index does not increase."""
     amplitude = lines["heave_amplitude"].values
     for k in range(amplitude.size - 1):
@@ -152,13 +167,13 @@ def _falling_steps(ax: Axes, lines: xr.DataArray) -> None:
 
 
 def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
-    """Every reading of the two percentages; ``tension``, ``heave``: the printed reductions (-)."""
+    """Both percentages in every interpretation; ``tension``, ``heave``: the printed reductions (-)."""
     reduced = {"tension": tension, "heave": heave}
-    figure, (ax,) = panels(height=4.0)
+    figure, (ax,) = panels(height=4.3)
     table = 100.0 * reductions["reduction"].sel(quantity="heave")
     places: list[float] = []
     names: list[str] = []
-    words = {"swing": "range", "deviation": "standard\ndeviation", "peak": "peak"}
+    words = {"swing": "peak-to-\npeak\nrange", "deviation": "standard\ndeviation", "peak": "peak"}
     for j, height in enumerate(("amplitude", "height")):
         for k, measure in enumerate(words):
             at = j * 3.6 + k
@@ -184,26 +199,29 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     ax.axhline(0.0, color="black", linewidth=0.8)
     ax.set_xticks(places, names)
     for middle, text in (
-        (1.0, "H = 5 m is the amplitude"),
-        (4.6, "H = 5 m is twice the amplitude"),
+        (1.0, "$H$ = 5 m is the amplitude"),
+        (4.6, "$H$ = 5 m is twice the amplitude"),
     ):
         ax.annotate(
             text,
             (middle, 0),
             xycoords=("data", "axes fraction"),
-            xytext=(0, -34),
+            xytext=(0, -46),
             textcoords="offset points",
             ha="center",
             va="top",
             fontsize="small",
         )
-    ax.set_ylabel("reduction of heave, and of tension (%)")
+    ways = reductions["reduction"]
+    apart = float(np.abs(ways.sel(quantity="heave") - ways.sel(quantity="tension")).max())
+    ax.set_ylabel(f"reduction{', equal in heave and tension' if apart < 5e-4 else ' of heave'} (%)")
     ax.margins(y=0.12)
     key_below(figure, ax, 3)
-    headline(
-        figure,
-        f"No single measure decreases by {100.0 * tension:g} % in tension and {100.0 * heave:g} % in heave",
-    )
+    met = [np.isclose(ways.sel(quantity=name), value, atol=0.05) for name, value in reduced.items()]
+    count = int(np.all(met, axis=0).sum())
+    both = f"by {100.0 * tension:g} % in tension and {100.0 * heave:g} % in heave"
+    who = "No single measure decreases" if count == 0 else "Some measures decrease"
+    headline(figure, f"{who} {both}")
     return figure
 
 
@@ -213,7 +231,7 @@ def _whole(value: float) -> str:
 
 
 def period_sweep(period_sweep: xr.Dataset) -> Figure:
-    """Settled motion over the platform's period, a row an amplitude; periods of the peaks by the gas law."""
+    """Steady state over the platform's period, a row an amplitude; periods of the peaks by the gas law."""
     amplitudes = period_sweep["heave_amplitude"].values
     figure, axes = panels(len(amplitudes), 2, 2.6, sharex=True)
     top = period_sweep.isel(s_node=-1)
@@ -230,7 +248,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
                         lw=1.2, label=NAMES[model])  # fmt: skip
             ax.set_ylabel(label)
             ax.margins(y=0.2)
-            panel_title(ax, f"platform {amplitude:g} m")
+            panel_title(ax, of_amplitude(amplitude))
     for ax in axes[-2:]:
         ax.set_xlabel("heave period of the platform (s)")
     for ax in axes[::2]:
@@ -241,7 +259,13 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
     _name_peak(axes[-1], far)
     low = _name_peak(axes[-1], far, lowest=True)
-    headline(figure, f"Resonance is at {resonance:g} s, asymmetry reverses at {low:g} s")
+    twice = abs(low / resonance - 2.0) < 0.02
+    at = (
+        f"twice the resonance period of {resonance:g} s"
+        if twice
+        else f"resonance at {resonance:g} s"
+    )
+    headline(figure, f"Asymmetry reverses near {low:g} s, {at}")
     key_below(figure, axes[0], 2)
     return figure
 
@@ -271,15 +295,16 @@ def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
             ("-", "above, $x_p$", top["z_max"] - top["z_static"]),
             ("--", "below, $x_n$", top["z_static"] - top["z_min"]),
         ):
-            label = word if place == "at the ring" else None
-            axes[1].plot(side["heave_amplitude"], side, line, color=colour, label=label)
+            axes[1].plot(side["heave_amplitude"], side, line, color=colour)
+            if place == "at the ring":
+                axes[1].plot([], [], line, color=GREY, label=word)
     axes[0].set_xlabel(TIME)
     axes[0].set_xlim(0, float(riser_mass_start["time"][-1]))
-    axes[0].set_ylabel("heave from equilibrium (m)")
-    panel_title(axes[0], "platform 5 m, starts at once")
+    axes[0].set_ylabel(AWAY)
+    panel_title(axes[0], f"{of_amplitude(5.0)}, without a ramp")
     axes[1].set_xlabel(AMPLITUDE)
-    axes[1].set_ylabel("displacement from equilibrium (m)")
-    panel_title(axes[1], "settled")
+    axes[1].set_ylabel(AWAY)
+    panel_title(axes[1], STATES["steady"])
     axes[1].legend(fontsize="small")
     key_below(figure, axes[0], 2)
     top = riser_mass.isel(s_node=-1)
