@@ -87,7 +87,7 @@ def changes(effects: xr.Dataset) -> Table:
                 *map(_share, values),
                 Cell(signed, _order(time)),
             ]
-            rows.append([*cells, Cell(f"cannot be removed: {sentences}" if sentences else "")])
+            rows.append([*cells, Cell(f"not possible: {sentences}" if sentences else "")])
     about = (
         "Each row removes an effect from a scene (without) or adds one (with), on the same mesh and time "
         "step. Relative change of the largest displacement, moment and top tension, and of the run time."

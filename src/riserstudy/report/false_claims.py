@@ -14,10 +14,10 @@ NAME = "false_claims.csv"
 BELIEVED = ("holds", "reproduced", "calibrated")
 #: what is false of a claim, in words
 HOW = {
-    "opposite": "the opposite",
-    "magnitude": "a size that is far off",
+    "opposite": "the opposite statement",
+    "magnitude": "a very different size",
     "sign": "one sign changed",
-    "factor": "a number, by a factor of two or less",
+    "factor": "a number changed by a factor of at most two",
     "limit": "another limit",
     "cases": "two cases exchanged",
 }

@@ -160,9 +160,8 @@ def pushed_in_harder(runs: xr.Dataset, smaller: Word, amplitudes: list[float]) -
     rest, moving = _rest(runs), runs.sel(heave_amplitude=amplitudes)
     force = moving["tensioner_force"] - rest["tensioner_force_static"]
     ways = {
-        "of the piston, X": rest["tensioner_stroke_static"] - moving["tensioner_stroke"],
-        "of the riser, x": moving["z"].isel(s=-1, drop=True)
-        - rest["z_static"].isel(s_node=-1, drop=True),
+        "piston, X": rest["tensioner_stroke_static"] - moving["tensioner_stroke"],
+        "riser, x": moving["z"].isel(s=-1, drop=True) - rest["z_static"].isel(s_node=-1, drop=True),
     }
     ratios, harder = [], []
     for away in ways.values():
