@@ -62,7 +62,7 @@ def _is_estimated(facts: RunFacts) -> int:
 #: relative, by quantity
 ErrorEstimate = dict[str, float]
 _ERROR = "estimated relative error of "
-_SAMPLING = "relative standard error, by the length of the run, of the vibration's "
+_SAMPLING = "relative standard error, due to the finite length of the run, of the vibration's "
 
 
 class _Rare(TypedDict):
@@ -76,7 +76,7 @@ _VIBRATES: _Rare = {"optional": True, "in_database": False}
 class RunFacts(TypedDict, total=False):
     """Facts about one run, each where the run has it; as JSON in the store and in attributes."""
 
-    wall_seconds: Annotated[float, Column("wall time of the simulation", "s", repeats=False)]
+    wall_seconds: Annotated[float, Column("elapsed time of the simulation", "s", repeats=False)]
     solve_seconds: Annotated[
         float, Column("time of the run alone, or of all refinements", "s", repeats=False)
     ]
@@ -98,7 +98,7 @@ class RunFacts(TypedDict, total=False):
         Column(_ERROR + "bending moment", "1", name="error_moment", part="moment"),
         Column(_ERROR + "tension", "1", name="error_tension", part="tension"),
         Column(
-            _ERROR + "flex joint angles, not bounded by an accuracy",
+            _ERROR + "flex joint angles, which the tolerance does not limit",
             "1",
             name="error_angle",
             part="angle",
@@ -115,7 +115,7 @@ class RunFacts(TypedDict, total=False):
     audit: Annotated[
         EnergyAudit,
         Column(
-            "share of the energy exchanged left unexplained",
+            "energy residual as a share of the energy exchanged",
             "1",
             name="unexplained_energy",
             part="unexplained_share",
@@ -124,18 +124,18 @@ class RunFacts(TypedDict, total=False):
     smallest_tension: Annotated[float, Column("smallest effective tension of the riser", "N")]
     smallest_tension_s: float
     largest_bending_moment: Annotated[
-        float, Column("largest size of the bending moment, between nodes too", "N m")
+        float, Column("largest magnitude of the bending moment, also between nodes", "N m")
     ]
     largest_bending_moment_s: Annotated[
-        float, Column("where the largest bending moment is, from the bottom", "m")
+        float, Column("arclength from the bottom of the largest bending moment", "m")
     ]
     warnings: Annotated[
-        list[str], Column("what the run warned of, a line each", kind="text", repeats=False)
+        list[str], Column("warnings of the run, one per line", kind="text", repeats=False)
     ]
     #: by name, with why each is on
     effects: Annotated[
         dict[str, str],
-        Column("effects that are on, a line each", kind="text", repeats=False, in_database=False),
+        Column("simulated effects, one per line", kind="text", repeats=False, in_database=False),
     ]
     vibration_since: float  # s
     vibration_above: float  # Hz, frequency of the slowest motion that counts
@@ -156,7 +156,7 @@ class RunFacts(TypedDict, total=False):
     vibration_scatter: Annotated[
         float,
         Column(
-            "difference of root mean squares at places between two halves of the time",
+            "difference of local root mean squares between the two halves of the time",
             "1",
             **_VIBRATES,
         ),

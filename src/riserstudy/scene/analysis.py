@@ -27,7 +27,7 @@ class Layers(Strict):
 
 
 class Mesh(Strict):
-    """Number of segments, at least; they have equal lengths within each section.
+    """Smallest number of segments. Segments have equal lengths within each section.
 
     With ``layers`` the number is approximate, and segments become shorter towards an end that has a layer.
     """
@@ -50,7 +50,7 @@ class Newmark(Strict):
 
 
 class Output(Strict):
-    """Times and places of time histories. By default they begin at the start, at all nodes.
+    """Times and places of time histories. By default they begin at the start of the run and cover all nodes.
 
     ``stress_in`` names a section whose largest stress at the outer fibre is output over time.
     """
@@ -73,9 +73,9 @@ class Analysis(Strict):
     Without ``duration`` only the static equilibrium is computed. By default the run starts from equilibrium;
     ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both are chosen
     for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
-    generalised-alpha with 0.8. The default solver uses lumped masses; ``hermite`` is a beam with small
-    slopes. ``newton_tolerance``: correction at which Newton's iteration ends, in riser lengths; by default
-    1e-9.
+    generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a
+    beam with small slopes. ``newton_tolerance``: correction at which Newton's iteration ends, in riser
+    lengths; by default 1e-9.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

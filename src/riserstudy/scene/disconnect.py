@@ -18,7 +18,7 @@ class Valve(Strict):
     """Effect of tensioner valves on a constant ``top.tension`` after the release.
 
     The tension decreases smoothly to ``hold`` times the suspended submerged weight. ``failed``: fraction of
-    the tension whose valves do not move, and which remains.
+    the tension that remains because its valves do not move.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -72,10 +72,10 @@ class Stack(Strict):
 class Disconnect(Strict):
     """The wellhead releases the lower end of the riser, with the body at it, at a time of the run.
 
-    ``phase``: the release waits, from that time on, until the platform's heave, one harmonic, is at this
-    phase of its sine: 0 on its way up through the middle, 90 deg at the top. ``over``: time over which the
-    force of the connector decreases. By default the release is sudden, which sends steep wave fronts along
-    an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or tensioners do not change.
+    ``phase``: from that time on, the release waits until the platform's heave has this phase: 0 when it rises
+    through its mean, 90 deg at its maximum. The heave must be a single harmonic. ``over``: time over which
+    the force of the connector decreases. By default the release is sudden, which sends steep wave fronts
+    along an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or tensioners do not change.
     Without ``drain`` the contents stay in the riser. Without ``stack`` the riser can pass through the place
     of the stack, with a warning.
     """

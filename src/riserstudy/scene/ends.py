@@ -31,10 +31,10 @@ class Body(Strict):
     """A concentrated mass, such as an LMRP or a tension ring.
 
     Its submerged weight is given, or follows from mass, gravity and either the displaced volume or the
-    density of the material. Without weight, drag or added mass, these are zero. Without ``centre_below`` the
-    body is a point at the riser's end. With it the body turns rigidly with the lower end, and its centre is
-    that distance below the end. ``rotary_inertia`` refers to axes across the riser through the centre;
-    without it, it is zero.
+    density of the material. Weight, drag and added mass are zero if they are not given. Without
+    ``centre_below`` the body is a point at the riser's end. With it the body turns rigidly with the lower
+    end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the riser
+    through the centre; without it, it is zero.
     """
 
     name: str
@@ -97,7 +97,7 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 
 
 class Bottom(Strict):
-    """Lower end: held at the wellhead, free, or the foot of a conductor, which is held in z and by soil."""
+    """Lower end: held at the wellhead, free, or the end of a conductor, held vertically and by the soil."""
 
     hold: Literal["wellhead", "free", "foot"]
     elevation: u.Length | None = None
@@ -142,9 +142,9 @@ class TelescopicJoint(Strict):
     with the platform. The stops of the joint and the ``stroke`` of tensioners are separate: a rig can have
     both.
 
-    Stroke and stops are measured from ``length``. With ``mid_stroke: riser in equilibrium`` they are
-    measured from the length above the riser when it is vertical in still water, carried by its tensioners,
-    as spaced out.
+    Stroke and stops are measured from ``length``. With ``mid_stroke: riser in equilibrium`` they are measured
+    from the length of the joint when the riser is vertical in still water, carried by its tensioners (the
+    space-out).
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -186,10 +186,10 @@ class Top(Strict):
     also has a platform, the top has its first-order motions as well, in z with ``z: platform``.
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
-    equilibrium. Without tension, tension loss, force, tensioners or body, there is none.
+    equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given.
     ``held_at_tension``: z is held where the static riser has this top tension. With a telescopic joint, the
-    top is that of the joint, and tension, tensioners, lateral force and body act at the tension ring below
-    it.
+    top is the upper end of the joint, and tension, tensioners, lateral force and body act at the tension ring
+    below it.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

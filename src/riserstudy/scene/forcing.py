@@ -283,10 +283,11 @@ class Combined(Strict):
 class Current(Strict):
     """Steady current. By default it flows along x, and from the start of the run, without a ramp.
 
-    Headings state where the current flows to (towards, the default) or comes from, as do the directions of
-    its points (``direction``, at all points or at none). If the direction varies, the x and y components are
-    interpolated linearly between points. ``beyond`` is required if the profile does not cover the whole
-    riser: outside its elevations the end values hold, or the water is still.
+    ``headings`` states whether headings are directions that the current flows to (towards, the default) or
+    comes from. It also applies to the ``direction`` of points, which is given at all points or at none. If
+    the direction varies, the x and y components are interpolated linearly between points. ``beyond`` is
+    required if the profile does not cover the whole riser: outside its elevations the end values hold, or the
+    water is still.
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -48,8 +48,8 @@ class RegularWave(Swell, Wave):
 
     Its surface is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0, the wave travels
     along x, and it acts from t = 0 without a ramp, on a riser in static equilibrium. ``above_mean_level``:
-    no velocities there, those of the mean level up to the surface (constant), or a stretched profile
-    (Wheeler).
+    velocities above the mean level are zero (none), those of the mean level (constant), or those of a
+    stretched profile (stretched, after Wheeler).
     """
 
 

@@ -85,10 +85,10 @@ class TableRow(Strict):
 
 
 class Linearised(Strict):
-    """Straight line that replaces the gas law: a tangent, a chord, or least squares over a stroke range.
+    """Straight line that replaces the gas law: a tangent, a chord, or a least-squares line over a range.
 
     ``at``: reach of the tangent point, by default mid-stroke. ``shortest`` and ``longest``: stroke range of
-    the chord or of the least squares.
+    the chord or of the least-squares line.
     """
 
     by: Literal["tangent", "chord", "least squares"]

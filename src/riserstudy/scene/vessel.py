@@ -81,14 +81,14 @@ class Thrusters(Strict):
 
 
 class Sway(Strict):
-    """Freedom across the hull. Added mass and hull drag across the hull are zero if not given."""
+    """Freedom to move across the hull. Added mass and hull drag across the hull are zero if not given."""
 
     added_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     hull_drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE] | None = None
 
 
 class Yaw(Strict):
-    """Freedom to turn about the vertical through the riser's top.
+    """Freedom to rotate about the vertical axis through the riser's top.
 
     Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. The riser resists as a spring if
     its sections have a shear modulus.
