@@ -29,7 +29,7 @@ def draw(
     from riserstudy.figures import save
     from riserstudy.schematic import schematic
 
-    save(schematic(file.resolved()), output)
+    save(schematic(file.resolved(), assumed=file.assumed), output)
     wrote(output)
 
 

@@ -49,7 +49,8 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
     from riserstudy.schematic.geometry import labelled
 
     model = read_studies(config, paper).schematics[name]
-    scene, standing = model.file(config).resolved(), model.cylinders == "standing"
+    file, standing = model.file(config), model.cylinders == "standing"
+    scene = file.resolved()
     where = config / f"studies/{paper}.yaml"
     bearing = [*labelled(scene)]
     for path in model.remarks:
@@ -63,4 +64,4 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
         )
         allowed = "tensioners without an arrangement, or 'hanging'"
         raise InputError(where, f"schematics.{name}.cylinders", found, allowed)
-    return schematic(scene, standing=standing, remarks=model.remarks)
+    return schematic(scene, standing=standing, remarks=model.remarks, assumed=file.assumed)

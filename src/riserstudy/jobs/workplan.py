@@ -190,7 +190,8 @@ class Workplan(Configuration):
         figure = self.files[paper].figures.get(name)
         if figure is None:
             model = self.files[paper].schematics[name]
-            drawn = json.dumps(canonical(self.schematic(paper, name).resolved()))
+            scene = self.schematic(paper, name)
+            drawn = json.dumps(canonical(scene.resolved())) + json.dumps(sorted(scene.assumed))
             drawn += model.cylinders + json.dumps(model.remarks, sort_keys=True)
         else:
             drawn = " ".join((figure.plot or "", *(figure.of or [])))

@@ -69,6 +69,11 @@ class SceneFile:
         tables = names_of_tables(self.tree) if self.held is None else ()
         return [Path(self.source), *(Path(self.source).parent / name for name in tables)]
 
+    @property
+    def assumed(self) -> frozenset[str]:
+        """Paths of the values that the scene assumes."""
+        return frozenset(path for path, of in self.origins.items() if of.status == "assumed")
+
     def scene(self) -> Scene:
         """The checked scene as it is written, in SI.
 

@@ -17,8 +17,8 @@ from riserstudy.figures.style import as_written
 from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
-from riserstudy.schematic.geometry import Geometry
-from riserstudy.schematic.labels import KEY, SIZE
+from riserstudy.schematic.geometry import ASSUMED, Geometry
+from riserstudy.schematic.labels import KEY, SIZE, Label
 from riserstudy.schematic.not_shown import parts_left_out
 from riserstudy.schematic.riser import ends, riser
 from riserstudy.schematic.sea import sea
@@ -44,15 +44,22 @@ NOTE = (
 
 
 def schematic(
-    scene: Resolved, *, standing: bool = False, remarks: Mapping[str, str] | None = None
+    scene: Resolved,
+    *,
+    standing: bool = False,
+    remarks: Mapping[str, str] | None = None,
+    assumed: frozenset[str] = frozenset(),
 ) -> Figure:
     """Drawing of a scene.
 
-    ``standing``: cylinders without an arrangement are drawn below the ring. ``remarks``: words for the
-    labels of parts, by their paths.
+    Parameters
+    ----------
+    standing : cylinders without an arrangement are drawn below the ring.
+    remarks : words for the labels of parts, by their paths.
+    assumed : paths of values that the scene assumes; lengths, elevations and numbers of parts are marked.
     """
     with as_written():
-        return _schematic(Geometry(scene, standing, remarks or {}), scene)
+        return _schematic(Geometry(scene, standing, remarks or {}, assumed), scene)
 
 
 def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
@@ -91,7 +98,7 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         for view in views:
             view.ax.set_xlabel(AXES[0])
             view.ax.set_ylabel(AXES[1])
-    _texts(figure, geometry, {row.colour for view in views for row in view.labels.rows})
+    _texts(figure, geometry, [row for view in views for row in view.labels.rows])
     return figure
 
 
@@ -168,8 +175,8 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
     return (x, z + above - 0.5 * height), height
 
 
-def _note(geometry: Geometry) -> str:
-    """What is to scale, and what is not there."""
+def _note(geometry: Geometry, labels: list[Label]) -> str:
+    """What is to scale, what marks of the labels mean, and what is not there."""
     scene = geometry.scene
     moved = ""
     if (scene.platform or scene.vessel) and geometry.has_upright_cylinders:
@@ -181,12 +188,14 @@ def _note(geometry: Geometry) -> str:
     before = f", before {loads if current else 'waves act'} on it" if current or waves else ""
     named = ", ".join(map(in_words, parts_left_out(scene)))
     missing = f" Not shown: {named}." if named else ""
-    return f"{NOTE}{moved}. The riser is unstretched{before}.{missing}"
+    marked = any(ASSUMED in label.text for label in labels)
+    assumed = f" {ASSUMED}: assumed length, elevation or number." if marked else ""
+    return f"{NOTE}{moved}. The riser is unstretched{before}.{assumed}{missing}"
 
 
-def _texts(figure: Figure, geometry: Geometry, used: set[str]) -> None:
-    """Title, directions of motion, what those colours mean that are used, and what is to scale."""
-    scene = geometry.scene
+def _texts(figure: Figure, geometry: Geometry, labels: list[Label]) -> None:
+    """Title, directions of motion, what colours and marks of the labels mean, and what is to scale."""
+    scene, used = geometry.scene, {label.colour for label in labels}
     title = "\n".join(textwrap.wrap(scene.title, 100))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)
     figure.text(
@@ -199,5 +208,5 @@ def _texts(figure: Figure, geometry: Geometry, used: set[str]) -> None:
         handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
         frameon=False, handlelength=1.2, columnspacing=1.2,
     )  # fmt: skip
-    note = "\n".join(textwrap.wrap(_note(geometry), 150))
+    note = "\n".join(textwrap.wrap(_note(geometry, labels), 150))
     figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

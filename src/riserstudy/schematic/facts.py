@@ -15,7 +15,6 @@ from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.schematic.geometry import Geometry, is_spring
 from riserstudy.schematic.labels import UNBROKEN
-from riserstudy.schematic.words import in_words
 
 DEGREE = math.pi / 180.0
 TONNE = 1000.0  # kg
@@ -51,14 +50,17 @@ def sentence(parts: Iterable[str]) -> str:
     return ", ".join(part for part in parts if part)
 
 
-def section_text(section: Section, wet: bool) -> str:
-    """Name, size, stiffness, mass and weight of a section, and what is in and around it."""
-    size = metres(section.total_length)
+def section_text(section: Section, wet: bool, mark: str = "") -> str:
+    """Name, size, stiffness, mass and weight of a section, and what is in and around it.
+
+    ``mark`` stands at the length.
+    """
+    size = metres(section.total_length) + mark
     if is_spring(section) and section.axial_stiffness:
         stiffness = amount(section.axial_stiffness / section.total_length, "N/m")
         return f"{section.name}: k = {stiffness}, {size} long"
     if section.joints:
-        size = f"{section.joints.count} × {section.joints.length:.4g} m"
+        size = f"{section.joints.count} × {section.joints.length:.4g} m{mark}"
     outer, inner = section.outer_diameter, section.inner_diameter
     pipe = f"{1000 * outer:.4g} mm" if outer else ""
     if outer and inner:
@@ -75,7 +77,7 @@ def section_text(section: Section, wet: bool) -> str:
             if weight
             else "",
             f"contents of {full.density:.4g} kg/m³" if full else "",
-            f"drag on {drag.diameter:.3g} m" if drag else "",
+            f"drag diameter {drag.diameter:.3g} m" if drag else "",
             "drag along the pipe" if section.tangential_drag else "",
             f"line load {amount(section.lateral_load, 'N')}/m" if section.lateral_load else "",
         ]
@@ -93,7 +95,7 @@ def rotation_text(rotation: Rotation | None) -> str:
 
 def joint_text(stiffness: float) -> str:
     """Stiffness of a flex joint."""
-    return f"{amount(stiffness * DEGREE, 'N m')}/deg"
+    return f"{amount(stiffness * DEGREE, 'N m')}/°"
 
 
 def body_text(body: Body, gravity: float, density: float) -> str:
@@ -127,16 +129,16 @@ def bottom_text(scene: Resolved) -> str:
 
 
 def freedom_text(scene: Resolved) -> str:
-    """Directions of motion that the scene needs, and a part of it that needs them."""
+    """Directions of motion that the scene needs."""
     if scene.spatial:
-        return f"motion in three dimensions, because of {in_words(scene.spatial)}"
+        return "motion in three dimensions"
     if scene.lateral:
-        return f"motion in the x–z plane, because of {in_words(scene.lateral)}"
+        return "motion in the x–z plane"
     return "motion along the axis only"
 
 
-def tensioner_text(rig: Tensioners) -> str:
-    """Number and law of the tensioners."""
+def tensioner_text(rig: Tensioners, mark: str = "") -> str:
+    """Number and law of the tensioners; ``mark`` stands at the number."""
     gas, both, line = rig.gas, rig.two_chamber_gas, rig.linear
     law = ""
     if gas:
@@ -158,7 +160,7 @@ def tensioner_text(rig: Tensioners) -> str:
         if rig.stroke
         else ""
     )
-    cylinders = "1 cylinder" if rig.count == 1 else f"{rig.count} cylinders"
+    cylinders = f"1 cylinder{mark}" if rig.count == 1 else f"{rig.count} cylinders{mark}"
     return sentence([f"tensioners: {cylinders}", law, made_linear, damped, stops, failed])
 
 

@@ -12,12 +12,14 @@ from numpy.typing import NDArray
 
 from riserstudy.model.initial_shape import sagging
 from riserstudy.model.sea import levels
+from riserstudy.scene.paths import within
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 Point = tuple[float, float]
 SHORT = 0.1  # of the riser: sections below this length are shown with the end that they are at
 LINE_POINTS = 201
+ASSUMED = "*"  # marks a value in a label
 
 
 @dataclass(frozen=True)
@@ -26,15 +28,25 @@ class Geometry:
 
     ``standing``: cylinders that have no arrangement stand on the platform and push the ring up.
     ``remarks``: words for the labels of parts, by their paths.
+    ``assumed``: paths of values that the scene assumes.
     """
 
     scene: Resolved
     standing: bool = False
     remarks: Mapping[str, str] = field(default_factory=dict)
+    assumed: frozenset[str] = frozenset()
 
     def remark(self, path: str) -> str:
         """What follows the label of a part: its remark in brackets, if it has one."""
         return f" ({self.remarks[path]})" if path in self.remarks else ""
+
+    def assumes(self, path: str) -> bool:
+        """Whether the scene assumes the value at a path, or any within it."""
+        return any(within(one, path) for one in self.assumed)
+
+    def mark(self, path: str) -> str:
+        """What a label adds to a value that the scene assumes."""
+        return ASSUMED if self.assumes(path) else ""
 
     @cached_property
     def length(self) -> float:

@@ -32,7 +32,8 @@ def riser(view: View, geometry: Geometry) -> None:
         long = high - low > SHORT * length
         visible = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
         if visible:
-            text = section_text(section, scene.water is not None)
+            of = f"riser[{k}].{'joints' if section.joints else 'length'}"
+            text = section_text(section, scene.water is not None, geometry.mark(of))
             text += geometry.remark(f"riser[{k}]")
             view.name(text, geometry.at(visible[0]), whole=long)
         if section.lateral_load:

@@ -26,14 +26,21 @@ def sea(view: View, geometry: Geometry) -> None:
         floor = seabed if seabed is not None else low
         view.ax.axhspan(max(low, floor), min(high, surface), color="#e8f2fa", zorder=0.0)
         view.line([left, right], [surface, surface], color=WATER, linewidth=0.7, zorder=1.0)
-        view.name(f"mean water level, {metres(surface)}", (right, surface), WATER, whole=True)
+        text = f"mean water level, {metres(surface)}{geometry.mark('water.surface')}"
+        view.name(text, (right, surface), WATER, whole=True)
     if seabed is not None and low < seabed:
         word = "mudline" if geometry.scene.soil else "seabed"
         view.ax.axhspan(low, seabed, color="#efe7da", zorder=0.0)
         view.line([left, right], [seabed, seabed], color="#7a6a4f", linewidth=0.9, zorder=1.0)
-        view.name(f"{word}, {metres(seabed)}", (right, seabed), whole=True)
+        text = f"{word}, {metres(seabed)}{geometry.mark(_level_of(word))}"
+        view.name(text, (right, seabed), whole=True)
     wave(view, geometry)
     current(view, geometry)
+
+
+def _level_of(word: str) -> str:
+    """Path of the level of the ground."""
+    return "soil.mudline" if word == "mudline" else "water.seabed"
 
 
 def wave(view: View, geometry: Geometry) -> None:
@@ -85,7 +92,8 @@ def current(view: View, geometry: Geometry) -> None:
     ]
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
-    text = f"current: up to {largest:.3g} m/s; arrows have a separate scale"
+    profile = " (profile assumed)" if geometry.assumes("current.profile") else ""
+    text = f"current: up to {largest:.3g} m/s{profile}; arrows have a separate scale"
     if scene.current.turns:
         text += "; its direction changes with depth (drawn: part along x)"
     elif scene.current.towards:

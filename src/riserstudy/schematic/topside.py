@@ -14,6 +14,7 @@ ASIDE = 0.28  # of upright cylinders from the riser (inches)
 SLEEVE = 2.2  # outer barrel of a telescopic joint over the riser's diameter
 BARREL = 0.09  # width of an upright cylinder (inches)
 HULL = (1.5, 0.3)  # width and height of a platform (inches)
+HEAVE_ASIDE = 0.42  # of the platform's width, beyond the arrows of surge and pitch
 
 
 def topside(view: View, geometry: Geometry) -> None:
@@ -53,7 +54,8 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
     places = [metres(sign * by, "+") for sign, by in (stops or {}).items() if by]
     origin = "this length" if joint.mid_stroke is None else "the length in equilibrium"
     stop = f", stop at {' and '.join(places)} from {origin}" if places else ""
-    text = f"telescopic joint: {joint.length:.4g} m{stop}"
+    length = f"{joint.length:.4g} m{geometry.mark('top.telescopic_joint.length')}"
+    text = f"telescopic joint: {length}{stop}"
     view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
     if joint.tension:
         if not view.whole:
@@ -102,7 +104,8 @@ def tensioners(view: View, geometry: Geometry) -> None:
             )  # up, or down
     right = max(feet, key=lambda foot: foot[1])
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
-    view.name(tensioner_text(rig) + ("" if place else " (length not given)"), at)
+    text = tensioner_text(rig, geometry.mark("top.tensioners.count"))
+    view.name(text + ("" if place else " (length not given)"), at)
     view.name("tension ring", (x + feet[0][0], z))
 
 
@@ -144,7 +147,7 @@ def _motions(
     if moving & {"surge", "sway"}:
         view.motion((x, z), (0.35 * width, 0.0))
     if "heave" in moving:
-        view.motion((x - 0.3 * width, z), (0.0, 0.9 * height))
+        view.motion((x - HEAVE_ASIDE * width, z), (0.0, 0.9 * height))
     if moving & {"pitch", "roll"}:
         view.turning((x, z + 0.5 * height), 0.3 * width)
     if of.cruise:
@@ -153,5 +156,6 @@ def _motions(
     if centre and moving & {"roll", "pitch", "yaw"}:
         place = (centre.x or 0.0, centre.elevation)
         view.ax.plot(*place, "P", markersize=6, color=FREEDOM, markeredgecolor="white", zorder=7)
-        text = f"centre of rotation{geometry.remark('platform.centre_of_rotation')}"
+        level = metres(centre.elevation) + geometry.mark("platform.centre_of_rotation.elevation")
+        text = f"centre of rotation, {level}{geometry.remark('platform.centre_of_rotation')}"
         view.name(text, place, FREEDOM)
