@@ -1,18 +1,32 @@
-"""What colours mean in all figures of this chapter: one colour for one thing."""
+"""Colours and names in all figures of this chapter: one of each for one thing."""
 
 from __future__ import annotations
 
+VERTICAL, CARRIED = "vertical force at the ring", "232 t carried to the upper flex joint"
+ON_PLATFORM = "riser's top on the platform"
 #: what carries the riser's top; config/studies/liu2020.yaml, readings
 OF_TOP = {
     "gas law": "#0072b2",
     "linear": "#d55e00",
     "constant": "#e69f00",
-    "vertical force at the ring": "#009e73",
-    "232 t carried to the upper flex joint": "#000000",
-    "riser's top on the platform": "#cc79a7",
-    "upright cylinders": "#882255",
+    VERTICAL: "#009e73",
+    CARRIED: "#000000",
+    ON_PLATFORM: "#cc79a7",
+    "vertical cylinders": "#882255",
 }
-ON_TENSIONERS, LINEAR, UPRIGHT = (OF_TOP[top] for top in ("gas law", "linear", "upright cylinders"))
+ON_TENSIONERS, LINEAR, VERTICAL_CYLINDERS = (
+    OF_TOP[top] for top in ("gas law", "linear", "vertical cylinders")
+)
+#: what is meant by a riser without tensioners
+WITHOUT = {
+    "constant": "constant tension along the cylinders",
+    VERTICAL: VERTICAL,
+    CARRIED: CARRIED,
+    ON_PLATFORM: ON_PLATFORM,
+}
+#: what all models of the top are called
+NAMES = {"gas law": "tensioners", **WITHOUT}
+LINEARISED = "linearised gas law"
 #: motions of the platform, and waves that act on the riser as well
 OF_MOTION = {"surge": "#332288", "heave": "#999933", "pitch": "#56b4e9"}
 WITH_WAVES = "#aa4499"

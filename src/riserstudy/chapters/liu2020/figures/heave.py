@@ -1,4 +1,4 @@
-"""Axial force under heave, and where the tensioners reach their stroke."""
+"""Effective tension under heave, and where the tensioners reach their stroke."""
 
 from __future__ import annotations
 
@@ -7,7 +7,12 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.liu2020.figures.colours import LINEAR, ON_TENSIONERS, UPRIGHT
+from riserstudy.chapters.liu2020.figures.colours import (
+    LINEAR,
+    LINEARISED,
+    ON_TENSIONERS,
+    VERTICAL_CYLINDERS,
+)
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
     GREY,
@@ -24,6 +29,7 @@ DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
 ALIKE = 0.02  # of amplitudes, below which no difference can be seen
 STROKE = 7.5  # m, either way
+ABOUT_ZERO = (6.5, 7.75), (-0.5, 1.5)  # heave (m) and tension (MN) of the inset
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
 
@@ -56,16 +62,16 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
     for colour, depth in zip(shades(ON_TENSIONERS, len(DEPTHS)), DEPTHS, strict=True):
         curve = law.interp(depth=depth)
         ax.plot(curve["time"], curve, color=colour, linewidth=1.3, label=f"at {depth:.0f} m")
-    upright = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
+    vertical = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
     others = {
-        "linear cylinders": (LINEAR, tension.sel(tensioner_model="linear")),
-        "upright cylinders": (UPRIGHT, upright),
+        LINEARISED: (LINEAR, tension.sel(tensioner_model="linear")),
+        "vertical cylinders": (VERTICAL_CYLINDERS, vertical),
     }
     for label, (colour, other) in others.items():
         apart = (other - law).interp(depth=DEPTHS[0])
         below.plot(apart["time"], apart, color=colour, linewidth=1.3, label=label)
     panel_title(ax, "gas law, inclined cylinders")
-    panel_title(below, f"other models less (a), at {DEPTHS[0]:.0f} m")
+    panel_title(below, f"other models minus (a), at {DEPTHS[0]:.0f} m")
     below.axhline(0.0, color=GREY, linewidth=0.8)
     below.set_xlabel(TIME)
     ax.set_ylabel(TENSION)
@@ -82,7 +88,7 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
 
 
 def fig15(heave: xr.Dataset) -> Figure:
-    """Amplitude of the axial force over heave amplitude, of all periods, and over period."""
+    """Amplitude of the effective tension over heave amplitude, of all periods, and over period."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     law, line = heave["axial_force_amplitude"] / 1e3, heave["axial_force_amplitude_linear"] / 1e3
     at = law["heave_amplitude"]
@@ -92,19 +98,19 @@ def fig15(heave: xr.Dataset) -> Figure:
     )  # fmt: skip
     middle = {"heave_period": 15.0}
     axes[0].plot(at, law.sel(middle), ".-", color=ON_TENSIONERS, label="gas law, 15 s")
-    axes[0].plot(at, line.sel(middle), "--", color=LINEAR, label="linear, 15 s")
+    axes[0].plot(at, line.sel(middle), "--", color=LINEAR, label=f"{LINEARISED}, 15 s")
     for amplitude in at.values:
         curve = law.sel(heave_amplitude=amplitude)
         axes[1].plot(curve["heave_period"], curve, color=ON_TENSIONERS, label=f"{amplitude:g} m")
     axes[0].set_xlabel(AMPLITUDE)
-    axes[0].set_ylabel("amplitude of the axial force (kN)")
+    axes[0].set_ylabel("amplitude of the effective tension (kN)")
     axes[1].set_xlabel(PERIOD)
     panel_title(axes[0], "over heave amplitude")
     panel_title(axes[1], "over period, gas law, by heave amplitude")
     spread = (law.max("heave_period") / law.min("heave_period") - 1.0).max()
     headline(
         figure,
-        "Heave amplitude sets the axial force; the period adds at most "
+        "Heave amplitude sets the tension amplitude; the period adds at most "
         f"{100.0 * float(spread):.1f} %",
     )
     key_below(figure, axes[0], 3)
@@ -118,7 +124,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     reach = heave_limit["tensioner_stroke"].isel(cylinder=0)
     tension = heave_limit["effective_tension"].isel(s=0) / 1e6
     stops = heave_limit["stop_stiffness"].values
-    colours = shades(UPRIGHT, len(stops))
+    colours = shades(VERTICAL_CYLINDERS, len(stops))
     for colour, width, stiffness in zip(colours, (5.0, 3.0, 1.2), stops, strict=False):
         for quantity, ax in ((reach, axes[0]), (tension, axes[1])):
             curve = quantity.sel(stop_stiffness=stiffness)
@@ -154,32 +160,43 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
         ax.set_xlabel(AMPLITUDE)
     negative = _from(-tension.min(("time", "stop_stiffness")), 0.0)
     stopped = _from(abs(reach).max(("time", "stop_stiffness")), STROKE)
-    for ax, amplitude, level, up in (
-        (axes[0], stopped, STROKE, 12.0),
-        (axes[1], negative, 0.0, -30.0),
-    ):
-        if amplitude is not None:
-            _mark(ax, amplitude, level, up)
+    if stopped is not None:
+        _mark(
+            axes[0], (stopped, STROKE), f"stop reached at\n{stopped:.1f} m of heave", (0.0, -62.0)
+        )
+    if negative is not None:
+        name = f"negative from\n{negative:.1f} m of heave"
+        _mark(axes[1], (negative, 0.0), name, (-14.0, -62.0))
+        _near_zero(axes[1], negative)
     words = "Tension stays positive" if negative is None else (
-        f"Tension becomes negative at {negative:.1f} m"
+        f"Tension becomes negative at {negative:.1f} m of heave"
     )  # fmt: skip
-    met = "no stop is met" if stopped is None else f"the stops are met at {stopped:.1f} m"
+    acts = "no stop acts" if stopped is None else f"a stop acts from {stopped:.1f} m on"
     first = negative is not None and stopped is not None and negative < stopped
-    headline(
-        figure, f"{words}, before the stops at {stopped:.1f} m" if first else f"{words}; {met}"
-    )
+    headline(figure, f"{words}, before a stop acts" if first else f"{words}; {acts}")
     key_below(figure, axes[0], 3)
     return figure
 
 
-def _mark(ax: Axes, amplitude: float, level: float, up: float) -> None:
-    """Where a curve first reaches a level, with its heave amplitude (m) so many points above."""
-    ax.plot(amplitude, level, "o", color="black", ms=7, mfc="none", mew=1.2, zorder=5)
+def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, float]) -> None:
+    """Where a curve first reaches a level, with a text so many points away."""
+    ax.plot(*at, "o", color="black", ms=7, mfc="none", mew=1.2, zorder=5)
     ax.annotate(
-        f"{amplitude:.1f} m", (amplitude, level), xytext=(-8, up), textcoords="offset points",
-        ha="right", va="bottom", fontsize="small",
-        arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 4.0},
+        text, at, xytext=offset, textcoords="offset points", ha="center", va="bottom",
+        fontsize="small", arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 4.0},
     )  # fmt: skip
+
+
+def _near_zero(ax: Axes, negative: float) -> None:
+    """The tension about the heave (m) at which it becomes negative, enlarged where the panel is empty."""
+    inset = ax.inset_axes((0.13, 0.63, 0.36, 0.33), xlim=ABOUT_ZERO[0], ylim=ABOUT_ZERO[1])
+    for line in ax.lines:
+        width = min(3.0, float(line.get_linewidth()))
+        inset.plot(*line.get_data(), color=line.get_color(), lw=width, marker=line.get_marker(),
+                   ms=3, mfc=line.get_markerfacecolor())  # fmt: skip
+    inset.axhline(0.0, color="black", linewidth=1.0)
+    inset.tick_params(labelsize="x-small")
+    ax.indicate_inset_zoom(inset, edgecolor=GREY)
 
 
 def _from(values: xr.DataArray, level: float) -> float | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Any
 
 import numpy as np
@@ -10,7 +11,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.signal import find_peaks, peak_prominences
 
-from riserstudy.chapters.liu2020.figures.colours import OF_TOP, ON_TENSIONERS
+from riserstudy.chapters.liu2020.figures.colours import (
+    CARRIED,
+    NAMES,
+    OF_TOP,
+    ON_PLATFORM,
+    ON_TENSIONERS,
+    WITHOUT,
+)
 from riserstudy.chapters.liu2020.figures.motion_shared import DEPTH, RING, TIME, by_depth
 from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
@@ -26,14 +34,9 @@ from riserstudy.figures.style import (
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
-WITHOUT = "riser's top on the platform"
-BASELINES = {
-    "constant": "constant pull along cylinders",
-    "vertical force at the ring": "vertical force at the ring",
-    "232 t carried to the upper flex joint": "232 t carried to the flex joint",
-    WITHOUT: WITHOUT,
-}
+LETTERS = 20  # in a line of a name beside a panel
 ROOM = 0.28  # of a panel of samples, at the right for their share
+COUNTS = {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
 PEAK = 0.1  # least rise of a resonance above both sides, as a share of it
 DISPLACEMENT = "lateral displacement (m)"
 WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added mass
@@ -41,7 +44,7 @@ WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added
 
 def fig16(surge_case: xr.Dataset) -> Figure:
     """Displacement over depth and time, the riser's top on the platform."""
-    return _surged(surge_case, WITHOUT, "whose top is on the platform")
+    return _surged(surge_case, ON_PLATFORM, "whose top is on the platform")
 
 
 def fig17(surge_case: xr.Dataset) -> Figure:
@@ -52,13 +55,16 @@ def fig17(surge_case: xr.Dataset) -> Figure:
 def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     """The first minute, which shows how surge enters, and the last, in colours that both figures share."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
-    both = surge_case["x"].sel(tensioner_model=[WITHOUT, "gas law"])
+    both = surge_case["x"].sel(tensioner_model=[ON_PLATFORM, "gas law"])
     size = float(abs(both).max())
     x = by_depth(surge_case["x"].sel(tensioner_model=model)).dropna("depth", how="all")
     x = x.sel(depth=slice(0.0, None))
     end = float(x["time"][-1])
     for ax, times, name in zip(
-        axes, (slice(0.0, 60.0), slice(end - 60.0, None)), ("as it begins", "settled"), strict=True
+        axes,
+        (slice(0.0, 60.0), slice(end - 60.0, None)),
+        ("transient", "steady state"),
+        strict=True,
     ):
         label = DISPLACEMENT if ax is axes[-1] else ""
         field(figure, ax, x.sel(time=times), "time", "depth", label, signed=size)
@@ -79,14 +85,13 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
     x = by_depth(surge_case["x"]).sel(time=slice(105.0, None))
     lines = {
         "gas law": ("-", 3.0),
-        WITHOUT: ("-", 1.2),
+        ON_PLATFORM: ("-", 1.2),
         "constant": ((0, (3, 3)), 1.4),
-        "232 t carried to the upper flex joint": ((3, (1, 5)), 1.8),
+        CARRIED: ((3, (1, 5)), 1.8),
     }
     for ax, depth in zip(axes, DEPTHS, strict=True):
-        for model in ("gas law", *BASELINES):
+        for model, label in NAMES.items():
             curve = x.sel(tensioner_model=model).dropna("depth", how="all").interp(depth=depth)
-            label = "with tensioners (gas law)" if model == "gas law" else BASELINES[model]
             line, width = lines.get(model, ("--", 1.2))
             style: dict[str, Any] = {
                 "linestyle": line,
@@ -96,9 +101,9 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
             }
             ax.plot(curve["time"], curve, **style)
     amplitude = surge["displacement_amplitude"]
-    ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=WITHOUT)
+    ratio = amplitude.sel(tensioner_model="gas law") / amplitude.sel(tensioner_model=ON_PLATFORM)
     lag = surge["displacement_lag"]
-    phase_lag = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=WITHOUT)
+    phase_lag = lag.sel(tensioner_model="gas law") - lag.sel(tensioner_model=ON_PLATFORM)
     phase_lag = 180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)
     for ax, depth in zip(axes, DEPTHS, strict=True):
         change = 100.0 * (float(ratio.sel(depth=depth)) - 1.0)
@@ -138,25 +143,26 @@ def baselines(
         (180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
-        "ratio, current of 1 m/s",
-        "surge, least ratio of 4 depths",
-        "surge, least lag of 4 depths",
+        "current of 1 m/s",
+        "surge, least of 4 depths",
+        "surge, least of 4 depths",
     )
     over, less = "displacement,\nwithout / with tensioners", (1.0 - smaller, 1.0 / (1.0 - smaller))
     labels = (over, over, "lag of the riser\non tensioners (°)")
     turn = float(np.rad2deg(later))
     same = (less, less, (-turn, turn))
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
-        _samples(ax, values.sel(tensioner_model=list(BASELINES)), even)
+        _samples(ax, values.sel(tensioner_model=list(WITHOUT)), even)
         ax.axvline(0.0 if ax is axes[-1] else 1.0, color="black", lw=0.8, label="no difference")
         ax.set_xlabel(x)
         panel_title(ax, title)
-    axes[0].set_yticks(range(len(BASELINES)), list(BASELINES.values()))
-    axes[0].set_ylim(len(BASELINES) - 0.5, -0.5)
+    names = [textwrap.fill(name, LETTERS) for name in WITHOUT.values()]
+    axes[0].set_yticks(range(len(WITHOUT)), names)
+    axes[0].set_ylim(len(WITHOUT) - 0.5, -0.5)
     axes[-1].yaxis.set_label_position("right")
     axes[-1].set_ylabel("samples with the claim (%)")
     shares = [
-        (values.sel(tensioner_model=list(BASELINES)) > even[1]).mean("sample").values
+        (values.sel(tensioner_model=list(WITHOUT)) > even[1]).mean("sample").values
         for values, even in zip(compared, same, strict=True)
     ]
     least = np.min(shares, axis=0)
@@ -183,7 +189,7 @@ def _samples(ax: Axes, values: xr.DataArray, even: tuple[float, float]) -> None:
         ax.plot([low, high], [row - 0.12] * 2, color=colour, lw=2.5)
         ax.plot(middle, row - 0.12, "|", color="black", ms=9, mew=2.0)
         ax.annotate(
-            f"{100.0 * np.mean(of > even[1]):.0f} %", (0.99, row - 0.34),
+            f"{100.0 * np.mean(of > even[1]):.0f} %", (0.99, row),
             xycoords=("axes fraction", "data"), ha="right", va="center", fontsize="x-small",
         )  # fmt: skip
     ax.plot([], [], "o", color=GREY, ms=4, alpha=0.5, label="one sample")
@@ -203,7 +209,7 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
     size = float(abs(moment).max())
     parts = {
         "first 40 s": (slice(0.0, 40.0), "--"),
-        "settled, last 40 s": (slice(end - 40.0, None), "-"),
+        "steady state, last 40 s": (slice(end - 40.0, None), "-"),
     }
     for ax, shade, (name, (times, line)) in zip(
         axes, (shades(ON_TENSIONERS, 3)[0], ON_TENSIONERS), parts.items(), strict=False
@@ -221,16 +227,16 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
         aspect=40,
         label="bending moment (kN m)",
     )
-    axes[2].axvline(largest, label=f"printed, calibrated: {largest:g}", **PRINTED)
+    label = f"printed: {largest:g} kN m (centre of rotation fitted to it)"
+    axes[2].axvline(largest, label=label, **PRINTED)
     axes[2].set_xlabel("largest bending moment (kN m)")
-    panel_title(axes[2], "largest of both")
+    panel_title(axes[2], "largest over time")
     key_below(figure, axes[2], 3)
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
-    headline(
-        figure,
-        f"Moment: {size:.0f} kN m at first, {float(most.max()):.1f} kN m in steady state",
-    )
+    first, last = (float(abs(moment.sel(time=times)).max()) for times, _ in parts.values())
+    compared = "larger" if first > last else "smaller"
+    headline(figure, f"The moment is {compared} in the first 40 s than in steady state")
     return figure
 
 
@@ -243,7 +249,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
         ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g}° roll")
     ax.plot([10.0], [largest], "kx", markersize=8)
     ax.annotate(
-        f"printed for 4°, calibrated: {largest:g}", (10.0, largest), xytext=(3, 85), fontsize="small",
+        f"{largest:g} kN m, printed for 4° (fitted)", (10.0, largest), xytext=(3, 85), fontsize="small",
         textcoords="offset points",
         arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 5.0, "relpos": (0.0, 0.0)},
     )  # fmt: skip
@@ -263,8 +269,13 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     ax.set_ylim(top=1.08 * float(top.max()))
     periods = top["roll_period"]
     ax.set_xlim(float(periods.min()), float(periods.max()) + 0.5)
+    falls = bool((np.diff(top.values[peaks]) < 0.0).all())
+    count = COUNTS.get(len(peaks), str(len(peaks)))
     headline(
-        figure, f"The moment decreases with roll period, except towards {len(peaks)} resonances"
+        figure,
+        f"The moment decreases with roll period, interrupted by {count} resonances"
+        if falls
+        else f"The moment has {count} resonances over roll period",
     )
     label_ends(ax)
     return figure

@@ -80,10 +80,10 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     return figure
 
 
-def fig23(rao: xr.Dataset) -> Figure:
-    """Stress amplitude by each motion."""
+def fig23(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
+    """Stress amplitude by each motion; ``elevations``: of the centres of rotation (m)."""
     stress = rao["stress_amplitude"] / 1e6
-    figure = _by_motion(stress, "stress amplitude (MPa)")
+    figure = _by_motion(stress, "stress amplitude (MPa)", elevations)
     medium = stress.sel(platform_unit="medium")
     most = {str(dim): int(at) for dim, at in medium.argmax(...).items()}
     where = medium.isel(most)
@@ -95,10 +95,10 @@ def fig23(rao: xr.Dataset) -> Figure:
     return figure
 
 
-def fig24(rao: xr.Dataset) -> Figure:
-    """Share of each motion in the stress amplitude."""
+def fig24(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
+    """Share of each motion in the stress amplitude; ``elevations``: of the centres of rotation (m)."""
     share = 100.0 * rao["stress_share"]
-    figure = _by_motion(share, "share of the stress amplitude (%)")
+    figure = _by_motion(share, "share of the stress amplitude (%)", elevations)
     of_medium = share.sel(platform_unit="medium")
     leads = of_medium.argmax("motion") == xr.DataArray(
         range(of_medium.sizes["motion"]), dims="leader"
@@ -117,7 +117,7 @@ def fig24(rao: xr.Dataset) -> Figure:
     return figure
 
 
-def _by_motion(values: xr.DataArray, label: str) -> Figure:
+def _by_motion(values: xr.DataArray, label: str, elevations: dict[str, float]) -> Figure:
     """A line per motion for the medium unit, marks at simulated periods; bands: over the three units."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
     for ax, reference in zip(axes, values["reference"].values, strict=True):
@@ -127,9 +127,10 @@ def _by_motion(values: xr.DataArray, label: str) -> Figure:
             low, high = curve.min("platform_unit"), curve.max("platform_unit")
             ax.fill_between(low["wave_period"], low, high, color=colour, alpha=0.25, linewidth=0.0)
             ax.plot(curve["wave_period"], curve.sel(platform_unit="medium"), ".-", ms=4, lw=1.2,
-                    color=colour, label=motion)  # fmt: skip
+                    color=colour, label=motion, clip_on=False)  # fmt: skip
         ax.set_xlabel(WAVE)
-        panel_title(ax, f"centre of motion {reference}")
+        height = elevations[str(reference)]
+        panel_title(ax, f"centre of rotation {reference} ({height:g} m)")
     axes[0].set_ylabel(label)
     medium = Line2D([], [], color=GREY, marker=".", ms=4, lw=1.2)
     band = Patch(color=GREY, alpha=0.25, linewidth=0.0)
@@ -162,10 +163,10 @@ def waves(waves: xr.Dataset) -> Figure:
     calm = alone.where(alone["wave_period"] > CALM, 0.0)
     crest = float(np.argmax(calm.values)) / max(1, alone.size - 1)
     label_line(ax, without, crest, (6.0, 5.0), name="waves on the platform alone")
-    label_line(ax, on, 0.45, (10.0, 6.0), name="waves on the riser, too")
+    label_line(ax, on, 0.45, (10.0, 6.0), name="waves on platform and riser")
     ax.set_xlabel(WAVE)
     ax.set_ylabel("stress amplitude (MPa)")
-    panel_title(ax, "surge, heave and pitch at once")
+    panel_title(ax, "surge, heave and pitch together")
     ratio = stretched / alone
     most = ratio.idxmax("wave_period")
     ax.annotate(
@@ -181,7 +182,7 @@ def waves(waves: xr.Dataset) -> Figure:
     lowered = ratio["wave_period"].where(ratio <= 1.0)
     headline(
         figure,
-        f"Waves on the riser raise its stress up to {float(raised.max()):g} s, lower it beyond"
+        f"Waves on the riser raise its stress at periods up to {float(raised.max()):g} s"
         if float(raised.max()) < float(lowered.min())
         else f"Waves on the riser change its stress up to {float(ratio.max()):.0f} times",
     )
@@ -202,11 +203,11 @@ def sea(storm: xr.Dataset) -> Figure:
         middle.plot(density["frequency"][low], scale**2 * density[low], color=ON_TENSIONERS)
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
         _exceeded(right, swing)
-        right.set_ylabel("share of peaks above")
-        right.set_xlabel(f"{label.split()[0]} − mean ({unit})")
+        right.set_ylabel("share of larger peaks")
+        right.set_xlabel(f"|{label.split()[0]} − mean| ({unit})")
         short = label.split()[0]
         worst[short] = float(abs(swing).max() / swing.std())
-        panel_title(left, f"{short}, five minutes\naround its maximum")
+        panel_title(left, f"{short}, five minutes\naround its largest deviation")
         panel_title(middle, f"{short}, spectrum")
         left.set_xlabel(TIME)
         middle.set_xlabel("frequency (Hz)")
@@ -237,14 +238,15 @@ def _about_largest(ax: Axes, history: xr.DataArray, size: xr.DataArray) -> None:
 def _exceeded(ax: Axes, swing: xr.DataArray) -> None:
     """Share of peaks above the mean, and below it, that exceed a size; Rayleigh's beside them."""
     largest = 0.0
-    for line, sign, label in (("-", 1.0, "above the mean"), ("--", -1.0, "below")):
+    for line, sign, label in (("-", 1.0, "above"), ("--", -1.0, "below")):
         sizes = np.sort(peaks(sign * swing.values))
         ax.step(
-            sizes, 1.0 - np.arange(len(sizes)) / len(sizes), line, color=ON_TENSIONERS, label=label
-        )
+            sizes, 1.0 - np.arange(len(sizes)) / len(sizes), line, color=ON_TENSIONERS,
+            label=f"peaks {label} the mean",
+        )  # fmt: skip
         largest = max(largest, float(sizes[-1]))
     over = np.linspace(0.0, largest, 100)
     rayleigh = np.exp(-0.5 * (over / float(swing.std())) ** 2)
-    ax.plot(over, rayleigh, ":", color="black", label="Rayleigh")
+    ax.plot(over, rayleigh, ":", color="black", label="Rayleigh distribution")
     ax.set_yscale("log")
     ax.set_ylim(bottom=0.5 / len(sizes), top=1.5)

@@ -1,0 +1,160 @@
+"""What figures of the chapter on Liu et al. 2020 state, on drawn data."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib.colors import to_hex
+
+from riserstudy.chapters.liu2020.figures import motion, static_shapes, statics
+from riserstudy.chapters.liu2020.figures.colours import ALL, NAMES, OF_CALIBRATION, ONE, VERTICAL
+from riserstudy.figures.drawn import headline
+from riserstudy.study.read import read_studies
+
+CONFIG = Path(__file__).parents[3] / "config"
+SPEEDS = [0.2, 0.6, 1.0]
+PRINTED = (337.0, 3166.0, 8765.0)
+NODES = np.linspace(0.0, 557.0, 120)  # the telescopic joint above 533 m
+
+
+def moments(draw):
+    """Moments that decay from the ring, those of a vertical force by far the largest (N m)."""
+    axes = {
+        "calibration": [ALL, ONE],
+        "tensioner_model": list(NAMES),
+        "surface_speed": SPEEDS,
+        "s_node": NODES,
+    }
+    at_ring = draw.uniform(5e3, 60e3, (2, len(NAMES), 1, 1))
+    at_ring[:, list(NAMES).index(VERTICAL)] *= draw.uniform(4.0, 30.0)
+    depth = np.maximum(533.0 - NODES, 0.0)
+    decay = np.exp(-depth / draw.uniform(20.0, 80.0))
+    lower = draw.uniform(0.0, 1e4) * np.exp(-NODES / 10.0)
+    speed = np.square(SPEEDS)[:, None]
+    return xr.DataArray(speed * (lower - at_ring * decay), axes, tuple(axes))
+
+
+def tuned(draw, curves):
+    """What is derived from static runs, as far as figures read it."""
+    on_riser = curves.sel(s_node=curves["s_node"] <= 533.0)
+    force = xr.DataArray(
+        draw.uniform(100.0, 9e3, (2, 2, 3)),
+        {
+            "calibration": [ALL, ONE],
+            "counted": ["all cylinders", "one cylinder"],
+            "surface_speed": SPEEDS,
+        },
+        ("calibration", "counted", "surface_speed"),
+    )
+    largest = abs(on_riser).max("s_node")
+    return xr.Dataset({"largest_bending_moment_near_ring": largest, "horizontal_force": force})
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_curve_that_leaves_a_panel_has_its_moment_at_the_ring_where_it_leaves(seed):
+    draw = np.random.default_rng(seed)
+    curves = moments(draw)
+    runs = xr.Dataset({"bending_moment_static": curves})
+    figure = static_shapes.fig12(runs, tuned(draw, curves), *PRINTED)
+    for ax in figure.axes:
+        edge, right = ax.get_xlim()
+        said = {t.get_text(): t.xy for t in ax.texts if "at the ring" in t.get_text()}
+        leaving = 0
+        for line in ax.get_lines():
+            values, depth = line.get_data()
+            assert values.max() < right
+            if values.min() > edge:
+                continue
+            leaving += 1
+            at_ring = f"{values[np.argmin(depth)]:.0f}".replace("-", "−")
+            (place,) = [
+                xy for text, xy in said.items() if re.search(rf"(^|: ){at_ring} kN m", text)
+            ]
+            # there the curve crosses the edge
+            assert np.interp(place[1], depth[::-1], values[::-1]) == pytest.approx(edge, rel=1e-9)
+            assert "vertical force" in str(line.get_label())
+        assert len(said) == leaving
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_title_of_the_currents_is_that_of_their_depths(seed):
+    draw = np.random.default_rng(seed)
+    scales = dict(zip([ALL, ONE], draw.uniform(20.0, 300.0, 2), strict=True))
+    depth = np.linspace(0.0, 533.0, 1067)
+    shapes = {name: np.exp(-depth / 100.0) for name in statics.OF_PROFILE}
+    shapes |= {f"calibrated: {name}": np.exp(-depth / scale) for name, scale in scales.items()}
+    share = xr.DataArray(
+        list(shapes.values()),
+        {"current_profile": list(shapes), "depth": depth},
+        ("current_profile", "depth"),
+    )
+    title = headline(statics.fig09(xr.Dataset({"current_share": share})))
+    apart = max(scales.values()) / min(scales.values())
+    if abs(apart - 2.0) > 0.1:
+        assert ("a shallow and a deep one" in title) == (apart > 2.0)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_moment_is_said_to_decrease_with_period_where_its_resonances_do(seed):
+    draw = np.random.default_rng(seed)
+    periods = np.arange(5.0, 20.01, 0.25)
+    count = int(draw.integers(2, 6))
+    at = np.linspace(6.0, 18.0, count)
+    heights = draw.uniform(20e3, 100e3, count)
+    if seed % 2:
+        heights = np.sort(heights)[::-1]
+    curve = 1e3 + sum(
+        h * np.exp(-(((periods - t) / 0.6) ** 2)) for h, t in zip(heights, at, strict=True)
+    )
+    roll = xr.DataArray(
+        [0.5 * curve, curve],
+        {"roll_amplitude": [2.0, 4.0], "roll_period": periods},
+        ("roll_amplitude", "roll_period"),
+    )
+    title = headline(motion.fig20(xr.Dataset({"largest_bending_moment": roll}), 32.8))
+    assert f"{motion.COUNTS[count]} resonances" in title
+    assert ("decreases" in title) == bool((np.diff(heights) < 0.0).all())
+
+
+@pytest.mark.parametrize("ratio", [0.5, 0.9, 1.1, 2.0])
+def test_the_moment_of_the_start_is_compared_with_that_of_the_steady_state(ratio):
+    time, s = np.arange(0.0, 200.1, 0.5), np.linspace(0.0, 533.0, 40)
+    size = np.where(time < 100.0, ratio, 1.0)
+    values = 1e4 * size[:, None] * np.cos(0.6 * time)[:, None] * np.sin(np.pi * s / 533.0)
+    run = xr.DataArray(
+        values[None],
+        {"tensioner_model": ["gas law"], "time": time, "s": s},
+        ("tensioner_model", "time", "s"),
+    )
+    title = headline(motion.fig19(xr.Dataset({"bending_moment": run}), 32.8))
+    assert ("larger" in title) == (ratio > 1.0)
+    assert ("smaller" in title) == (ratio < 1.0)
+
+
+def test_elevations_in_titles_are_those_of_the_scenes():
+    file = read_studies(CONFIG, "liu2020")
+    found = {name: of["platform.centre_of_rotation.elevation"] for name, of in file.readings[
+        "reference"
+    ].items() if of}  # fmt: skip
+    scene = file.schematics["fig01"].file(CONFIG).resolved()
+    found["at the sea surface"] = f"{scene.platform.centre_of_rotation.elevation:g} m"
+    for name in ("fig23", "fig24"):
+        said = file.figures[name].settings["elevations"]
+        assert {key: f"{value:g} m" for key, value in said.items()} == found
+
+
+def test_depths_and_drag_in_names_of_fitted_currents_are_those_of_the_study():
+    study = read_studies(CONFIG, "liu2020").studies["statics_calibrated"]
+    base, other = study.set, study.axes["calibration"][ONE]
+    scales = {ALL: base["current.profile"]["scale"], ONE: other["current.profile.scale"]}
+    drags = {
+        ALL: base["riser[0].drag.coefficient"],
+        ONE: other["riser[0].drag.coefficient"]["calibrated"],
+    }
+    for name in (ALL, ONE):
+        depth, drag = scales[name], drags[name]
+        assert statics.FITTED[name].startswith(f"{depth}, drag coefficient {drag},")
+        assert f"{depth} exponential, drag coefficient {drag}" in static_shapes.CALIBRATIONS[name]
+        assert to_hex(OF_CALIBRATION[name]) == statics.OF_PROFILE[f"exponential {depth}"]

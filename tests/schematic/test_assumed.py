@@ -1,0 +1,55 @@
+"""Labels of a schematic mark the values that the scene assumes, and no others."""
+
+import random
+from pathlib import Path
+
+import pytest
+from matplotlib.text import Annotation
+
+from riserstudy.jobs.figure import from_scene
+from riserstudy.scene.load import load_scene
+from riserstudy.schematic import schematic
+
+CONFIG = Path(__file__).parents[2] / "config"
+SYSTEM = CONFIG / "scenes/liu2020/system.yaml"
+PROFILE = {"shape": "power", "power": 1, "surface_speed": "1 m/s"}
+#: paths of values, and the words of their labels with the mark
+MARKED = {
+    "riser[0].length": "riser: 533 m*",
+    "water.surface": "mean water level, 533.5 m*",
+    "water.seabed": "seabed, 0 m*",
+    "current.profile": "up to 1 m/s (profile assumed)",
+    "top.telescopic_joint.length": "telescopic joint: 24 m*",
+    "top.tensioners.count": "6 cylinders*",
+    "top.tensioners.arrangement.ring_radius": "ring, radius 1 m*",
+    "top.tensioners.arrangement.deck_radius": "deck points, radius 2.5 m*",
+    "platform.centre_of_rotation.elevation": "centre of rotation, 533.5 m*",
+}
+
+
+def words(figure):
+    """All that a schematic says."""
+    texts = [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation)]
+    said = [*(t.get_text() for t in texts), *(t.get_text() for t in figure.texts)]
+    return " ".join(" ".join(said).replace("\u00a0", " ").split())
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_label_is_marked_where_its_value_is_assumed(seed):
+    draw = random.Random(seed)
+    assumed = frozenset(path for path in MARKED if draw.random() < 0.5)
+    pitching = {"platform.pitch": {"amplitude": "4 deg", "period": "10 s"}}
+    scene = load_scene(SYSTEM, **{"current.profile": PROFILE, **pitching}).resolved()
+    said = words(schematic(scene, assumed=assumed))
+    for path, text in MARKED.items():
+        assert (text in said) == (path in assumed), path
+        assert text.replace("*", "").replace(" (profile assumed)", "") in said.replace("*", "")
+    marks = len(assumed - {"current.profile"})
+    assert said.count("*") == marks + (marks > 0)  # each, and the note below
+    assert ("assumed length" in said) == (marks > 0)
+
+
+def test_a_drawing_of_a_study_marks_what_its_scene_and_what_is_set_assume():
+    said = words(from_scene(CONFIG, "liu2020", "fig01"))
+    for path, text in MARKED.items():
+        assert (text in said) == (path != "riser[0].length"), path
