@@ -26,7 +26,7 @@ from riserstudy.chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
 from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import (
     COLOURS,
-    PRINTED,
+    GREY,
     headline,
     key_below,
     legend_below,
@@ -35,13 +35,16 @@ from riserstudy.figures.style import (
 )
 
 viridis = colormaps["viridis"]
+#: of the beam, and of lumped masses on it
+WIDE: dict[str, Any] = {"color": COLOURS[5], "linewidth": 3.2}
+DASHED: dict[str, Any] = {"color": "#003a5d", "linewidth": 1.2, "linestyle": (0, (4, 3))}
 GRID_TIME = 80.0  # s, of the runs of the grid test
 #: what the buoyant factor may mean
 READINGS = {
     "R1": "the share of the weight in air that the blocks carry",
     "R2": "the share of the weight in air that is left",
-    "R3": "the share that is left, the tension ratio being to the weight without blocks",
-    "R4": "the share that the blocks carry, the tension ratio being to the weight without blocks",
+    "R3": "the share that is left; tension ratio of the weight without blocks",
+    "R4": "the share that the blocks carry; tension ratio of the weight without blocks",
 }
 
 
@@ -49,10 +52,10 @@ READINGS = {
 STATED = (
     "B5: deflection is largest mid-riser",
     "B6: stress and angle peak near the ends",
-    "B7: vibration falls with length",
-    "B8: stress falls with length",
-    "B9: deflection grows with length",
-    "B10: angle grows with length",
+    "B7: vibration decreases with length",
+    "B8: stress decreases with length",
+    "B9: deflection increases with length",
+    "B10: angle increases with length",
 )
 
 
@@ -88,11 +91,12 @@ def readings(reading_trends: xr.Dataset) -> Figure:
             for name, *_ in fields
         )
     ]
+    all_three = "all three results increase, as claimed"
     headline(
         figure,
-        f"Only interpretation {raised[0]} raises all three results, as claimed"
+        f"Only with interpretation {raised[0]} do {all_three}"
         if len(raised) == 1
-        else f"Interpretations that raise all three results, as claimed: {', '.join(raised) or 'none'}",
+        else f"Interpretations with which {all_three}: {', '.join(raised) or 'none'}",
     )
     for ax in axes:
         label_ends(ax, names=list(READINGS))
@@ -119,18 +123,18 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
         ax.margins(0.15)
         ax.set_xticks(here["tide"].values, [f"{tide:g}" for tide in here["tide"].values])
         ax.set_yticks(here["wave_height"].values)
-        panel_title(ax, f"joints: {joints}")
+        panel_title(ax, f"joint stiffness: {joints}")
         ax.set_xlabel("surface speed of the tide (m/s)")
         ax.set_ylabel("wave height (m)")
     shares = _shares(axes[3], claims(open_trends, change))
     marks: dict[str, Any] = {"ls": "none", "mec": "none", "ms": 9}
     key = {text: Line2D([], [], ls="none") for text in STATED}
     key["all six hold"] = Line2D([], [], marker="o", mfc=COLOURS[2], **marks)
-    key["those that do not hold"] = Line2D([], [], marker="s", mfc="0.9", **marks)
+    key["claims that do not hold"] = Line2D([], [], marker="s", mfc="0.9", **marks)
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"The six claims hold together at {100 * float(held.all('claim').mean()):.0f} % of points, "
+        f"The six claims hold together at {100 * float(held.all('claim').mean()):.0f} % of grid points, "
         f"{100 * shares['all six']:.0f} % of samples",
     )
     return figure
@@ -160,10 +164,11 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
         COLOURS[1:], (("bending_moment", "bending moment"), ("x", "deflection")), strict=False
     ):
         ax.loglog(largest, 100.0 * apart[name], "o-", color=colour, label=label)
-    ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, **PRINTED,
+    ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, ":", color=GREY,
               label="square of the deflection")  # fmt: skip
     ax.set_xticks(largest.values, [f"{value:.2g}" for value in largest.values])
     ax.minorticks_off()
+    panel_title(ax, "riser of the paper, 2000 m; one mark per tide")
     ax.set_xlabel("largest deflection (m)")
     ax.set_ylabel("difference / largest value (%)")
     ax.yaxis.set_major_formatter("{x:g}")
@@ -172,7 +177,7 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
     far = {name: 100.0 * float(apart[name].max()) for name in ("x", "bending_moment")}
     headline(
         figure,
-        f"Deflections of both models agree to {far['x']:.2g} %, moments only to "
+        f"Deflections by lumped masses and beam agree to {far['x']:.2g} %, moments to "
         f"{far['bending_moment']:.0f} %",
     )
     return figure
@@ -198,7 +203,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     left.xaxis.set_minor_locator(NullLocator())
     left.yaxis.set_major_formatter("{x:g}")
     left.set_xlabel("length of the elements (m)")
-    left.set_ylabel("error against the finest grid (%)")
+    left.set_ylabel("error of deflection or moment,\nthe larger (%)")
     step = float(
         own_setting["time_step"].min()
     )  # the paper's own, or the nearest to it at this tier
@@ -239,14 +244,15 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
             api2j_surge["s_node"], low, high, color="0.88", linewidth=0,
             label="range over all assumed surges",
         )  # fmt: skip
-        wide = {"color": COLOURS[0], "linewidth": 2.6}
-        for solver, style in ((LUMPED, wide), (BEAM, PRINTED)):
+        for solver, style in ((BEAM, WIDE), (LUMPED, DASHED)):
             run = api2j.sel(solver=solver)
             for side in ("min", "max"):
                 word = f"smallest and largest, {solver}" if side == "min" else None
                 ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
         ax.set_xlabel(label)
         ax.set_ylabel(HEIGHT)
+    panel_title(axes[0], "riser of API Bulletin 2J")
+    panel_title(axes[2], "largest along the riser")
     both = api2j[["x", "bending_moment"]]
     apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
     largest = abs(both.sel(solver=BEAM)).max(("time", "s"))
@@ -255,12 +261,12 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
     ):
         axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
     axes[2].set_xlabel(TIME)
-    axes[2].set_ylabel("solvers' difference / largest value (%)")
+    axes[2].set_ylabel("difference / largest value (%)")
     axes[2].set_ylim(0.0, 1.15 * axes[2].get_ylim()[1])
     key_below(figure, axes[0], 3)
     headline(
         figure,
-        "Both solvers agree to "
+        "Lumped masses and beam agree to "
         f"{float((apart['bending_moment'] / largest['bending_moment']).max()):.2%} of the moment, "
         f"{float((apart['x'] / largest['x']).max()):.2%} of the displacement".replace("%", " %"),
     )

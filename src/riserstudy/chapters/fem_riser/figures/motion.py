@@ -27,7 +27,7 @@ from riserstudy.chapters.fem_riser.claims import (
     reciprocates,
     settling_time,
 )
-from riserstudy.chapters.fem_riser.figures.shared import BLACK, BLUE, DEFLECTION, HEIGHT, TIME
+from riserstudy.chapters.fem_riser.figures.shared import BLUE, DEFLECTION, HEIGHT, TIME
 from riserstudy.chapters.fem_riser.figures.trends import envelopes
 from riserstudy.figures.direct import label_ends, named
 from riserstudy.figures.style import (
@@ -48,6 +48,7 @@ LAST = ListedColormap(colormaps["Reds"](np.linspace(0.5, 0.9, 256)))  # of time,
 OTHER: dict[str, Any] = {
     "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
 }  # fmt: skip
+MEAN: dict[str, Any] = {"color": "0.6", "linewidth": 5.0, "zorder": 1.0}
 viridis = colormaps["viridis"]  # of heights along the riser
 plasma = colormaps["plasma"]  # of tides
 
@@ -95,23 +96,19 @@ def fig04(motion: xr.Dataset) -> Figure:
     for k, (start, end) in enumerate(WINDOWS):
         window = x.sel(time=slice(start, end))
         last = other.sel(time=end, method="nearest")
+        if k == 2:
+            _mean(axes[5], motion)
         _profiles(figure, axes[k], window, last, LAST if k == 2 else PHASE)
         panel_title(axes[k], f"profiles in {start:g} to {end:g} s")
         axes[k].set_ylim(0.0, float(x["s"][-1]))
         _histories(axes[k + 3], window, last_window=k == 2)
     axes[0].set_ylabel(HEIGHT)
-    slow = 100.0 * averaged(middle(motion))
-    final = float(slow.isel(time=-1))
-    slow = slow.sel(time=slice(WINDOWS[2][0], None)) - final
     height = float(x["s"][x.sizes["s"] // 2])
-    mean: dict[str, Any] = {"color": BLACK, "linewidth": 2.0, "linestyle": (0, (2.0, 1.5))}
-    axes[5].plot(slow["time"], slow, **mean)
-    axes[5].axhspan(-SETTLED * abs(final), SETTLED * abs(final), color="0.9", zorder=0)
     settled = float(settling_time(motion, SETTLED))
     key = {
         "(a–c) lumped masses, last profile": Line2D([], [], **OTHER),
-        f"(f) mean over a wave at mid-length, {height:g} m": Line2D([], [], **mean),
-        f"(f) within {100 * SETTLED:g} % of its last value": Patch(color="0.9"),
+        f"(f) mean over a wave at mid-length, {height:g} m": Line2D([], [], **MEAN),
+        f"(f) within {100 * SETTLED:g} % of its last value": Patch(color="0.92"),
     }
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
@@ -121,6 +118,15 @@ def fig04(motion: xr.Dataset) -> Figure:
     for ax in axes[3:]:
         label_ends(ax, named(ax), size="x-small")
     return figure
+
+
+def _mean(ax: Axes, motion: xr.Dataset) -> None:
+    """The mean over a wave at mid-length, less its last value (cm), below the lines of single heights."""
+    slow = 100.0 * averaged(middle(motion))
+    final = float(slow.isel(time=-1))
+    slow = slow.sel(time=slice(WINDOWS[2][0], None)) - final
+    ax.plot(slow["time"], slow, **MEAN)
+    ax.axhspan(-SETTLED * abs(final), SETTLED * abs(final), color="0.92", zorder=0)
 
 
 def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
@@ -135,7 +141,7 @@ def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
     ax.set_xlabel(TIME)
     ax.set_ylabel("change to the last mean (cm)" if last_window else DEFLECTION)
     ax.margins(y=0.1)  # room for names
-    panel_title(ax, "histories")
+    panel_title(ax, "histories at heights s")
 
 
 def _profiles(
@@ -153,7 +159,9 @@ def _profiles(
 
 def fig05(settled: xr.Dataset) -> Figure:
     """The base case."""
-    figure = envelopes({"2000 m, ratio 1.3, factor 0.7 (assumed)": settled}, (BLUE,))
+    figure = envelopes(
+        {"2000 m, tension ratio 1.3, buoyant factor 0.7 (assumed)": settled}, (BLUE,)
+    )
     measured = measures(settled.sel(solver=BEAM))
     place = float(measured["deflection_place"])
     ends = [
@@ -170,7 +178,7 @@ def fig05(settled: xr.Dataset) -> Figure:
 
 
 def tides(tides: xr.Dataset) -> Figure:
-    """Mid-length over time and the tide; how far it swings back, and when it settles."""
+    """Mid-length over time and the tide; how far it reverses, and when it is steady."""
     figure, axes = panels(1, 3, 3.6)
     slow = averaged(middle(tides))
     values = tides["tide"].values
@@ -185,12 +193,12 @@ def tides(tides: xr.Dataset) -> Figure:
         xytext=(-3, 3), textcoords="offset points", ha="right", va="bottom", fontsize="small",
     )  # fmt: skip
     axes[0].axhspan(
-        1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"settled: within {100 * SETTLED:g} %"
+        1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"steady: within {100 * SETTLED:g} %"
     )
     axes[0].set_xlabel(TIME)
-    axes[0].set_ylabel("mid-length / its last mean")
+    axes[0].set_ylabel("deflection at mid-length /\nits last mean")
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
-    axes[1].set_ylabel("swing back / last mean (%)")
+    axes[1].set_ylabel("reversal / last mean (%)")
     for ax, found in ((axes[1], back), (axes[2], time)):
         ax.plot(values, found, "-", color=GREY, linewidth=0.9)
         for colour, tide, value in zip(shades, values, found.values, strict=True):
@@ -200,14 +208,14 @@ def tides(tides: xr.Dataset) -> Figure:
         f"printed: {printed:g} s", (0.02, printed), xycoords=("axes fraction", "data"),
         xytext=(0, 3), textcoords="offset points", fontsize="small",
     )  # fmt: skip
-    axes[2].set_ylabel("settling time (s)")
+    axes[2].set_ylabel("time to steady state (s)")
     for ax in axes[1:]:
-        ax.set_xlabel("surface speed of the tide (m/s)")
+        ax.set_xlabel("tide speed (m/s)")
         ax.set_ylim(bottom=-0.04 * ax.get_ylim()[1])  # so that marks at zero are whole
     nearest = float(abs(time - PHASES["second"][1]).idxmin("tide"))
     headline(
         figure,
-        f"The tide sets the settling time: {float(time.sel(tide=nearest)):.0f} s at {nearest:g} m/s",
+        f"The tide sets the time to steady state: {float(time.sel(tide=nearest)):.0f} s at {nearest:g} m/s",
     )
     key_below(figure, axes[0], 4)
     return figure

@@ -43,9 +43,11 @@ from riserstudy.figures.style import (
 )
 
 PALE = "#d0d0d0"  # of a range
+FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "vibration amplitude,\ndrift (m)"
 SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leaves
 DRIFTS = 10.0 * SEEN  # m, the least largest drift that is shown; others change sign
+ABOUT = 0.1  # share by which a ratio differs from the one that a title names
 
 
 def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
@@ -54,10 +56,12 @@ def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Datas
     cases = {f"riser of {float(of['s_node'][-1]):g} m": of for of in runs}
     figure = envelopes(cases, (BLUE, BLACK, RED))
     changed = _ratios(length_500, length_1500)
+    longer = float(length_1500["s_node"][-1] / length_500["s_node"][-1])
+    deflection, vibration = (_multiplies(changed[of]) for of in ("deflection", "vibration"))
     headline(
         figure,
-        f"Tripling the length gives {changed['deflection']:.1f} times the deflection, "
-        f"{changed['vibration']:.1f} times the vibration",
+        f"{_multiplies(longer, 'ing').capitalize()} the length {deflection} the deflection "
+        f"and {vibration} the vibration",
     )
     return figure
 
@@ -66,7 +70,7 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
     """Three top tension ratios; red as the text has it, the base case blue as in Figs 5 and 8."""
     cases = _each(tension_ratio, "tension_ratio", "top tension ratio")
     figure = envelopes(cases, (BLACK, BLUE, RED))
-    headline(figure, "More top tension lowers deflection, stress and angle")
+    headline(figure, f"More top tension {_changes(tension_ratio, 'tension_ratio')}")
     return figure
 
 
@@ -74,8 +78,38 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
     """Three buoyant factors; black as the text has it, the base case blue as in Figs 5 and 7."""
     cases = _each(buoyant_factor, "buoyant_factor", "buoyant factor")
     figure = envelopes(cases, (RED, BLUE, BLACK))
-    headline(figure, "A higher buoyant factor raises deflection, stress and angle")
+    headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
+    most = float(buoyant_factor["buoyant_factor"].max())
+    figure.axes[1].annotate(
+        f"{most:g}, lumped\nmasses: top\nlower in\nthe wave", (0.03, 0.72), xycoords="axes fraction",
+        va="top", fontsize="x-small",
+    )  # fmt: skip
     return figure
+
+
+def _multiplies(ratio: float, ending: str = "s") -> str:
+    """A ratio as a verb, within a tenth of a simple one: halves, tripling."""
+    for simple, stem in ((0.5, "halv"), (2.0, "doubl"), (3.0, "tripl")):
+        if abs(ratio / simple - 1.0) < ABOUT:
+            return stem + {"s": "es", "ing": "ing"}[ending]
+    return f"multipl{'ies' if ending == 's' else 'ying'} by {ratio:.2g}"
+
+
+def _changes(runs: xr.Dataset, axis: str) -> str:
+    """What decreases and what increases throughout along an axis, by the paper's beam."""
+    found = measures(runs.sel(solver=BEAM)).sortby(axis)
+    ways: dict[str, list[str]] = {"decreases": [], "increases": []}
+    for name in ("deflection", "stress", "angle", "vibration"):
+        steps = found[name].diff(axis)
+        for word, sign in (("decreases", -1.0), ("increases", 1.0)):
+            if bool((sign * steps > 0.0).all()):
+                ways[word].append(name)
+    said = [f"{word} {_listed(names)}" for word, names in ways.items() if names]
+    return ", and ".join(said) or "changes no result throughout"
+
+
+def _listed(names: list[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
 
 
 def _ratios(first: xr.Dataset, last: xr.Dataset) -> dict[str, float]:
@@ -121,16 +155,18 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
         ax.set_xlabel(label)
     _frame(axes, max(float(runs["s_node"][-1]) for runs in cases.values()))
     known: dict[str, Any] = {
-        name: Patch(facecolor=to_rgba(colour, 0.35), edgecolor=colour)
+        name: Patch(facecolor=to_rgba(colour, FILL), edgecolor=colour)
         for name, colour in zip(cases, colours, strict=False)
     }
     known |= {
         "(a–c) range in 261 to 300 s, beam": Patch(facecolor=PALE, edgecolor=GREY),
         "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
-        "lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
-        "(d) drift, removed from (a)": Line2D([], [], color=GREY, linewidth=1.2, linestyle=":"),
+        "(a–d) lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
+        f"(d) drift above {100.0 * DRIFTS:g} cm, removed from (a)": Line2D(
+            [], [], color=GREY, linewidth=1.2, linestyle=":"
+        ),
     }
-    legend_below(figure, [*known.values()], [*known], 4)
+    legend_below(figure, [*known.values()], [*known], 3)
     return figure
 
 
@@ -161,7 +197,7 @@ def _envelope(
 ) -> None:
     """Range along the riser: filled within its outline, or the outline alone, dashed."""
     if filled:
-        ax.fill_betweenx(s, low, high, color=colour, alpha=0.35, linewidth=0)
+        ax.fill_betweenx(s, low, high, color=colour, alpha=FILL, linewidth=0)  # below all outlines
     style: dict[str, Any] = {"linewidth": 0.6} if filled else {"linewidth": 0.8, "linestyle": "--"}
     around = np.concatenate([low.values, high.values[::-1], low.values[:1]])
     heights = np.concatenate([s.values, s.values[::-1], s.values[:1]])

@@ -1,0 +1,34 @@
+"""Titles of the figures of trends state what the runs show."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from riserstudy.chapters.fem_riser.figures import trends
+
+NAMES = ("deflection", "stress", "angle", "vibration")
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_result_is_said_to_change_one_way_where_every_step_does(seed, monkeypatch):
+    draw = np.random.default_rng(seed)
+    values = {name: draw.uniform(1.0, 2.0, 3) for name in NAMES}
+    found = xr.Dataset({n: ("ratio", v) for n, v in values.items()}, {"ratio": [1.1, 1.3, 1.5]})
+    order = draw.permutation(3)  # cases in any order
+    monkeypatch.setattr(trends, "measures", lambda runs: found.isel(ratio=order))
+    said = trends._changes(xr.Dataset(coords={"solver": [trends.BEAM]}), "ratio")
+    less, _, more = said.partition("increases")
+    for name, (first, middle, last) in values.items():
+        assert (name in more) == (first < middle < last)
+        assert (name in less) == (first > middle > last)
+
+
+@pytest.mark.parametrize("ratio, word", [(3.14, "triples"), (0.49, "halves"), (2.05, "doubles")])
+def test_a_ratio_near_a_simple_one_is_a_verb(ratio, word):
+    assert trends._multiplies(ratio) == word
+
+
+@pytest.mark.parametrize("ratio", [0.4, 0.7, 1.0, 1.5, 2.5, 3.5, 10.0])
+def test_any_other_ratio_keeps_its_number(ratio):
+    assert trends._multiplies(ratio) == f"multiplies by {ratio:.2g}"
+    assert trends._multiplies(ratio, "ing") == f"multiplying by {ratio:.2g}"
