@@ -47,6 +47,7 @@ FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "vibration amplitude,\ndrift (m)"
 SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leaves
 DRIFTS = 10.0 * SEEN  # m, the least largest drift that is shown; others change sign
+SIMPLE = {0.5: ("halves", "halving"), 2.0: ("doubles", "doubling"), 3.0: ("triples", "tripling")}
 ABOUT = 0.1  # share by which a ratio differs from the one that a title names
 
 
@@ -89,10 +90,10 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
 
 def _multiplies(ratio: float, ending: str = "s") -> str:
     """A ratio as a verb, within a tenth of a simple one: halves, tripling."""
-    for simple, stem in ((0.5, "halv"), (2.0, "doubl"), (3.0, "tripl")):
+    for simple, verbs in SIMPLE.items():
         if abs(ratio / simple - 1.0) < ABOUT:
-            return stem + {"s": "es", "ing": "ing"}[ending]
-    return f"multipl{'ies' if ending == 's' else 'ying'} by {ratio:.2g}"
+            return verbs[ending == "ing"]
+    return f"{'multiplying' if ending == 'ing' else 'multiplies'} by {ratio:.2g}"
 
 
 def _changes(runs: xr.Dataset, axis: str) -> str:
@@ -158,13 +159,12 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
         name: Patch(facecolor=to_rgba(colour, FILL), edgecolor=colour)
         for name, colour in zip(cases, colours, strict=False)
     }
+    dotted = Line2D([], [], color=GREY, linewidth=1.2, linestyle=":")
     known |= {
         "(a–c) range in 261 to 300 s, beam": Patch(facecolor=PALE, edgecolor=GREY),
         "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
         "(a–d) lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
-        f"(d) drift above {100.0 * DRIFTS:g} cm, removed from (a)": Line2D(
-            [], [], color=GREY, linewidth=1.2, linestyle=":"
-        ),
+        f"(d) drift above {100.0 * DRIFTS:g} cm, removed from (a)": dotted,
     }
     legend_below(figure, [*known.values()], [*known], 3)
     return figure
