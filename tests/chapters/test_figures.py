@@ -278,7 +278,7 @@ def test_the_shares_of_samples_are_those_on_the_side_of_the_claim():
     readings = datasets_of("liu2020")["statics_readings"]["largest_displacement"]
     moved = readings.sel(surface_speed=1.0)
     further = moved > moved.sel(tensioner_model="gas law")
-    rows = [label.get_text() for label in figure.axes[0].get_yticklabels()]
+    rows = [t.get_text().replace("\n", " ") for t in figure.axes[0].get_yticklabels()]
     said = [text.get_text() for text in figure.axes[0].texts]
     name = "vertical force at the ring"
     share = 100.0 * float(further.sel(tensioner_model=name).mean())

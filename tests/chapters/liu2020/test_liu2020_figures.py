@@ -156,5 +156,5 @@ def test_depths_and_drag_in_names_of_fitted_currents_are_those_of_the_study():
     for name in (ALL, ONE):
         depth, drag = scales[name], drags[name]
         assert statics.FITTED[name].startswith(f"{depth}, drag coefficient {drag},")
-        assert f"{depth} exponential, drag coefficient {drag}" in static_shapes.CALIBRATIONS[name]
+        assert f"exponential {depth}, drag coefficient {drag}" in static_shapes.CALIBRATIONS[name]
         assert to_hex(OF_CALIBRATION[name]) == statics.OF_PROFILE[f"exponential {depth}"]

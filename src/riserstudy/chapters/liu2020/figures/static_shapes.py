@@ -35,8 +35,8 @@ LINES: dict[str, Any] = {
 }
 #: currents and drag so that the cylinders push back with 8765 N, and what they are
 CALIBRATIONS = {
-    ALL: "calibrated: 50 m exponential, drag coefficient 0.7",
-    ONE: "calibrated: 200 m exponential, drag coefficient 1.112",
+    ALL: "calibrated: exponential 50 m, drag coefficient 0.7",
+    ONE: "calibrated: exponential 200 m, drag coefficient 1.112",
 }
 
 
