@@ -1,4 +1,4 @@
-r"""A platform that floats freely: the riser's top node with the mass of a ship, and a loose one for its yaw.
+r"""A platform that floats freely: the riser's top node with the mass of a ship, and a node for its yaw.
 
 .. math::
 
