@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
@@ -76,7 +77,7 @@ def changes(effects: xr.Dataset) -> Table:
         for change in of["change"].values:
             one = of.sel(change=change)
             values = [float(abs(one[name])) for name in CHANGES]
-            sentences = str(one["message"].values)
+            sentences = re.sub(r" with (with(?:out)?) ", r" \1 ", str(one["message"].values))
             if not sentences and np.isnan(values).all():
                 continue
             time = float(one["time_change"])
