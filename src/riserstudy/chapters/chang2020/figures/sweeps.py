@@ -129,6 +129,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
             _counted(index.sel(sample=of_ramp), grows.sel(sample=of_ramp)),
             (0.03, 0.96), xycoords="axes fraction", va="top", fontsize="small",
         )  # fmt: skip
+        _near_one(ax)
         ax.axhline(1.0, color=GREY, linewidth=0.8)
         panel_title(ax, title)
         ax.set_xlabel(AMPLITUDE)
@@ -143,6 +144,16 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
         f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples",
     )
     return figure
+
+
+def _near_one(ax: Axes) -> None:
+    """Small amplitudes, at which most decreases are, enlarged where the panel is empty."""
+    inset = ax.inset_axes((0.12, 0.52, 0.32, 0.28), xlim=(0.4, 1.05 * LOW), ylim=(0.975, 1.035))
+    inset.axhline(1.0, color=GREY, linewidth=0.8)
+    for line in ax.lines:
+        inset.plot(*line.get_data(), color=line.get_color(), lw=line.get_linewidth())
+    inset.tick_params(labelsize="x-small")
+    ax.indicate_inset_zoom(inset, edgecolor=GREY)
 
 
 def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
