@@ -166,6 +166,28 @@ def test_a_platform_is_free_in_the_directions_that_are_simulated(heading, ways):
     assert ("three dimensions" in said) == ("sway" in ways)
 
 
+@pytest.mark.parametrize("ratio", [1.1, 1.3, 1.5])
+def test_a_tension_by_a_buoyant_factor_names_its_ratio_to_the_weight_it_carries(ratio):
+    path = CONFIG / "scenes/fem_riser/base.yaml"
+    scene = load_scene(path, **{"buoyancy.tension_ratio": ratio}).resolved()
+    said = words(schematic(scene))
+    assert f"{ratio} times the weight in water of riser and contents" in said
+    weight = float(re.search(r"([\d.]+) kN/m in water with contents of 1200 kg/m³", said)[1])
+    tension = float(re.search(r"tension ([\d.]+) MN", said)[1])
+    assert tension == pytest.approx(1e-3 * ratio * weight * 2000.0, rel=1e-3)
+
+
+@pytest.mark.parametrize("paper", ["fem_riser", "liu2017"])
+def test_water_reaches_the_surface_of_the_wave(paper):
+    """The wave is highest above the riser, where the upper end is drawn."""
+    scene = read_studies(CONFIG, paper).schematics["fig01"].file(CONFIG).resolved()
+    upper = drawn(paper, "fig01").axes[1]
+    water = max(upper.collections, key=lambda part: part.get_datalim(upper.transData).width)
+    (area,) = water.get_paths()
+    crest = scene.water.surface + 0.5 * scene.wave.height
+    assert area.vertices[:, 1].max() == pytest.approx(crest, abs=1e-3)
+
+
 def test_parts_lie_where_the_scene_puts_them():
     """Conductor, LMRP and BOP, riser and telescopic joint one above the other, counted from the wellhead."""
     scene = load_scene(CONFIG / "scenes/liu2017/ref_0.yaml").resolved()

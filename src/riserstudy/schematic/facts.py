@@ -50,10 +50,10 @@ def sentence(parts: Iterable[str]) -> str:
     return ", ".join(part for part in parts if part)
 
 
-def section_text(section: Section, wet: bool, mark: str = "") -> str:
+def section_text(section: Section, wet: bool, mark: str = "", gravity: float | None = None) -> str:
     """Name, size, stiffness, mass and weight of a section, and what is in and around it.
 
-    ``mark`` stands at the length.
+    ``mark`` stands at the length. ``gravity`` (m/s2): by it contents weigh; absent: their weight is left out.
     """
     size = metres(section.total_length) + mark
     if is_spring(section) and section.axial_stiffness:
@@ -65,7 +65,7 @@ def section_text(section: Section, wet: bool, mark: str = "") -> str:
     pipe = f"{1000 * outer:.4g} mm" if outer else ""
     if outer and inner:
         pipe += f" × {500 * (outer - inner):.3g} mm wall"
-    drag, weight, full = section.drag, section.submerged_weight, section.contents
+    drag = section.drag
     return f"{section.name}: " + sentence(
         [
             size,
@@ -73,15 +73,40 @@ def section_text(section: Section, wet: bool, mark: str = "") -> str:
             f"EA {amount(section.axial_stiffness, 'N')}" if section.axial_stiffness else "",
             f"EI {amount(section.bending_stiffness, 'N m²')}" if section.bending_stiffness else "",
             f"{mass(section.mass)}/m" if section.mass else "",
-            f"{amount(weight, 'N')}/m{' in water' if wet else ''}{' without contents' if full else ''}"
-            if weight
-            else "",
-            f"contents of {full.density:.4g} kg/m³" if full else "",
+            _weight_text(section, wet, gravity),
             f"drag diameter {drag.diameter:.3g} m" if drag else "",
             "drag along the pipe" if section.tangential_drag else "",
             f"line load {amount(section.lateral_load, 'N')}/m" if section.lateral_load else "",
         ]
     )
+
+
+def _weight_text(section: Section, wet: bool, gravity: float | None) -> str:
+    """Weight per length with contents, which the tension carries, and without."""
+    weight, full = section.submerged_weight, section.contents
+    empty = f"{amount(weight, 'N')}/m" if weight else ""
+    where = " in water" if wet else ""
+    if full is None:
+        return f"{empty}{where}" if empty else ""
+    inside = f"contents of {full.density:.4g} kg/m³"
+    if weight is None or gravity is None:
+        return sentence([f"{empty}{where} without contents" if empty else "", inside])
+    whole = amount(weight + gravity * section.contents_mass, "N")
+    return sentence([f"{whole}/m{where} with {inside}", f"{empty} without" if empty else ""])
+
+
+def tension_text(scene: Resolved, tension: float) -> str:
+    """Constant tension (N) at the top; where a buoyant factor gives it, over the weight that it carries."""
+    text = f"tension {amount(tension, 'N')}"
+    if scene.buoyancy is None or scene.gravity is None:
+        return text
+    carried = sum(
+        ((part.submerged_weight or 0.0) + scene.gravity * part.contents_mass) * part.total_length
+        for part in scene.riser
+    )
+    if carried <= 0.0:
+        return text
+    return f"{text}, {tension / carried:.3g} times the weight in water of riser and contents"
 
 
 def rotation_text(rotation: Rotation | None) -> str:

@@ -179,6 +179,8 @@ def labelled(scene: Resolved) -> Iterator[str]:
     yield from (f"riser[{k}]" for k in range(len(scene.riser)))
     if scene.current:
         yield "current"
+    if scene.top.telescopic_joint:
+        yield "top.telescopic_joint"
     platform = scene.platform
     if platform:
         yield from (f"platform.{name}" for name, _ in platform.harmonics)

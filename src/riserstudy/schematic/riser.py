@@ -33,7 +33,7 @@ def riser(view: View, geometry: Geometry) -> None:
         visible = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
         if visible:
             of = f"riser[{k}].{'joints' if section.joints else 'length'}"
-            text = section_text(section, scene.water is not None, geometry.mark(of))
+            text = section_text(section, scene.water is not None, geometry.mark(of), scene.gravity)
             text += geometry.remark(f"riser[{k}]")
             view.name(text, geometry.at(visible[0]), whole=long)
         if section.lateral_load:

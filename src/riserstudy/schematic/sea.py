@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.model.sea import current_velocity, wave_number
 from riserstudy.scene.sea import Swell
@@ -15,16 +17,19 @@ from riserstudy.schematic.view import View
 
 ARROWS = 11  # of a current profile
 CURRENT_WIDTH = 0.3  # of the window, for the largest speed
+PLACES = 2000  # of a line of the surface
 BEFORE = 0.12  # of the window, between riser and arrows
 
 
 def sea(view: View, geometry: Geometry) -> None:
     """The body of water, its surface and the ground."""
-    left, right, low, high = view.window
+    left, right, low, _ = view.window
     surface, seabed = geometry.surface, geometry.seabed
     if surface is not None and low < surface:
         floor = seabed if seabed is not None else low
-        view.ax.axhspan(max(low, floor), min(high, surface), color="#e8f2fa", zorder=0.0)
+        x = np.linspace(left, right, PLACES)
+        style: dict[str, Any] = {"color": "#e8f2fa", "linewidth": 0.0, "zorder": 0.0}
+        view.ax.fill_between(x, max(low, floor), _level(geometry, x), **style)
         view.line([left, right], [surface, surface], color=WATER, linewidth=0.7, zorder=1.0)
         text = f"mean water level, {metres(surface)}{geometry.mark('water.surface')}"
         view.name(text, (right, surface), WATER, whole=True)
@@ -45,25 +50,38 @@ def _level_of(word: str) -> str:
 
 def wave(view: View, geometry: Geometry) -> None:
     """The surface under a wave, to scale; of a sea, a wave of its significant height and peak period."""
+    drawn, waves, surface = _wave(geometry), geometry.scene.wave, geometry.surface
+    if drawn is None or waves is None or surface is None:
+        return
+    amplitude, number = drawn
+    left, right, _, _ = view.window
+    x = np.linspace(left, right, PLACES)
+    view.line(list(x), list(_level(geometry, x)), color=WATER, linewidth=0.9)
+    crest = (right - 0.1 * (right - left), surface + amplitude)
+    text = f"{wave_text(waves)}, {2.0 * math.pi / number:.3g} m long"
+    heading = waves.heading
+    if heading:
+        text += f", towards {degrees(heading)}"
+    view.name(text, crest, WATER, whole=True)
+
+
+def _wave(geometry: Geometry) -> tuple[float, float] | None:
+    """Amplitude (m) and wave number (1/m) of the wave that is drawn; None without one."""
     scene, surface, seabed = geometry.scene, geometry.surface, geometry.seabed
     if scene.wave is None or surface is None or seabed is None or scene.gravity is None:
-        return
+        return None
     if isinstance(scene.wave, Swell):
         height, period = scene.wave.height, scene.wave.period
         amplitude = 0.5 * height if height else scene.wave.amplitude or 0.0
     else:
         amplitude, period = 0.5 * scene.wave.significant_height, scene.wave.peak_period
-    number = wave_number(2.0 * math.pi / period, surface - seabed, scene.gravity)
-    left, right, _, _ = view.window
-    x = np.linspace(left, right, 2000)
-    z = surface + amplitude * np.cos(number * x)
-    view.line(list(x), list(z), color=WATER, linewidth=0.9)
-    crest = (right - 0.1 * (right - left), surface + amplitude)
-    text = f"{wave_text(scene.wave)}, {2.0 * math.pi / number:.3g} m long"
-    heading = scene.wave.heading
-    if heading:
-        text += f", towards {degrees(heading)}"
-    view.name(text, crest, WATER, whole=True)
+    return amplitude, wave_number(2.0 * math.pi / period, surface - seabed, scene.gravity)
+
+
+def _level(geometry: Geometry, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Elevation of the water's surface (m) over x (m), under the wave where there is one."""
+    amplitude, number = _wave(geometry) or (0.0, 0.0)
+    return (geometry.surface or 0.0) + amplitude * np.cos(number * x)
 
 
 def current(view: View, geometry: Geometry) -> None:

@@ -4,7 +4,14 @@ from __future__ import annotations
 
 import math
 
-from riserstudy.schematic.facts import amount, metres, platform_texts, tensioner_text, vessel_texts
+from riserstudy.schematic.facts import (
+    amount,
+    metres,
+    platform_texts,
+    tension_text,
+    tensioner_text,
+    vessel_texts,
+)
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART
 from riserstudy.schematic.view import View
@@ -33,7 +40,8 @@ def pull(view: View, geometry: Geometry) -> None:
         head = (x, z + 0.75 * view.symbol)
         if not view.whole:
             view.arrow((x, z), head)
-        view.name(f"tension {amount(top.tension, 'N')}", (x, z + 0.6 * view.symbol), LOAD)
+        text = tension_text(geometry.scene, top.tension)
+        view.name(text, (x, z + 0.6 * view.symbol), LOAD)
     if top.lateral_force:
         side = math.copysign(0.6, top.lateral_force) * view.symbol
         if not view.whole:
@@ -55,7 +63,7 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
     origin = "this length" if joint.mid_stroke is None else "the length in equilibrium"
     stop = f", stop at {' and '.join(places)} from {origin}" if places else ""
     length = f"{joint.length:.4g} m{geometry.mark('top.telescopic_joint.length')}"
-    text = f"telescopic joint: {length}{stop}"
+    text = f"telescopic joint: {length}{stop}{geometry.remark('top.telescopic_joint')}"
     view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
     if joint.tension:
         if not view.whole:

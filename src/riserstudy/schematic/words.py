@@ -8,7 +8,7 @@ WORDS = {
     "top.held_at_tension": "tension that sets the height of the top",
     "top.tension_loss": "loss of tension",
     "vessel.hull_drag": "drag on the hull",
-    "buoyancy": "buoyancy as a share of the weight",
+    "buoyancy": "buoyancy blocks, which the weight in water includes",
     "disconnect": "the disconnect",
     "fatigue": "details of fatigue",
 }
