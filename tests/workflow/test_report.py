@@ -231,7 +231,7 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["B0"].sentences == []
     assert found["A10"].why == "Depends on the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."
-    assert found["B0"].why == "-3.142e+06 N for -3.142e+06 N: 0 % off."
+    assert found["B0"].why == "Simulated -3.142e+06 N, published -3.142e+06 N; error 0 %."
 
 
 def test_the_report_needs_no_table_but_the_database(sources, tmp_path):

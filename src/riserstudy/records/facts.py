@@ -127,7 +127,7 @@ class RunFacts(TypedDict, total=False):
         float, Column("largest magnitude of the bending moment, also between nodes", "N m")
     ]
     largest_bending_moment_s: Annotated[
-        float, Column("arclength from the bottom of the largest bending moment", "m")
+        float, Column("arclength, from the bottom, at which the bending moment is largest", "m")
     ]
     warnings: Annotated[
         list[str], Column("warnings of the run, one per line", kind="text", repeats=False)

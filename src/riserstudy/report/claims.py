@@ -83,8 +83,8 @@ class Claim(ItemResult):
                 return sentence(f"{self.decided_by} decides it")
             return f"Depends on {self.decided_by}."
         if self.published is not None:
-            text = f"{number(self.simulated)}{unit(self.unit)} for {number(self.published)}"
-            off = f"{text}{unit(self.unit)}: {share(self.error)} off"
+            text = f"Simulated {number(self.simulated)}{unit(self.unit)}, published {number(self.published)}"
+            off = f"{text}{unit(self.unit)}; error {share(self.error)}"
             return off + (", with a fitted input." if self.verdict == "calibrated" else ".")
         if self.samples:
             every = {self.samples: f"all {self.samples}", 0: f"none of {self.samples}"}
