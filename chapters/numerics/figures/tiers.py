@@ -46,7 +46,10 @@ def answer(tiers: xr.Dataset) -> str:
     )
     if not ratio.size:
         return f"No scene was simulated at both {first} and {last}"
-    return f"The {last} tier takes {float(ratio.median()):.2g} times as long as {first}"
+    times = f"{float(ratio.median()):.2g}"
+    if times == "1":
+        return f"In the median, a scene takes as long in the {last} tier as in {first}"
+    return f"In the median, a scene takes {times} times as long in the {last} tier as in {first}"
 
 
 def _drawable(error: xr.DataArray) -> xr.DataArray:

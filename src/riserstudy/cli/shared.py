@@ -61,7 +61,7 @@ ReturnOption = Annotated[
         "--return-period",
         min=2,
         max=10000,
-        help="years in which a largest value is exceeded once; may be repeated",
+        help="return period, in years, of a largest value; may be repeated",
         metavar="YEARS",
     ),
 ]
