@@ -148,7 +148,7 @@ class RunFacts(TypedDict, total=False):
     ]
     vibration_rms_max_s: Annotated[
         float,
-        Column("place of the largest vibration, unstretched from the bottom", "m", **_VIBRATES),
+        Column("arclength, from the bottom, at which the vibration is largest", "m", **_VIBRATES),
     ]
     vibration_frequency: Annotated[
         float, Column("frequency where the vibration is largest", "Hz", **_VIBRATES)
