@@ -79,7 +79,7 @@ class _Writer:
             return
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant) and self.prose:
             return
-        if isinstance(node, ast.If) and _is_for_types(node.test):
+        if isinstance(node, ast.If) and _name_of(node.test) == "TYPE_CHECKING":
             for other in node.orelse:
                 yield from self.statement(other, scope)
         elif isinstance(node, ast.ImportFrom) and node.module in TYPES_ALONE and not node.level:
@@ -164,10 +164,6 @@ def _names(tree: ast.AST) -> Iterator[str]:
             yield from node.module.split(".")
         elif isinstance(node, ast.keyword) and node.arg:
             yield node.arg
-
-
-def _is_for_types(test: ast.expr) -> bool:
-    return _name_of(test) == "TYPE_CHECKING"
 
 
 def _name_of(node: ast.expr) -> str:

@@ -33,10 +33,6 @@ def answer(of: xr.Dataset) -> str:
     return f"{many} random scenes meet their tolerance of {100 * requested:g} %"
 
 
-def _families(of: xr.Dataset) -> list[str]:
-    return list(dict.fromkeys(of["family"].values.tolist()))
-
-
 def _errors(ax: Axes, of: xr.Dataset) -> None:
     """A mark a scene; those that miss the request are named by their family."""
     requested = float(of.attrs["requested"])
@@ -82,7 +78,7 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
     """A row a family, marks as in the other panel."""
     ratio = (of["work_asked"] / of["work_fixed"]).values
     judged, held_out = of["true"].notnull().values, of["held_out"].values.astype(bool)
-    families = _families(of)
+    families = list(dict.fromkeys(of["family"].values.tolist()))
     for row, family in enumerate(families):
         here = (of["family"] == family).values & judged
         none = int(np.isnan(ratio[here]).sum())

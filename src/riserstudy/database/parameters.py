@@ -128,8 +128,5 @@ def _lay(
 def parameter(path: str, value: Any, origin: str, because: str) -> Parameter:
     """A value in SI, read as a scene reads it, and as it is written."""
     number, unit = in_si(path, value)
-    return Parameter(path, number, unit, _written(value), origin, because)
-
-
-def _written(value: Any) -> str:
-    return value if isinstance(value, str) else json.dumps(value)
+    written = value if isinstance(value, str) else json.dumps(value)
+    return Parameter(path, number, unit, written, origin, because)

@@ -102,7 +102,9 @@ def in_columns(table: Table) -> list[str]:
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
     texts = [[f"{c:.5g}" if isinstance(c, float) else str(_text(c)) for c in r] for r in table.rows]
     widths = [max(map(len, column)) for column in zip(heads, *texts, strict=True)]
-    numeric = [all(_plain(c) for c in column) for column in zip(*table.rows, strict=True)]
+    numeric = [
+        not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)
+    ]
     numeric = numeric or [False] * len(heads)
     return [
         "  ".join(
@@ -111,10 +113,6 @@ def in_columns(table: Table) -> list[str]:
         ).rstrip()
         for row in [heads, *texts]
     ]
-
-
-def _plain(cell: Cell) -> bool:
-    return cell is None or not isinstance(cell, str)
 
 
 def write_csv(table: Table, target: Path) -> None:

@@ -21,7 +21,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from riserstudy.scene.geometry import span
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
 
@@ -105,7 +104,7 @@ def columns_above(scene: Resolved) -> Columns:
     elevation = ends.bottom + np.concatenate([[0.0], np.cumsum(lengths)])
     wet = np.clip(scene.water.surface - elevation, 0.0, None)
     in_water = wet[:-1] - wet[1:]
-    bore = np.array([_bore(section) for section in scene.riser])
+    bore = np.array([0.25 * math.pi * (one.inner_diameter or 0.0) ** 2 for one in scene.riser])
     water = scene.water.density * gravity * bore * in_water
     mud = np.array([section.contents_mass for section in scene.riser]) * gravity * lengths
     net = np.array([section.submerged_weight or 0.0 for section in scene.riser]) * lengths
@@ -157,10 +156,6 @@ def governing(scene: Resolved, tolerances: Tolerances) -> Governing:
     along = needed(scene, tolerances)[first:]
     k = int(along.argmax())
     return Governing(float(along[k]), first + k)
-
-
-def _bore(section: Section) -> float:
-    return 0.25 * math.pi * (section.inner_diameter or 0.0) ** 2
 
 
 def _from_above(values: FloatArray) -> FloatArray:

@@ -55,10 +55,6 @@ class EnergyAudit(TypedDict, total=False):
     unexplained_share: float
 
 
-def _is_estimated(facts: RunFacts) -> int:
-    return int("error_estimate" in facts)
-
-
 #: relative, by quantity
 ErrorEstimate = dict[str, float]
 _ERROR = "estimated relative error of "
@@ -92,7 +88,7 @@ class RunFacts(TypedDict, total=False):
             "1",
             name="error_estimated",
             kind="integer",
-            of=_is_estimated,
+            of=lambda facts: int("error_estimate" in facts),
         ),
         Column(_ERROR + "displacement", "1", name="error_displacement", part="displacement"),
         Column(_ERROR + "bending moment", "1", name="error_moment", part="moment"),

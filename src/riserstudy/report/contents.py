@@ -16,7 +16,7 @@ from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
 from riserstudy.report.curves import curves
 from riserstudy.report.false_claims import false_claims
-from riserstudy.report.hero import Hero, hero
+from riserstudy.report.hero import hero
 from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.machine import made_on
 from riserstudy.report.motion import Motion, motion_of
@@ -100,7 +100,10 @@ def contents(sources: Sources) -> dict[str, Any]:
             tuple(study.split("/")): xr.open_dataset(sources.folder / path, engine="netcdf4")
             for study, path in paths.items()
         }
-        tables = {p: _scenes(p, files[p], datasets, sources.config) for p in sources.papers}
+        tables = {
+            p: scene_tables(_own(p, files[p], datasets), files[p], sources.config)
+            for p in sources.papers
+        }
         figures = _figures(db, sources, files, claims, paths, tables)
         drawn_runs = curves(db, sources.config, claims, datasets)
         rows, warned = audit.audit(db, files), audit.warned(db)
@@ -116,7 +119,7 @@ def contents(sources: Sources) -> dict[str, Any]:
     }
     return {
         "totals": totals(claims),
-        "hero": _hero(motions),
+        "hero": hero(motions.items()),
         "subject": subject(files),
         "bars": bars(claims, files),
         "findings": findings(claims, files, figures),
@@ -194,16 +197,6 @@ def _moving(
             paper, name, paths[f"{paper}/{name}"], motion.title, animation(motion)
         )
     return runs
-
-
-def _hero(motions: dict[str, Motion]) -> tuple[str, Hero] | None:
-    return hero(motions.items())
-
-
-def _scenes(
-    paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset], config: Path
-) -> list[SceneTable]:
-    return scene_tables(_own(paper, file, datasets), file, config)
 
 
 def _own(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> dict[str, xr.Dataset]:

@@ -49,10 +49,6 @@ def wall_lacks(scene: Parts, section: Section) -> list[str]:
     return lacks
 
 
-def _wall_is_known(scene: Parts) -> bool:
-    return not all(wall_lacks(scene, section) for section in scene.riser)
-
-
 def _has_stroke(scene: Parts) -> bool:
     top = scene.top
     below = scene.platform and top.z == "free"
@@ -87,7 +83,7 @@ QUANTITIES: dict[str, Quantity] = {
     "shear_force": Quantity(_ACROSS, lambda s: bool(s.lateral), "N", along=True),
     "von_mises_stress": Quantity(
         "section whose wall is given: diameters, contents, gravity and water.surface",
-        _wall_is_known,
+        lambda s: not all(wall_lacks(s, section) for section in s.riser),
         "N/m^2",
         along=True,
     ),

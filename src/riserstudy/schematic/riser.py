@@ -41,7 +41,8 @@ def riser(view: View, geometry: Geometry) -> None:
         if section.flex_joint_below:
             place = geometry.at(low)
             turning_joint(view, place, section.flex_joint_below.stiffness > 0.0)
-            text = f"{_joint_name(geometry)}, {joint_text(section.flex_joint_below.stiffness)}"
+            name = "lower flex joint" if geometry.scene.soil else "flex joint"
+            text = f"{name}, {joint_text(section.flex_joint_below.stiffness)}"
             view.name_anywhere(text, place)
         if section.guide_below:
             x, z = geometry.at(low)
@@ -53,10 +54,6 @@ def _from_the_middle(low: float, high: float) -> list[float]:
     """Places along a section, its middle first."""
     places = np.linspace(low, high, 41)[1:-1]
     return sorted(places, key=lambda s: abs(s - 0.5 * (low + high)))
-
-
-def _joint_name(geometry: Geometry) -> str:
-    return "lower flex joint" if geometry.scene.soil else "flex joint"
 
 
 def _section(view: View, geometry: Geometry, section: Section, low: float, high: float) -> None:

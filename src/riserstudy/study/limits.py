@@ -40,7 +40,9 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
         return
     rows = [
         checked(file, file.resolved(), result.facts)
-        for file, result in zip(map(study.grid.file, _places(study)), results, strict=True)
+        for file, result in zip(
+            map(study.grid.file, (point.index for point in study.plan)), results, strict=True
+        )
     ]
     labels = [label(one) for one in rows[0]]
     if any([label(one) for one in row] != labels for row in rows):
@@ -65,7 +67,3 @@ def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
         name: np.array([getattr(one, of) for one in rows], kind)
         for name, (of, kind) in OVER_LIMITS.items()
     }
-
-
-def _places(study: Study) -> list[tuple[int, ...]]:
-    return [point.index for point in study.plan]
