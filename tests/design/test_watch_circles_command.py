@@ -6,47 +6,15 @@ import math
 
 import numpy as np
 import pytest
+from adrift import HULL, adrift
 from scipy.optimize import brentq
 
-from riserstudy.design.drift import Hull, drift
-
-HULL = Hull(9e7, 599625.0)
+from riserstudy.design.drift import drift
 
 
 def scene_file(folder, force=1e6, current=0.0, limits=(), **parts):
     """A thread below a hull that its pull does not hold back."""
-    tree = {
-        "title": "adrift",
-        "gravity": "9.81 m/s^2",
-        "water": {"density": "1025 kg/m^3", "surface": "1000 m", "seabed": "0 m"},
-        "riser": [
-            {
-                "name": "thread",
-                "length": "1000 m",
-                "axial_stiffness": "100 N",
-                "mass": "0.001 kg/m",
-                "submerged_weight": "0 N/m",
-            }
-        ],
-        "bottom": {"hold": "wellhead", "elevation": "0 m"},
-        "top": {"x": "vessel", "z": "held", "elevation": "1001 m"},
-        "vessel": {
-            "mass": "6e7 kg",
-            "added_mass": "3e7 kg",
-            "hull_drag": "599625 N*s^2/m^2",
-            "wave_drift": {"force": f"{force} N", "heading": "0 deg"},
-        },
-        "limits": list(limits),
-        "analysis": {
-            "duration": "400 s",
-            "mesh": {"elements": 10},
-            "step": "0.25 s",
-            "output": {"interval": "1 s"},
-        },
-        **parts,
-    }
-    if current:
-        tree["current"] = {"profile": {"shape": "uniform", "surface_speed": f"{current} m/s"}}
+    tree = adrift(force, current, limits=list(limits), **parts)
     path = folder / "adrift.yaml"
     path.write_text(json.dumps({name: part for name, part in tree.items() if part is not None}))
     return path

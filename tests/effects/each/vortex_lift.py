@@ -47,35 +47,43 @@ def left_of_a_phase(phase, known, share, moved):
     return phase - known - share * rate(phase, *moved)
 
 
-def phases(record, s):
-    """Internal variables at the end of a time for which their rates count, each by itself."""
-    _, speeds, aside = past(s)
+def phases_along(record, s, force, speeds, shed):
+    """Internal variables at the end of a time for which their rates count, each by itself.
+
+    ``force``: along the force at the nodes, (d, n+1), of the size of the speed past the pipe.
+    """
     share, known = s.internal_share[0], s.internal_known
     out, rates = known.copy(), np.zeros_like(known)
     for i in np.flatnonzero(record.diameter):
-        e = aside[:, i] / speeds[i]
-        y_v, y_a = s.v[:, i] @ e, s.a[:, i] @ e
+        along = force[:, i] / speeds[i]
+        y_v, y_a = s.v[:, i] @ along, s.a[:, i] @ along
         pace = speeds[i] / (20.0 * record.diameter[i])
         for row, y in ((1, y_v), (2, y_a)):
             held = known[row, i], share * pace, y * y
             out[row, i] = brentq(left_of_a_mean, 0.0, 1e3, args=held, xtol=1e-14)
             rates[row, i] = pace * (y * y - out[row, i])
-        flow = speeds[i], record.diameter[i]
-        moved = flow, y_v, y_a, *out[1:, i]
+        moved = (speeds[i], record.diameter[i]), y_v, y_a, *out[1:, i], shed
         held = known[0, i], share, moved
         out[0, i] = brentq(left_of_a_phase, -9.0, 99.0, args=held, xtol=1e-14)
         rates[0, i] = rate(out[0, i], *moved)
     return {"internal": out, "internal_rate": rates}
 
 
-CASES = {
-    VortexLift: Case(
-        lambda d: VortexLift(
+def phases(record, s):
+    """Those of lift, which acts across the flow."""
+    _, speeds, aside = past(s)
+    return phases_along(record, s, aside, speeds, SHED)
+
+
+def case(kind, shed):
+    """Vortices at all nodes but the last, in sheared water."""
+    return Case(
+        lambda d: kind(
             2e2 * SEGMENTS,
             3e2 * SEGMENTS,
             np.zeros((d, N + 1)),
             DIAMETERS,
-            np.repeat(SHED[:, np.newaxis], N + 1, axis=1),
+            np.repeat(shed[:, np.newaxis], N + 1, axis=1),
             6.0,
             0,
             np.zeros((3, N + 1)),
@@ -83,8 +91,10 @@ CASES = {
         lambda d: [sheared(d)],
         directions=(3,),
         internal=3,
-    ),
-}
+    )
+
+
+CASES = {VortexLift: case(VortexLift, SHED)}
 
 PLAIN = {
     VortexLift: [("internal", phases), ("string", vortex_lift)],
