@@ -1,15 +1,20 @@
 """When a limit is first reached: a run that ends before is within it, one that ends after is not."""
 
 import json
+from types import SimpleNamespace
 
+import numpy as np
 import pytest
 from random_rigs import rig, written
 
 from riserstudy import simulate
+from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.first_reached import first_reached
 
 OUTPUTS = ("lfj_angle", "bending_moment", "von_mises_stress", "tensioner_stroke", "joint_stroke")
 DURATION, INTERVAL = 60.0, 0.5
+TIMES = np.arange(0.0, 101.0)
 
 
 def adrift(seed, limits, duration):
@@ -68,3 +73,15 @@ def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_end
             assert row["missing"].startswith("an error of the angle")
         reached += 1
     assert reached, "no limit of this scene is reached on the way: it tests nothing"
+
+
+@pytest.mark.parametrize(
+    "stroke, reached",
+    [(0.1 * TIMES, 50.0), (0.0 * TIMES, "never"), (np.nan * TIMES, "unknown")],
+    ids=["reached", "not reached", "without values"],
+)
+def test_a_history_without_values_does_not_say_never(stroke, reached):
+    limits = [Limit.model_validate({"output": "stroke", "largest": "5 m", "mode": "connected"})]
+    arrays = {"time": TIMES, "stroke": stroke}
+    (found,) = first_reached(SimpleNamespace(limits=limits), None, arrays, {})
+    assert found == (reached if isinstance(reached, str) else pytest.approx(reached))
