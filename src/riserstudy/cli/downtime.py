@@ -148,7 +148,7 @@ def downtime(
     Prediction bands use the shares of whole years, Student's t and the --persistence of years. A window ends
     at a gap of the record, and a wait that reaches a gap counts as longer. With --scene, the limits are
     those of a riser. The command then simulates sea states of the record until the response interpolated
-    between them meets --error. Further simulated sea states check this.
+    between them meets --error. The result is checked by further simulated sea states.
     """
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {

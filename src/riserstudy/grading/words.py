@@ -99,11 +99,12 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
 
 
 def reading_name(reading: Reading) -> str:
-    """An interpretation by its place on the axes."""
-    return " / ".join(
+    """An interpretation by its place on the axes; in quotation marks where it has a comma itself."""
+    name = " / ".join(
         option_name(value) if isinstance(value, str) else f"{value:g}"
         for value in reading.place.values()
     )
+    return f"“{name}”" if "," in name else name
 
 
 def decided_by(grounds: Grounds) -> str:
