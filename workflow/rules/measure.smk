@@ -10,7 +10,7 @@ rule measure:
     log:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
-        study=PLAN.measured_pattern,
+        study=PLAN.pattern("measured"),
     priority: of(PLAN.measure_priority)
     threads: of(PLAN.measured_threads)
     params:

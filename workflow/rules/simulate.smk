@@ -36,7 +36,7 @@ rule tune:
     log:
         "logs/{paper}/{study}.settings.log",
     wildcard_constraints:
-        study=PLAN.study_pattern,
+        study=PLAN.pattern("studies"),
     priority: of(PLAN.study_priority)
     params:
         digest=of(PLAN.settings_digest),
@@ -57,7 +57,7 @@ rule shard:
     log:
         "logs/{paper}/{study}.{shard}-of-{shards}.log",
     wildcard_constraints:
-        study=PLAN.study_pattern,
+        study=PLAN.pattern("studies"),
         shard=r"\d+",
         shards=r"\d+",
     priority: of(PLAN.study_priority)
@@ -84,7 +84,7 @@ rule simulate:
     log:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
-        study=PLAN.study_pattern,
+        study=PLAN.pattern("studies"),
     priority: of(PLAN.study_priority)
     threads: half(PLAN.threads)
     params:
@@ -108,7 +108,7 @@ rule sea_states:
     log:
         "logs/{paper}/{study}.{part}-of-{parts}.log",
     wildcard_constraints:
-        study=PLAN.seas_pattern,
+        study=PLAN.pattern("seas"),
         part=r"\d+",
         parts=r"\d+",
     priority: of(PLAN.seas_priority)
@@ -133,7 +133,7 @@ rule hours:
     log:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
-        study=PLAN.seas_pattern,
+        study=PLAN.pattern("seas"),
     priority: of(PLAN.seas_priority)
     params:
         digest=of(PLAN.seas_digest),
@@ -154,7 +154,7 @@ rule derive:
     log:
         "logs/{paper}/{study}.log",
     wildcard_constraints:
-        study=PLAN.derived_pattern,
+        study=PLAN.pattern("derived"),
     params:
         digest=of(PLAN.derived_digest),
         settings=of(PLAN.derived_settings),

@@ -13,7 +13,7 @@ import re
 import shlex
 from collections.abc import Set
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 from riserstudy.digests import defining, dependencies, digest
 from riserstudy.figures import module_of_plot
@@ -319,25 +319,9 @@ class Workplan(Configuration):
         """Tables over all papers, when there is anything to join."""
         return [f"results/{kind}.csv" for kind in GRADED] if self.published else []
 
-    @property
-    def study_pattern(self) -> str:
-        """Names of studies, as a pattern."""
-        return _either(name for file in self.files.values() for name in file.studies)
-
-    @property
-    def seas_pattern(self) -> str:
-        """Names of datasets of hours, as a pattern."""
-        return _either(name for file in self.files.values() for name in file.seas)
-
-    @property
-    def derived_pattern(self) -> str:
-        """Names of derived datasets, as a pattern."""
-        return _either(name for file in self.files.values() for name in file.derived)
-
-    @property
-    def measured_pattern(self) -> str:
-        """Names of measured datasets, as a pattern."""
-        return _either(name for file in self.files.values() for name in file.measured)
+    def pattern(self, kind: Literal["studies", "seas", "derived", "measured"]) -> str:
+        """Names of the datasets of a kind, a section of the study files, as a pattern."""
+        return _either(name for file in self.files.values() for name in getattr(file, kind))
 
     @property
     def figure_pattern(self) -> str:
