@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.colors import to_hex
 from matplotlib.text import Annotation, Text
 
 from riserstudy.errors import InputError
@@ -259,7 +260,7 @@ def test_a_remark_follows_the_label_of_its_part_and_no_other_is_accepted(tmp_pat
 def test_x_is_no_axis_where_nothing_moves_aside():
     for paper, name in SHOWN:
         scene = read_studies(CONFIG, paper).schematics[name].file(CONFIG).resolved()
-        names = {ax.get_xlabel() for ax in drawn(paper, name).axes}
+        names = {ax.get_xlabel() for ax in drawn(paper, name).axes[:3]}
         assert names == {"x (m)" if scene.lateral or scene.spatial else "horizontal position (m)"}
 
 
@@ -295,3 +296,57 @@ def test_cylinders_that_the_scene_arranges_are_not_made_to_stand(tmp_path):
         InputError, match=r"schematics\.fig01\.cylinders: .*arranges its tensioners"
     ):
         from_scene(tmp_path / "config", "liu2020", "fig01")
+
+
+HULL = to_hex("#dfe5ea")
+BODY = to_hex("#c9ced3")
+
+
+def boxes(ax, colour):
+    """Lower and upper edges of the boxes of a colour."""
+    found = [p for p in ax.patches if hasattr(p, "get_y") and to_hex(p.get_facecolor()) == colour]
+    return [(p.get_y(), p.get_y() + p.get_height()) for p in found]
+
+
+@pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
+def test_a_platform_is_as_high_above_the_water_in_both_panels(path):
+    scene = load_scene(path).resolved()
+    whole, upper = schematic(scene).axes[:2]
+    edges = [[low for low, _ in boxes(ax, HULL)] for ax in (whole, upper)]
+    assert len(edges[0]) == len(edges[1])
+    if Geometry(scene).surface is not None:
+        assert edges[0] == pytest.approx(edges[1])
+
+
+@pytest.mark.parametrize("clearance", [10.0, 30.0, 50.0, 90.0, 400.0])
+def test_a_hanging_body_ends_above_the_seabed_in_both_panels(clearance):
+    path = CONFIG / "scenes/mao_hangoff/evacuation.yaml"
+    scene = load_scene(path, **{"water.seabed": f"{-1800.0 - clearance} m"}).resolved()
+    for ax in schematic(scene).axes[0::2]:
+        ((low, high),) = boxes(ax, BODY)
+        assert high == pytest.approx(-1800.0)
+        if clearance > 30.0:  # else a body that can be seen is larger
+            assert low > -1800.0 - clearance
+
+
+def test_ends_have_one_scale_with_and_without_a_view_from_above():
+    """A symbol has one size in metres in all schematics of a riser that hangs."""
+    path = CONFIG / "scenes/mao_hangoff/evacuation.yaml"
+    sizes = []
+    for turned in ("0 deg", "45 deg"):
+        scene = load_scene(path, **{"current.heading": turned}).resolved()
+        _, upper, lower = schematic(scene).axes[:3]
+        sizes.append(boxes(upper, HULL) + boxes(lower, BODY))
+    assert len(schematic(scene).axes) == 4
+    np.testing.assert_allclose(sizes[0], sizes[1], rtol=1e-9)
+
+
+def test_directions_seen_from_above_have_no_scale():
+    """A view that shows nothing but headings has neither ticks nor units; one with tensioners has."""
+    *_, directions = drawn("mao_hangoff", "fig02").axes
+    assert not directions.get_xticks().size
+    assert not directions.get_yticks().size
+    assert "m" not in directions.get_xlabel() + directions.get_ylabel()
+    *_, rig = drawn("liu2020", "fig01").axes
+    assert rig.get_xticks().size
+    assert rig.get_xlabel() == "x (m)"

@@ -36,6 +36,8 @@ MARGIN = 0.16  # of the view of everything, above and below what has a place
 NEAR = 0.12  # of the riser's length, shown at its ends
 MOST = 40.0  # at most so much (m), where nothing longer is there
 HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
+#: height of the panel of an end where there are two (inches)
+FULL = 0.5 * (CEILING - FLOOR - BETWEEN)
 AXES = ("horizontal position (m)", "elevation (m)")  # where nothing moves aside, and x is no input
 NOTE = (
     "Each panel has one scale in both directions; lines have a least width. Dashed: symbols of parts without "
@@ -70,7 +72,10 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
     plan = has_plan(scene)
     shares = SHARES[3 if plan else 2]
     room, top = CEILING - FLOOR - BETWEEN * (len(shares) - 1), CEILING
-    windows = {"upper end": _upper(geometry), "lower end": _lower(geometry, shares[1] * room)}
+    windows = {
+        "upper end": _upper(geometry, shares[0] * room),
+        "lower end": _lower(geometry, shares[1] * room),
+    }
     if plan:
         windows["from above"] = ((0.0, 0.0), 2.0 * radius(geometry))
     for letter, share, (name, window) in zip("bcd", shares, windows.items(), strict=False):
@@ -91,6 +96,8 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         topside(view, geometry)
     if plan:
         views[3].ax.set_ylabel("y (m)", fontsize=SIZE, labelpad=1.0)
+        if not _to_scale(scene):
+            views[3].ax.set(xticks=[], yticks=[], xlabel="x", ylabel="y")
         above(views[3], geometry)
     for view in views:
         view.labels.place(view.ax)
@@ -142,8 +149,8 @@ def _all(geometry: Geometry) -> tuple[tuple[float, float], float]:
     return (0.5 * float(x.max() + x.min()), middle), max(height, wide)
 
 
-def _upper(geometry: Geometry) -> tuple[tuple[float, float], float]:
-    """Middle and height of the view of the upper end."""
+def _upper(geometry: Geometry, inches: float) -> tuple[tuple[float, float], float]:
+    """Middle and height of the view of the upper end, in a panel so many inches high."""
     x, ring = geometry.ring
     span = geometry.deck - ring
     near = min(MOST, NEAR * geometry.riser_length)
@@ -154,6 +161,8 @@ def _upper(geometry: Geometry) -> tuple[tuple[float, float], float]:
     surface = geometry.surface
     if surface is not None and 0.2 * near < abs(surface - ring) < 2.0 * near:
         near = 2.2 * abs(surface - ring)
+    elif geometry.scene.bottom.body:
+        near *= inches / FULL  # the scale of the lower end
     return (geometry.top[0], ring + 0.12 * near), near
 
 
@@ -168,11 +177,12 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
         middle, height = z + 0.5 * short, 1.35 * short
     if body is None:
         return (x, middle), height
-    # Body and weight hang so many inches below, whatever the scale.
+    # One scale whatever the panel's height, so that symbols have one size; body and weight hang below.
     above = middle + 0.5 * height - z
-    most = min(HANGING / inches, 0.9)
-    height = max(height, above / (1.0 - most))
-    return (x, z + above - 0.5 * height), height
+    scale = max(height / FULL, above / (FULL - HANGING))
+    height = scale * inches
+    below = max(scale * HANGING, height - above)
+    return (x, z - below + 0.5 * height), height
 
 
 def _note(geometry: Geometry, labels: list[Label]) -> str:
@@ -180,9 +190,11 @@ def _note(geometry: Geometry, labels: list[Label]) -> str:
     scene = geometry.scene
     moved = ""
     if (scene.platform or scene.vessel) and geometry.has_upright_cylinders:
-        moved = (
-            f", as is the ring, and the platform is moved {'down' if geometry.standing else 'up'}"
-        )
+        moved = ", as is the ring, "
+        if geometry.surface is None:
+            moved += f"and the platform is moved {'down' if geometry.standing else 'up'}"
+        else:
+            moved += "and the platform's height is not to scale"
     current, waves = scene.current is not None, scene.wave is not None
     loads = "current and waves act" if current and waves else "the current acts"
     before = f", before {loads if current else 'waves act'} on it" if current or waves else ""

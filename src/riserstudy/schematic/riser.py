@@ -22,6 +22,7 @@ from riserstudy.schematic.view import SYMBOL, THIN, View
 
 STEEL, COVER = "#9aa4ad", "#d7dce0"
 SPRINGS = 8  # drawn along a conductor
+LEAST = 0.04  # height of a body (inches)
 
 
 def riser(view: View, geometry: Geometry) -> None:
@@ -141,6 +142,10 @@ def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: boo
     scene = geometry.scene
     size = 0.26 * view.symbol
     x, z = place
+    if view.whole and below and geometry.seabed is not None and geometry.seabed < z:
+        size = min(
+            size, max(0.5 * (z - geometry.seabed), LEAST * view.inch)
+        )  # hangs clear, as it does
     middle = z - 0.5 * size if below else z
     view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
     density = scene.water.density if scene.water else 0.0

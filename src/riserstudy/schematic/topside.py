@@ -73,11 +73,15 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
 
 
 def deck(view: View, geometry: Geometry) -> float:
-    """Elevation of the platform as drawn; above tensioners without a length, by theirs as drawn."""
+    """Elevation of the platform as drawn; above tensioners without a length, by theirs as drawn.
+
+    With a water surface to compare it with it is one elevation in all panels; sizes are those of symbols.
+    """
+    length = UPRIGHT * (view.symbol if geometry.surface is None else view.symbol_of_ends)
     if geometry.standing:
-        return geometry.ring[1] - (UPRIGHT + HULL[1]) * view.symbol
+        return geometry.ring[1] - length - HULL[1] * view.symbol
     if geometry.has_upright_cylinders:
-        return geometry.ring[1] + UPRIGHT * view.symbol
+        return geometry.ring[1] + length
     return geometry.deck
 
 

@@ -40,6 +40,11 @@ class View:
         return SMALL * self.inch if self.whole else self.inch
 
     @property
+    def symbol_of_ends(self) -> float:
+        """Metres of an inch of symbols at the upper end, also in the view of everything."""
+        return self.ends[0].symbol if self.ends else self.symbol
+
+    @property
     def window(self) -> tuple[float, float, float, float]:
         """Left, right, low and high end."""
         return *self.ax.get_xlim(), *self.ax.get_ylim()
