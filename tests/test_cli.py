@@ -76,7 +76,9 @@ def test_patience_that_ends_before_any_run_leaves_nothing(command, tmp_path):
     target = tmp_path / "out.nc"
     code, _, err = command("run", SURGE, "-o", target, *long, *own, "--patience", "1")
     assert code == 3
-    assert err.startswith("riserstudy: analysis.mesh, analysis.step: take longer than 1 s")
+    assert err.startswith(
+        "riserstudy: analysis.mesh, analysis.step: the run exceeds the time limit of 1 s"
+    )
     assert not target.exists()
 
 

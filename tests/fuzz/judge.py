@@ -30,7 +30,7 @@ HANGS = 600.0  # s that it may take in all, on a machine with much else to do
 MEMORY = 4 * 2**30  # bytes of address space
 #: what a run says of itself that takes more than seconds
 PROGRESS = re.compile(
-    r"^riserstudy: (run \d+: |the first periods: |a coarser run|the run as asked: |takes about ).*\n",
+    r"^riserstudy: (run \d+: |the first periods: |a coarser run|the requested run: |takes about ).*\n",
     re.MULTILINE,
 )
 

@@ -159,7 +159,7 @@ def test_a_response_without_wave_is_refused():
 
 
 def test_a_wave_beyond_the_table_is_refused():
-    with pytest.raises(InputError, match="outside the operators"):
+    with pytest.raises(InputError, match="outside the periods of the operators"):
         simulate(loaded(wave={"height": "1 m", "period": "80 s"}))
 
 

@@ -108,7 +108,7 @@ def test_patience_ends_with_the_finest_run_and_its_estimate(monkeypatch):
 def test_patience_that_ends_before_there_is_an_estimate_says_so(monkeypatch):
     facts, _ = patient(monkeypatch, 6.0)
     assert facts["error_estimate"] == {}
-    assert "no error estimate" in facts["warnings"][0]
+    assert "errors are not estimated" in facts["warnings"][0]
 
 
 def test_patience_that_ends_before_the_first_run_is_an_error(monkeypatch):
@@ -130,7 +130,7 @@ def test_a_march_is_broken_off_when_its_time_is_up(method):
     file = read_scene(SCENE).with_values(
         {"analysis": sets | {"mesh": {"elements": 8}}, "top.z": "free"}, "test"
     )
-    with pytest.raises(TakesTooLong, match=r"longer than 1 s, broken off with .* of the outputs"):
+    with pytest.raises(TakesTooLong, match=r"time limit of 1 s, stopped with .* of the outputs"):
         run(file.resolved(), 1.0, estimated=False)
 
 
@@ -150,7 +150,7 @@ def test_turns_are_broken_off_on_either_side(scheme):
         {"vessel.coupling": {"scheme": scheme, "interval": "1 s"}}, "test"
     )
     scene = file.resolved()
-    with pytest.raises(TakesTooLong, match="broken off with 0 % of the outputs"):
+    with pytest.raises(TakesTooLong, match="stopped with 0 % of the outputs"):
         single(scene, even(scene, 20), 0.1, watch=AtOnce())
 
 

@@ -12,7 +12,7 @@ from riserstudy.model.vortices import synchronised
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.rival_modes import EDGE, FIRST, rivals, warn_of_rivals
 
-WARNING = "riser.viv: vortices may follow modes"
+WARNING = "riser.viv: vortices may lock in to modes"
 LOW, HIGH = 0.11, 0.26  # of the scene's vortices, over U / D
 
 

@@ -243,7 +243,7 @@ disconnect: {{at: 0.2 s, over: 0.1 s, stack: {{stiffness: 1e9 N/m}}}}
 analysis: {{duration: 6 s, output: {{interval: 5 ms}}, mesh: {{elements: 400}}, step: 2.5 ms}}
 """
     found = run(tmp_path, text)
-    assert "back on the stack" in found.attrs["warnings"]
+    assert "re-contacts the stack" in found.attrs["warnings"]
     lift = found["lift"].values
     k = int(np.flatnonzero(lift < 0.0)[0])
     push = found["effective_tension"].isel(s=0).values
@@ -351,5 +351,5 @@ def test_more_bottles_than_there_is_gas_is_told_when_it_happens(tmp_path):
 
 
 def test_contents_that_run_out_altogether_are_told():
-    with pytest.raises(SimulationError, match="have run out"):
+    with pytest.raises(SimulationError, match="contents have drained"):
         flow(Column(100.0, 1.0, 0.5, 2000.0, 1025.0, 9.81, 0.0, 0.0), 60.0)

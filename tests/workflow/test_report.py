@@ -161,7 +161,9 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     assert "0.3 m 0.5389 m 80 % 25 % depends" in text
     assert "True in all 256 samples." in text
     assert "E1 Eq. 3 a slip read so says this" in text
-    pressure = r"top.tensioners.gas.pressure 190.2 bar absolute (\([^)]*\) )?assumed the table says"
+    pressure = (
+        r"top.tensioners.gas.pressure 190.2 bar absolute (\([^)]*\) )?assumed the table gives bar"
+    )
     assert re.search(pressure, text)
     assert re.search(r"platform.heave.amplitude varied \([^)]*\) axis heave_amplitude", text)
     assert "tensioner model: gas law, linear" in text

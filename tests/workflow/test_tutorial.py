@@ -28,4 +28,4 @@ def test_the_python_of_a_page_runs(page, finished, tmp_path):
     assert done.returncode == 0, done.stderr
     if page == "docs/tutorial.md":
         assert (tmp_path / "asymmetry.png").stat().st_size > 10_000
-        assert "assumed - the table says bar only" in done.stdout
+        assert "assumed - the table gives bar without stating" in done.stdout

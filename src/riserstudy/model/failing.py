@@ -73,8 +73,8 @@ def without_bottles(model: Model, volume: float) -> Model:
         now = full - area * reach
         if np.any(now <= volume):
             raise SimulationError(
-                f"disconnect.recoil_valve.isolation: shuts off {volume:g} m^3 of {float(now.min()):.4g} m^3 "
-                "of gas that a cylinder has by then; take less"
+                f"disconnect.recoil_valve.isolation: volume is {volume:g} m^3, but a cylinder has only "
+                f"{float(now.min()):.4g} m^3 of gas by then; take a smaller volume"
             )
         left = full - volume
         return pressure * (full / now) ** exponent * ((now - volume) / left) ** exponent, left

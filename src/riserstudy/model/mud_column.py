@@ -81,8 +81,8 @@ def flow(column: Column, duration: float) -> Flow:
     )
     if run.status != 0:
         raise SimulationError(
-            f"disconnect.drain: all contents have run out at {run.t_events[0][0]:.4g} s after the release, "
-            "which is not followed; shorten analysis.duration, or leave drain out"
+            "disconnect.drain: the run cannot continue after all contents have drained, which happens "
+            f"{run.t_events[0][0]:.4g} s after the disconnect; shorten analysis.duration, or leave drain out"
         )
     total, contents, speed = run.y
     acceleration = np.array([_acceleration(column, *y) for y in run.y.T])

@@ -70,8 +70,8 @@ def operator(
         raise InputError(
             "scene",
             "platform.response.operators",
-            f"waves that go to {math.degrees(heading):.4g} deg lie between no two headings",
-            f"allowed are headings up to a quarter turn apart; those of the operators go to {listed} deg",
+            f"no two headings enclose the direction of the waves, {math.degrees(heading):.4g} deg",
+            f"allowed are headings up to 90 deg apart; the operators have headings of {listed} deg",
         )
     share = (heading - below) / (above - below) if above - below > CLOSE else 0.0
     ends = [_over_frequency(response, turns[known], motion, frequency) for known in (below, above)]
@@ -99,7 +99,11 @@ def doubts(scene: Resolved) -> list[str]:
     amplitude, frequency, _ = components_of(wave)
     sentences = slips(response, scene.gravity or GRAVITY)
     if _beyond(response, frequency).any():
-        held = "have no motion" if response.beyond == "zero" else "have that at their ends"
+        held = (
+            "cause no motion"
+            if response.beyond == "zero"
+            else "use the operator at the nearest period"
+        )
         sentences.append(f"{_uncovered(response, amplitude, frequency)}; they {held}")
     return sentences
 
@@ -156,7 +160,7 @@ def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray)
     span = span or f"{periods.min():.4g} to {periods.max():.4g} s"
     return (
         f"{beyond.sum()} of {len(frequency)} wave components ({span}, {100.0 * energy:.3g} % of the energy) "
-        f"lie outside the operators, from {2.0 * math.pi / high:g} s to {2.0 * math.pi / low:g} s"
+        f"lie outside the periods of the operators, {2.0 * math.pi / high:g} s to {2.0 * math.pi / low:g} s"
     )
 
 
@@ -171,9 +175,7 @@ def harmonics(response: Response, wave: Swell | Storm) -> Harmonics:
     amplitude, frequency, phase = components_of(wave)
     beyond = _beyond(response, frequency)
     if beyond.any() and response.beyond in (None, "refuse"):
-        allowed = (
-            "extend the operators, or say what holds there by 'beyond: hold' or 'beyond: zero'"
-        )
+        allowed = "extend the operators, or give 'beyond: hold' (nearest value) or 'beyond: zero' (no motion)"
         outside = _uncovered(response, amplitude, frequency)
         raise InputError("scene", "platform.response.operators", outside, allowed)
     heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0

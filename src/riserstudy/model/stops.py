@@ -54,10 +54,10 @@ def _forces_in_words(stop: str, force: FloatArray, each: str, time: FloatArray |
     if not force.any():
         return []
     if time is None:
-        return [f"{stop}: stop touched at rest, largest force {force.max():.3g} N{each}"]
+        return [f"{stop}: touches its stop in static equilibrium, with {force.max():.3g} N{each}"]
     first = float(time[force.any(axis=1).argmax()])
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
     return [
-        f"{stop}: stop touched, first at t = {first:.6g} s, largest force {force.max():.3g} N{each}; "
-        f"judged by outputs{apart} from t = {time[0]:.6g} s on"
+        f"{stop}: touches its stop, first at t = {first:.6g} s, with at most {force.max():.3g} N{each}, "
+        f"as seen in outputs{apart} from t = {time[0]:.6g} s on"
     ]

@@ -59,8 +59,8 @@ def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
     if first <= reach.min() and reach.max() <= last:
         return []
     return [
-        f"tensioners reach from {reach.min():.4g} m to {reach.max():.4g} m, their table from "
-        f"{first:g} m to {last:g} m: beyond it the law goes on straight; extend the table or give stops"
+        f"tensioners extend from {reach.min():.4g} m to {reach.max():.4g} m, but their table covers only "
+        f"{first:g} m to {last:g} m: beyond it, force is extrapolated linearly; extend it or give stops"
     ]
 
 

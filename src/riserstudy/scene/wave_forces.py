@@ -16,9 +16,8 @@ def without_inertia(scene: Resolved) -> list[str]:
     if scene.wave is None:
         return []
     return [
-        f"{section.line}.added_mass: {section.name!r} has drag in waves and no added mass: the acceleration "
-        "of the water does not act on it, by no Froude-Krylov force either; a coefficient of 0 gives that "
-        "alone"
+        f"{section.line}.added_mass: {section.name!r} has drag in waves but no added mass, so the water's "
+        "acceleration exerts no force on it; a coefficient of 0 gives the Froude-Krylov force alone"
         for section in scene.riser
         if section.drag is not None and section.added_mass is None
     ]

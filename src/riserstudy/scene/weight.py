@@ -109,8 +109,8 @@ def _weightless(scene: Parts) -> list[str]:
     """A warning for each body of some mass that has no weight, in a scene with gravity."""
     ends = {"bottom.body": scene.bottom.body, "top.body": scene.top.body}
     return [
-        f"{path}: {body.name!r} has a mass of {body.mass:g} kg and no weight: it weighs nothing; give its "
-        "submerged_weight, displaced_volume or density"
+        f"{path}: {body.name!r} has a mass of {body.mass:g} kg, but its weight in water is not given and "
+        "counts as zero; give its submerged_weight, displaced_volume or density"
         for path, body in ends.items()
         if body and body.mass and scene.gravity and body.weightless
     ]

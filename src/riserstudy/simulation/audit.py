@@ -45,8 +45,8 @@ def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float
     facts["halved_steps"] = int(sums.count[HALVED])
     if abs(residual) > UNEXPLAINED * scale:
         facts["warnings"].append(
-            f"energy: {abs(residual) / scale:.2g} of what was exchanged is unexplained; "
-            "refine mesh and step"
+            f"energy: the balance does not account for {100 * abs(residual) / scale:.2g} % of the energy "
+            "exchanged; take a finer mesh and a shorter step"
         )
 
 
@@ -58,8 +58,9 @@ def exchange(facts: RunFacts, coupling: Coupling) -> None:
     if coupling.scheme == "staggered":
         share = abs(made) / max(audit["exchanged"], 1e-300)
         facts["warnings"].append(
-            f"vessel.coupling: the exchange every {coupling.interval:g} s made {made:.3g} J, {share:.2g} of "
-            "what was exchanged; the error estimate knows mesh and step, not the interval"
+            f"vessel.coupling: the staggered exchange of forces every {coupling.interval:g} s added "
+            f"{made:.3g} J of spurious energy, {100 * share:.2g} % of the energy exchanged; the estimated "
+            "error does not include the error of this interval"
         )
 
 
@@ -75,10 +76,14 @@ def finite(arrays: dict[str, FloatArray]) -> None:
     """
     for name, values in arrays.items():
         if not np.isfinite(values).all():
-            how = "at rest" if name.endswith("_static") else "although every step converged"
+            how = (
+                "in static equilibrium"
+                if name.endswith("_static")
+                else "although every step converged"
+            )
             error = SimulationError if name.endswith("_static") else StepFailed
             raise error(
-                f"{name} is not finite in {int((~np.isfinite(values)).sum())} places {how}; "
+                f"{int((~np.isfinite(values)).sum())} values of {name} are infinite or undefined {how}; "
                 "take a smaller step, and check stroke and gas volume"
             )
 
@@ -98,7 +103,7 @@ def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> 
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
     if facts["directions"] < 3 and along[k] < -rounding(scene):
         facts["warnings"].append(
-            f"effective tension falls to {along[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: "
-            "a riser may go slack or buckle there; this run has "
-            + ("no lateral freedom" if facts["directions"] == 1 else "no freedom out of its plane")
+            f"effective tension falls to {along[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: a riser may "
+            "go slack or buckle there, which this run does not simulate, because it excludes "
+            + ("lateral motion" if facts["directions"] == 1 else "motion out of its plane")
         )

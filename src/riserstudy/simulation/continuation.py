@@ -142,20 +142,22 @@ def _failed(scene: Resolved, mesh: Mesh, failure: NoEquilibrium, reached: float)
     """What to say of a search that found nothing: where, under what, and what may help."""
     s = float(mesh.s[failure.node])
     where = f"node {failure.node} (s = {s:.4g} m)"
-    under = [f"with {failure.load:.0%} of the current"] if scene.current else []
+    under = [f"under {failure.load:.0%} of the current"] if scene.current else []
     if any(way := _aside(scene, 1.0)):
-        under.append(f"beyond {reached:.1%} of the {np.hypot(*way):.4g} m that its top is aside")
-    remedy = "the riser may lack tension or a support: check top tension, weights and what holds the ends"
+        under.append(f"for top offsets beyond {reached:.1%} of {np.hypot(*way):.4g} m")
+    remedy = "the riser may lack tension or a support: check top tension, weights and supports of the ends"
     if scene.soil and (scene.bottom.elevation or 0.0) + s <= scene.soil.mudline:
         depth = scene.soil.mudline - (scene.bottom.elevation or 0.0) - s
         where += f", {depth:.4g} m below the mudline"
         remedy = "the soil may be too weak, or the conductor too short: check soil, offset and top tension"
-    causes = "".join(f" {part}" for part in under)
+    causes = " ".join(["", *under])
     if isinstance(failure, Folded):
         return SimulationError(
-            f"no static equilibrium but one that is folded over a segment at {where}{causes}; what buckles "
-            f"lacks tension: raise the top tension, or take a finer mesh; {remedy}"
+            f"the only static equilibrium found{causes} folds the riser back on itself within one segment "
+            f"at {where}: it buckles there for lack of tension; raise the top tension, or take a finer "
+            f"mesh; {remedy}"
         )
     return SimulationError(
-        f"no static equilibrium: {failure.residual:.3g} N are left at {where}{causes}; {remedy}"
+        f"no static equilibrium found{causes}: forces at {where} do not balance by {failure.residual:.3g} N; "
+        f"{remedy}"
     )

@@ -36,13 +36,13 @@ def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
     pull = _overpull(model)
     if release.stack is None and pull < -STILL * float(abs(model.s.segment).max()):
         raise SimulationError(
-            f"disconnect: at {release.at:g} s the riser stands on the stack with {-pull:.4g} N, and would "
-            "fall: raise top.tension, take another moment, or give disconnect.stack"
+            f"disconnect: at {release.at:g} s the riser presses on the stack with {-pull:.4g} N, and would "
+            "fall once disconnected; raise top.tension, disconnect at another time, or give disconnect.stack"
         )
     if pull < -STILL * float(abs(model.s.segment).max()):
         facts["warnings"].append(
-            f"disconnect: at {release.at:.4g} s the overpull is {pull / 1e3:.4g} kN: the LMRP stands on "
-            "the stack and does not lift off; raise the top tension"
+            f"disconnect: at {release.at:.4g} s the overpull is negative, {pull / 1e3:.4g} kN: the LMRP "
+            "presses on the stack and does not lift off; raise the top tension"
         )
     before = energies(model.programs, model.state)[0]
     freed = released(model)
@@ -82,11 +82,11 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
     below = np.flatnonzero(lift < -TOUCHING)
     if len(below):
         facts["recontact_time"] = float(time[below[0]])
-        warning = f"disconnect: the lower end is back on the stack at {time[below[0]]:.4g} s"
+        warning = f"disconnect: the LMRP re-contacts the stack at {time[below[0]]:.4g} s"
         if scene.disconnect.stack is None:
             warning += (
-                f", and {-lift.min():.3g} m below it later: nothing stops it there, what follows is not "
-                "to be believed; disconnect.stack would"
+                f" and sinks up to {-lift.min():.3g} m below it, because the scene has no stack to stop it; "
+                "do not use results after this time, or give disconnect.stack"
             )
         facts["warnings"].append(warning)
     if column := flow_of(scene):

@@ -67,13 +67,13 @@ def _equilibrium(
     lowest = float(elevations.min() - elevations[0])
     if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):
         raise PhysicallyUnstable(
-            f"the riser falls over: it would come to rest {-lowest:.4g} m below its lower end; "
-            "the top tension does not carry its weight"
+            "the riser falls over, because the top tension does not carry its weight: in equilibrium, its "
+            f"lowest point would be {-lowest:.4g} m below its lower end"
         )
     if equilibrium.unstable or not _stands_sideways(scene, mesh, model, elevation):
         raise PhysicallyUnstable(
-            "the static equilibrium is unstable, with lateral freedom counted: "
-            "the riser buckles under its own weight; raise the top tension or hold the ends"
+            "the static equilibrium is unstable when the riser can move sideways: "
+            "it buckles under its own weight; raise the top tension or hold the ends"
         )
     return model, equilibrium
 

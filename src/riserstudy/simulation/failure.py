@@ -39,8 +39,8 @@ def why(model: Model, mesh: Mesh, sums: Sums) -> str:
     if sums.count[EVALUATIONS]:
         how = "velocities grow without bound"
     return (
-        f"stopped at t = {time:.6g} s, node {int(node)} (s = {mesh.s[int(node)]:.4g} m), last correction "
-        f"{size:.3g} m: {how}; largest force there: "
-        f"{suspect(model, int(node))}. Take a smaller step, a ramp for sudden motions, or check "
+        f"the run stopped at t = {time:.6g} s at node {int(node)} (s = {mesh.s[int(node)]:.4g} m): {how}; "
+        f"the last correction was {size:.3g} m, the largest force there is from "
+        f"{suspect(model, int(node))}. Take a smaller step, give sudden motions a ramp, or check "
         "stroke and tension"
     )

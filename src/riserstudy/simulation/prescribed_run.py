@@ -36,12 +36,12 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     ways = ["mesh"] if elements > 1 else []
     ways += ["step"] if a.step and a.method != "explicit" else []
     coarser = _coarser(scene, elements, ways, watch) if estimated else []
-    watch.begin(f"the run as asked: {size(elements, a.step)}")
+    watch.begin(f"the requested run: {size(elements, a.step)}")
     try:
         result = single(scene, prescribed(scene, elements), a.step, watch=watch)
     except TakesTooLong as late:
         raise TakesTooLong(
-            f"analysis.mesh, analysis.step: take longer than {watch.patience:g} s, {late}"
+            f"analysis.mesh, analysis.step: the run exceeds the time limit of {watch.patience:g} s, {late}"
         ) from None
     if not estimated:
         return result
@@ -54,7 +54,9 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     if all(way in seen for way in ways):
         result.facts["error_estimate"] = error_of(seen.values(), of_two_runs(sampling))
     else:
-        result.facts["warnings"].append("no error estimate: the coarser run cannot be completed")
+        result.facts["warnings"].append(
+            "no error estimate: the coarser run, which it needs, failed"
+        )
     return result
 
 
@@ -67,7 +69,7 @@ def _coarser(
         elements = max(1, elements // 2) if way == "mesh" else elements
         step = 2.0 * step if way == "step" and step else step
         mesh = prescribed(scene, elements)
-        watch.begin(f"a coarser run, for the error: {size(len(mesh.l0), step)}")
+        watch.begin(f"a coarser run, to estimate the error: {size(len(mesh.l0), step)}")
         try:
             coarse = march(thinned(scene, step)[0], mesh, step, watch=watch, extremes=False)
             runs.append((way, coarse))

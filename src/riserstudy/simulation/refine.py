@@ -208,7 +208,7 @@ class Refinement:
         if self.spent and not self._unknown:
             error = self.error
             worst = max(self.target, key=lambda name: error[name] / self.target[name])
-            off = f"{worst} off by {100 * error[worst]:.2g} %, request {100 * self.target[worst]:.2g} %"
+            off = f"error of {worst} {100 * error[worst]:.2g} %, tolerance {100 * self.target[worst]:.2g} %"
             on += f"; {off}, about {duration(self._left())} to go"
         self.watch.begin(on)
 

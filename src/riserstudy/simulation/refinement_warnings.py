@@ -20,9 +20,9 @@ def missed_accuracy(facts: RunFacts, runs: int) -> str:
     facts : of the finest run, with ``ended_by`` where something else than their number ended the refinement.
     """
     why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
-    errors = f"{in_words(facts['error_estimate'])} estimated"
+    errors = f"estimated errors are {in_words(facts['error_estimate'])}"
     if not facts["error_estimate"]:
-        errors = "no error estimate, which takes more runs"
+        errors = "errors are not estimated, which requires more runs"
     count = f"{runs} run{'s' if runs > 1 else ''}"
     return f"accuracy not reached{why} after {count}, the last on {facts['elements']} segments: {errors}"
 
@@ -36,8 +36,8 @@ def sparse_outputs(scene: Resolved, finest: Result) -> list[str]:
     if interval <= 1.5 * output.interval:
         return []
     return [
-        f"outputs are {interval:g} s apart, not {output.interval:g} s: patience ended before the run "
-        "that was to hold all of them"
+        f"outputs are {interval:g} s apart, not {output.interval:g} s as requested: the time limit "
+        "(patience) ended the refinement before the run that would write all outputs"
     ]
 
 
@@ -47,6 +47,6 @@ def slow_convergence(scene: Resolved, by_step: Halved | None) -> list[str]:
     if by_step is None or by_step.fall >= FIRST_ORDER or not lines:
         return []
     return [
-        f"halving the step reduced its error by a factor of {by_step.fall:.2g} only: "
-        f"{' and '.join(lines)} {'starts' if len(lines) == 1 else 'start'} as a step. Give a ramp"
+        f"halving the time step reduced the error by a factor of only {by_step.fall:.2g}, because "
+        f"{' and '.join(lines)} {'starts' if len(lines) == 1 else 'start'} without a ramp. Give a ramp"
     ]

@@ -47,13 +47,15 @@ def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
     try:
         found = rivals(scene)
     except SimulationError as error:  # of the modes; the run itself is whole
-        facts["warnings"].append(f"riser.viv: whether several modes may last is not known: {error}")
+        facts["warnings"].append(
+            f"riser.viv: the check for several competing modes failed: {error}"
+        )
         return
     if len(found) > 1:
         listed = ", ".join(f"{frequency:.3g}" for frequency in found[:3])
         more = f" and {len(found) - 3} more" if len(found) > 3 else ""
         facts["warnings"].append(
-            f"riser.viv: vortices may follow modes of {listed} Hz{more} along most of the riser. Which one "
-            "lasts can depend on seed, mesh and step, and the estimated error does not show it: compare runs "
-            "with other values of riser.viv.seed, and on a finer mesh"
+            f"riser.viv: vortices may lock in to modes of {listed} Hz{more} along most of the riser. Which "
+            "mode persists can depend on seed, mesh and step, and the estimated error does not include this: "
+            "compare runs with other values of riser.viv.seed, and on a finer mesh"
         )

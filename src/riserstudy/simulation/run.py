@@ -228,9 +228,7 @@ def in_motion(
     with watch.over(record.value, sums):
         model, outcome, taken = _by_method(scene, model, sides, mesh, step, record, sums, facts)
     if outcome == STOPPED:
-        raise TakesTooLong(
-            f"broken off with {100 * share(record.value):.2g} % of the outputs written"
-        )
+        raise TakesTooLong(f"stopped with {100 * share(record.value):.2g} % of the outputs written")
     if outcome != DONE:
         raise StepFailed(why(model, mesh, sums))
     audit.energy(facts, sums, before, sum(energies(model.programs, model.state)) + taken, step)

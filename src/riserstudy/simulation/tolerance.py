@@ -48,7 +48,7 @@ def check_error(result: Result, scene: Resolved) -> None:
     doubt = (
         f"the estimated error is larger than the result: {in_words(error)}, on "
         f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter step, "
-        "or leave both out to have them found"
+        "or omit both, and the program chooses them"
     )
     if scene.analysis.mesh is None:
         raise SimulationError(doubt)
@@ -75,8 +75,8 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
         raise PhysicallyUnstable(
             f"effective tension falls to {facts['smallest_tension']:.3g} N at s = "
             f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
-            f"any wavelength: {len(excess)} finer runs did not settle its peaks; give every section "
-            "bending stiffness, or analysis.mesh and step"
+            f"any wavelength: its peaks did not converge in {len(excess)} runs on finer meshes; give every "
+            "section bending stiffness, or give analysis.mesh and step"
         )
 
 

@@ -64,14 +64,14 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     period, interval = shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
     if step > period / STEPS:
         facts["warnings"].append(
-            f"riser.viv: {period / step:.3g} steps a period of the fastest vortices, {period:.3g} s: take a "
-            f"step of {period / (2 * STEPS):.2g} s"
+            f"riser.viv: the step is too long, only {period / step:.3g} steps per shortest shedding period "
+            f"of {period:.3g} s; take a step of {period / (2 * STEPS):.2g} s"
         )
     late = arrays["time"] >= start
     if int(late.sum()) < FEWEST:
         facts["warnings"].append(
-            f"riser.viv: fewer than {FEWEST} outputs after {start:.4g} s: the vibration is not judged. Run "
-            "longer, or with a shorter analysis.output.interval"
+            f"riser.viv: fewer than {FEWEST} outputs after {start:.4g} s, too few for statistics of the "
+            "vibration. Run longer, or with a shorter analysis.output.interval"
         )
         return
     time, above = arrays["time"][late], slowest(scene)
@@ -95,8 +95,9 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
         facts["vibration_frequency"] = frequency(time, motion)
         return
     facts["warnings"].append(
-        f"riser.viv: outputs {interval:.3g} s apart show no frequency of vortices with periods down to "
-        f"{period:.3g} s: take analysis.output.interval of {period / OUTPUTS:.2g} s"
+        f"riser.viv: outputs every {interval:.3g} s cannot resolve the shortest shedding period of "
+        f"{period:.3g} s, so no frequency is computed; take analysis.output.interval of "
+        f"{period / OUTPUTS:.2g} s"
     )
 
 

@@ -39,8 +39,9 @@ class VibrationRefinement(Refinement):
         excess = self._excess(error)
         if excess > 1.0 and self._next_way() is None:
             finest.facts["warnings"].append(
-                f"accuracy not reached: runs as long as this one differ by chance: {in_words(error)}. Finer "
-                f"meshes and steps show no less; run about {excess**2:.2g} times as long, or several seeds"
+                f"accuracy not reached: statistics of runs of this length scatter by {in_words(error)}. "
+                "Finer meshes and shorter steps do not reduce this scatter; run longer by a factor of about "
+                f"{excess**2:.2g}, or run several seeds"
             )
         return finest
 

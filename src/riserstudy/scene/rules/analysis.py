@@ -64,8 +64,8 @@ def starts_gently(scene: Parts) -> Iterator[Misfit]:
     if release and release.over is None and not damped:
         yield Misfit(
             "disconnect",
-            "lets go at once: tensions of an undamped riser then have no peak that a finer mesh and step "
-            "would settle",
+            "opens the connector without a ramp, and the riser has no structural damping: peaks of tension "
+            "then converge on no mesh",
             "give disconnect.over, structural_damping, or analysis.mesh and step",
         )
     if scene.platform is None or (damped and later):
@@ -74,8 +74,7 @@ def starts_gently(scene: Parts) -> Iterator[Misfit]:
         if (scene.top.z if motion == "heave" else scene.top.x) in ("platform", "vessel"):
             yield Misfit(
                 f"platform.{line}",
-                "starts from rest with a speed: moments and tensions then have no peaks that a finer mesh "
-                "and step would settle",
+                "starts with a jump in velocity: peaks of moment and tension then converge on no mesh",
                 "give it a ramp, or structural_damping and a later analysis.output.start, or analysis.mesh "
                 "and step",
             )
