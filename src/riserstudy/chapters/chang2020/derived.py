@@ -89,7 +89,9 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
     quantity = xr.DataArray(list(QUANTITIES), dims="quantity", name="quantity")
     table = xr.concat(parts, height).expand_dims(quantity=quantity)
     dataset = table.to_dataset(name="reduction").assign(sampled(open_choices))
-    return described(dataset, PAPER, "reduction of the oscillation over the unspecified inputs")
+    return described(
+        dataset, PAPER, "reduction of the oscillation, for samples of the unspecified inputs"
+    )
 
 
 def _spread(history: xr.DataArray) -> xr.DataArray:

@@ -65,7 +65,7 @@ def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Datas
     for name, values in open_runs.data_vars.items():
         if str(name).startswith("assumed_"):
             dataset[name] = values
-    return described(dataset, PAPER, "drive-off over the unspecified inputs")
+    return described(dataset, PAPER, "drive-off, for samples of the unspecified inputs")
 
 
 def open_as_printed(

@@ -73,7 +73,9 @@ def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
         apart.loc[place] = _apart(xr.DataArray(curves, dims=("code", "depth")))
     dataset = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
     dataset = dataset.assign(sampled(check_open))
-    return described(dataset, PAPER, "difference of three methods over the unspecified inputs")
+    return described(
+        dataset, PAPER, "difference of three methods, for samples of the unspecified inputs"
+    )
 
 
 def _apart(moved: xr.DataArray) -> xr.DataArray:

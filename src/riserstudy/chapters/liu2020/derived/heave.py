@@ -25,7 +25,9 @@ def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
     ring = ring_of(heave_open).rename("s")
     ends = heave_open["effective_tension"].sel(s=xr.concat([xr.zeros_like(ring), ring], "end"))
     dataset = _axial_force(ends.drop_vars("s").rename(end="s")).assign(sampled(heave_open))
-    return described(dataset, PAPER, "amplitude of the axial force over the unspecified inputs")
+    return described(
+        dataset, PAPER, "amplitude of the axial force, for samples of the unspecified inputs"
+    )
 
 
 def _at_ends(runs: xr.Dataset, model: str) -> xr.DataArray:

@@ -37,12 +37,14 @@ def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of the unspecified inputs, once settled."""
     x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
     dataset = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
-    return described(dataset, PAPER, "displacement under surge over the unspecified inputs")
+    return described(
+        dataset, PAPER, "displacement under surge, for samples of the unspecified inputs"
+    )
 
 
 def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
     """When surge is first felt at four depths, for every sample of the unspecified inputs."""
-    return _arrivals(surge_start, "surge over the unspecified inputs")
+    return _arrivals(surge_start, "surge, for samples of the unspecified inputs")
 
 
 def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
@@ -54,7 +56,7 @@ def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
 
 def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
     """The same for every sample of the unspecified inputs."""
-    return _arrivals(roll_start, "when roll is first felt, over the unspecified inputs")
+    return _arrivals(roll_start, "when roll is first felt, for samples of the unspecified inputs")
 
 
 def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:
@@ -147,7 +149,7 @@ def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
 
 def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
     """The same for every sample of the unspecified inputs."""
-    return _rolled(roll_open, "roll over the unspecified inputs")
+    return _rolled(roll_open, "roll, for samples of the unspecified inputs")
 
 
 def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
@@ -223,7 +225,9 @@ def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
         stress = fibre_stress(rao_open.sel(wave_period=period), ring)
         swings.append(half_swing(stress, float(period)).max(["s", "side"]))
     dataset = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
-    return described(dataset, PAPER, "stress amplitude by motion over the unspecified inputs")
+    return described(
+        dataset, PAPER, "stress amplitude by motion, for samples of the unspecified inputs"
+    )
 
 
 def waves(wave_runs: xr.Dataset) -> xr.Dataset:
