@@ -39,10 +39,8 @@ HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
 #: height of the panel of an end where there are two (inches)
 FULL = 0.5 * (CEILING - FLOOR - BETWEEN)
 AXES = ("horizontal position (m)", "elevation (m)")  # where nothing moves aside, and x is no input
-NOTE = (
-    "Each panel has one scale in both directions; lines have a least width. Dashed: symbols of parts without "
-    "a size in the scene; in (a) they are enlarged"
-)
+NOTE = "Each panel has one scale in both directions; lines have a least width"
+SYMBOLS = "Dashed: symbols of parts without a size in the scene; in (a) they are enlarged"
 
 
 def schematic(
@@ -105,7 +103,12 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         for view in views:
             view.ax.set_xlabel(AXES[0])
             view.ax.set_ylabel(AXES[1])
-    _texts(figure, geometry, [row for view in views for row in view.labels.rows])
+    styles = [
+        *(patch.get_linestyle() for view in views for patch in view.ax.patches),
+        *(line.get_linestyle() for view in views for line in view.ax.lines),
+    ]
+    dashed = any(style not in ("-", "solid", "None") for style in styles)
+    _texts(figure, geometry, [row for view in views for row in view.labels.rows], dashed)
     return figure
 
 
@@ -185,7 +188,7 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
     return (x, z - below + 0.5 * height), height
 
 
-def _note(geometry: Geometry, labels: list[Label]) -> str:
+def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
     """What is to scale, what marks of the labels mean, and what is not there."""
     scene = geometry.scene
     moved = ""
@@ -202,10 +205,11 @@ def _note(geometry: Geometry, labels: list[Label]) -> str:
     missing = f" Not shown: {named}." if named else ""
     marked = any(ASSUMED in label.text for label in labels)
     assumed = f" {ASSUMED}: assumed length, elevation or number." if marked else ""
-    return f"{NOTE}{moved}. The riser is unstretched{before}.{assumed}{missing}"
+    symbols = f". {SYMBOLS}{moved}" if dashed or moved else ""
+    return f"{NOTE}{symbols}. The riser is unstretched{before}.{assumed}{missing}"
 
 
-def _texts(figure: Figure, geometry: Geometry, labels: list[Label]) -> None:
+def _texts(figure: Figure, geometry: Geometry, labels: list[Label], dashed: bool) -> None:
     """Title, directions of motion, what colours and marks of the labels mean, and what is to scale."""
     scene, used = geometry.scene, {label.colour for label in labels}
     title = "\n".join(textwrap.wrap(scene.title, 100))
@@ -220,5 +224,5 @@ def _texts(figure: Figure, geometry: Geometry, labels: list[Label]) -> None:
         handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
         frameon=False, handlelength=1.2, columnspacing=1.2,
     )  # fmt: skip
-    note = "\n".join(textwrap.wrap(_note(geometry, labels), 150))
+    note = "\n".join(textwrap.wrap(_note(geometry, labels, dashed), 150))
     figure.text(0.03, 0.012, note, fontsize=SIZE, va="bottom", color="0.35")

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from matplotlib.ticker import EngFormatter
 
-from riserstudy.scene.ends import Body, Rotation
+from riserstudy.scene.ends import Body, FlexJoint, Rotation
 from riserstudy.scene.forcing import TILTS, Harmonic, Platform
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
@@ -24,6 +24,13 @@ def amount(value: float, unit: str) -> str:
     """A number to four digits with its unit, in thousands of it where that is shorter."""
     text = EngFormatter(unit)(float(f"{value:.4g}"))
     return text.replace(" ", UNBROKEN)
+
+
+def like(value: float, larger: float, unit: str) -> str:
+    """A number to four digits in thousands of its unit where a larger one beside it has them."""
+    if abs(value) < 1e3 <= abs(larger) < 1e6:
+        return f"{value / 1e3:.4g}{UNBROKEN}k{unit}".replace("-", "−")
+    return amount(value, unit)
 
 
 def metres(value: float, sign: str = "") -> str:
@@ -84,15 +91,19 @@ def section_text(section: Section, wet: bool, mark: str = "", gravity: float | N
 def _weight_text(section: Section, wet: bool, gravity: float | None) -> str:
     """Weight per length with contents, which the tension carries, and without."""
     weight, full = section.submerged_weight, section.contents
-    empty = f"{amount(weight, 'N')}/m" if weight else ""
+    filled = 0.0
+    if weight is not None and full is not None and gravity is not None:
+        filled = weight + gravity * section.contents_mass
+    empty = f"{like(weight, filled, 'N')}/m" if weight else ""
     where = " in water" if wet else ""
     if full is None:
         return f"{empty}{where}" if empty else ""
     inside = f"contents of {full.density:.4g} kg/m³"
     if weight is None or gravity is None:
         return sentence([f"{empty}{where} without contents" if empty else "", inside])
-    whole = amount(weight + gravity * section.contents_mass, "N")
-    return sentence([f"{whole}/m{where} with {inside}", f"{empty} without" if empty else ""])
+    return sentence(
+        [f"{amount(filled, 'N')}/m{where} with {inside}", f"{empty} without" if empty else ""]
+    )
 
 
 def tension_text(scene: Resolved, tension: float) -> str:
@@ -141,7 +152,9 @@ def top_text(scene: Resolved) -> str:
     away = f"{top.offset:.4g} m from above the lower end" if top.offset else ""
     both = "x and z follow the platform" if top.x == top.z == "platform" else ""
     apart = "" if both else f"x {x}, z {ways[top.z]}"
-    return "upper end: " + sentence([both, apart, away, rotation_text(top.rotation)])
+    # a flex joint has a label of its own
+    turning = "" if isinstance(top.rotation, FlexJoint) else rotation_text(top.rotation)
+    return "upper end: " + sentence([both, apart, away, turning])
 
 
 def bottom_text(scene: Resolved) -> str:
@@ -150,7 +163,8 @@ def bottom_text(scene: Resolved) -> str:
     if bottom.hold == "free":
         return "lower end: free"
     held = {"wellhead": "held", "foot": "held in z, in x by soil"}[bottom.hold]
-    return f"lower end: {held}" + (f", {rotation_text(bottom.rotation)}" if scene.lateral else "")
+    turns = scene.lateral and not isinstance(bottom.rotation, FlexJoint)
+    return f"lower end: {held}" + (f", {rotation_text(bottom.rotation)}" if turns else "")
 
 
 def freedom_text(scene: Resolved) -> str:

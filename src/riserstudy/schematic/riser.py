@@ -6,13 +6,14 @@ from typing import Any
 
 import numpy as np
 
-from riserstudy.scene.ends import Body, Rotation
+from riserstudy.scene.ends import Body, FlexJoint, Rotation
 from riserstudy.scene.riser import Section
 from riserstudy.schematic.facts import (
     amount,
     body_text,
     bottom_text,
     joint_text,
+    metres,
     section_text,
     top_text,
 )
@@ -123,7 +124,21 @@ def ends(view: View, geometry: Geometry) -> None:
     if scene.lateral:
         end_joint(view, geometry.top, top.rotation)
     view.name(top_text(scene), geometry.top, FREEDOM)
+    for name, end, place in (("upper", top, geometry.top), ("lower", bottom, geometry.bottom)):
+        if scene.lateral and isinstance(end.rotation, FlexJoint):
+            view.name(f"{name} flex joint, {joint_text(end.rotation.stiffness)}", place)
+    _wellhead(view, geometry)
     soil(view, geometry)
+
+
+def _wellhead(view: View, geometry: Geometry) -> None:
+    """Name the top of a conductor that soil holds, its section or sections from the lower end upwards."""
+    if geometry.scene.bottom.hold != "foot":
+        return
+    tops = [high for section, _, high in geometry.sections if "conductor" in section.name]
+    if tops:
+        x, z = geometry.at(max(tops))
+        view.name_anywhere(f"wellhead, {metres(z)}", (x, z))
 
 
 def _ground(view: View, place: Point, rolling: bool) -> None:

@@ -226,7 +226,7 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
         ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
         _heights(ax, settled[quantity], level, label)
     axes[0].annotate(
-        "steady state,\nfrom equilibrium:", (1.01, 1.0), xycoords="axes fraction", fontsize="small",
+        "steady state,\nmeasured from\nequilibrium:", (1.01, 1.0), xycoords="axes fraction", fontsize="small",
         va="top", color=legible(OF_STATE["steady"]),
     )  # fmt: skip
     figure.supylabel(label, fontsize="medium")

@@ -92,7 +92,6 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
                 markersize=5,
                 color=OF_STATE[reading],
                 label=f"{STATES[reading]}, {NAMES[model]}",
-                clip_on=False,
             )
     ax.set_xlabel(AMPLITUDE)
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
@@ -104,6 +103,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     )
     ax.set_ylim(bottom=0.85)
     label_ends(ax)
+    ax.margins(x=0.03)  # so that marks are whole
     return figure
 
 
@@ -115,7 +115,10 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     moving = runs.sel(heave_amplitude=runs["heave_amplitude"] > 0)
     index = (moving["z_max"] - rest) / (rest - moving["z_min"])
     grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
-    ramps = (("None", "without a ramp"), ("40 s", "with a ramp of 40 s"))
+    ramps = (
+        ("None", "platform motion without a ramp"),
+        ("40 s", "platform motion with a ramp of 40 s"),
+    )
     for ax, (ramp, title) in zip(axes, ramps, strict=True):
         for start, colour in OF_START.items():
             chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (

@@ -41,6 +41,7 @@ from riserstudy.figures.style import (
     panels,
 )
 
+LATE, MIDDLE = (200.0, 1000.0, 1400.0, 1800.0), 1000.0  # m, heights of the last window; mid-length
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time
 LAST = ListedColormap(colormaps["Reds"](np.linspace(0.5, 0.9, 256)))  # of time, red as in the text
@@ -49,7 +50,9 @@ OTHER: dict[str, Any] = {
     "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
 }  # fmt: skip
 MEAN: dict[str, Any] = {"color": "0.6", "linewidth": 5.0, "zorder": 1.0}
-viridis = colormaps["viridis"]  # of heights along the riser
+GREENS = ListedColormap(
+    colormaps["Greens"](np.linspace(0.4, 1.0, 256))
+)  # of heights along the riser
 plasma = colormaps["plasma"]  # of tides
 
 
@@ -130,14 +133,16 @@ def _mean(ax: Axes, motion: xr.Dataset) -> None:
 
 
 def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
-    """Deflection over time every 200 m; in the last window every 400 m, less its last mean."""
+    """Deflection over time every 200 m; in the last window at some heights, less their last means."""
     heights = np.arange(200.0, 2000.0, 200.0)
-    shades = viridis(np.linspace(0.0, 0.95, heights.size))
-    every = 2 if last_window else 1  # of those that cross one another
-    for colour, s in zip(shades[::every], heights[::every], strict=True):
+    shades = GREENS(np.linspace(0.0, 1.0, heights.size))
+    for colour, s in zip(shades, heights, strict=True):
+        if last_window and s not in LATE:
+            continue
         track = window.sel(s=s, method="nearest")
         drawn = 100.0 * (track - averaged(track).isel(time=-1)) if last_window else track
-        ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m")
+        mean = ", and mean" if last_window and s == MIDDLE else ""
+        ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m" + mean)
     ax.set_xlabel(TIME)
     ax.set_ylabel("change to the last mean (cm)" if last_window else DEFLECTION)
     ax.margins(y=0.1)  # room for names

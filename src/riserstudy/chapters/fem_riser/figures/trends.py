@@ -42,7 +42,6 @@ from riserstudy.figures.style import (
     panels,
 )
 
-PALE = "#d0d0d0"  # of a range
 FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "vibration amplitude,\ndrift (m)"
 SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leaves
@@ -72,6 +71,16 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
     cases = _each(tension_ratio, "tension_ratio", "top tension ratio")
     figure = envelopes(cases, (BLACK, BLUE, RED))
     headline(figure, f"More top tension {_changes(tension_ratio, 'tension_ratio')}")
+    found = measures(tension_ratio.sel(solver=BEAM))
+    for ax, name, scale, head, (across, up) in (
+        (figure.axes[1], "stress", 1e-6, "largest\n(MPa):", (0.68, 0.6)),
+        (figure.axes[3], "vibration", 1.0, "largest\nvibration (m):", (0.04, 0.245)),
+    ):
+        rows = [(head, BLACK), *((f"{scale * float(value):.2g}", colour) for value, colour in zip(
+            found[name], (BLACK, BLUE, RED), strict=True))]  # fmt: skip
+        for k, (text, colour) in enumerate(rows):
+            ax.annotate(text, (across, up - 0.055 * k), xycoords="axes fraction", color=colour,
+                        va="bottom" if k == 0 else "center", fontsize="x-small")  # fmt: skip
     return figure
 
 
@@ -81,9 +90,14 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
     figure = envelopes(cases, (RED, BLUE, BLACK))
     headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
     most = float(buoyant_factor["buoyant_factor"].max())
+    runs = buoyant_factor.sel(buoyant_factor=most)
+    near = 0.93 * float(runs["s_node"][-1])
+    dashed = runs["bending_moment_min"].sel(solver=LUMPED).sel(s_node=near, method="nearest")
     figure.axes[1].annotate(
-        f"{most:g}, lumped\nmasses: top\nlower in\nthe wave", (0.03, 0.72), xycoords="axes fraction",
-        va="top", fontsize="x-small",
+        f"dashed, {most:g}:\nlumped-mass\nriser's top\nis lower in\nthe wave",
+        (float(stress_factor(runs) * dashed) / 1e6, float(dashed["s_node"])),
+        (0.03, 0.72), textcoords="axes fraction", va="top", fontsize="x-small",
+        arrowprops={"arrowstyle": "-", "linewidth": 0.6, "relpos": (0.5, 1.0)},
     )  # fmt: skip
     return figure
 
@@ -126,7 +140,10 @@ def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
 def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
     """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
     figure, axes = panels(1, 4, 4.2, sharey=True)
-    for colour, runs in zip(colours, cases.values(), strict=True):
+    pairs = list(zip(colours, cases.values(), strict=True))
+    # the widest first, as ranges of others are within it
+    pairs.sort(key=lambda pair: -float(abs(pair[1]["bending_moment_min"].sel(solver=BEAM)).max()))
+    for colour, runs in pairs:
         factor = stress_factor(runs) / 1e6
         period = period_of(runs)
         for solver in (BEAM, LUMPED):
@@ -161,7 +178,7 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
     }
     dotted = Line2D([], [], color=GREY, linewidth=1.2, linestyle=":")
     known |= {
-        "(a–c) range in 261 to 300 s, beam": Patch(facecolor=PALE, edgecolor=GREY),
+        "(a–c) filled: range in 261 to 300 s, beam": Line2D([], [], linestyle="none"),
         "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
         "(a–d) lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
         f"(d) drift above {100.0 * DRIFTS:g} cm, removed from (a)": dotted,

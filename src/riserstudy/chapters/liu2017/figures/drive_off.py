@@ -40,6 +40,7 @@ from riserstudy.figures.style import (
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 EARLY = 20.0  # s, one of them, when the top has moved and the bottom hardly
+HARDLY = 0.02  # share of the way of the top
 TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 PIPE = "riser, 386 MPa\n(assumed)"
 LOW = 218.0  # m above the conductor's foot, a tenth up the riser
@@ -135,12 +136,19 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
             zorder=4,
             label="_",
         )
+        up = moved is ends[1]
+        axes[0].annotate(
+            f"{float(moved):.0f} m" if up else f"{float(moved):.1f} m", (there["x"], there["z"]),
+            xytext=(-2.0, -17.0) if up else (-5.0, 0.0), textcoords="offset points",
+            ha="left" if up else "right", va="center", fontsize="x-small",
+        )  # fmt: skip
     low, high = (float(moved) for moved in ends)
     axes[0].annotate(
-        f"circles: after {EARLY:g} s,\nat the top and a tenth up", (0.97, 0.04), ha="right",
-        xycoords="axes fraction", va="bottom", fontsize="small",
+        f"circles: after {EARLY:g} s,\nat the top and\na tenth of the length\nfrom the bottom",
+        (0.97, 0.04), ha="right", xycoords="axes fraction", va="bottom", fontsize="small",
     )  # fmt: skip
-    set_title(figure, f"A tenth up, the riser has moved {low:.1f} m, its top {high:.0f} m")
+    below = "hardly" if low < HARDLY * high else f"{low:.1f} m"
+    set_title(figure, f"After {EARLY:g} s the top has moved {high:.0f} m, the lower end {below}")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 
