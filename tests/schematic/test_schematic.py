@@ -80,7 +80,9 @@ def test_labels_neither_touch_nor_leave_the_figure(paper, name):
     for (one, first), (other, second) in combinations(boxes.items(), 2):
         assert not first.overlaps(second), (one, other)
     width, height = figure.get_size_inches() * figure.dpi
+    legends = [legend.get_window_extent(renderer) for legend in figure.legends]
     for text, box in boxes.items():
+        assert not any(box.overlaps(legend) for legend in legends), text
         assert box.x0 >= 0.0, text
         assert box.x1 <= width, text
         assert box.y0 >= 0.0, text

@@ -193,11 +193,11 @@ def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
     scene = geometry.scene
     moved = ""
     if (scene.platform or scene.vessel) and geometry.has_upright_cylinders:
-        moved = ", as is the ring, "
+        moved = ", as is the ring. "
         if geometry.surface is None:
-            moved += f"and the platform is moved {'down' if geometry.standing else 'up'}"
+            moved += f"There the platform is moved {'down' if geometry.standing else 'up'}"
         else:
-            moved += "and the platform's height is not to scale"
+            moved += "The platform's height is not to scale"
     current, waves = scene.current is not None, scene.wave is not None
     loads = "current and waves act" if current and waves else "the current acts"
     before = f", before {loads if current else 'waves act'} on it" if current or waves else ""

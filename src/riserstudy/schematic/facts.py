@@ -142,29 +142,30 @@ def body_text(body: Body, gravity: float, density: float) -> str:
     )
 
 
-def top_text(scene: Resolved) -> str:
-    """What the upper end may do."""
+def top_text(scene: Resolved, remark: str = "") -> str:
+    """What the upper end may do; ``remark`` follows its name."""
     top = scene.top
     ways = {"platform": "follows the platform", "held": "held", "free": "free"}
     x = {"vessel": "surges with the platform"}.get(top.x or "", ways.get(top.x or "", ""))
     if not scene.lateral:
-        return f"upper end: {ways[top.z]}"
+        return f"upper end{remark}: {ways[top.z]}"
     away = f"{top.offset:.4g} m from above the lower end" if top.offset else ""
-    both = "x and z follow the platform" if top.x == top.z == "platform" else ""
+    on_it = "x, y and z follow the platform" if scene.spatial else "x and z follow the platform"
+    both = on_it if top.x == top.z == "platform" else ""
     apart = "" if both else f"x {x}, z {ways[top.z]}"
     # a flex joint has a label of its own
     turning = "" if isinstance(top.rotation, FlexJoint) else rotation_text(top.rotation)
-    return "upper end: " + sentence([both, apart, away, turning])
+    return f"upper end{remark}: " + sentence([both, apart, away, turning])
 
 
-def bottom_text(scene: Resolved) -> str:
-    """What the lower end may do."""
+def bottom_text(scene: Resolved, remark: str = "") -> str:
+    """What the lower end may do; ``remark`` follows its name."""
     bottom = scene.bottom
     if bottom.hold == "free":
-        return "lower end: free"
+        return f"lower end{remark}: free"
     held = {"wellhead": "held", "foot": "held in z, in x by soil"}[bottom.hold]
     turns = scene.lateral and not isinstance(bottom.rotation, FlexJoint)
-    return f"lower end: {held}" + (f", {rotation_text(bottom.rotation)}" if turns else "")
+    return f"lower end{remark}: {held}" + (f", {rotation_text(bottom.rotation)}" if turns else "")
 
 
 def freedom_text(scene: Resolved) -> str:
@@ -194,13 +195,14 @@ def tensioner_text(rig: Tensioners, mark: str = "") -> str:
     failed = f"{len(rig.failed)} failed" if rig.failed else ""
     made_linear = "made linear" if rig.linearised else ""
     damped = f"damper {amount(rig.damper, 'N s/m')}" if rig.damper else ""
-    stops = (
-        f"stops at {metres(rig.stroke.shortest)} and {metres(rig.stroke.longest, '+')}"
-        if rig.stroke
-        else ""
-    )
-    cylinders = f"1 cylinder{mark}" if rig.count == 1 else f"{rig.count} cylinders{mark}"
+    stops = f"stops at {_either_way(rig.stroke.shortest, rig.stroke.longest)}" if rig.stroke else ""
+    cylinders = f"as one cylinder{mark}" if rig.count == 1 else f"{rig.count} cylinders{mark}"
     return sentence([f"tensioners: {cylinders}", law, made_linear, damped, stops, failed])
+
+
+def _either_way(low: float, high: float) -> str:
+    """Two places (m) on a stroke, as one where they are as far from its middle."""
+    return f"±{metres(high)}" if low == -high else f"{metres(low)} and {metres(high, '+')}"
 
 
 def platform_texts(platform: Platform, geometry: Geometry) -> list[str]:

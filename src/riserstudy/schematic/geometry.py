@@ -177,6 +177,9 @@ class Geometry:
 def labelled(scene: Resolved) -> Iterator[str]:
     """Paths of the parts whose labels can bear a remark."""
     yield from (f"riser[{k}]" for k in range(len(scene.riser)))
+    yield from ("top", "bottom")
+    if scene.top.tensioners:
+        yield "top.tensioners"
     if scene.current:
         yield "current"
     if scene.top.telescopic_joint:

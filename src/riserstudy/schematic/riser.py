@@ -116,14 +116,14 @@ def ends(view: View, geometry: Geometry) -> None:
         _ground(view, geometry.bottom, rolling=bottom.hold == "foot")
         if scene.lateral:
             end_joint(view, geometry.bottom, bottom.rotation)
-    view.name(bottom_text(scene), geometry.bottom, FREEDOM)
+    view.name(bottom_text(scene, geometry.remark("bottom")), geometry.bottom, FREEDOM)
     if bottom.body:
         body(view, geometry, bottom.body, geometry.bottom, below=True)
     if top.body:
         body(view, geometry, top.body, geometry.ring, below=False)
     if scene.lateral:
         end_joint(view, geometry.top, top.rotation)
-    view.name(top_text(scene), geometry.top, FREEDOM)
+    view.name(top_text(scene, geometry.remark("top")), geometry.top, FREEDOM)
     for name, end, place in (("upper", top, geometry.top), ("lower", bottom, geometry.bottom)):
         if scene.lateral and isinstance(end.rotation, FlexJoint):
             view.name(f"{name} flex joint, {joint_text(end.rotation.stiffness)}", place)

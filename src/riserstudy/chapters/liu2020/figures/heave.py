@@ -101,7 +101,9 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].plot(at, line.sel(middle), "--", color=LINEAR, label=f"{LINEARISED}, 15 s")
     for amplitude in at.values:
         curve = law.sel(heave_amplitude=amplitude)
-        axes[1].plot(curve["heave_period"], curve, color=ON_TENSIONERS, label=f"{amplitude:g} m")
+        axes[1].plot(
+            curve["heave_period"], curve, ".-", color=ON_TENSIONERS, ms=4, label=f"{amplitude:g} m"
+        )
     axes[0].set_xlabel(AMPLITUDE)
     axes[0].set_ylabel("amplitude of the effective tension (kN)")
     axes[1].set_xlabel(PERIOD)
@@ -142,7 +144,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     for limit, name in ((-STROKE, "stop, retracted"), (STROKE, "stop, extended")):
         axes[0].axhline(limit, color="black", linewidth=1.0)
         axes[0].annotate(
-            f"{name}: {abs(limit):g} m", (0.02, limit), xycoords=("axes fraction", "data"),
+            f"{name}: {limit:+g} m".replace("-", "−"), (0.02, limit), xycoords=("axes fraction", "data"),
             xytext=(0, 4 if limit > 0.0 else -4), textcoords="offset points", fontsize="small",
             va="bottom" if limit > 0.0 else "top",
         )  # fmt: skip

@@ -143,9 +143,9 @@ def baselines(
         (180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
-        "current of 1 m/s",
-        "surge, least of 4 depths",
-        "surge, least of 4 depths",
+        "smaller in a current\nof 1 m/s",
+        "smaller under surge,\nleast of 4 depths",
+        "lags under surge,\nleast of 4 depths",
     )
     over, less = "displacement,\nwithout / with tensioners", (1.0 - smaller, 1.0 / (1.0 - smaller))
     labels = (over, over, "lag of the riser\non tensioners (°)")
@@ -160,7 +160,7 @@ def baselines(
     axes[0].set_yticks(range(len(WITHOUT)), names)
     axes[0].set_ylim(len(WITHOUT) - 0.5, -0.5)
     axes[-1].yaxis.set_label_position("right")
-    axes[-1].set_ylabel("samples with the claim (%)")
+    axes[-1].set_ylabel(f"share of {at_rest.sizes['sample']} samples (%)")
     shares = [
         (values.sel(tensioner_model=list(WITHOUT)) > even[1]).mean("sample").values
         for values, even in zip(compared, same, strict=True)
@@ -246,7 +246,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     amplitudes = roll["roll_amplitude"].values
     for colour, amplitude in zip(shades(ON_TENSIONERS, len(amplitudes)), amplitudes, strict=True):
         curve = roll["largest_bending_moment"].sel(roll_amplitude=amplitude) / 1e3
-        ax.plot(curve["roll_period"], curve, color=colour, label=f"{amplitude:g}° roll")
+        ax.plot(curve["roll_period"], curve, ".-", color=colour, ms=4, label=f"{amplitude:g}° roll")
     ax.plot([10.0], [largest], "kx", markersize=8)
     ax.annotate(
         f"{largest:g} kN m, printed for 4° (fitted)", (10.0, largest), xytext=(3, 85), fontsize="small",

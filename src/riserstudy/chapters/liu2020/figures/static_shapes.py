@@ -80,8 +80,9 @@ def fig12(
     _forces(figure, statics_tuned, (slow, middle, fast), (0.03, 0.3), "left")  # where no curve is
     for left, right in zip(figure.axes[::2], figure.axes[1::2], strict=True):
         _scale_of_tensioners(left, right)
-        right.set_ylim(NEAR, 0.0)
+        right.set_ylim(NEAR, -0.12 * NEAR)  # room for the tensioners' largest
         right.set_ylabel(DEPTH)
+        _name_largest(right)
         _tell_what_leaves(left, 0.1, (230.0, 170.0, 110.0))
         _tell_what_leaves(right, 0.03, (0.9 * NEAR,))
     low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
@@ -101,6 +102,23 @@ def _scale_of_tensioners(left: Axes, right: Axes) -> None:
     room = 0.08 * (high - low)
     for ax in (left, right):
         ax.set_xlim(low - room, high + room)
+
+
+def _name_largest(ax: Axes) -> None:
+    """The largest moment on the tensioners (kN m), above the curve, beside which that at the ring is seen."""
+    (curve,) = (line for line in ax.get_lines() if line.get_label() == NAMES["gas law"])
+    moments, depths = (np.asarray(values, float) for values in curve.get_data())
+    k = int(np.argmax(abs(moments)))
+    largest = f"{moments[k]:.0f}".replace("-", "−")
+    ax.annotate(
+        f"{NAMES['gas law']}: largest {largest} kN m", (moments[k], depths[k]),
+        xytext=(0.03, -0.06 * NEAR), textcoords=("axes fraction", "data"), fontsize="x-small",
+        color=legible(OF_TOP["gas law"]), va="center",
+        arrowprops={
+            "arrowstyle": "-|>", "lw": 0.8, "color": legible(OF_TOP["gas law"]), "shrinkB": 1.0,
+            "relpos": (0.07, 0.0),
+        },
+    )  # fmt: skip
 
 
 def _tell_what_leaves(ax: Axes, left: float, depths: tuple[float, ...]) -> None:
@@ -184,7 +202,7 @@ def _forces(
             for speed, of in zip(SPEEDS, printed, strict=True)
         ]
         ax.annotate(
-            "\n".join([f"pushed back by {cylinders} (printed):", *lines]), place,
+            "\n".join([f"horizontal force of {cylinders} (printed):", *lines]), place,
             xycoords="axes fraction", ha=side, va="bottom", fontsize="x-small",
             bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
         )  # fmt: skip

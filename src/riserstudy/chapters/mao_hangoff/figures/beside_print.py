@@ -87,14 +87,16 @@ def _ring(axes: list[Axes], nearest: xr.Dataset, mark: str, colour: str) -> None
 
 
 def _how_near(misses: xr.Dataset, within: float, label: str) -> str:
-    """How many come within a share of each number and of all three, and what the nearest misses by."""
+    """How many come within a share of each number and of all three, and the error of the nearest."""
     three = misses[list(NUMBERS)].to_dataarray("number")
     worst = three.max("number")
     every = int((worst <= within).sum())
     if every:
         return f"{every} of {worst.size} {label} meet all three published values"
     off = 100 * float(worst.min())
-    return f"At 130 s no {label[:-1]} meets all three values; the closest is {off:.0f} % off"
+    return (
+        f"At 130 s no {label[:-1]} meets all three values; the closest has an error of {off:.0f} %"
+    )
 
 
 def _printed(heavy: float, light: float, moment: float) -> str:

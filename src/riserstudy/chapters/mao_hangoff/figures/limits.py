@@ -147,10 +147,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
     legend_below(figure, [*key.values()], [*key], 2)
     papers = lost.isel(riser_length=-1, lmrp_mass=-1)
     on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
-    headline(
-        figure,
-        f"Locked, the paper's riser loses tension {locked} of heave, on tensioners {on_tensioners}",
-    )
+    headline(figure, f"The locked riser loses tension {locked}, on tensioners {on_tensioners}")
     return figure
 
 
@@ -162,10 +159,11 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: s
 
 
 def _loses(lost: xr.DataArray) -> str:
-    """From which heave on a riser loses tension in the worst period."""
+    """From which heave on a riser loses tension, and in which period: the worst."""
     if bool(lost.isnull().all()):
-        return "nowhere"
-    return f"from {_two_digits(float(lost.min()))} m"
+        return "in no heave shown"
+    worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
+    return f"from {_two_digits(float(worst))} m of heave in {float(worst['heave_period']):g} s"
 
 
 def _two_digits(value: float) -> str:

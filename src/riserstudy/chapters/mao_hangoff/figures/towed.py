@@ -25,7 +25,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
 )
 from riserstudy.chapters.mao_hangoff.runs import STATED
 from riserstudy.chapters.mao_hangoff.towed import displacement
-from riserstudy.figures.direct import label_line
+from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
     COLOURS,
@@ -39,7 +39,7 @@ from riserstudy.figures.style import (
 
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
 START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
-DEPTHS = (0.0, 1000.0, 1500.0, 1800.0)  # m, of Fig 9d, and the LMRP
+DEPTHS = (0.0, 1000.0, 1500.0)  # m, of Fig 9d
 #: shapes of the current by what their names contain, with the titles of their panels
 FAMILIES = {
     "none below": "uniform to 100 m,\nzero below the depth shown",
@@ -81,9 +81,7 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
             if ax is axes[0]:
                 label_line(ax, line, 0.1)
     _name_largest_difference(axes[1], moments.sel(time=list(START)), depth)
-    for ax, title in zip(
-        axes, ("shape, replacement case", "moment, replacement case"), strict=True
-    ):
+    for ax, title in zip(axes, ("shape", "bending moment"), strict=True):
         panel_title(ax, title)
     implicit = axes[1].plot([], [], color=GREY, label="implicit")
     explicit = axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
@@ -140,7 +138,9 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     ax.legend(handles=keys, fontsize="small")
     tip = pe_pipe["x"].isel(s=0).sel(filling="flooded")
     power = np.log(float(tip[-1] / tip[0])) / np.log(float(speeds[-1] / speeds[0]))
-    headline(figure, f"The tip deflects with the power {power:.1f} of the speed (speeds assumed)")
+    headline(
+        figure, f"The tip deflection increases with speed to the power {power:.1f} (speeds assumed)"
+    )
     return figure
 
 
@@ -225,7 +225,12 @@ def fig09(
         ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=COLOURS[1])
     _peak(axes[1], theirs)
     axes[1].set_xlim(right=1.36 * float(theirs.max()))  # room for its number
-    titles = (f"shape at 130 s, {AGAINST}", "moment at 130 s", "shapes in time", "axial motion")
+    titles = (
+        f"shape at 130 s, {AGAINST}",
+        "moment at 130 s",
+        "shapes in time",
+        "axial motion, by depth below the joint",
+    )
     for ax, title in zip(axes, titles, strict=True):
         panel_title(ax, title)
     for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
@@ -243,23 +248,22 @@ def fig09(
         (Line2D([], [], **PRINTED), "printed"),
         (band, f"(b) range in {HEAVE:g} s of heave"),
     )
-    depths = zip(*axes[3].get_legend_handles_labels(), strict=True)
-    key = [row for pair in zip(known, depths, strict=True) for row in pair]  # a column is a pair
-    legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 4)
+    legend_below(figure, [handle for handle, _ in known], [label for _, label in known], 4)
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
     headline(
         figure,
-        f"The LMRP trails by {away:.1f} m, the moment reaches {float(ours.max()):.1f} kN m (calibrated)",
+        f"The LMRP trails by {away:.1f} m (calibrated), the moment reaches {float(ours.max()):.1f} kN m",
     )
+    label_ends(axes[3])
     return figure
 
 
 def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
-    """Heights over time at several depths; below the joint they nearly coincide."""
+    """Heights over time at several depths; below the joint they nearly coincide, the deeper drawn inside."""
     shades = plasma(np.linspace(0.0, 0.85, len(DEPTHS)))
-    for colour, width, below in zip(shades, (1.0, *NESTED), DEPTHS, strict=True):
+    for colour, width, below in zip(shades, (1.0, *NESTED[:2]), DEPTHS, strict=True):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
-        name = f"(d) {below:g} m below the joint" if below else "(d) upper flex joint"
+        name = f"{below:g} m" if below else "joint"
         ax.plot(at["time"], at - at[0], color=colour, lw=width, label=name)
     ax.set_xlabel(TIME)
     ax.set_ylabel("axial motion (m)")

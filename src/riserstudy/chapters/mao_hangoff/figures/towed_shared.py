@@ -38,9 +38,17 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
 
 
 def three_panels(
-    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str
+    runs: xr.Dataset,
+    axis: str,
+    values: tuple[float, ...],
+    label: str,
+    current: str,
+    motion: str = "axial motion",
 ) -> Figure:
-    """Panels (a) to (c) of Figs 10 to 14, without a key; ``current``: speed and direction, of panel (a)."""
+    """Panels (a) to (c) of Figs 10 to 14, without a key.
+
+    ``current``: speed and direction, of panel (a); ``motion``: title of panel (c).
+    """
     figure, axes = panels(1, 3, 3.7)
     for colour, value, width in zip(COLOURS, values, NESTED, strict=False):
         run = runs.sel({axis: value}, method="nearest")
@@ -51,7 +59,8 @@ def three_panels(
         axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
         axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
         axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=width)
-    panel_title(axes[0], current)
+    for ax, title in zip(axes, (current, "size of the moment", motion), strict=True):
+        panel_title(ax, title)
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)

@@ -34,6 +34,8 @@ from riserstudy.figures.style import (
 
 TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
 ALIKE = 1.0  # %, by which curves may differ that are drawn in each other
+#: of lines that coincide with another in a panel of trends (points): the later is drawn on the earlier
+WIDTHS = {"lmrp_mass": 3.0, "current_speed": 1.2}
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 
 
@@ -62,9 +64,11 @@ def _two_profiles(
 
     ``held``: speed and direction that panel (a) states.
     """
-    figure = three_panels(as_drawn(runs), axis, values, label, held)
-    axes = figure.axes
     names = [str(name) for name in runs["current_profile"].values]
+    figure = three_panels(
+        as_drawn(runs), axis, values, label, held, f"axial motion, {names[0]} only"
+    )
+    axes = figure.axes
     other = runs.isel(current_profile=-1, drop=True)
     change = changes(other, axis, values[0], values[-1])["displacement"]
     alike = abs(change) < ALIKE
@@ -82,7 +86,6 @@ def _two_profiles(
             f"the three dashed\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
-    panel_title(axes[2], f"{names[0]} only")
     axes[0].plot([], [], color=GREY, label=f"current: {names[0]} (assumed)")
     axes[0].plot([], [], "--", color=GREY, label=f"current: {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
@@ -119,7 +122,8 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
             textcoords="offset points", ha=to, va="top", fontsize="x-small",
         )  # fmt: skip
     panel_title(axes[0], "current 3 m/s, power 1/4 (assumed)")
-    panel_title(axes[2], "both speeds in one profile")
+    panel_title(axes[1], "size of the moment")
+    panel_title(axes[2], "axial motion, speeds in one profile")
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
@@ -195,9 +199,13 @@ def trends(
             if not varied and k == 0:  # these are in the other profile only
                 continue
             one = runs.isel(current_profile=-k, drop=True) if varied else runs
-            ends = _changes_over_input(axes[:3], one, axis, {"ls": style, "color": colour})
+            ends = _changes_over_input(
+                axes[:3], one, axis, {"ls": style, "color": colour, "lw": WIDTHS.get(axis, 1.5)}
+            )
             by_profile[k][in_words(axis)] = ends
-        axes[0].plot([], [], color=colour, ls="-" if varied else "--", label=name)
+        axes[0].plot(
+            [], [], color=colour, ls="-" if varied else "--", label=name, lw=WIDTHS.get(axis, 1.5)
+        )
     for ax, title in zip(
         axes, ("displacement astern", "largest moment", "joint angle"), strict=False
     ):
@@ -245,9 +253,8 @@ def _positions(ax: Axes, track_angle: xr.Dataset) -> None:
 def _matters_most(by_profile: list[dict[str, float]]) -> str:
     """Which input changes a result most in each profile, per cent of result for per cent of input."""
     most = list(dict.fromkeys(max(ends, key=lambda name: ends[name]) for ends in by_profile))
-    verb = "matters" if len(most) == 1 else "matter"
     condition = "" if len(most) == 1 else ", depending on profile"
-    return f"Per cent for per cent the {' or the '.join(most)} {verb} most{condition}"
+    return f"The results are most sensitive to the {' or the '.join(most)}{condition}"
 
 
 def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:
