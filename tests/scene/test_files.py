@@ -39,7 +39,7 @@ def test_origins_say_what_is_assumed_derived_and_calibrated():
     pressure = origins["top.tensioners.gas.pressure"]
     assert pressure.status == "assumed"
     assert pressure.options == ("190.2 bar absolute", "190.2 bar gauge")
-    assert "bar only" in pressure.why
+    assert "bar without stating absolute or gauge" in pressure.why
     assert origins["riser[0].axial_stiffness"].status == "derived"
     assert origins["platform.heave.phase"].range == ("0 deg", "360 deg")
     assert "top.tensioners.gas.volume" not in origins  # plain, so published

@@ -172,4 +172,4 @@ def test_a_sea_beyond_the_table_is_told_once():
     told = [line for line in json.loads(found.attrs["warnings"]) if "operators" in line]
     assert len(told) == 1
     assert "of 40 wave components" in told[0]
-    assert "have no motion" in told[0]
+    assert "cause no motion" in told[0]

@@ -123,7 +123,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         )  # fmt: skip
     panel_title(axes[0], "current 3 m/s, power 1/4 (assumed)")
     panel_title(axes[1], "size of the moment")
-    panel_title(axes[2], "axial motion, speeds in one profile")
+    panel_title(axes[2], "axial motion, one profile")
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
