@@ -204,7 +204,7 @@ def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
     named = ", ".join(map(in_words, parts_left_out(scene)))
     missing = f" Not shown: {named}." if named else ""
     marked = any(ASSUMED in label.text for label in labels)
-    assumed = f" {ASSUMED}: assumed length, elevation or number." if marked else ""
+    assumed = f" {ASSUMED}: assumed; other values may be, too." if marked else ""
     symbols = f". {SYMBOLS}{moved}" if dashed or moved else ""
     return f"{NOTE}{symbols}. The riser is unstretched{before}.{assumed}{missing}"
 

@@ -181,7 +181,7 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
         "(a–c) filled: range in 261 to 300 s, beam": Line2D([], [], linestyle="none"),
         "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
         "(a–d) lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
-        f"(d) drift above {100.0 * DRIFTS:g} cm, removed from (a)": dotted,
+        f"(d) drift, if it exceeds {100.0 * DRIFTS:g} cm; removed from (a)": dotted,
     }
     legend_below(figure, [*known.values()], [*known], 3)
     return figure

@@ -253,7 +253,7 @@ def _positions(ax: Axes, track_angle: xr.Dataset) -> None:
 def _matters_most(by_profile: list[dict[str, float]]) -> str:
     """Which input changes a result most in each profile, per cent of result for per cent of input."""
     most = list(dict.fromkeys(max(ends, key=lambda name: ends[name]) for ends in by_profile))
-    condition = "" if len(most) == 1 else ", depending on profile"
+    condition = " in either profile" if len(most) == 1 else ", depending on profile"
     return f"The results are most sensitive to the {' or the '.join(most)}{condition}"
 
 
