@@ -106,7 +106,7 @@ def test_a_terminal_shows_what_is_run(tmp_path):
     os.close(mine)
     assert command.returncode == 0
     assert re.search(
-        rb"run \d+: \d+ segments, steps of [\d.e-]+ s; moment .* to\s+go", said, re.DOTALL
+        rb"run \d+: \d+ segments, steps of [\d.e-]+ s; error of moment .* to\s+go", said, re.DOTALL
     ), said
 
 

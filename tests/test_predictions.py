@@ -113,7 +113,9 @@ def test_the_page_tells_what_came_of_the_hindcast():
         inside = float(one["low"]) <= float(one["came"]) <= float(one["high"])
         assert (one["inside"] == "yes") == inside
     held = sum(one["inside"] == "yes" for one in came)
-    assert f"{held} of {len(came)} shares lie in their bands" in PAGE
+    assert (
+        f"{held} of {len(came)} observed shares ({held / len(came):.0%})".replace("%", " %") in PAGE
+    )
     outside = [one for one in came if one["inside"] == "no"]
     assert {one["known"] for one in outside} == {"3"}
     assert all(float(one["came"]) > float(one["high"]) for one in outside)

@@ -71,7 +71,7 @@ def test_a_run_whose_modes_cannot_be_found_is_whole_and_says_so(monkeypatch):
     facts = {"warnings": []}
     warn_of_rivals(scene().resolved(), facts)
     (warning,) = facts["warnings"]
-    assert warning.endswith("is not known: modes need mass")
+    assert warning.endswith("several competing modes failed: modes need mass")
 
 
 def _brief(file):
