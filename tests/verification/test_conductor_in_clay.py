@@ -183,5 +183,5 @@ def test_what_is_not_found_names_the_soil_and_how_far_it_came(monkeypatch):
 
     for module in ("continuation", "equilibrium"):
         monkeypatch.setattr(f"riserstudy.simulation.{module}.search", never)
-    with pytest.raises(SimulationError, match=r"m below the mudline beyond 0.0% of the 12 m.*soil"):
+    with pytest.raises(SimulationError, match=r"beyond 0.0% of 12 m.* m below the mudline.*soil"):
         settle(of, even(of, 160))
