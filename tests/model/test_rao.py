@@ -171,13 +171,15 @@ def test_the_wave_says_where_it_goes():
 
 def test_a_heading_that_the_operators_do_not_reach_is_refused():
     half = made(operators=[*towards(0, 1.0), *towards(90, 2.0)], headings="towards")
-    with pytest.raises(InputError, match="no two headings enclose .* -45 deg"):
+    with pytest.raises(InputError, match=r"no two headings enclose .* -45 deg"):
         operator(half, "heave", np.array([0.6]), math.radians(-45.0))
 
 
 def test_waves_beyond_the_operators_are_refused():
     wave = Swell.model_validate({"amplitude": "1 m", "period": "25 s"})
-    with pytest.raises(InputError, match=r"1 of 1 wave components \(25 s.*lie outside the periods of the operators, 5 s to 20 s"):
+    with pytest.raises(
+        InputError, match=r"1 of 1 wave components \(25 s.*lie outside .*, 5 s to 20 s"
+    ):
         harmonics(made(), wave)
 
 
