@@ -46,7 +46,7 @@ def test_a_label_is_marked_where_its_value_is_assumed(seed):
         assert text.replace("*", "").replace(" (profile assumed)", "") in said.replace("*", "")
     marks = len(assumed - {"current.profile"})
     assert said.count("*") == marks + (marks > 0)  # each, and the note below
-    assert ("assumed length" in said) == (marks > 0)
+    assert ("*: assumed" in said) == (marks > 0)
 
 
 def test_a_drawing_of_a_study_marks_what_its_scene_and_what_is_set_assume():
