@@ -78,18 +78,23 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
     _label_ends(ax, ends)
     for tolerance in (found.coarse, found.fine) if found else ():
         ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
+    _time_over_error(ax, FINEST / 70.0)  # names stand to the right
+    ax.set_xlabel("tolerance (%): more accurate →")
+    ax.set_ylabel("elapsed time of all runs (s)")
+    between = f"; ×: {100 * found.fine:g} % compared with {100 * found.coarse:g} %" if found else ""
+    ax.set_title(f"(a) riserstudy, time over tolerance{between}", loc="left", fontsize="small")
+
+
+def _time_over_error(ax: Axes, end: float) -> None:
+    """Axes of times over errors, from the widest to the right end, both logarithmic."""
     ax.set_xscale("log")
     ax.set_yscale("log")
-    ax.set_xlim(WIDEST, FINEST / 70.0)  # names stand to the right
+    ax.set_xlim(WIDEST, end)
     _percent_ticks(ax)
     ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: _time(x)))
     ax.yaxis.set_minor_formatter(NullFormatter())
     ax.grid(True, color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)
-    ax.set_xlabel("tolerance (%): more accurate →")
-    ax.set_ylabel("elapsed time of all runs (s)")
-    between = f"; ×: {100 * found.fine:g} % compared with {100 * found.coarse:g} %" if found else ""
-    ax.set_title(f"(a) riserstudy, time over tolerance{between}", loc="left", fontsize="small")
 
 
 def _percent_ticks(ax: Axes) -> None:
@@ -119,14 +124,7 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
             names.append((error[good][-1], seconds[good][-1], peer + times, "0.35"))
     _label_ends(ax, names)
     ax.axvline(COMPARED, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
-    ax.set_xscale("log")
-    ax.set_yscale("log")
-    ax.set_xlim(WIDEST, FINEST / 9.0)
-    _percent_ticks(ax)
-    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: _time(x)))
-    ax.yaxis.set_minor_formatter(NullFormatter())
-    ax.grid(True, color="0.92", linewidth=0.6)
-    ax.set_axisbelow(True)
+    _time_over_error(ax, FINEST / 9.0)
     ax.set_xlabel("true error of displacement (%): more accurate →")
     ax.set_ylabel("elapsed time of one run (s)")
     compared = f"; ×: {OURS} = 1 at {100 * COMPARED:g} %" if names[1:] else ""

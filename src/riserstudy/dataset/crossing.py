@@ -29,7 +29,7 @@ def first_limit(times: xr.DataArray) -> xr.DataArray:
 
     ``times`` over ``limit`` and more, infinite where it is never reached.
     """
-    known = times.fillna(np.inf)
+    known = times.fillna(np.inf)  # so that a name is found; the last line makes it unknown
     names = times["limit"].astype(object).isel(limit=known.argmin("limit")).drop_vars("limit")
     names = names.where(np.isfinite(known.min("limit")), "none")
     return names.where(times.notnull().all("limit"), "unknown").astype(str)

@@ -57,7 +57,7 @@ def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[Misfit]:
         return
     wanted = figure.of or []
     for quantity in wanted:
-        if reason := reason_not_shown(figure.plot, quantity, studies[name]):
+        if reason := reason_to_leave_out(figure.plot, quantity, studies[name]):
             yield Misfit("of", f"{quantity!r} {reason.why}", reason.allowed)
     if not wanted and not shows(figure.plot, studies[name]):
         found = f"the runs of {name!r} return nothing that {_a(figure.plot)} shows"
@@ -68,10 +68,10 @@ def shows(plot: Plot, study: Study) -> bool:
     """Whether a plot has something to show of a study where it names nothing."""
     if plot == "utilisation":
         return "limits" in study.base.tree
-    return any(not reason_not_shown(plot, quantity, study) for quantity in USUAL[plot])
+    return any(not reason_to_leave_out(plot, quantity, study) for quantity in USUAL[plot])
 
 
-def reason_not_shown(plot: Plot, quantity: str, study: Study) -> Reason | None:
+def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | None:
     """Why a plot cannot show a quantity of a study; None where it can, or where only runs can say."""
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")

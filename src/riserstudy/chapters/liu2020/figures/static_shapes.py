@@ -52,9 +52,7 @@ def fig11(
     ``slow``, ``middle``, ``fast``: printed forces of the tensioners by surface speed (N).
     """
     title = "1 m/s, tensioners and four interpretations of 232 t"
-    figure = _at_rest(1.0 * statics_calibrated["x_static"], title)
-    for ax in figure.axes[2:]:
-        ax.set_xlabel("lateral displacement (m)")
+    figure = _at_rest(1.0 * statics_calibrated["x_static"], title, "lateral displacement (m)")
     _forces(figure, statics_tuned, (slow, middle, fast), (0.97, 0.04), "right")
     low, high = _times(statics_tuned, "largest_displacement")
     headline(
@@ -74,17 +72,17 @@ def fig12(
 ) -> Figure:
     """Bending moment in currents, on the tensioners and on a constant tension; forces as in fig11."""
     title = f"upper {NEAR:.0f} m: 1 m/s, four interpretations of 232 t"
-    figure = _at_rest(1e-3 * statics_calibrated["bending_moment_static"], title)
-    for ax in figure.axes[2:]:
-        ax.set_xlabel("bending moment (kN m)")
+    figure = _at_rest(
+        1e-3 * statics_calibrated["bending_moment_static"], title, "bending moment (kN m)"
+    )
     _forces(figure, statics_tuned, (slow, middle, fast), (0.03, 0.3), "left")  # where no curve is
     for left, right in zip(figure.axes[::2], figure.axes[1::2], strict=True):
         _scale_of_tensioners(left, right)
         right.set_ylim(NEAR, -0.12 * NEAR)  # room for the tensioners' largest
         right.set_ylabel(DEPTH)
         _name_largest(right)
-        _tell_what_leaves(left, 0.1, (230.0, 170.0, 110.0))
-        _tell_what_leaves(right, 0.03, (0.9 * NEAR,))
+        _label_values_beyond(left, 0.1, (230.0, 170.0, 110.0))
+        _label_values_beyond(right, 0.03, (0.9 * NEAR,))
     low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
     headline(
         figure,
@@ -121,7 +119,7 @@ def _name_largest(ax: Axes) -> None:
     )  # fmt: skip
 
 
-def _tell_what_leaves(ax: Axes, left: float, depths: tuple[float, ...]) -> None:
+def _label_values_beyond(ax: Axes, left: float, depths: tuple[float, ...]) -> None:
     """Where curves leave a panel to the left: their moments at the ring.
 
     They are written from a share ``left`` of the panel on, at ``depths`` (m), the fastest current first.
@@ -154,7 +152,7 @@ def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
     return float(ratio.min()), float(ratio.max())
 
 
-def _at_rest(values: xr.DataArray, title: str) -> Figure:
+def _at_rest(values: xr.DataArray, title: str, across: str) -> Figure:
     """A row for each calibrated current: the paper's comparison, and every interpretation at 1 m/s."""
     figure, axes = panels(2, 2, 4.2)
     for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
@@ -174,6 +172,8 @@ def _at_rest(values: xr.DataArray, title: str) -> Figure:
         panel_title(row[0], CALIBRATIONS[calibration])
         panel_title(row[1], title)
         row[0].set_ylabel(DEPTH)
+    for ax in axes[2:]:
+        ax.set_xlabel(across)
     return figure
 
 
