@@ -234,12 +234,12 @@ def timed(**seconds):
 def test_the_papers_run_is_timed_or_told_by_the_time_of_a_step():
     short = checks.run_time(timed(s0_05=1.5))
     assert short["seconds"] == pytest.approx(150.0)
-    assert short["run"].startswith("not run in this tier")
+    assert short["run"].startswith("this tier does not run them all")
     whole = checks.run_time(timed(s0_05=1.5, s0_0005=120.0))
     assert whole["seconds"] == pytest.approx(120.0)
     assert whole["milliseconds"] == pytest.approx(0.2)
     assert whole["run"] == (
-        "run as printed, 120 s; steps of 0.05 s give deflection and moment to 0.05 of them"
+        "the run takes 120 s; time steps of 0.05 s change the largest deflection and moment by at most 5 %"
     )
 
 
