@@ -285,14 +285,18 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
         "paper_milliseconds": 46 * 3.6e6 * PAPER_STEP / STABLE,
     }
     if finest > PAPER_STEP:
-        words = f"this tier does not run them all; by the time per step, they would take {whole:.0f} s"
+        words = (
+            f"this tier does not run them all; by the time per step, they would take {whole:.0f} s"
+        )
         return times | {"run": words}
     apart = []
     for runs in (own["x_max"].max("s_node"), own["bending_moment_max"].max("s_node")):
         short, long = (float(runs.sel(time_step=step)) for step in (finest, float(steps.max())))
         apart.append(abs(long / short - 1.0))
     longer = f"time steps of {float(steps.max()):g} s change the largest deflection and moment"
-    return times | {"run": f"the run takes {seconds:.0f} s; {longer} by at most {100 * max(apart):.1g} %"}
+    return times | {
+        "run": f"the run takes {seconds:.0f} s; {longer} by at most {100 * max(apart):.1g} %"
+    }
 
 
 def settling(tides: xr.Dataset) -> dict[str, Any]:
