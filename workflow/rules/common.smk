@@ -9,7 +9,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
 from riserstudy.jobs import SHARED, start_server, use_this_python
 from riserstudy.jobs.begin import begin
-from riserstudy.jobs.workplan import KERNELS, Workplan
+from riserstudy.jobs.workplan import ALL_CORES, KERNELS, Workplan
 
 # A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
 checked = None if workflow.is_main_process else []
@@ -47,11 +47,13 @@ def records(question):
 
 
 def half(question):
-    """Threads that a job claims: on this machine half of what it uses. While one job plans its points or
-    writes its dataset, on one core, another then uses the rest."""
+    """Threads that a job claims: on this machine half of the cores that it uses. While one job plans its
+    points or writes its dataset, on one core, another then uses the rest."""
     asked = of(question)
     return lambda wildcards: (
-        max(1, asked(wildcards) // SHARED) if workflow.local_exec else asked(wildcards)
+        max(1, min(asked(wildcards), workflow.cores or ALL_CORES) // SHARED)
+        if workflow.local_exec
+        else asked(wildcards)
     )
 
 
