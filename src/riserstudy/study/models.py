@@ -22,12 +22,15 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
+from riserstudy.scene.paths import within
 from riserstudy.study.axes import Axis, AxisName, Labels, Numbers, Samples
 from riserstudy.study.figures import NEEDS, OF_SEAS, FigureModel
 from riserstudy.study.measured import MeasuredModel
 from riserstudy.study.seas_model import SeasModel
 
 MOST_MODES = 1000
+#: of the analysis, that a preview may have coarser
+SETTINGS = ("analysis.accuracy", "analysis.mesh", "analysis.method", "analysis.step")
 #: of papers, datasets and figures, which name files
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
 
@@ -85,6 +88,7 @@ class StudyModel(Strict):
     """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept.
 
     ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
+    ``preview``: coarser settings of the analysis for the preview tier, by path; absent: those of other tiers.
     ``modes``: how many natural modes each point has, about its static equilibrium; absent: none.
     ``error_because``: why points whose mesh and step are prescribed may err by more than 1 %.
     ``settings``: ``tuned``, or at which points: a job tunes mesh, step and method to the accuracy that is
@@ -95,6 +99,7 @@ class StudyModel(Strict):
     scene: str
     caption: str
     set: dict[str, Any] = Field(default_factory=dict)
+    preview: dict[str, Any] = Field(default_factory=dict)
     limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
     axes: dict[AxisName, Axis]
     keep: list[str] | None = None
@@ -131,6 +136,7 @@ class StudyModel(Strict):
             raise Misfit(
                 "settings", "tuned in the file, too", "allowed is one of settings and tuned"
             )
+        self._only_coarser()
         if self.limits and "limits" in self.set:
             raise Misfit("limits", "stand in set, too", "allowed is one of both")
         for name in self.axes:
@@ -148,6 +154,17 @@ class StudyModel(Strict):
                     raise Misfit(f"axes.{other}", found, "allowed is a path of its own")
         self._keep_apart()
         return self
+
+    def _only_coarser(self) -> None:
+        """Refuse a preview of another riser, and settings that an axis would replace."""
+        for path in self.preview:
+            if not any(within(path, setting) for setting in SETTINGS):
+                allowed = "allowed are " + ", ".join(SETTINGS)
+                raise Misfit("preview", f"sets {path!r}, no setting of the analysis", allowed)
+            for name, axis in self.axes.items():
+                if any(meets(path, own) for own in _paths_of(axis)):
+                    found = f"sets {path!r}, and so does axis {name!r}"
+                    raise Misfit("preview", found, "allowed is what no axis sets")
 
     def _keep_apart(self) -> None:
         """Refuse labels that put something else where an axis before them puts its own.
@@ -170,6 +187,13 @@ class StudyModel(Strict):
                         allowed = f"put axis {name!r} first, or leave the path to one of them"
                         raise Misfit(f"axes.{name}.{label}", found, allowed)
             before |= {path: f"axis {name!r} has its own" for _, path in put}
+
+
+def _paths_of(axis: Axis) -> Iterable[str]:
+    """Paths of the scene that values of an axis set, as far as the study file says them."""
+    if isinstance(axis, Numbers):
+        return axis.paths
+    return {path for sets in axis.values() for path in sets} if isinstance(axis, dict) else ()
 
 
 def meets(one: str, other: str) -> bool:

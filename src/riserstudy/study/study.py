@@ -62,6 +62,8 @@ class Study:
         """The scene with what the study sets on top of it."""
         path = self.config / self.model.scene
         file = scene_file(path).with_values(self.model.on_top, f"{self.where}.set")
+        if self.tier == "preview":
+            file = file.with_values(self.model.preview, f"{self.where}.preview")
         analysis = file.tree.get("analysis", {})
         if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
             file = file.with_values(
