@@ -254,8 +254,10 @@ def test_a_remark_follows_the_label_of_its_part_and_no_other_is_accepted(tmp_pat
     shutil.copytree(CONFIG / "studies", tmp_path / "studies")
     shutil.copytree(CONFIG / "scenes", tmp_path / "scenes")
     path = tmp_path / "studies/chang2020.yaml"
-    path.write_text(path.read_text("utf-8").replace('"riser[0]": k', '"riser[1]": k'), "utf-8")
-    with pytest.raises(InputError, match=r"schematics\.fig07\.remarks\.riser\[1\]: .*riser\[0\]"):
+    path.write_text(path.read_text("utf-8").replace('"riser[0].l', '"riser[1].l'), "utf-8")
+    with pytest.raises(
+        InputError, match=r"schematics\.fig07\.remarks\.riser\[1\]\.len.*riser\[0\]"
+    ):
         from_scene(tmp_path, "chang2020", "fig07")
 
 

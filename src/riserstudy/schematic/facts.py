@@ -13,7 +13,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 from riserstudy.scene.sea import Storm, Swell
 from riserstudy.scene.tensioners import Tensioners
-from riserstudy.schematic.geometry import Geometry, is_spring
+from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import UNBROKEN
 
 DEGREE = math.pi / 180.0
@@ -57,15 +57,19 @@ def sentence(parts: Iterable[str]) -> str:
     return ", ".join(part for part in parts if part)
 
 
+def spring_text(section: Section, of_stiffness: str = "", of_length: str = "") -> str:
+    """Name, stiffness and length of a section that is nothing but a spring, each followed by its remark."""
+    stiffness = amount((section.axial_stiffness or 0.0) / section.total_length, "N/m")
+    length = metres(section.total_length)
+    return f"{section.name}: k = {stiffness}{of_stiffness}, {length} long{of_length}"
+
+
 def section_text(section: Section, wet: bool, mark: str = "", gravity: float | None = None) -> str:
     """Name, size, stiffness, mass and weight of a section, and what is in and around it.
 
     ``mark`` stands at the length. ``gravity`` (m/s2): by it contents weigh; absent: their weight is left out.
     """
     size = metres(section.total_length) + mark
-    if is_spring(section) and section.axial_stiffness:
-        stiffness = amount(section.axial_stiffness / section.total_length, "N/m")
-        return f"{section.name}: k = {stiffness}, {size} long"
     if section.joints:
         size = f"{section.joints.count} × {section.joints.length:.4g} m{mark}"
     outer, inner = section.outer_diameter, section.inner_diameter

@@ -176,7 +176,10 @@ class Geometry:
 
 def labelled(scene: Resolved) -> Iterator[str]:
     """Paths of the parts whose labels can bear a remark."""
-    yield from (f"riser[{k}]" for k in range(len(scene.riser)))
+    for k, section in enumerate(scene.riser):
+        yield f"riser[{k}]"
+        if is_spring(section):
+            yield from (f"riser[{k}].axial_stiffness", f"riser[{k}].length")
     yield from ("top", "bottom")
     if scene.top.tensioners:
         yield "top.tensioners"
@@ -192,5 +195,6 @@ def labelled(scene: Resolved) -> Iterator[str]:
 
 
 def is_spring(section: Section) -> bool:
-    """Whether a section is nothing but its stiffness."""
-    return section.mass is None and section.submerged_weight is None and not section.outer_diameter
+    """Whether a section is nothing but its axial stiffness."""
+    bare = section.mass is None and section.submerged_weight is None and not section.outer_diameter
+    return bare and bool(section.axial_stiffness)

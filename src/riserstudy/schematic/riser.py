@@ -15,6 +15,7 @@ from riserstudy.schematic.facts import (
     joint_text,
     metres,
     section_text,
+    spring_text,
     top_text,
 )
 from riserstudy.schematic.geometry import SHORT, Geometry, Point, is_spring
@@ -36,6 +37,11 @@ def riser(view: View, geometry: Geometry) -> None:
         if visible:
             of = f"riser[{k}].{'joints' if section.joints else 'length'}"
             text = section_text(section, scene.water is not None, geometry.mark(of), scene.gravity)
+            if is_spring(section):
+                remarks = [
+                    geometry.remark(f"riser[{k}].{n}") for n in ("axial_stiffness", "length")
+                ]
+                text = spring_text(section, *remarks)
             text += geometry.remark(f"riser[{k}]")
             view.name(text, geometry.at(visible[0]), whole=long)
         if section.lateral_load:

@@ -118,7 +118,8 @@ def tensioners(view: View, geometry: Geometry) -> None:
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
     text = tensioner_text(rig, geometry.mark("top.tensioners.count"))
     view.name(text + ("" if place else " (length not given)"), at)
-    view.name(f"tension ring{geometry.remark('top.tensioners')}", (x + feet[0][0], z))
+    ring_end = max(foot[0] for foot in feet)
+    view.name(f"tension ring{geometry.remark('top.tensioners')}", (x + ring_end, z))
 
 
 def platform(view: View, geometry: Geometry) -> None:
