@@ -22,7 +22,7 @@ OF_MODEL = {
     "least squares over -8 to 8 m": FITTED,
     "chord from -8 to 8 m": "#882255",
     "tangent at X = 0": "#999933",
-    "tangent at rest": "#56b4e9",
+    "tangent at rest": "#ee3377",
 }
 #: states of motion on the gas law, where they are compared
 OF_STATE = {"steady": "#009e73", "from_rest": "#e69f00", "quasi_static": "#cc79a7"}

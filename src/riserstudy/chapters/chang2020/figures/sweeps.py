@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patheffects import withStroke
 
 from riserstudy.chapters.chang2020.figures.shared import (
     AMPLITUDE,
@@ -20,7 +21,7 @@ from riserstudy.chapters.chang2020.figures.shared import (
     TIME,
     of_amplitude,
 )
-from riserstudy.figures.direct import label_ends
+from riserstudy.figures.direct import label_ends, legible
 from riserstudy.figures.style import (
     GREY,
     PRINTED,
@@ -63,15 +64,22 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
         panel_title(ax, NAMES[model])
     axes[0].set_ylabel(AWAY)
     key_below(figure, axes[0], 3)  # a column for both sides of each
-    far = asymmetry.sel(reading="steady").isel(heave_amplitude=-1)
-    up, down = (
-        float(far[f"displacement_{way}"].sel(tensioner_model="gas law")) for way in ("up", "down")
-    )
-    headline(
-        figure,
-        f"With the gas law, steady-state motion reaches {up:.1f} m up, {down:.1f} m down",
-    )
+    steady = asymmetry.sel(reading="steady", tensioner_model="gas law")
+    up, down = (steady[f"displacement_{way}"] for way in ("up", "down"))
+    for away in (up, down):
+        _name_end(axes[0], away.isel(heave_amplitude=-1))
+    always = "" if bool((up > down).all()) else "not always "
+    headline(figure, f"With the gas law, steady-state motion reaches {always}further up than down")
     return figure
+
+
+def _name_end(ax: Axes, last: xr.DataArray) -> None:
+    """Write a displacement in steady state (m) above the end of its curve."""
+    ax.annotate(
+        f"{float(last):.2f} m", (float(last["heave_amplitude"]), float(last)), xytext=(0, 4),
+        textcoords="offset points", ha="right", va="bottom", fontsize="small",
+        color=legible(OF_STATE["steady"]), path_effects=[withStroke(linewidth=2.0, foreground="white")],
+    )  # fmt: skip
 
 
 def fig14(asymmetry: xr.Dataset) -> Figure:
@@ -267,12 +275,13 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
         ax.set_xlabel("heave period of the platform (s)")
     for ax in axes[::2]:
         ax.set_yscale("log")
-    largest = {"heave_amplitude": amplitudes[-1], "tensioner_model": "gas law"}
-    response, index = (values.sel(largest) for values in curves.values())
-    resonance = _name_peak(axes[-2], response)
-    far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
-    _name_peak(axes[-1], far)
-    low = _name_peak(axes[-1], far, lowest=True)
+    for k, amplitude in enumerate(amplitudes):  # the last, largest one gives the title its periods
+        law = {"heave_amplitude": amplitude, "tensioner_model": "gas law"}
+        response, index = (values.sel(law) for values in curves.values())
+        resonance = _name_peak(axes[2 * k], response, "ratio")
+        far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
+        _name_peak(axes[2 * k + 1], far, "$S$")
+        low = _name_peak(axes[2 * k + 1], far, "$S$", lowest=True)
     twice = abs(low / resonance - 2.0) < 0.02
     at = (
         f"twice the resonance period of {resonance:g} s"
@@ -284,12 +293,12 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
     return figure
 
 
-def _name_peak(ax: Axes, curve: xr.DataArray, lowest: bool = False) -> float:
-    """Write the period at which a curve is largest (or smallest) there; it (s)."""
+def _name_peak(ax: Axes, curve: xr.DataArray, name: str, lowest: bool = False) -> float:
+    """Write the period at which a named curve is largest (or smallest) there; it (s)."""
     extreme = curve.min() if lowest else curve.max()
     period = float(curve["heave_period"][int((curve == extreme).argmax("heave_period"))])
     ax.annotate(
-        f"{period:g} s: {float(extreme):.3g}", (period, float(extreme)),
+        f"{name} = {float(extreme):.3g} at {period:g} s", (period, float(extreme)),
         xytext=(8, -3 if lowest else 3), textcoords="offset points", fontsize="small",
         color=OF_MODEL["gas law"],
     )  # fmt: skip
