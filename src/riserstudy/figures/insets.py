@@ -4,53 +4,92 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
 from matplotlib.axes import Axes
-from scipy.interpolate import CubicSpline
+from matplotlib.lines import Line2D
+from matplotlib.patches import Rectangle
 
-from riserstudy.figures.style import GREY, PRINTED
+from riserstudy.figures.style import GREY
 
-CLOSE_UP = 20.0  # s, at the end of records
-FINE = 400  # points of a curve there
+Span = tuple[float, float]
 
 
 def enlarge(
-    ax: Axes,
-    place: tuple[float, float, float, float],
-    x: tuple[float, float],
-    depth: tuple[float, float],
-) -> None:
-    """Part of a panel of depths, enlarged where the panel is empty (``place``: shares of it)."""
-    inset = ax.inset_axes(place, xlim=x, ylim=depth[::-1])
-    for line in ax.lines:
-        style: dict[str, Any] = {"color": line.get_color(), "lw": min(1.2, line.get_linewidth())}
-        if str(line.get_label()).startswith("printed"):  # over the whole panel
-            inset.axvline(float(np.asarray(line.get_xdata())[0]), **(PRINTED | style))
-        else:
-            inset.plot(*line.get_data(), **style)
-    inset.tick_params(labelsize="x-small")
-    ax.indicate_inset_zoom(inset, edgecolor=GREY)
+    ax: Axes, place: tuple[float, float, float, float], x: Span, y: Span, widest: float = 1.2
+) -> Axes:
+    """Part of a panel, enlarged where the panel is empty; two lines lead to it and cross none of its labels.
 
+    To be called when the limits of the panel are set.
 
-def close_up(ax: Axes) -> None:
-    """The last crests of curves over time, enlarged, where they would lie on one another.
+    Parameters
+    ----------
+    place : left, bottom, width and height in shares of the panel.
+    x, y : the part of the panel, in its data; the enlarged part has its directions.
+    widest : line of the enlarged part (points).
 
-    They are drawn as cubic splines: outputs alone would make a crest a triangle.
+    Returns
+    -------
+    The enlarged part.
     """
-    curves = [(np.asarray(line.get_xdata()), np.asarray(line.get_ydata())) for line in ax.lines]
-    end = max(float(t[-1]) for t, _ in curves)
-    lowest, highest = ax.get_ylim()
-    ticks = [tick for tick in ax.get_yticks() if lowest <= tick <= highest]
-    ax.set_ylim(lowest, highest + 0.85 * (highest - lowest))
-    ax.set_yticks(ticks)
-    inset = ax.inset_axes((0.17, 0.62, 0.8, 0.28))
-    tops = []
-    for line, (t, z) in zip(ax.lines, curves, strict=True):
-        fine = np.linspace(end - CLOSE_UP, float(t[-1]), FINE)
-        curve = CubicSpline(t, z)(fine)
-        inset.plot(fine, curve, color=line.get_color(), lw=1.0)
-        tops.append(float(curve.max()))
-    spread = max(max(tops) - min(tops), 0.02 * abs(max(tops)))
-    inset.set_ylim(min(tops) - 2.0 * spread, max(tops) + spread)
+    upside_down = bool(ax.yaxis_inverted())
+    inset = ax.inset_axes(place, xlim=sorted(x), ylim=sorted(y, reverse=upside_down))
+    for line in ax.lines:
+        inset.add_line(_copy(line, ax, inset, widest))
     inset.tick_params(labelsize="x-small")
-    inset.set_title("crests of the last 20 s (splines)", fontsize="x-small", pad=2)
+    inset.grid(True, color="0.9", linewidth=0.6)
+    inset.set_axisbelow(True)
+    frame: dict[str, Any] = {
+        "facecolor": "none",
+        "edgecolor": GREY,
+        "linewidth": 0.8,
+        "zorder": 3.0,
+    }
+    ax.add_patch(Rectangle((min(x), min(y)), abs(x[1] - x[0]), abs(y[1] - y[0]), **frame))
+    to_share = ax.transData + ax.transAxes.inverted()
+    corners = to_share.transform([(min(x), min(y)), (max(x), max(y))])
+    _lead(ax, inset, place, corners[:, 0].tolist(), sorted(corners[:, 1].tolist()))
+    return inset
+
+
+def _copy(line: Line2D, ax: Axes, inset: Axes, widest: float) -> Line2D:
+    """A line of a panel as it is in an enlarged part of it."""
+    copy = Line2D(*line.get_data())
+    copy.update_from(line)
+    copy.set_label("_enlarged")
+    copy.set_linewidth(min(widest, line.get_linewidth()))
+    copy.set_clip_path(None)
+    x_in_data, y_in_data = line.get_transform().contains_branch_seperately(ax.transData)
+    upright, level = inset.get_xaxis_transform("grid"), inset.get_yaxis_transform("grid")
+    ways = {(True, False): upright, (False, True): level}  # a line across the whole panel
+    copy.set_transform(ways.get((x_in_data, y_in_data), inset.transData))
+    return copy
+
+
+def _lead(
+    ax: Axes,
+    inset: Axes,
+    place: tuple[float, float, float, float],
+    across: list[float],
+    up: list[float],
+) -> None:
+    """Lines between the facing sides of a part (shares of its panel) and of the enlarged part."""
+    left, bottom, width, height = place
+    ends: list[tuple[Span, Span]]  # of both lines, at the part and at the enlarged part
+    if left > across[1] or left + width < across[0]:
+        after = left > across[1]
+        side, facing = across[after], left if after else left + width
+        levels = zip(up, (bottom, bottom + height), strict=True)
+        ends = [((side, y), (facing, y_inset)) for y, y_inset in levels]
+        if after:
+            inset.yaxis.tick_right()
+    else:
+        above = bottom > up[1]
+        side, facing = up[above], bottom if above else bottom + height
+        places = zip(across, (left, left + width), strict=True)
+        ends = [((x, side), (x_inset, facing)) for x, x_inset in places]
+        if above:
+            inset.xaxis.tick_top()
+    for start, end in ends:
+        ax.annotate(
+            "", start, end, xycoords="axes fraction", textcoords="axes fraction",
+            arrowprops={"arrowstyle": "-", "color": GREY, "lw": 0.6, "shrinkA": 0.0, "shrinkB": 0.0},
+        )  # fmt: skip

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 from contextlib import AbstractContextManager
 from typing import Any
 
@@ -39,11 +40,36 @@ def panels(
     grid = figure.subplots(rows, columns, sharex=sharex, sharey=sharey, squeeze=False)
     axes = list(grid.flat)
     for letter, ax in zip("abcdefghijklmno", axes, strict=False):
-        ax.grid(True, color="0.9", linewidth=0.6)
-        ax.set_axisbelow(True)
-        if len(axes) > 1:
-            ax.set_title(f"({letter})", loc="left", fontsize="small")
+        _ruled(ax, letter if len(axes) > 1 else "")
     return figure, axes
+
+
+def mosaic(rows: Sequence[str], heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
+    """Empty figure of several columns with panels that may extend over several rows.
+
+    Parameters
+    ----------
+    rows : the letters of their panels, a column each: ``["a b c", "a b d"]`` has (c) above (d).
+    heights : of the rows (inches).
+
+    Returns
+    -------
+    The figure and its panels by their letters.
+    """
+    figure = Figure((WIDE * WIDTH, sum(heights)), dpi=150, layout="constrained")
+    letters: list[Any] = [row.split() for row in rows]
+    placed = figure.subplot_mosaic(letters, height_ratios=list(heights))
+    for letter, ax in placed.items():
+        _ruled(ax, letter)
+    return figure, [placed[letter] for letter in sorted(placed)]
+
+
+def _ruled(ax: Axes, letter: str) -> None:
+    """A panel with thin lines behind its curves and, where it has one, its letter."""
+    ax.grid(True, color="0.9", linewidth=0.6)
+    ax.set_axisbelow(True)
+    if letter:
+        ax.set_title(f"({letter})", loc="left", fontsize="small")
 
 
 def panel_title(ax: Axes, title: str) -> None:
