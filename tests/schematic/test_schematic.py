@@ -265,7 +265,8 @@ def test_x_is_no_axis_where_nothing_moves_aside():
     for paper, name in SHOWN:
         scene = read_studies(CONFIG, paper).schematics[name].file(CONFIG).resolved()
         names = {ax.get_xlabel() for ax in drawn(paper, name).axes[:3]}
-        assert names == {"x (m)" if scene.lateral or scene.spatial else "horizontal position (m)"}
+        x = " x" if scene.lateral or scene.spatial else ""
+        assert names == {f"horizontal position{x} (m)"}
 
 
 def levels(figure):
@@ -353,4 +354,4 @@ def test_directions_seen_from_above_have_no_scale():
     assert "m" not in directions.get_xlabel() + directions.get_ylabel()
     *_, rig = drawn("liu2020", "fig01").axes
     assert rig.get_xticks().size
-    assert rig.get_xlabel() == "x (m)"
+    assert rig.get_xlabel() == "horizontal position x (m)"

@@ -39,6 +39,7 @@ HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
 #: height of the panel of an end where there are two (inches)
 FULL = 0.5 * (CEILING - FLOOR - BETWEEN)
 AXES = ("horizontal position (m)", "elevation (m)")  # where nothing moves aside, and x is no input
+NAMED_AXES = ("horizontal position x (m)", "elevation z (m)")
 NOTE = "Each panel has one scale in both directions; lines have a least width"
 SYMBOLS = "Dashed: symbols of parts without a size in the scene; in (a) they are enlarged"
 
@@ -138,8 +139,8 @@ def _panel(
     ax.set_ylim(middle[1] - 0.5 * height, middle[1] + 0.5 * height)
     ax.tick_params(labelsize=SIZE)
     ax.locator_params(nbins=5)
-    ax.set_xlabel("x (m)", fontsize=SIZE, labelpad=1.0)
-    ax.set_ylabel("z (m)", fontsize=SIZE, labelpad=1.0)
+    ax.set_xlabel(NAMED_AXES[0], fontsize=SIZE, labelpad=1.0)
+    ax.set_ylabel(NAMED_AXES[1], fontsize=SIZE, labelpad=1.0)
     return View(ax, whole, inch=height / size[1])
 
 
