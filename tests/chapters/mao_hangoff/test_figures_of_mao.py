@@ -5,8 +5,11 @@ import re
 import numpy as np
 import pytest
 import xarray as xr
+from colours_of_chapters import base_of
 from drawn_whole import assert_whole
 from mao import CONFIG, FILE, PAPER, WEIGHTS, WORD
+from matplotlib.colors import to_hex, to_rgb
+from matplotlib.lines import Line2D
 
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
@@ -97,6 +100,32 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
     assert {name: colours[0][name] for name in both} == {name: colours[1][name] for name in both}
 
 
+@pytest.mark.parametrize("name", FILE.figures)
+def test_a_figure_has_the_colours_of_its_chapter_only(datasets, name):
+    figure = drawn(datasets, name)
+    for line in figure.findobj(Line2D):
+        assert base_of(PAPER, line.get_color()), to_hex(line.get_color())
+
+
+@pytest.mark.parametrize("name", FILE.figures)
+def test_lines_are_the_darker_the_larger_their_number(datasets, name):
+    """Those of one panel whose names differ by their first number alone, and that have a colour."""
+    named = {}
+    for ax in drawn(datasets, name).axes:
+        for line in ax.get_lines():
+            label = str(line.get_label())
+            number = re.search(r"\d+(\.\d+)?", label)
+            base = base_of(PAPER, line.get_color())
+            if number and not label.startswith("_") and base != "neutral":
+                rest = label[: number.start()], base
+                named.setdefault((ax, rest), {})[float(number[0])] = line.get_color()
+    for of_one in named.values():
+        light = [np.dot((0.2126, 0.7152, 0.0722), to_rgb(of_one[n])) for n in sorted(of_one)]
+        assert (np.diff(light) < 0.0).all(), of_one
+    ordered = {"fig04", "fig07", "fig08", "fig09", "fig11", "fig12", "fig13", "fig14"}
+    assert (name not in ordered) or max(map(len, named.values())) >= 2
+
+
 def test_dash_dotted_lines_of_tracks_are_in_the_key(datasets):
     figure = drawn(datasets, "fig13")
     lines = [line for line in figure.axes[0].get_lines() if line.get_linestyle() == "-."]
@@ -123,8 +152,8 @@ def test_the_limit_that_governs_everywhere_is_named_with_its_value(datasets):
     assert [t.get_text() for t in key.get_texts()] == ["joint angle governs", "clearance governs"]
 
 
-def test_a_heave_that_never_loses_tension_is_as_dark_as_the_largest(datasets):
-    """Cells without a number are beyond the scale, so that light is worst everywhere."""
+def test_a_heave_that_never_loses_tension_is_as_light_as_the_largest(datasets):
+    """Cells without a number are beyond the scale, so that dark is worst everywhere."""
     made = datasets["tension_limits"].copy(deep=True)
     made["heave_that_loses_tension"][:] = np.nan
     figure = draw(PAPER, "hang_off", {"tension_limits": made}, {})
@@ -133,7 +162,7 @@ def test_a_heave_that_never_loses_tension_is_as_dark_as_the_largest(datasets):
         assert {text.get_text() for text in ax.texts} == {f"> {most:g}"}
         seen = [mesh for mesh in ax.collections if np.ma.count(mesh.get_array())]
         (mesh,) = seen
-        assert mesh.get_cmap().name == "Greens"
+        assert mesh.get_cmap().name == "Greens_r"
         assert (mesh.get_array() == most).all()
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from typing import Any
 
 import xarray as xr
@@ -9,10 +10,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from riserstudy.chapters.mao_hangoff.figures.colours import OF_WEIGHT
 from riserstudy.chapters.mao_hangoff.runs import PRINTED as NUMBERS
 from riserstudy.chapters.mao_hangoff.runs import distance, largest, misses_of_print
+from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
     PRINTED,
     headline,
@@ -22,6 +24,9 @@ from riserstudy.figures.style import (
 )
 
 MARKS = ("o", "s", "^", "D", "v", "P")
+NEAR = (0.1, 0.09, 0.44, 0.25)  # where the panel is empty, for what is about the nearest, enlarged
+AROUND = 0.25  # of the nearest's distance and of the printed growth, either way
+LETTERS = 21  # in a line of a name within a panel
 NEAREST = "nearest to all three numbers"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
 RING: dict[str, Any] = {
@@ -58,6 +63,9 @@ def readings(
     colour = weights[str(nearest["riser_weight"].item())]
     _ring(axes, nearest, MARKS[flows.index(str(nearest["flow"].item()))], colour)
     _name_nearest(axes[1], nearest)
+    x, ratio = float(nearest["x"]), float(nearest["ratio"])
+    up = (light / heavy - 1.0) * AROUND
+    enlarge(axes[1], NEAR, ((1.0 - AROUND) * x, (1.0 + AROUND) * x), (ratio - up, ratio + up))
     headline(figure, _how_near(misses, within, "interpretations"))
     return figure
 
@@ -65,10 +73,11 @@ def readings(
 def _name_nearest(ax: Axes, nearest: xr.Dataset) -> None:
     """Write which interpretation the nearest is, with an arrow to its ring."""
     parts = (str(nearest[axis].item()) for axis in ("riser_weight", "flow", "current_profile"))
+    name = ",\n".join(textwrap.fill(part, LETTERS) for part in parts)
     ax.annotate(
-        ",\n".join(parts), (float(nearest["x"]), float(nearest["ratio"])), xytext=(0.98, 0.03),
-        textcoords="axes fraction", ha="right", va="bottom", fontsize="x-small", zorder=4,
-        bbox={"facecolor": "white", "edgecolor": "0.8"}, arrowprops={"arrowstyle": "-", "shrinkB": 6.0},
+        name, (float(nearest["x"]), float(nearest["ratio"])), xytext=(0.6, 0.08),
+        textcoords="axes fraction", ha="left", va="bottom", fontsize="small", zorder=4,
+        arrowprops={"arrowstyle": "-", "shrinkB": 7.0, "relpos": (0.1, 1.0)},
     )  # fmt: skip
 
 
@@ -185,8 +194,9 @@ def _beyond(found: xr.Dataset, name: str, right: float, bottom: float, top: floa
 
 
 def _coloured(readings: xr.DataArray) -> dict[str, str]:
-    """One colour a reading, the same in every figure that has the same readings."""
-    return dict(zip(sorted(set(map(str, readings.values))), COLOURS, strict=False))
+    """The colour of each reading of the weight that there is."""
+    there = set(map(str, readings.values))
+    return {weight: colour for weight, colour in OF_WEIGHT.items() if weight in there}
 
 
 def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:

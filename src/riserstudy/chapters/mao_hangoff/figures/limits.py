@@ -17,9 +17,9 @@ from matplotlib.text import Annotation
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
 
+from riserstudy.chapters.mao_hangoff.figures.colours import OF_INPUT
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
     headline,
     legend_below,
@@ -33,7 +33,7 @@ PERIODS = (5.0, 8.0)  # s, of heave: the least, and one in which heavy risers ke
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
 KEPT, LOST = "Blues", "Oranges"  # of tension ranges
-HEAVES = "Greens"  # of heave amplitudes, of which the least is the worst
+HEAVES = "Greens_r"  # of heave amplitudes, of which the least is the worst
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
@@ -78,7 +78,7 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
 
 def _speeds(ax: Axes, at: xr.Dataset, governing: NDArray[np.int_]) -> None:
     masses = at["lmrp_mass"].values
-    for colour, mass in zip(shades(COLOURS[0], len(masses)), masses, strict=True):
+    for colour, mass in zip(shades(OF_INPUT["lmrp_mass"], len(masses)), masses, strict=True):
         one = at.sel(lmrp_mass=mass)
         ax.plot(one["riser_length"], one["speed_limit"], color=colour, label=f"{mass:g} t")
         for which in governing:
@@ -121,7 +121,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         panel_title(ax, f"{HUNG[mode]} ({mode}), {riser}")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
-    _bar(figure, axes[:2], norm, LOST, "range of top tension (MN)")
+    _bar(figure, axes[:2], norm, LOST, "range of top tension (MN)\n(darker is worse)")
     _bar(figure, axes[:2], norm, KEPT, "")
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
     most = float(tension_limits["heave_amplitude"].max())
@@ -137,7 +137,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         axes[2:],
         Normalize(0.0, most),
         HEAVES,
-        "heave that loses tension (m)\n(darker is better)",
+        "heave that loses tension (m)\n(darker is worse)",
     )
     kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {
@@ -181,13 +181,17 @@ def _cells(
     """A table in colours, a cell a pair of coordinates; no number: beyond the scale."""
     up, across = values.dims
     kept = values if lost is None else values.where(~lost)
-    beyond = xr.where(values.isnull(), norm.vmax, np.nan)  # as dark as the largest that is shown
+    beyond = xr.where(
+        values.isnull(), norm.vmax, np.nan
+    )  # in the colour of the largest that is shown
     layers = ((kept, colours), (values.where(kept.isnull()), LOST), (beyond, colours))
     for drawn, shade in layers:
         ax.pcolormesh(drawn.values, norm=norm, cmap=shade, edgecolors="white")
     for i, row in enumerate(values.values):
         for j, value in enumerate(row):
-            colour = "white" if np.isnan(value) or norm(value) > 0.6 else "black"
+            share = 1.0 if np.isnan(value) else float(norm(value))
+            dark = share < 0.35 if colours.endswith("_r") else share > 0.6
+            colour = "white" if dark else "black"
             text = f"> {norm.vmax:g}" if np.isnan(value) else _two_digits(value)
             ax.text(j + 0.5, i + 0.5, text, ha="center", va="center", size="small", color=colour)
     ax.set_xticks(np.arange(values.sizes[across]) + 0.5, [f"{x:g}" for x in values[across].values])

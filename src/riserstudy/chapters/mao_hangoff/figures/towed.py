@@ -5,30 +5,34 @@ Displacements are distances behind the platform, along its track; depths count f
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
 from matplotlib.axes import Axes
+from matplotlib.collections import PolyCollection
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from riserstudy.chapters.mao_hangoff.figures.colours import (
+    FINE_MESH,
+    MESH_OF_PAPER,
+    OF_COORDINATE,
+    OF_INPUT,
+    OF_MESH,
+    PROFILE,
+    ordered,
+)
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     AGAINST,
     ASTERN,
     NESTED,
     TIME,
-    changes,
     down,
-    three_panels,
 )
 from riserstudy.chapters.mao_hangoff.runs import STATED
 from riserstudy.chapters.mao_hangoff.towed import displacement
-from riserstudy.figures.direct import label_ends, label_line
+from riserstudy.figures.direct import label_ends, label_line, legible
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
     PRINTED,
     headline,
@@ -49,7 +53,7 @@ FAMILIES = {
 MIDDLE, DEEPEST = 700.0, 1800.0  # m, depths of Fig 8: where lines are named, and its last
 #: of lines that are close: name in the figure, its depth (m), and how far away it is (points)
 PLACES = {
-    "uniform to 100 m, none below 300 m": ("300 m", 190.0, (-2.0, 3.0)),
+    "uniform to 100 m, none below 300 m": ("300 m (Figs\n9 to 12, 14)", 230.0, (-2.0, 6.0)),
     "uniform to 100 m, none below 500 m": ("500 m", 340.0, (3.0, -4.0)),
     "exponential 100 m": ("100 m", 290.0, (5.0, 0.0)),
     "exponential 300 m": ("300 m", 420.0, (5.0, 0.0)),
@@ -60,9 +64,9 @@ PLACES = {
     "linear to the seabed": ("1 (linear)", 700.0, (-5.0, 0.0)),
 }
 SIGNED = "bending moment at 130 s, signed (kN m)"
-OWN_MESH = "computed, 50 elements and\n0.00163 s as the paper"
 HEAVE = 10.0  # s, period of the base case's heave
-plasma, viridis = colormaps["plasma"], colormaps["viridis"]
+UPPER = (-20.0, 180.0)  # m, of depth, enlarged in Fig 9
+AROUND = 130.0  # m, of depth about the largest difference of Fig 4
 
 
 def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
@@ -72,21 +76,23 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
     depth = float(runs["s"][-1]) - runs["s"]
     for ax, curves in zip(axes, (shapes, moments), strict=True):
-        for colour, time in zip(viridis(np.linspace(0.0, 0.8, len(START))), START, strict=True):
+        for colour, time in zip(ordered(OF_COORDINATE["time"], START), START, strict=True):
             at = curves.sel(time=time)
             (line,) = ax.plot(
                 at.sel(integrator="implicit"), depth, color=colour, lw=1.2, label=f"{time:g} s"
             )
             ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
-            if ax is axes[0]:
-                label_line(ax, line, 0.1)
-    _name_largest_difference(axes[1], moments.sel(time=list(START)), depth)
+            largest = float(at.sel(integrator="implicit").argmax("s")) / (depth.size - 1.0)
+            share, offset = (0.1, (4.0, 0.0)) if ax is axes[0] else (largest, (0.0, 3.0))
+            label_line(ax, line, share, offset)
     for ax, title in zip(axes, ("shape", "bending moment"), strict=True):
         panel_title(ax, title)
     implicit = axes[1].plot([], [], color=GREY, label="implicit")
     explicit = axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
     down(axes[0], ASTERN)
     axes[0].margins(x=0.14)  # room for the last time
+    axes[0].set_ylim(top=-0.1 * float(depth.max()))  # and for those above the moments
+    _enlarge_largest_difference(axes[1], moments.sel(time=list(START)), depth)
     axes[1].set_xlabel("bending moment (kN m)")
     axes[1].legend(handles=[*implicit, *explicit], fontsize="small", loc="lower right")
     shares = []
@@ -102,17 +108,19 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     return figure
 
 
-def _name_largest_difference(ax: Axes, moments: xr.DataArray, depth: xr.DataArray) -> None:
-    """Point to where moments (kN m) by both integrators differ most."""
+def _enlarge_largest_difference(ax: Axes, moments: xr.DataArray, depth: xr.DataArray) -> None:
+    """Where moments (kN m) by both integrators differ most, enlarged."""
     implicit, explicit = (moments.sel(integrator=name) for name in ("implicit", "explicit"))
     apart = abs(explicit - implicit)
     at = apart.argmax(...)
     there = apart.isel(at)
-    ax.annotate(
-        f"largest difference,\n{float(there):.1g} kN m at {float(there['time']):g} s",
-        (float(explicit.isel(at)), float(depth.isel(s=at["s"]))), xytext=(0.97, 0.5),
-        textcoords="axes fraction", ha="right", va="top", fontsize="small",
-        arrowprops={"arrowstyle": "-", "color": GREY, "shrinkB": 3.0},
+    x, level = float(explicit.isel(at)), float(depth.isel(s=at["s"]))
+    near = (x - 1.0, x + 1.2), (level - AROUND, level + AROUND)
+    inset = enlarge(ax, (0.47, 0.26, 0.43, 0.38), *near)
+    inset.plot(x, level, "o", color="black", ms=11, mfc="none", mec="black", mew=0.9)
+    inset.set_title(
+        f"largest difference (ring):\n{float(there):.1g} kN m at {float(there['time']):g} s",
+        fontsize="x-small", pad=3.0,
     )  # fmt: skip
 
 
@@ -121,10 +129,12 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.8)
     below = float(pe_pipe["s"][-1]) - pe_pipe["s"]
     speeds = pe_pipe["current_speed"].values
-    for colour, speed in zip(viridis(np.linspace(0.0, 0.85, len(speeds))), speeds, strict=True):
+    tip = pe_pipe["x"].isel(s=0).sel(filling="flooded")
+    for colour, speed in zip(ordered(OF_INPUT["current_speed"], speeds), speeds, strict=True):
         for line, filling in (("-", "flooded"), (":", "closed")):
             shape = pe_pipe["x"].sel(current_speed=speed, filling=filling)
-            label = f"{speed:g} m/s" if filling == "flooded" else None
+            moved = f"{1e3 * float(tip.sel(current_speed=speed)):#.3g}".removesuffix(".")
+            label = f"{speed:g} m/s:\n{moved} mm" if filling == "flooded" else None
             (drawn,) = ax.plot(1e3 * shape, 1e3 * below, line, color=colour, label=label)
             if label:
                 label_line(ax, drawn, 0.0, (0.0, -3.0))
@@ -134,9 +144,9 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     ]
     ax.set_xlabel("deflection (mm)")
     ax.set_ylabel("distance from the clamp (mm)")
-    ax.set_ylim(1.09e3 * float(below.max()), -0.04e3 * float(below.max()))
+    ax.set_ylim(1.15e3 * float(below.max()), -0.04e3 * float(below.max()))
     ax.legend(handles=keys, fontsize="small")
-    tip = pe_pipe["x"].isel(s=0).sel(filling="flooded")
+    panel_title(ax, "numbers: speed, and deflection of the flooded pipe's tip")
     power = np.log(float(tip[-1] / tip[0])) / np.log(float(speeds[-1] / speeds[0]))
     headline(
         figure, f"The tip deflection increases with speed to the power {power:.1f} (speeds assumed)"
@@ -149,7 +159,8 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     figure, axes = panels(1, 4, 3.7, sharey=True)
     share = current_profiles["current_share"]
     depth, shapes = share["below_surface"], [str(one) for one in share["current_profile"].values]
-    for colour, speed in zip(COLOURS, (1.0, 1.1, 1.2), strict=False):
+    speeds = (1.0, 1.1, 1.2)
+    for colour, speed in zip(ordered(OF_INPUT["current_speed"], speeds), speeds, strict=True):
         axes[0].plot(
             _while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:.1f} m/s"
         )
@@ -157,17 +168,13 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
         fontsize="small", loc="lower right", title="at the surface", title_fontsize="small"
     )
     axes[0].set_xlabel("current speed (m/s)")
-    panel_title(axes[0], "shape of Figs 9 and 10")
+    panel_title(axes[0], "uniform to 100 m,\nzero below 300 m")
     for ax, family in zip(axes[1:], FAMILIES, strict=True):
         of_family = [shape for shape in shapes if _family(shape) == family]
-        layer = family == "none below"
-        widths = (
-            (2.8, 1.4) if layer else (1.5,) * len(of_family)
-        )  # where they coincide both are seen
-        colours = COLOURS[4:] if layer else COLOURS[3:]  # a colour a depth of 300 m
-        for colour, width, shape in zip(colours, widths, of_family, strict=False):
+        flowing = [float(share.sel(current_profile=shape).mean()) for shape in of_family]
+        for colour, shape in zip(ordered(PROFILE, flowing), of_family, strict=True):
             curve = _while_it_flows(share.sel(current_profile=shape))
-            (line,) = ax.plot(curve, depth, color=colour, lw=width, label=shape)
+            (line,) = ax.plot(curve, depth, color=colour, label=shape)
             name, level, away = PLACES.get(shape, (shape, MIDDLE, (5.0, 0.0)))
             label_line(ax, line, level / float(depth.max()), away, name=name, size="x-small")
         ax.set_xlabel("speed / surface speed")
@@ -197,34 +204,18 @@ def fig09(
     """
     figure, axes = panels(2, 2, 3.6)
     depth = float(base["s"][-1]) - base["s"]
-    axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=COLOURS[0])
+    fine, of_paper = OF_MESH[FINE_MESH], OF_MESH[MESH_OF_PAPER]
+    axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=fine)
     axes[0].axvline(heavy, **PRINTED)
-    _number(axes[0], heavy, 1.0, f"{heavy:g} m")
-    at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
-    turn = _sign_of_largest(at_130)
-    ours = turn * at_130
-    at_joint = float(ours.isel(s=-1))
-    axes[1].plot(ours, depth, color=COLOURS[0])
-    style: dict[str, Any] = {"color": COLOURS[0], "ms": 4, "clip_on": False}
-    cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
-    least, most = cycle.min("time"), cycle.max("time")
-    band = axes[1].fill_betweenx(depth, least, most, color="0.8", linewidth=0.0)
-    minus = f"{at_joint:.1f}".replace("-", "−")
-    axes[1].plot(at_joint, 0.0, "o", **style)
-    axes[1].annotate(
-        f"at the joint:\n{minus} kN m", (at_joint, 0.0), xytext=(4.0, -8.0), fontsize="small",
-        textcoords="offset points", va="top", color=COLOURS[0],
-    )  # fmt: skip
-    axes[1].axvline(moment, **PRINTED)
-    _number(axes[1], moment, 0.0, f"{moment:g} kN m")
+    _number(axes[0], heavy, f"{heavy:g} m")
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
-    theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
-    theirs = _sign_of_largest(theirs) * theirs
-    for ax, curve in zip(axes, (shape, theirs), strict=False):
-        ax.plot(curve, float(curve["s"][-1]) - curve["s"], ":", color=COLOURS[1])
-    _peak(axes[1], theirs)
-    axes[1].set_xlim(right=1.36 * float(theirs.max()))  # room for its number
+    axes[0].plot(shape, float(shape["s"][-1]) - shape["s"], ":", color=of_paper)
+    for colour, time in zip(ordered(OF_COORDINATE["time"], TIMES), TIMES, strict=True):
+        shape = -base["displacement_along"].sel(time=time)
+        (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
+        label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small", ha="right", va="top")
+    _axial_motion(axes[3], base_runs["z"])
     titles = (
         f"shape at 130 s, {AGAINST}",
         "moment at 130 s",
@@ -233,18 +224,14 @@ def fig09(
     )
     for ax, title in zip(axes, titles, strict=True):
         panel_title(ax, title)
-    for colour, time in zip(viridis(np.linspace(0.0, 0.85, len(TIMES))), TIMES, strict=True):
-        shape = -base["displacement_along"].sel(time=time)
-        (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
-        label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small")
-    _axial_motion(axes[3], base_runs["z"])
     for ax, label in zip(axes, (ASTERN, SIGNED, ASTERN), strict=False):
         down(ax, label)
+    largest, band = _moment_of_base(axes[1], base_runs, own, moment)
     axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
     axes[2].margins(x=0.09)
     known = (
-        (Line2D([], [], color=COLOURS[0]), "computed, fine mesh"),
-        (Line2D([], [], color=COLOURS[1], ls=":"), OWN_MESH),
+        (Line2D([], [], color=fine), FINE_MESH),
+        (Line2D([], [], ls=":", color=of_paper), MESH_OF_PAPER),
         (Line2D([], [], **PRINTED), "printed"),
         (band, f"(b) range in {HEAVE:g} s of heave"),
     )
@@ -252,16 +239,56 @@ def fig09(
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
     headline(
         figure,
-        f"The LMRP trails by {away:.1f} m (calibrated), the moment reaches {float(ours.max()):.1f} kN m",
+        f"The LMRP trails by {away:.1f} m (calibrated), the moment reaches {largest:.1f} kN m",
     )
     label_ends(axes[3])
     return figure
 
 
+def _moment_of_base(
+    ax: Axes, base_runs: xr.Dataset, own: xr.Dataset, moment: float
+) -> tuple[float, PolyCollection]:
+    """Moment at 130 s on a fine mesh and on that of the paper, its peaks with its range enlarged.
+
+    Returns the largest on the fine mesh (kN m) and the band of the range.
+    """
+    at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
+    turn = _sign_of_largest(at_130)
+    ours, depth = turn * at_130, float(base_runs["s"][-1]) - base_runs["s"]
+    theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
+    theirs = _sign_of_largest(theirs) * theirs
+    ax.plot(ours, depth, color=OF_MESH[FINE_MESH])
+    ax.axvline(moment, **PRINTED)
+    ax.plot(theirs, float(theirs["s"][-1]) - theirs["s"], ":", color=OF_MESH[MESH_OF_PAPER])
+    most, at_joint = float(theirs.max()), float(ours.isel(s=-1))
+    ax.set_xlim(at_joint - 0.1 * most, 1.5 * most)  # room for the enlarged part
+    ax.annotate(
+        f"at the joint:\n{at_joint:.1f} kN m".replace("-", "−"), (at_joint, 0.0), xytext=(2.0, -8.0),
+        fontsize="small", textcoords="offset points", va="top", color=OF_MESH[FINE_MESH],
+    )  # fmt: skip
+    inset = enlarge(ax, (0.46, 0.2, 0.5, 0.48), (0.45 * most, 1.1 * most), UPPER, 1.5)
+    cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
+    band = inset.fill_betweenx(depth, cycle.min("time"), cycle.max("time"), color="0.8", lw=0.0)
+    for values, of, place in (
+        (ours, FINE_MESH, (0.05, 0.62)), (theirs, MESH_OF_PAPER, (0.62, 0.95)),
+    ):  # fmt: skip
+        largest = values.isel(s=int(values.argmax("s")))
+        inset.annotate(
+            f"{float(largest):.1f} kN m", (float(largest), float(values["s"][-1] - largest["s"])),
+            xytext=place, textcoords="axes fraction", fontsize="x-small", color=legible(OF_MESH[of]),
+            va="center", arrowprops={"arrowstyle": "-", "lw": 0.6, "color": legible(OF_MESH[of])},
+        )  # fmt: skip
+    inset.annotate(
+        f"printed:\n{moment:g} kN m", (moment, 0.04), xycoords=("data", "axes fraction"), xytext=(4.0, 0.0),
+        textcoords="offset points", fontsize="x-small", va="bottom",
+    )  # fmt: skip
+    return float(ours.max()), band
+
+
 def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
     """Heights over time at several depths; below the joint they nearly coincide, the deeper drawn inside."""
-    shades = plasma(np.linspace(0.0, 0.85, len(DEPTHS)))
-    for colour, width, below in zip(shades, (1.0, *NESTED[:2]), DEPTHS, strict=True):
+    colours = ordered(OF_COORDINATE["depth"], DEPTHS)
+    for colour, width, below in zip(colours, (1.0, *NESTED[:2]), DEPTHS, strict=True):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
         name = f"{below:g} m" if below else "joint"
         ax.plot(at["time"], at - at[0], color=colour, lw=width, label=name)
@@ -269,62 +296,14 @@ def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
     ax.set_ylabel("axial motion (m)")
 
 
-def _number(ax: Axes, x: float, up: float, text: str) -> None:
-    """Write the number of an upright line at its left, at its upper (1) or lower end (0)."""
+def _number(ax: Axes, x: float, text: str) -> None:
+    """Write the number of an upright line at its left, at its upper end."""
     ax.annotate(
-        text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, 4.0 - 8.0 * up),
-        textcoords="offset points", ha="right", va="top" if up else "bottom", fontsize="small",
-    )  # fmt: skip
-
-
-def _peak(ax: Axes, moment: xr.DataArray) -> None:
-    """Write the largest moment of the paper's mesh beside its peak."""
-    most = moment.isel(s=int(moment.argmax("s")))
-    ax.annotate(
-        f"{float(most):.1f} kN m", (float(most), float(moment["s"][-1] - most["s"])), xytext=(4.0, 0.0),
-        textcoords="offset points", ha="left", va="center", fontsize="x-small", color=COLOURS[1],
+        text, (x, 1.0), xycoords=("data", "axes fraction"), xytext=(-3.0, -4.0),
+        textcoords="offset points", ha="right", va="top", fontsize="small",
     )  # fmt: skip
 
 
 def _sign_of_largest(moment: xr.DataArray) -> float:
     """Sign of a moment over s where it is largest: times it, the largest is positive."""
     return float(np.sign(moment.isel(s=int(abs(moment).argmax("s")))))
-
-
-def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
-    """Shape, moment and axial motion for three LMRP masses.
-
-    ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
-    """
-    masses = (140.0, 130.0, 120.0)
-    figure = three_panels(lmrp_mass, "lmrp_mass", masses, "LMRP {:g} t", AGAINST)
-    shapes, moments = figure.axes[:2]
-    for ax in (shapes, moments):  # masses change little
-        for line, width in zip(ax.lines, NESTED, strict=True):
-            line.set_linewidth(width)
-    blue, _, green = (line.get_color() for line in shapes.lines)
-    far = (heavy, light)
-    printed = [
-        shapes.axvline(
-            value, label=f"printed, {mass} t: {value:g} m", **(PRINTED | {"color": colour})
-        )
-        for value, mass, colour in zip(far, (140, 120), (blue, green), strict=True)
-    ]
-    name = f"printed, 140 t: {moment:g} kN m"
-    printed.append(moments.axvline(moment, label=name, **(PRINTED | {"color": blue})))
-    shapes.set_xlim(right=1.05 * light)
-    length = float(lmrp_mass["s"][-1])
-    near = (0.9 * heavy, 1.02 * light)
-    enlarge(shapes, (0.2, 0.1, 0.42, 0.36), near, (0.87 * length, 1.01 * length))
-    size = lmrp_mass["bending_moment_size"] / 1e3
-    top = float(size.max())
-    deep = length - float(size["s"][int(size.max("lmrp_mass").argmax("s"))])
-    enlarge(moments, (0.36, 0.28, 0.58, 0.36), (0.9 * top, 1.05 * top), (deep - 60, deep + 40))
-    key = [line for pair in zip(shapes.lines[:3], printed, strict=True) for line in pair]
-    legend_below(figure, key, [str(line.get_label()) for line in key], 3)
-    change = changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
-    headline(
-        figure,
-        f"A lighter LMRP trails {change:.0f} % farther; published: {100.0 * (light / heavy - 1.0):.0f} %",
-    )
-    return figure

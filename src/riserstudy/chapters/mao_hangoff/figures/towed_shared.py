@@ -6,24 +6,17 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
 from riserstudy.chapters.mao_hangoff.runs import STATED
-from riserstudy.figures.insets import close_up
-from riserstudy.figures.style import (
-    COLOURS,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import mosaic, panel_title
 
 AGAINST = "current 1 m/s, against"  # of Figs 9, 10 and 14
 ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "|bending moment| at 130 s (kN m)"
 RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
-NESTED = (
-    2.6,
-    1.6,
-    0.7,
-)  # points, of lines that nearly coincide: the first is seen on both sides of the next
+#: points, of lines that nearly coincide: the first is seen on both sides of the next
+NESTED = (2.6, 1.6, 0.7)
 
 
 def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str, float]:
@@ -37,36 +30,47 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
     return {name: 100.0 * (float(new) / float(old) - 1.0) for name, (old, new) in ratios.items()}
 
 
-def three_panels(
-    runs: xr.Dataset,
-    axis: str,
-    values: tuple[float, ...],
-    label: str,
-    current: str,
-    motion: str = "axial motion",
+def towed_panels(
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str
 ) -> Figure:
-    """Panels (a) to (c) of Figs 10 to 14, without a key.
+    """Figs 11, 12 and 14 without a key: shape, moment, and axial motion of one run, from which others differ.
 
-    ``current``: speed and direction, of panel (a); ``motion``: title of panel (c).
+    ``values``: the run that is drawn whole in (c) is the first; ``current``: speed and direction, of (a).
     """
-    figure, axes = panels(1, 3, 3.7)
-    for colour, value, width in zip(COLOURS, values, NESTED, strict=False):
+    figure, axes = mosaic(["a b c", "a b d"], (1.95, 1.95))
+    for colour, value in zip(ordered(OF_INPUT[axis], values), values, strict=True):
         run = runs.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
         moment = run["bending_moment_size"].dropna("s")
-        name = label.format(value)
         top = float(shape["s"][-1])
-        axes[0].plot(-shape, top - shape["s"], color=colour, label=name)
+        axes[0].plot(-shape, top - shape["s"], color=colour, label=label.format(value))
         axes[1].plot(moment / 1e3, top - moment["s"], color=colour)
-        axes[2].plot(run["time"], run["lmrp_rise"], color=colour, lw=width)
-    for ax, title in zip(axes, (current, "size of the moment", motion), strict=True):
-        panel_title(ax, title)
+    rise_and_differences(axes[2], axes[3], runs, axis, values, label)
+    axes[2].tick_params(labelbottom=False)
+    axes[2].set_xlabel("")
+    panel_title(axes[0], current)
+    panel_title(axes[1], "size of the moment")
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
-    axes[2].set_xlabel(TIME)
-    axes[2].set_ylabel(RISE)
-    close_up(axes[2])
     return figure
+
+
+def rise_and_differences(
+    ax: Axes, below: Axes, runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str
+) -> None:
+    """Axial motion of the LMRP in the first run; in the panel below, what the others differ from it by."""
+    first = runs["lmrp_rise"].sel({axis: values[0]}, method="nearest")
+    colours = ordered(OF_INPUT[axis], values)
+    ax.plot(first["time"], first, color=colours[0], lw=1.0)
+    for colour, value in zip(colours[1:], values[1:], strict=True):
+        other = runs["lmrp_rise"].sel({axis: value}, method="nearest")
+        below.plot(other["time"], other - first, color=colour, lw=1.0)
+    ax.set_ylabel("LMRP rise (m)")
+    below.set_ylabel("difference (m)")
+    ax.set_xlabel(TIME)
+    below.set_xlabel(TIME)
+    panel_title(ax, f"axial motion, {label.format(values[0])}")
+    panel_title(below, "the other two minus (c)")
 
 
 def down(ax: Axes, label: str) -> None:

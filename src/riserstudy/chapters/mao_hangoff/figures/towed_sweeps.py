@@ -1,13 +1,13 @@
-"""Figures of Mao, Zeng, Liu on what speed, current, track and length change for a riser that is towed."""
+"""Figures of Mao, Zeng, Liu on what mass, speeds, track and length change for a riser that is towed."""
 
 from __future__ import annotations
 
-from typing import Any
-
+import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from riserstudy.chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
 from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     AGAINST,
     ASTERN,
@@ -17,26 +17,87 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     TIME,
     changes,
     down,
-    three_panels,
+    rise_and_differences,
+    towed_panels,
 )
 from riserstudy.chapters.mao_hangoff.runs import STATED, as_drawn
 from riserstudy.chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_line
-from riserstudy.figures.names import in_words
+from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
-    COLOURS,
     GREY,
+    PRINTED,
     headline,
     key_below,
+    legend_below,
+    mosaic,
     panel_title,
     panels,
 )
 
+MASSES = (140.0, 130.0, 120.0)  # t, of the LMRP
+UPPER = (
+    (0.0, 9.0),
+    (-10.0, 290.0),
+)  # |moment| (kN m) and depth (m) that are enlarged in Figs 11 and 12
 TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
 ALIKE = 1.0  # %, by which curves may differ that are drawn in each other
-#: of lines that coincide with another in a panel of trends (points): the later is drawn on the earlier
-WIDTHS = {"lmrp_mass": 3.0, "current_speed": 1.2}
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
+
+
+def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
+    """Shape, moment and axial motion with the heaviest LMRP, and what lighter ones differ by.
+
+    ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
+    """
+    figure, axes = mosaic(["a b c", "d e f"], (3.3, 2.6))
+    colours = ordered(OF_INPUT["lmrp_mass"], MASSES)
+    curves = {
+        f"{MASSES[0]:g} t, {AGAINST}": (-lmrp_mass["displacement_along"].sel(time=STATED), "m"),
+        f"size of the moment, {MASSES[0]:g} t": (lmrp_mass["bending_moment_size"] / 1e3, "kN m"),
+    }
+    depth = float(lmrp_mass["s"][-1]) - lmrp_mass["s"]
+    for ax, below, letter, (title, (values, unit)) in zip(
+        axes[:2], axes[3:5], "ab", curves.items(), strict=True
+    ):
+        first = values.sel(lmrp_mass=MASSES[0])
+        for colour, mass in zip(colours, MASSES, strict=True):
+            of = values.sel(lmrp_mass=mass)
+            drawn, of = (ax, of) if mass == MASSES[0] else (below, of - first)
+            drawn.plot(of, depth, color=colour, label=f"LMRP {mass:g} t")
+        panel_title(ax, title)
+        panel_title(below, f"the other two minus ({letter})")
+        down(below, f"difference ({unit})")
+    for ax, label, value, unit in zip(
+        axes, (ASTERN, MOMENT), (heavy, moment), ("m", "kN m"), strict=False
+    ):
+        down(ax, label)
+        ax.axvline(value, **PRINTED)
+        _beside(ax, value, 0.5, f"{value:g} {unit}")
+    rise_and_differences(axes[2], axes[5], lmrp_mass, "lmrp_mass", MASSES, "{:g} t")
+    axes[3].axvline(light - heavy, **PRINTED)
+    axes[3].set_xlim(right=1.08 * (light - heavy))
+    _beside(axes[3], light - heavy, 0.5, f"120 t, printed:\n{light - heavy:.1f} m")
+    lightest = axes[3].lines[1]
+    farther = float(np.asarray(lightest.get_xdata())[0])
+    label_line(axes[3], lightest, 0.0, (5.0, 2.0), name=f"120 t: {farther:.1f} m")
+    lines = [*axes[0].lines[:1], *axes[3].lines[:2], axes[0].lines[1]]
+    names = [str(line.get_label()) for line in lines[:3]]
+    legend_below(figure, lines, [*names, "printed"], 4)
+    change = changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
+    headline(
+        figure,
+        f"A lighter LMRP trails {change:.0f} % farther; published: {100.0 * (light / heavy - 1.0):.0f} %",
+    )
+    return figure
+
+
+def _beside(ax: Axes, x: float, up: float, text: str) -> None:
+    """Write the number of an upright line at its left."""
+    ax.annotate(
+        text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, 0.0), ha="right",
+        va="center", textcoords="offset points", fontsize="small",
+    )  # fmt: skip
 
 
 def fig11(current_speed: xr.Dataset) -> Figure:
@@ -65,15 +126,13 @@ def _two_profiles(
     ``held``: speed and direction that panel (a) states.
     """
     names = [str(name) for name in runs["current_profile"].values]
-    figure = three_panels(
-        as_drawn(runs), axis, values, label, held, f"axial motion, {names[0]} only"
-    )
+    figure = towed_panels(as_drawn(runs), axis, values, label, held)
     axes = figure.axes
     other = runs.isel(current_profile=-1, drop=True)
     change = changes(other, axis, values[0], values[-1])["displacement"]
     alike = abs(change) < ALIKE
     widths = NESTED if alike else (1.2, 1.2, 1.2)
-    for colour, value, width in zip(COLOURS, values, widths, strict=False):
+    for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, widths, strict=True):
         dashes = (0, (4.0 / width, 2.0 / width))  # as long whatever the width, which scales them
         run = other.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
@@ -86,22 +145,26 @@ def _two_profiles(
             f"the three dashed\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
-    axes[0].plot([], [], color=GREY, label=f"current: {names[0]} (assumed)")
-    axes[0].plot([], [], "--", color=GREY, label=f"current: {names[-1]} (assumed)")
+    enlarge(axes[1], (0.45, 0.32, 0.37, 0.42), *UPPER)
+    axes[0].plot([], [], color=GREY, label=f"(a-d) {names[0]} (assumed)")
+    axes[0].plot([], [], "--", color=GREY, label=f"(a, b) {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
     return figure
 
 
 def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
-    """The same for three angles of the track, both speeds in one profile; dash-dotted, separate speeds."""
-    figure, axes = panels(1, 3, 3.7)
+    """The same for three angles of the track, both speeds in one profile; dash-dotted, separate speeds.
+
+    In addition, displacement along and across the track over its angle.
+    """
+    figure, axes = panels(2, 2, 3.6)
     shapes = displacement(track_one_profile).sel(time=STATED)
     moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
     z = track_one_profile["z"].isel(s=0)
     depth = float(shapes["s"][-1]) - shapes["s"]
+    colours = ordered(OF_INPUT["track_angle"], [*TRACKS])
     widths = (1.0, *NESTED[1:])  # two of the three nearly coincide in (c)
-    tracks = zip(COLOURS, ONE_PROFILE, (0.0, 45.0, 90.0), widths, strict=False)
-    for colour, track, angle, width in tracks:
+    for colour, track, angle, width in zip(colours, ONE_PROFILE, TRACKS, widths, strict=True):
         axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=TRACKS[angle])
         axes[1].plot(moments.sel(track=track), depth, color=colour)
         risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
@@ -111,44 +174,88 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         own = float(shape["s"][-1]) - shape["s"]
         axes[0].plot(-shape, own, "-.", color=colour, lw=0.8)
         axes[1].plot(apart["bending_moment_size"] / 1e3, own, "-.", color=colour, lw=0.8)
+        axes[3].plot(angle, float(-shape.isel(s=0)), "o", color=colour, ms=5, zorder=3)
     axes[0].plot([], [], color=GREY, label="both speeds in one profile")
-    axes[0].plot(
-        [], [], "-.", color=GREY, lw=0.8, label="(a, b) separate speeds of water and platform"
-    )
+    axes[0].plot([], [], "-.", color=GREY, lw=0.8, label="separate speeds of water and platform")
     axes[0].axvline(0.0, color=GREY, lw=0.6)
-    for side, word, to in ((-0.03, "ahead ←", "right"), (0.03, "→ astern", "left")):
-        axes[0].annotate(
-            word, (0.0, 1.0), xycoords=("data", "axes fraction"), xytext=(100.0 * side, -3.0),
-            textcoords="offset points", ha=to, va="top", fontsize="x-small",
-        )  # fmt: skip
-    panel_title(axes[0], "current 3 m/s, power 1/4 (assumed)")
-    panel_title(axes[1], "size of the moment")
-    panel_title(axes[2], "axial motion, one profile")
+    _ahead_and_astern(axes[0])
+    titles = (
+        "current 3 m/s, power 1/4 (assumed)",
+        "size of the moment",
+        "axial motion, one profile",
+        "displacement over track angle, separate speeds",
+    )
+    for ax, title in zip(axes, titles, strict=True):
+        panel_title(ax, title)
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
-    key_below(figure, axes[0], 5)
-    otherwise = -track_angle["lmrp_displacement"].sel(time=STATED)
-    along, across = (
-        _trails(float(-shapes.sel(track=track).isel(s=0)), float(otherwise.sel(track_angle=angle)))
-        for track, angle in ((ONE_PROFILE[0], 0.0), (ONE_PROFILE[-1], 90.0))
-    )
-    headline(figure, f"The LMRP {along} the platform along the current and {across} it across")
+    _along_and_across(axes[3], track_angle)
+    key_below(figure, axes[0], 3)
+    astern = {
+        angle: (float(-shapes.sel(track=track).isel(s=0)),
+                float(-track_angle["lmrp_displacement"].sel(time=STATED, track_angle=angle)))
+        for angle, track in zip(TRACKS, ONE_PROFILE, strict=True)
+    }  # fmt: skip
+    headline(figure, _where_astern(astern))
     return figure
 
 
-def _trails(*astern: float) -> str:
-    """What the LMRP does that is so far astern (m), in one word where both interpretations agree."""
-    return " or ".join(sorted({"trails" if one > 0.0 else "leads" for one in astern}))
+def _ahead_and_astern(ax: Axes) -> None:
+    """Name the sides of an upright at zero."""
+    for side, word, to in ((-0.03, "ahead ←", "right"), (0.03, "→ astern", "left")):
+        ax.annotate(
+            word, (0.0, 1.0), xycoords=("data", "axes fraction"), xytext=(100.0 * side, -3.0),
+            textcoords="offset points", ha=to, va="top", fontsize="x-small",
+        )  # fmt: skip
+
+
+def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
+    """Displacement of the LMRP along and across the track over its angle."""
+    at = track_angle.sel(time=STATED)
+    across = abs(at["lmrp_displacement_cross"])
+    for values, line, label, share, offset in (
+        (-at["lmrp_displacement"], "-.", "along (positive astern)", 0.9, (-8.0, 0.0)),
+        (across, ":", "across", 0.3, (-5.0, 2.0)),
+    ):
+        (drawn,) = ax.plot(
+            at["track_angle"], values, line, color="black", lw=1.0, label=f"_{label}"
+        )
+        label_line(ax, drawn, share, offset, name=label)
+    most = across.isel(track_angle=int(across.argmax("track_angle")))
+    ax.annotate(
+        f"{float(most):.0f} m", (float(most["track_angle"]), float(most)), xytext=(0.0, 4.0),
+        textcoords="offset points", ha="center", va="bottom", fontsize="small",
+    )  # fmt: skip
+    ax.axhline(0.0, color=GREY, lw=0.6)
+    ax.set_xlabel("track angle (°)")
+    ax.set_ylabel("LMRP displacement (m)")
+    ax.set_xticks(np.arange(0.0, 181.0, 45.0))
+
+
+def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
+    """On which tracks the LMRP is ahead of the platform (m, by both interpretations), and on which astern."""
+    ahead = [angle for angle, found in astern.items() if max(found) < 0.0]
+    behind = [angle for angle, found in astern.items() if min(found) > 0.0]
+    if len(ahead) + len(behind) < len(astern) or (ahead and behind and max(ahead) > min(behind)):
+        return "Whether the LMRP is ahead of the platform depends on interpretation and track"
+    if not (ahead and behind):
+        return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
+    return f"The LMRP is ahead of the platform on tracks up to {max(ahead):g}°, astern at {min(behind):g}°"
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:
     """The same for three lengths of riser."""
     lengths = (1800.0, 1500.0, 1200.0)  # the base case first, as in Figs 9 and 10
-    figure = three_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
-    for line in figure.axes[0].lines:
-        label_line(figure.axes[0], line, 0.0, (-5.0, 0.0))
+    figure = towed_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
+    shapes, moments = figure.axes[:2]
+    for beside_shape, beside_moment in zip(shapes.lines, moments.lines, strict=True):
+        label_line(shapes, beside_shape, 0.0, (-5.0, 0.0))
+        name = str(beside_shape.get_label()).removeprefix("riser ")
+        x = np.asarray(beside_moment.get_xdata(), dtype=float)
+        share = float(np.argmax(x[: len(x) // 2])) / (len(x) - 1)  # of the peak at the LMRP
+        label_line(moments, beside_moment, share, (5.0, 0.0), name=name)
     change = changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
     verb = "decreases" if change[least] < 0.0 else "increases"
@@ -169,96 +276,3 @@ def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: 
     least, most = sorted((abs(low), abs(high)))
     between = f"{least} or {most}" if least < most else f"{most}"
     return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"
-
-
-def trends(
-    lmrp_mass: xr.Dataset,
-    current_speed: xr.Dataset,
-    platform_speed: xr.Dataset,
-    riser_length: xr.Dataset,
-    track_angle: xr.Dataset,
-) -> Figure:
-    """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %.
-
-    Solid and dashed as in Figs 11 and 12: the profile of the current.
-    """
-    figure, axes = panels(1, 4, 3.7)
-    spans = {
-        "lmrp_mass": (lmrp_mass, "LMRP {:.0f} to {:.0f} t, current against"),
-        "current_speed": (current_speed, "current {:.1f} to {:.1f} m/s, along"),
-        "platform_speed": (platform_speed, "platform {:.1f} to {:.1f} kn, current along"),
-        "riser_length": (riser_length, "riser {:.0f} to {:.0f} m, current against"),
-    }
-    first, other = (str(name) for name in current_speed["current_profile"].values)
-    by_profile: list[dict[str, float]] = [{}, {}]
-    for colour, (axis, (runs, label)) in zip(COLOURS, spans.items(), strict=False):
-        values = runs[axis].values
-        name = label.format(values[0], values[-1])
-        varied = "current_profile" in runs.dims
-        for k, style in enumerate(("-", "--")):
-            if not varied and k == 0:  # these are in the other profile only
-                continue
-            one = runs.isel(current_profile=-k, drop=True) if varied else runs
-            ends = _changes_over_input(
-                axes[:3], one, axis, {"ls": style, "color": colour, "lw": WIDTHS.get(axis, 1.5)}
-            )
-            by_profile[k][in_words(axis)] = ends
-        axes[0].plot(
-            [], [], color=colour, ls="-" if varied else "--", label=name, lw=WIDTHS.get(axis, 1.5)
-        )
-    for ax, title in zip(
-        axes, ("displacement astern", "largest moment", "joint angle"), strict=False
-    ):
-        panel_title(ax, title)
-        ax.set_xlabel("change of input (%)")
-        ax.axhline(0.0, color=GREY, linewidth=0.8)
-    axes[0].set_ylabel("change of result (%)")
-    _positions(axes[3], track_angle)
-    axes[0].plot([], [], color=GREY, label=f"current: {first} (assumed)")
-    axes[0].plot([], [], "--", color=GREY, label=f"current: {other} (assumed)")
-    headline(figure, _matters_most(by_profile))
-    key_below(figure, axes[0], 3)
-    return figure
-
-
-def _changes_over_input(
-    axes: list[Axes], runs: xr.Dataset, axis: str, style: dict[str, Any]
-) -> float:
-    """Draw changes of the results over that of an input, and return the largest quotient at its end."""
-    values = runs[axis].values
-    along = 100.0 * (values / values[0] - 1.0)
-    quotients: list[float] = []
-    for ax, curve in zip(axes, _at_the_stated_time(runs), strict=True):
-        change = 100.0 * (curve / curve.isel({axis: 0}) - 1.0)
-        ax.plot(along, change, **style)
-        quotients.append(abs(float(change[-1]) / along[-1]))
-    return max(quotients)
-
-
-def _positions(ax: Axes, track_angle: xr.Dataset) -> None:
-    """Displacement of the LMRP along and across the track over its angle."""
-    at = track_angle.sel(time=STATED)
-    for values, colour, label, share, offset in (
-        (-at["lmrp_displacement"], COLOURS[4], "astern", 0.95, (-6.0, 0.0)),
-        (at["lmrp_displacement_cross"], COLOURS[6], "across", 0.45, (-5.0, 2.0)),
-    ):
-        (line,) = ax.plot(track_angle["track_angle"], values, "-.", color=colour, label=label)
-        label_line(ax, line, share, offset)
-    ax.set_xlabel("track angle (°)")
-    ax.set_ylabel("LMRP displacement (m)")
-    ax.set_xticks([0, 90, 180])
-    panel_title(ax, "power 1/4, 3 m/s,\nseparate speeds")
-
-
-def _matters_most(by_profile: list[dict[str, float]]) -> str:
-    """Which input changes a result most in each profile, per cent of result for per cent of input."""
-    most = list(dict.fromkeys(max(ends, key=lambda name: ends[name]) for ends in by_profile))
-    condition = " in either profile" if len(most) == 1 else ", depending on profile"
-    return f"The results are most sensitive to the {' or the '.join(most)}{condition}"
-
-
-def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:
-    """Displacement of the LMRP, largest moment and angle of the joint."""
-    at = runs.sel(time=STATED)
-    moment = runs["bending_moment_size"].max("s")
-    return [abs(at["lmrp_displacement"]), moment, abs(at["ufj_angle"])]
