@@ -67,7 +67,7 @@ def test_a_missing_value_is_neither_yes_nor_no(seed, about):
     assert found.verdict == (alone.verdict if could == {alone.verdict} else "depends")
     share = found.grounds.share
     assert (share.met, share.samples) == ((others == 100.0).sum(), others.size)
-    assert f"cases without a result, left out: {off.sum()} of {COUNT}" in said(found)
+    assert f"left out, because they have no result: {off.sum()} of {COUNT}" in said(found)
     assert [case.met for case in found.cases if case.met is None] == [None] * off.sum()
     assert not any(case.judged for case in found.cases if case.met is None)
     assert regrade(found.kind, found.cases) == found.verdict

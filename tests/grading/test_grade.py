@@ -134,7 +134,7 @@ def test_a_claim_that_an_option_decides_tells_the_share_under_each():
     about = {"kind": "claim", "check": "claim", "with": {"at_least": 1.0}}
     found = row({"base": dataset(2.0), "space": space}, **about, over={"runs": "space"})
     assert found.verdict == "depends"
-    assert "Share true by model: with 100 %; without 0 %." in found.note
+    assert "Share of samples true, by model: with 100 %; without 0 %." in found.note
 
 
 def test_a_paper_may_say_what_its_inputs_are_called():
@@ -144,7 +144,7 @@ def test_a_paper_may_say_what_its_inputs_are_called():
     datasets = {"base": dataset(2.0), "space": space}
     found = row(datasets, **about, over={"runs": "space"}, called={"model": "which model is meant"})
     assert found.depends_on.startswith("which model is meant; true in")
-    assert "Share true by which model is meant: with" in found.note
+    assert "Share of samples true, by which model is meant: with" in found.note
     assert found.note.startswith("Which model is meant explains")
 
 
@@ -205,12 +205,12 @@ def test_the_table_has_the_columns_of_the_contract():
     [
         (
             120.0,
-            "True in 80 of 80 samples (100 %). Judged in the 80 of 200 samples",
+            "True in 80 of 80 samples (100 %). Only the 80 of 200 samples that meet",
             "holds",
         ),
         (150.0, "too few samples (50 of 59)", "depends"),
         (40.0, "true in 100 of 160 samples (62 %", "depends"),
-        (999.0, "None of 200 samples meets its premise; judged by the base case", "holds"),
+        (999.0, "None of 200 samples meets the premise, so the base case is judged", "holds"),
     ],
 )
 def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, told, verdict):
@@ -227,10 +227,10 @@ def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, t
 @pytest.mark.parametrize(
     "values, told",
     [
-        (np.full(128, 9.0), "Settled at 99 % confidence after the first 96 samples."),
+        (np.full(128, 9.0), "The first 96 of 128 samples settle the verdict at 99 % confidence."),
         (
             np.where(np.arange(128) % 20 == 0, 0.0, 9.0),
-            "Close to a bound: 128 samples do not settle it at 99 % confidence",
+            "so close to a bound that 128 samples do not settle the verdict at 99 % confidence",
         ),
         (np.full(64, 9.0), ""),  # too few to say
     ],

@@ -73,7 +73,7 @@ def test_a_row_says_first_what_is_certain():
     found = claim(of_lines([1.0, 0.0, 0.5]), base, base={"line": "chord"})
     assert row_of(found).depends_on == (
         "line: true with chord; false with tangent; "
-        "true in 64 of 128 samples (50 %, 41 to 59 %) with least squares, decided by a"
+        "true in 64 of 128 samples (50 %, 95 % interval 41 to 59 %) with least squares, decided by a"
     )
     same = claim(of_lines([1.0, 0.0], other=1.0), base, base={"line": "chord"})
     assert row_of(same).depends_on == "line: true with chord; no difference with tangent"
@@ -144,7 +144,7 @@ def test_chance_hits_of_a_continuous_spread_meet_no_number(seed):
     assert found.verdict == "fails"
     assert found.grounds.share.met == 0
     assert (found.grounds.together.alone.met, found.grounds.together.others) == (alone, ["b"])
-    assert f"alone it is met in {alone} of 512 samples" in row_of(found).note
+    assert f"On its own it is met in {alone} of 512 samples" in row_of(found).note
     proportional = numbers(size, 2.0 * size)
     assert proportional.verdict == ("depends" if alone else "fails")
     assert proportional.grounds.share.met == alone

@@ -155,11 +155,11 @@ def _influence(grounds: Grounds) -> list[str]:
     by = grounds.decided_by
     if by and by[0].total_effect is not None:
         shares = ", ".join(f"{i.name} {100 * (i.total_effect or 0.0):.0f} %" for i in by)
-        return [f"Total effects: {shares}."]
+        return [f"Total effects on the outcome (variance-based): {shares}."]
     if grounds.explained is None:
         return []
     if not by:
-        return ["No input explains more than chance would, with so many samples."]
+        return ["With this number of samples, no input explains more of the outcome than chance."]
     word = "explains" if len(by) == 1 else "together explain"
     which = _capital(listed(influence.name for influence in by))
     return [f"{which} {word} {100 * grounds.explained:.0f} % of the variance of the outcome."]
@@ -169,7 +169,7 @@ def _by_option(kind: Kind, influence: Influence) -> str:
     """How often it comes out under each option of a deciding input."""
     options = influence.by_option.items()
     each = "; ".join(f"{option_name(option)} {100 * share:.0f} %" for option, share in options)
-    return f"Share {_HIT[kind][0]} by {influence.name}: {each}." if each else ""
+    return f"Share of samples {_HIT[kind][0]}, by {influence.name}: {each}." if each else ""
 
 
 def _within(share: float | None) -> Iterator[str]:
@@ -197,15 +197,15 @@ def _premise(premise: Premise | None) -> Iterator[str]:
     if premise is None:
         return
     if premise.judged:
-        yield f"Judged in the {premise.judged} of {premise.samples} samples that meet its premise."
+        yield f"Only the {premise.judged} of {premise.samples} samples that meet the premise are judged."
     else:
-        yield f"None of {premise.samples} samples meets its premise; judged by the base case."
+        yield f"None of {premise.samples} samples meets the premise, so the base case is judged."
 
 
 def _missing(missing: Missing | None) -> Iterator[str]:
     """How many cases are left out."""
     if missing is not None:
-        yield f"Cases without a result, left out: {missing.cases} of {missing.of}."
+        yield f"Left out, because they have no result: {missing.cases} of {missing.of} cases."
 
 
 def _together(together: Together | None) -> Iterator[str]:
@@ -214,16 +214,18 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others, alone = listed(together.others), together.alone
     of = "samples" if alone.draws is not None else "interpretations"
-    met = f"alone it is met in {alone.met} of {alone.samples} {of}"
-    yield f"It must be met in the same case as {others}; {met}."
+    met = f"On its own it is met in {alone.met} of {alone.samples} {of}."
+    yield f"The number must be met in the same case as {others}. {met}"
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
     """What of the base case was chosen by it."""
     if chosen is None:
         return
-    then = "Samples vary it." if chosen.varied else "No sample varies it, so this proves nothing."
-    yield f"The following was chosen such that the base case gives this: {chosen.what}. {then}"
+    then = "Samples vary this choice."
+    if not chosen.varied:
+        then = "No sample varies this choice, so the agreement proves nothing."
+    yield f"The base case agrees because the following was chosen accordingly: {chosen.what}. {then}"
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:
@@ -232,9 +234,15 @@ def _settled(settled: Settled | None) -> Iterator[str]:
         return
     percent = f"{100 * settled.confidence:.0f} %"
     if settled.after is None:
-        yield f"Close to a bound: {settled.samples} samples do not settle it at {percent} confidence."
+        yield (
+            f"The share is so close to a bound that {settled.samples} samples do not settle the "
+            f"verdict at {percent} confidence."
+        )
     else:
-        yield f"Settled at {percent} confidence after the first {settled.after} samples."
+        yield (
+            f"The first {settled.after} of {settled.samples} samples settle the verdict at "
+            f"{percent} confidence."
+        )
 
 
 def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
@@ -255,7 +263,7 @@ def _share(share: Share, word: str) -> str:
     """How many samples are hits, with the interval of their share."""
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
-        percent += f", {100 * share.low:.0f} to {100 * share.high:.0f} %"
+        percent += f", 95 % interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
     same = f", no difference in {share.same}" if share.same else ""
     of = "samples" if share.draws is not None else "interpretations"
     return f"{word} in {share.met} of {share.samples} {of} ({percent}){same}"
