@@ -25,10 +25,10 @@ ROOT = Path(__file__).parents[1]
 KEPT = Path(__file__).with_suffix("")
 SCENES = ROOT / "config/scenes"
 ABOUT = """\
-Ten tasks are measured at each release by `python benchmarks/cost.py --write docs/cost.md`; the results are kept in `benchmarks/cost`. The
-table gives the CPU time of a task divided by the CPU time of a fixed loop, which is measured at the same time. This ratio hardly depends on
-the machine, or on other work that runs on it. Each value is the smallest of five repetitions in a process that has loaded all code. The
-values of 1.0.0 are from before its release, on a busy machine. `make bench` compares riserstudy with other programs."""  # noqa: E501
+At each release, ten tasks are measured by `python benchmarks/cost.py --write docs/cost.md`. The results are stored in `benchmarks/cost`.
+The table gives the CPU time of a task divided by the CPU time of a fixed loop, which is measured at the same time. This ratio hardly
+depends on the machine, or on other work that runs on it. Each value is the smallest of five repetitions in a process that has loaded all
+code. The values of version 1.0.0 were measured before its release, on a busy machine. `make bench` compares riserstudy with other programs."""  # noqa: E501
 TURNS, FIXED = 5, 8  # turns, and repetitions of the fixed loop
 #: how often a task is repeated in a turn, so that it takes about a second
 TIMES = {
