@@ -1,4 +1,4 @@
-"""Faults, each a function of a finished checkout that does the damage and says what came of it.
+"""Faults, each a function of a finished checkout that does the damage and returns its result.
 
 The docstring is what the table of docs/faults.md says was done.
 """
@@ -25,7 +25,7 @@ def said(status, text):
 
 
 def results_deleted_half_way(folder):
-    """The results folder is deleted while a run is at work."""
+    """The results folder is deleted during a run."""
     forget(folder)
     process = start(folder)
     while process.poll() is None and not any((folder / "results").glob("*/*.nc")):
@@ -36,7 +36,7 @@ def results_deleted_half_way(folder):
 
 
 def server_of_jobs_killed(folder):
-    """The process that jobs of a run are forks of is killed while it loads, with a job waiting for it."""
+    """The process from which the jobs of a run are forked is killed while it starts and a job waits for it."""
     forget(folder)
     process, servers = start(folder), []
     while process.poll() is None and not (servers := servers_of(process)):
@@ -61,7 +61,7 @@ def servers_of(run):
 
 
 def two_runs_at_once(folder):
-    """Two runs are started at the same moment."""
+    """Two runs are started at the same time."""
     forget(folder)
     processes = [start(folder), start(folder)]
     texts = ["".join(process.communicate()) for process in processes]
@@ -70,7 +70,7 @@ def two_runs_at_once(folder):
 
 
 def broken_store(folder):
-    """Stored points are cut, filled with other bytes or emptied, and the datasets deleted."""
+    """Stored points are truncated, overwritten or emptied, and the datasets are deleted."""
     points = sorted((folder / ".cache/points").glob("*/*.point2"))
     for k, point in enumerate(points):
         content = bytearray(point.read_bytes())
@@ -82,7 +82,7 @@ def broken_store(folder):
 
 
 def broken_kernels(folder):
-    """Compiled kernels are cut short or filled with other bytes, and points and datasets deleted."""
+    """Compiled kernels are truncated or overwritten, and points and datasets are deleted."""
     shared = folder / ".cache/numba"
     shared.unlink()
     own = shared / kernel_cache().name
@@ -98,7 +98,7 @@ def broken_kernels(folder):
 
 
 def damaged_results(folder):
-    """Dataset, picture, report are cut short, and a half-written file is left behind."""
+    """A dataset, a figure and the report are truncated, and an incomplete file remains."""
     files = [
         f for f in sorted((folder / "results").rglob("*")) if f.suffix in (".nc", ".png", ".html")
     ]
@@ -109,7 +109,7 @@ def damaged_results(folder):
 
 
 def flipped_results(folder):
-    """One bit of every result is another, its time as before."""
+    """One bit of every result is changed; the file times remain the same."""
     rng = random.Random(2311)
     files = [f for f in (folder / "results").rglob("*") if f.is_file() and ".seals" not in f.parts]
     for file in files:
@@ -121,7 +121,7 @@ def flipped_results(folder):
 
 
 def swapped_results(folder):
-    """Two datasets change places, and a seal is deleted."""
+    """Two datasets are exchanged, and a stored checksum is deleted."""
     one, other = sorted((folder / "results").glob("*/*.nc"))[:2]
     one.rename(folder / "aside")
     other.rename(one)
@@ -131,7 +131,7 @@ def swapped_results(folder):
 
 
 def broken_records(folder):
-    """Snakemake's records of earlier runs are cut short, every other one deleted."""
+    """Snakemake's records of earlier runs are truncated, and every second one is deleted."""
     files = sorted(f for f in (folder / ".snakemake/metadata").rglob("*") if f.is_file())
     for k, file in enumerate(files):
         if k % 2:
@@ -142,7 +142,7 @@ def broken_records(folder):
 
 
 def clock_set_back(folder):
-    """The clock is set back a day: all results are from tomorrow; then a value is edited, and edited back."""
+    """The clock is set back by a day, and a value is edited, then edited back: all results are newer."""
     for file in (*(folder / "results").rglob("*"), *(folder / ".cache/points").rglob("*")):
         os.utime(file, (time.time() + DAY, time.time() + DAY))
     scene = folder / "config/scenes/bench/s3.yaml"
@@ -152,17 +152,17 @@ def clock_set_back(folder):
     status, _ = run(folder)
     seen = (folder / "results/bench/s3.nc").read_bytes() != before
     scene.write_text(text)
-    return f"exit {status}, the edit is {'seen' if seen else 'NOT SEEN'}"
+    return f"exit {status}, the edit is {'detected' if seen else 'NOT DETECTED'}"
 
 
 def clock_set_forward(folder):
-    """The clock was wrong for a while: half the inputs are from tomorrow, results from ten years ago."""
+    """Half of the inputs have a date in the future, and the results are dated ten years ago."""
     for k, file in enumerate(sorted((folder / "config").rglob("*.yaml"))):
         if k % 2:
             os.utime(file, (time.time() + DAY, time.time() + DAY))
     for file in (folder / "results").rglob("*"):
         os.utime(file, (time.time() - 3650 * DAY,) * 2)
-    return "nothing to see"
+    return "no effect"
 
 
 def read_only_results(folder):
@@ -178,7 +178,7 @@ def read_only_results(folder):
 
 
 def read_only_cache(folder):
-    """The cache is mounted read-only with all kernels in it, and points and datasets are gone."""
+    """The cache with all kernels is mounted read-only, and points and datasets are missing."""
     cache = folder / ".cache"
     (cache / "numba").unlink()
     shutil.copytree(kernel_cache(), cache / "numba" / kernel_cache().name)
@@ -189,7 +189,7 @@ def read_only_cache(folder):
 
 
 def disk_full(folder):
-    """Results, points and records lie on a disk (tmpfs) of which 64 kB are free, then more becomes free."""
+    """Results, points and records are on a disk (tmpfs) with 64 kB of free space; later there is more."""
     forget(folder)
     disk = folder / "disk"
     disk.mkdir()

@@ -73,9 +73,11 @@ def kill_often(place, reference, kills, in_a_row, at_once):
             print(f"{len(moments)} kills", *(f"{m:.1f} s" for m in moment), end, flush=True)
             shutil.rmtree(folder)
     what = (
-        f"kill -9 of the run, alone or with all it started, at {kills} random moments from start to end, "
-        f"{in_a_row} in a row before each full one"
+        "The run is killed (`kill -9`), alone or with all processes that it started, "
+        f"at {kills} random moments between its start and its end."
     )
+    if in_a_row > 1:
+        what += f" {in_a_row} killed runs precede each complete one."
     seen = f"killed after {min(moments):.1f} to {max(moments):.1f} s of {longest:.0f} s"
     return what, seen, f"{len(bad)} not so: {bad[0]}" if bad else SAME
 
@@ -114,7 +116,7 @@ def write(page, rows):
     """Put rows into the table of a page, between its marks; those of other faults stay."""
     head, _, rest = page.read_text().partition(MARKS[0])
     before, _, tail = rest.partition(MARKS[1])
-    heading = ["| what was done | what came of it | the next `make study` |", "|---|---|---|"]
+    heading = ["| fault | result or extent of damage | the next `make study` |", "|---|---|---|"]
     lines = {line.split(" | ")[0]: line for line in before.splitlines()[len(heading) :]}
     for row in rows:
         cells = [cell.replace("|", "/") for cell in row]

@@ -45,26 +45,26 @@ def table(place):
     """What is varied, by name."""
     return {
         "user": Varied(
-            "an ordinary user, to whom the source tree is read-only",
+            "an ordinary user without permission to write to the source tree",
             before=["runuser", "-u", GUEST, "--"],
             needs="runuser",
         ),
         "umask": Varied("umask 077", before=["sh", "-c", 'umask 077; exec "$@"', "sh"]),
         "locale": Varied(
-            "locale de_DE.UTF-8, where a comma is before decimals",
+            "locale de_DE.UTF-8, with a decimal comma",
             {"LC_ALL": "de_DE.UTF-8", "LOCPATH": f"{place}/locales"},
             needs="localedef",
         ),
         "ASCII": Varied(
             "locale C, UTF-8 mode off", {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0"}
         ),
-        "time zone": Varied("14 hours ahead of Greenwich", {"TZ": "Pacific/Kiritimati"}),
+        "time zone": Varied("time zone 14 hours ahead of Greenwich", {"TZ": "Pacific/Kiritimati"}),
         "path": Varied(
-            "folder with blanks, quotes, brackets, ß and 河", folder="a 'B' [c] {d} ß 河"
+            "folder name with blanks, quotes, brackets, ß and 河", folder="a 'B' [c] {d} ß 河"
         ),
         "no git": Varied("no git on the path", {"PATH": f"{place}/tools"}),
-        "no home": Varied("no HOME", {"HOME": None}),
-        "home gone": Varied("a HOME that is not there", {"HOME": "/nowhere/at/all"}),
+        "no home": Varied("variable HOME not set", {"HOME": None}),
+        "home gone": Varied("HOME is a folder that does not exist", {"HOME": "/nowhere/at/all"}),
         "hash seed 0": Varied("PYTHONHASHSEED=0", {"PYTHONHASHSEED": "0"}),
         "hash seed 4711": Varied("PYTHONHASHSEED=4711", {"PYTHONHASHSEED": "4711"}),
         "one core": Varied("one core", before=["taskset", "-c", "0"], needs="taskset"),
@@ -98,7 +98,7 @@ def main(place, names):
         except NotPossible as why:
             rows.append((varied.what, f"not tried: {why}"))
         print(*rows[-1], sep=" | ", flush=True)
-    rows.append(("nothing; the most memory of all its processes", f"{peak / 1e9:.1f} GB"))
+    rows.append(("no difference; largest memory of all processes together", f"{peak / 1e9:.1f} GB"))
     return rows
 
 
@@ -234,7 +234,7 @@ def write(page, rows):
     head, _, rest = page.read_text("utf-8").partition(MARKS[0])
     tail = rest.partition(MARKS[1])[2]
     lines = [
-        "| what differs | what came of it |",
+        "| difference | result |",
         "|---|---|",
         *(f"| {a} | {b} |" for a, b in rows),
     ]
