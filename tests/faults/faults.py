@@ -36,7 +36,7 @@ def results_deleted_half_way(folder):
 
 
 def server_of_jobs_killed(folder):
-    """The process from which the jobs of a run are forked is killed while it starts and a job waits for it."""
+    """The process from which jobs are forked is killed while it starts and a job waits for it."""
     forget(folder)
     process, servers = start(folder), []
     while process.poll() is None and not (servers := servers_of(process)):
@@ -142,7 +142,7 @@ def broken_records(folder):
 
 
 def clock_set_back(folder):
-    """The clock is set back by a day, and a value is edited, then edited back: all results are newer."""
+    """The clock is set back by a day, so results have a future date. A value is edited, and edited back."""
     for file in (*(folder / "results").rglob("*"), *(folder / ".cache/points").rglob("*")):
         os.utime(file, (time.time() + DAY, time.time() + DAY))
     scene = folder / "config/scenes/bench/s3.yaml"
