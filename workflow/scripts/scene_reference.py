@@ -21,7 +21,7 @@ HEAD = """\
 <!-- Written by workflow/scripts/make_reference.py from the models; edits here are lost. -->
 
 A scene is a YAML file that describes one riser, its supports, its motions and its surroundings.
-**The engine does not simulate what is absent**, and no value has a default that changes the physics.
+**The engine simulates only what the scene contains**, and no value has a default that changes the physics.
 `riserstudy effects SCENE.yaml` lists the effects of a scene, and the line that includes each.
 
 Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts

@@ -183,8 +183,9 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
 
-    The envelope is static. Each sea adds an allowance from runs of the scene at its own current and offset,
-    which nine seas in ten do not exceed. The exit status is 4 if a limit could not be evaluated.
+    The envelope is static. Each sea adds an allowance, which nine seas in ten do not exceed. It is computed
+    from runs in the current and at the offset of the scene. The exit status is 4 if a limit could not be
+    evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

@@ -1,9 +1,9 @@
-r"""Mass that resists acceleration across the pipe only: added mass of the water, contents.
+r"""Mass that resists acceleration across the pipe only: added mass of the water, and contents.
 
 .. math:: f = -m_n\,(\ddot r - (\ddot r \cdot t)\,t),\qquad m_a = C_a \rho\,\pi D^2/4
 
-Water outside is carried along by the Morison equation; a fluid inside moves with the pipe sideways
-but not along it. Added mass that acts horizontally takes the vertical for t.
+The Morison equation gives the added mass of the water outside. A fluid inside follows the lateral motion
+of the pipe, but not its axial motion. For added mass that acts horizontally, t is the vertical.
 
 References
 ----------

@@ -2,8 +2,8 @@ r"""Axial elasticity of the pipe.
 
 .. math:: T_e = EA\,(\ell / \ell_0 - 1)
 
-with the unstretched length as reference. T is the effective tension: weights and fluids act per
-unstretched length, pressures need no forces of their own.
+with the unstretched length as reference. T is the effective tension. Weights and fluid loads are given per
+unstretched length, and pressures need no separate forces.
 
 References
 ----------

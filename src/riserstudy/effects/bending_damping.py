@@ -2,8 +2,8 @@ r"""Bending structural damping, proportional to the rate of curvature (Kelvin-Vo
 
 .. math:: M = EI\,(\kappa + \tau\,\dot\kappa)
 
-so that the moments belong to the turning angles plus :math:`\tau` times their rates. In a plane these are
-numbers, in space vectors of m = 3.
+The moments therefore follow from the turning angles plus :math:`\tau` times their rates. In a plane
+moments and angles are numbers, in space they are vectors of three components.
 
 References
 ----------

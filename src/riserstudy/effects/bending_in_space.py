@@ -1,11 +1,12 @@
 r"""Bending of the pipe in space, exact for large rotations; torsion is free.
 
-The rotation that takes one segment's direction into the next, as a vector, follows from the moments,
+The rotation vector that turns the direction of one segment into that of the next follows from the moments,
 
 .. math:: \theta_i = \frac{\varphi}{\sin\varphi}\; t_{i-1} \times t_i = \sum_j A_{ij} M_j,
 
-with the flexibility A of `bending`, the same in all directions. Equilibrium of a segment makes its shear
-force :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane both are those of `bending`.
+with the flexibility A of `bending`, the same in all directions. By the equilibrium of a segment, its shear
+force is :math:`Q_e = t_e \times (M_{e+1} - M_e) / \ell_e`. In a plane, both equations are those of
+`bending`.
 
 References
 ----------

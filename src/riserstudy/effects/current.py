@@ -1,6 +1,7 @@
 """Steady current: horizontal water velocity from a table over elevation, with linear interpolation.
 
-Below and above the table its end values hold. Evaluated at the deformed position of a node.
+Below and above the table its end values apply. The current is evaluated at the position of a node in the
+deformed riser.
 
 References
 ----------

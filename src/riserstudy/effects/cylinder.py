@@ -1,8 +1,9 @@
 """Tensioner cylinders between the tension ring (a node) and the deck: positions and directions of pull.
 
-A cylinder's reach is its extension from mid-stroke. Laws of other files (gas, spring, damping, end stop)
-turn reach and its rate into the pull on the ring; this file turns the pull into forces on the node.
-Upright cylinders pull vertically whatever the ring's position, which is the usual small-angle model.
+The reach of a cylinder is its extension from mid-stroke. The laws in other files (gas, spring, damping,
+end stop) give the pull on the ring from the reach and its rate. This file converts the pull to forces on
+the node. Upright cylinders pull vertically at any position of the ring, which is the usual model for small
+angles.
 
 References
 ----------

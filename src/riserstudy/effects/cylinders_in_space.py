@@ -1,16 +1,17 @@
 r"""Tensioner cylinders in space, between points of the deck and points of the tension ring.
 
-Reach is the distance of a cylinder's ends less its length at mid-stroke; it pulls the ring along its
-line. The ring turns with the top of the riser below it. Unequal pulls leave a moment
-:math:`m = \sum_c a_c \times F_c` about the ring's centre, so the telescopic joint above starts with
-:math:`M - m` where the riser below ends with M. Its part along the ring's axis is a torque, which the riser,
-free to twist, does not feel.
+The reach of a cylinder is the distance of its ends minus its length at mid-stroke. The cylinder pulls the
+ring along its axis. The ring rotates with the top of the riser below it. Unequal pulls cause a moment
+:math:`m = \sum_c a_c \times F_c` about the centre of the ring. If the riser has the moment M below the
+ring, the telescopic joint therefore has :math:`M - m` above it. The component of m along the axis of the
+ring is a torque; it has no effect, because the riser is free to twist.
 
-The deck moves with a platform whose motion is prescribed, or horizontally with a vessel that floats freely:
-the vessel is then the riser's top node, and bears the horizontal part of the pulls. Prescribed motion of
-a platform adds to that of the vessel.
+The deck moves with a platform of prescribed motion, or horizontally with a freely floating vessel. In the
+second case, the vessel is the top node of the riser, and carries the horizontal component of the pulls.
+The prescribed motion of a platform is added to the motion of the vessel.
 
-The derivative of that moment is left out of the stiffness: it is small compared with the riser's own.
+The derivative of the moment m is omitted from the stiffness, because it is small compared with the
+stiffness of the riser.
 
 References
 ----------

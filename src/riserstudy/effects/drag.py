@@ -2,11 +2,12 @@ r"""Morison drag from the component of the relative water velocity across the pi
 
 .. math:: f = \tfrac12 \rho\,C_D D\,|u_n|\,u_n,\qquad u_n = (u - \dot r) - ((u - \dot r)\cdot t)\,t
 
-per unstretched length, with the pipe's tangent t; a drag that acts horizontally takes the vertical for t.
-A node's tangent hangs on both its neighbours, so the load of the node beyond a neighbour would leave the
-band of the stiffness. How loads turn with the pipe is therefore counted as if each acted on its own node
-alone: the rest is a second difference, small for corrections that reach over several segments. In motion,
-compared with inertia, all of it is small: iterations are the same without.
+per unstretched length, with the tangent t of the pipe. For drag that acts horizontally, t is the vertical.
+The tangent at a node depends on both neighbouring nodes. The exact derivative of a load that is shared
+with a neighbour would therefore not fit into the band of the stiffness matrix. The derivative with respect
+to the direction of the pipe is computed as if each load acted on one node only. The omitted term is a
+second difference, which is small for corrections that extend over several segments. In motion, all these
+derivatives are small compared with inertia, and the number of iterations is the same without them.
 
 References
 ----------

@@ -1,12 +1,13 @@
 r"""Drag whose coefficient depends on elevation, evaluated at the present place of the pipe.
 
-The coefficient C(z) is straight between the points of a table, and jumps at two points of one elevation.
-It is integrated inside the segments, which are straight, against the hat functions of their nodes,
+The coefficient C(z) is linear between the points of a table, and has a jump where two points have the same
+elevation. It is integrated along the straight segments against the hat functions of their nodes,
 
 .. math:: c_{low} = 2 \int_0^1 (1 - \xi)\,C(z_\xi)\,d\xi,\qquad
           c_{up} = 2 \int_0^1 \xi\,C(z_\xi)\,d\xi,\qquad z_\xi = (1 - \xi) z_{low} + \xi z_{up},
 
-so that the load changes smoothly while a jump passes through a segment. All else is as in ``drag``.
+The load therefore changes smoothly while a jump passes through a segment. Otherwise, the force is that of
+``drag``.
 
 References
 ----------

@@ -1,14 +1,15 @@
 r"""Contents that drain from a disconnected riser, and sea water that follows them.
 
-The column moves along the riser as one body, at the speed V(t) downwards, and takes no part in the riser's
-own motion along its axis; across it, it goes with the pipe. With the wall's friction the effective tension
-sees
+The column moves along the riser as one body, with the speed V(t) downwards. It does not follow the axial
+motion of the riser, but follows its lateral motion. Including the wall friction, the load in the effective
+tension is
 
 .. math:: f = -m(s, t)\,g\,\hat z + m(s, t)\,\dot V\,\hat t, \qquad m = \rho_i A_i
 
-over the length that is filled. Speed and level come from a table (`model.mud_column`). This effect gives the
-effects `weight` and `contents` the mass that is left. What leaves takes its motion with it. The momentum of
-the flow through a riser that bends or turns is left out: :math:`\rho A V^2`, compared with the tension.
+over the filled length. Speed and level come from a table (`model.mud_column`). The effects `weight` and
+`contents` use the remaining mass that this effect computes. Contents that flow out take their kinetic
+energy with them. The momentum of the flow through a curved or rotating riser, :math:`\rho A V^2`, is
+neglected compared with the tension.
 
 References
 ----------

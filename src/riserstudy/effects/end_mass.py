@@ -1,10 +1,12 @@
 r"""A concentrated mass at a node: LMRP, tension ring, telescopic joint.
 
-Weight in water, inertia and added mass by direction, quadratic drag by direction:
+It has a submerged weight and inertia. Added mass and quadratic drag can differ between horizontal and
+vertical motion:
 
 .. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u
 
-with the horizontal drag in the direction of the horizontal relative velocity, the vertical one apart.
+Horizontal drag acts in the direction of the horizontal relative velocity. Vertical drag is computed
+separately.
 
 References
 ----------

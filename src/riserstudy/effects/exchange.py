@@ -1,14 +1,16 @@
 r"""Exchange of force and motion between platform and riser that are solved alternately.
 
-The platform is lent the riser's force, straight between the times of a table; the riser's top is told the
-platform's motion, the cubic through positions and velocities at the times of a table,
+The platform receives the force of the riser, interpolated linearly between the times of a table. The top
+of the riser receives the motion of the platform, by the cubic through positions and velocities at the
+times of a table,
 
 .. math::
 
    r = r_0 + x\,\Delta + x (1 - x) \big[(1 - x)(h v_0 - \Delta) + x (\Delta - h v_1)\big],\qquad
    \Delta = r_1 - r_0,
 
-with its derivative as velocity. The acceleration goes straight, so that it is the platform's at each time.
+with its derivative as velocity. The acceleration is interpolated linearly, and is therefore that of the
+platform at each time of the table.
 
 References
 ----------

@@ -2,8 +2,8 @@ r"""A decreasing moment at the riser's lower end, which the connector carries du
 
 .. math:: M_0(t) = M\,\tfrac12\bigl(1 + \cos(\pi (t - t_0)/\tau)\bigr), \qquad 0 \le t - t_0 \le \tau
 
-With theta the direction of the riser's end it holds the energy M_0 theta, and its fading supplies
-the power theta dM_0/dt.
+With the angle theta of the riser's end, the moment has the potential energy M_0 theta, and its decrease
+supplies the power theta dM_0/dt.
 
 References
 ----------

@@ -2,13 +2,13 @@ r"""First-order motion of a platform that floats freely: superposed on its low-f
 
 .. math:: x = X(t) + \xi(t),\qquad \xi = \eta + R(\varphi)\,a - a
 
-at the riser's top: X is the low-frequency place of the vessel, an unknown; :math:`\eta` and
-:math:`\varphi` are the prescribed motions and a the arm from the centre of rotation, which drifts with X.
-What acts on the vessel (`vessel`, `thrusters`) knows X alone: neither the hull's inertia nor its drag nor its
-control answers to the motions, which the operators or the scene give as they are.
+at the top of the riser. X is the low-frequency position of the vessel, an unknown. :math:`\eta` and
+:math:`\varphi` are the prescribed motions, and a is the vector from the centre of rotation, which drifts
+with X, to the top. The effects `vessel` and `thrusters` depend on X alone: inertia, drag and control of
+the hull do not respond to the first-order motions, which the RAOs or the scene prescribe.
 
-The top's position holds both. This effect keeps ``State.carried``, :math:`\xi` with its derivatives, and
-changes the position by what it has changed; solvers integrate X.
+The position of the top contains both motions. This effect stores :math:`\xi` with its derivatives in
+``State.carried``, and changes the position by the change of :math:`\xi`; solvers integrate X.
 
 References
 ----------

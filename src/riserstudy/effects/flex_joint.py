@@ -1,10 +1,10 @@
-r"""Flex joints and clamps: the riser's end held in direction.
+r"""Flex joints and clamps, which hold the direction of the riser's end.
 
 .. math:: M = K\,\theta
 
-with the rotation from the held direction to the riser's, a number in the plane and a vector in space. It is
-entered as the flexibility 1/K of the end node, so that a clamp is 1/K = 0 and stiffness has no upper limit.
-The held direction is fixed, or turns with the platform.
+with the rotation from the direction of the support to that of the riser, a number in a plane and a vector
+in space. The joint is represented by the flexibility 1/K of the end node. A clamp is therefore 1/K = 0,
+and the stiffness has no upper limit. The direction of the support is fixed, or rotates with the platform.
 
 References
 ----------

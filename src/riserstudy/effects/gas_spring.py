@@ -2,8 +2,8 @@ r"""Tensioner gas: an accumulator that expands and compresses adiabatically.
 
 .. math:: F = A\,P_0 \left(\frac{V_0}{V_0 - A\,x}\right)^k
 
-with x the extension of the cylinder (Chang et al. 2020, Eqs. 1-3, whose X is -x: the ring's rise
-relative to the platform).
+with the extension x of the cylinder (Chang et al. 2020, Eqs. 1-3). The X of that paper is -x, the rise of
+the ring relative to the platform.
 
 References
 ----------

@@ -1,8 +1,9 @@
-r"""A guide: a spring that keeps a place of the riser above the well, as a frame or centraliser does.
+r"""A guide: a spring that keeps one point of the riser above the well, such as a frame or a centraliser.
 
 .. math:: \mathbf f = -k\,\mathbf x, \qquad V = \tfrac12 k\,|\mathbf x|^2
 
-in the horizontal directions alone. Shear jumps there by the force, so the moment has a corner.
+in the horizontal directions only. The shear force has a jump of this size at the guide, so the moment
+curve has a corner.
 
 References
 ----------

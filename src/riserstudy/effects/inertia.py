@@ -1,4 +1,4 @@
-r"""Inertia of the string's own mass, the same in all directions.
+r"""Inertia of the riser's mass, equal in all directions.
 
 .. math:: f = -m\,\ddot r
 

@@ -1,7 +1,7 @@
-"""Freedom across the riser: a second direction, or a third, which cost unknowns and no forces.
+"""Lateral freedom: a second or third direction of motion, which adds unknowns but no forces.
 
-It has no record: `model.layout.directions` counts the directions that a scene needs. Taking large rotation
-and axial motion out leaves the small-angle beam of `solve.hermite`.
+It has no record: `model.layout.directions` counts the directions that a scene needs. Without large
+rotations and axial motion, the model would be the beam for small angles of `solve.hermite`.
 """
 
 from __future__ import annotations

@@ -1,14 +1,14 @@
 r"""Munk moment: added inertia of a hull that is free to yaw in a current.
 
-The added mass moves relative to the water, which itself moves with the velocity U. Lagrange's equations
-of :math:`\tfrac12 (\dot r - U)^T A(\psi) (\dot r - U)`, less those of the hull in water at rest, leave
+The added mass moves relative to the water, which moves with the velocity U. Lagrange's equations of
+:math:`\tfrac12 (\dot r - U)^T A(\psi) (\dot r - U)`, minus those of the hull in water at rest, give
 
 .. math::
 
    F = \dot\psi A' U,\qquad N = \tfrac12 U^T A' U - \dot r^T A' U,\qquad V = -\tfrac12 U^T A U
 
-with :math:`A' = dA/d\psi`: a hull whose added mass is greater sideways turns broadside to the current
-(the Munk moment). Forces and moment together do the work that the potential V loses.
+with :math:`A' = dA/d\psi`. A hull with a larger added mass sideways turns broadside to the current (Munk
+moment). The work of forces and moment equals the decrease of the potential V.
 
 References
 ----------

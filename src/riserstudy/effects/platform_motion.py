@@ -1,7 +1,8 @@
 r"""Prescribed motion of the platform: harmonic, constant velocity, or a time series.
 
-Harmonic motion grows by :math:`r(t) = \tfrac12 (1 - \cos \pi t/P)` over the ramp P; a cruise reaches its
-speed linearly over its ramp; a series is a cubic spline with its own velocity and acceleration.
+Over the ramp P, harmonic motion increases by :math:`r(t) = \tfrac12 (1 - \cos \pi t/P)`. A cruise reaches
+its speed linearly over its ramp. A time series is interpolated by a cubic spline; its derivatives give
+velocity and acceleration.
 
 References
 ----------

@@ -1,4 +1,4 @@
-"""The rotation that takes one direction into another, as a vector, and its derivative by either.
+"""The rotation vector that turns one direction into another, and its derivatives by both.
 
 In the plane of x and z it has one component, the angle about y, from z towards x.
 

@@ -2,8 +2,9 @@ r"""Tension of a telescopic joint held constant along its axis, by tensioners of
 
 .. math:: T = T_0 + k\,[\max(0, \ell - \ell_{out}) + \min(0, \ell - \ell_{in})]
 
-with a stop where it is drawn out, one where its barrels meet, or both. Stops are springs: they give back all
-that they take up. A joint that collapses on its stop pushes: the tension along it may be compression.
+with a stop at the largest extension, a stop where the barrels meet, or both. Stops are elastic springs
+without energy loss. A joint that is compressed to its inner stop pushes, so its axial force can be a
+compression.
 
 References
 ----------

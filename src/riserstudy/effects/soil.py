@@ -1,11 +1,11 @@
 r"""Soil around a conductor: springs at its nodes against lateral displacement y.
 
-Linear, :math:`p = k\,y`, or Matlock's soft clay under static load,
+The springs are linear, :math:`p = k\,y`, or follow Matlock's soft clay under static load,
 
 .. math:: p = \tfrac12\,p_u\,(y/y_{50})^{1/3},\qquad p \le p_u,
 
-whose stiffness at the origin has no limit: up to a small :math:`y_0` a straight line takes its place. Or a
-table, piece by piece a cubic, constant beyond its last point: sand, and curves of your own,
+Its stiffness at the origin is infinite, so a straight line replaces the curve up to a small :math:`y_0`.
+Sand and tabulated p-y curves are given by cubic pieces, and are constant beyond the last point,
 
 .. math:: p(y) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = y - y_k.
 

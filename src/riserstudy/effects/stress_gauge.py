@@ -2,7 +2,8 @@ r"""A gauge of the largest stress along a section; it exerts no force.
 
 .. math:: \sigma = |T_e| / A + |M|\,D / 2I
 
-at the outer fibre, with the effective tension in place of the wall's: pressures are not counted.
+at the outer fibre. It uses the effective tension instead of the wall tension, and therefore neglects
+pressures.
 
 References
 ----------

@@ -1,23 +1,24 @@
 r"""Phase of a vortex force, which synchronises with the riser's motion along the force.
 
-The phase turns with a frequency :math:`\hat f` over speed of the flow and diameter of the pipe. It is that
-of a pipe at rest where force and velocity are in phase, and rises or falls to bring them in phase,
+The phase advances with a frequency that is :math:`\hat f` times the flow speed divided by the diameter of
+the pipe. If force and velocity are in phase, :math:`\hat f` is that of a pipe at rest. Otherwise it
+increases or decreases, which brings them into phase,
 
 .. math:: \dot\varphi = 2\pi\,\hat f(\theta)\,|u|/D,\qquad
           \hat f = f_0 + (f_{max} - f_0)\sin\theta\ (\theta > 0),\qquad
           \hat f = f_0 + (f_0 - f_{min})\sin\theta\ (\theta < 0),
 
-with :math:`\theta` the phase of the velocity y' along the force less :math:`\varphi`. That phase is taken
-from velocity and acceleration, either over its own running root mean square,
+where :math:`\theta` is the phase of the velocity y' along the force, minus :math:`\varphi`. The phase of
+y' is computed from velocity and acceleration, each divided by its running root mean square,
 
 .. math:: \sin\theta = \frac{r\cos\varphi - p\sin\varphi}{\sqrt{p^2 + r^2 + \delta^2}},\quad
           p = \frac{y'}{\sqrt{s_v + (\varepsilon |u|)^2}},\quad
           r = \frac{-y''}{\sqrt{s_a + (\varepsilon |u|\,\omega_0)^2}},\quad
           \dot s_v = \frac{y'^2 - s_v}{T D/|u|},\ \dot s_a = \frac{y''^2 - s_a}{T D/|u|}
 
-with :math:`\omega_0 = 2\pi f_0 |u|/D`. Without motion :math:`\varepsilon` and :math:`\delta` make
-:math:`\sin\theta` zero instead of leaving the phase of nothing to decide; where velocities are a hundredth of
-the flow's they change it by less than one per cent.
+with :math:`\omega_0 = 2\pi f_0 |u|/D`. Without motion, the phase of y' is not defined; :math:`\varepsilon`
+and :math:`\delta` then make :math:`\sin\theta` zero. At velocities of one hundredth of the flow speed,
+they change :math:`\sin\theta` by less than one per cent.
 
 The phase and both mean squares of each node are internal variables of the model.
 

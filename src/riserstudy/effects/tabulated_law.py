@@ -2,8 +2,9 @@ r"""A tensioner law from a table of pull over reach, interpolated by monotone cu
 
 .. math:: F(x) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = x - x_k
 
-with x the extension of the cylinder. The cubics of Fritsch and Butland (1984) have a continuous slope
-and rise wherever the table rises; the first and the last piece are straight, and go on beyond the table.
+with the extension x of the cylinder. The cubics of Fritsch and Butland (1984) have a continuous slope and
+increase wherever the table increases. The first and the last piece are straight lines, which continue
+beyond the table.
 
 References
 ----------

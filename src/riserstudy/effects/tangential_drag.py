@@ -3,8 +3,8 @@ r"""Drag from the component of the relative water velocity along the pipe.
 .. math:: f = \tfrac12 \rho\,C_t\,\pi D\,|u_t|\,u_t\,t,\qquad u_t = (u - \dot r)\cdot t
 
 per unstretched length, with the direction t of a segment and the mean velocity of its two ends. Half of
-the load goes to either end: what each segment does depends on its own nodes alone, so that the tangent is
-exact and the load never drives the pipe through still water.
+the load acts at each end. The load of a segment depends only on its two nodes. The tangent is therefore
+exact, and the load never supplies energy to a pipe in still water.
 
 References
 ----------

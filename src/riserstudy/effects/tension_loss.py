@@ -2,8 +2,8 @@ r"""Loss of a constant tension while the riser moves: failing cylinders, a broke
 
 .. math:: F(t) = -\tfrac12 \Delta F\,\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big)
 
-from t_0 to t_0 + tau, and all of :math:`\Delta F` from then on. Its work
-comes from outside: a load that changes has no potential.
+from t_0 to t_0 + tau, and all of :math:`\Delta F` from then on. A force that changes with time has no
+potential, so the audit counts its work as supplied.
 
 References
 ----------

@@ -4,14 +4,14 @@ r"""Thrusters that hold a platform at a place, or at a heading.
 
    F_c = \mathrm{sat}\big(G\,(x_c(t) - x) - D\,\dot x\big),\qquad \tau \dot F + F = F_c
 
-in two directions, where the size of the thrust is limited, or in one. The commanded place comes up as
-:math:`x_c (1 - e^{-t/t_r})`. A lag :math:`\tau` is one more unknown a direction, in a loose node: the path
-q of a kilogram that the thrust a kilogram of platform, F_c / m, drives against a damper,
+in one direction, or in two directions with a limit on the magnitude of the thrust. The commanded position
+increases as :math:`x_c (1 - e^{-t/t_r})`. A lag :math:`\tau` adds one unknown per direction, in a loose
+node. The unknown is the path q of a unit mass that the force F_c / m drives against a damper,
 
 .. math:: \ddot q + \dot q / \tau = F_c / m,\qquad F = m\,\dot q / \tau ,
 
-which has next to no part in the energy. Where the platform has first-order motion, x is its place without it:
-the control knows the slow motion alone.
+Its energy is negligible. If the platform has first-order motion, x excludes this motion: the control
+responds only to the slow motion.
 
 References
 ----------

@@ -2,7 +2,8 @@ r"""Torsion of the riser by the yaw of the platform, as a spring.
 
 .. math:: N = -\psi \Big/ \sum_k \frac{L_k}{G I_{p,k}}
 
-Its own inertia in twist is left out: its lowest frequency is hundreds of times that of yaw.
+The rotary inertia of the riser in torsion is neglected: the lowest torsional frequency is hundreds of
+times the yaw frequency.
 
 References
 ----------

@@ -1,4 +1,4 @@
-r"""A platform that floats freely: the riser's top node with the mass of a ship, and a node for its yaw.
+r"""A freely floating platform: the riser's top node with the mass of the platform, and a node for its yaw.
 
 .. math::
 
@@ -6,16 +6,16 @@ r"""A platform that floats freely: the riser's top node with the mass of a ship,
    = \sum_k \left(C_k |u|\,u_k\,e_k\right) + C_w |w|\,w + F_d,\qquad
    T = \tfrac12 \sum_k m_k (\dot r \cdot e_k)^2 + \tfrac12 I \dot\psi^2
 
-over the axes :math:`e_k` along and across the hull, which turn with its yaw :math:`\psi`; u and w are the
-velocities of the surface current and of the wind relative to the platform, F_d the mean wave drift. The
-derivatives of T by time hold the pair of forces and moment by which a hull, whose added mass is greater
-sideways, turns broadside while it moves. Yaw resists with :math:`C_r |\dot\psi|\,\dot\psi`.
+over the axes :math:`e_k` along and across the hull, which turn with its yaw :math:`\psi`. u and w are the
+velocities of the surface current and of the wind relative to the platform, and F_d is the mean wave drift.
+The time derivatives of T contain the forces and the moment that turn a moving hull broadside if its added
+mass is larger sideways. The resistance to yaw is :math:`C_r |\dot\psi|\,\dot\psi`.
 
-Where a platform has first-order motion (`first_order_motion`), r is the place without it: forces and inertia
+If the platform has first-order motion (`first_order_motion`), r excludes this motion: forces and inertia
 are those of the slow motion.
 
-Yaw is an unknown as an arc, :math:`\psi` times the radius of gyration, so that it is a length like all
-others. Without sway the node is held across x; without yaw the hull keeps its heading.
+The unknown for yaw is an arc, :math:`\psi` times the radius of gyration, because all other unknowns are
+lengths, too. Without sway the node is held across x; without yaw the hull keeps its heading.
 
 References
 ----------

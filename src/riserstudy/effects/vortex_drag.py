@@ -1,15 +1,17 @@
 r"""Vortex-induced vibration in line with the flow: varying drag, synchronised with the riser's motion.
 
-Vortices shed in turn from both sides of a pipe change its drag twice in each period of the lift. With the
-velocity u of the water across the pipe, seen from it, the force per unstretched length is
+Vortices are shed alternately from both sides of a pipe, so the drag varies twice in each period of the
+lift. With the velocity u of the water relative to the pipe and across it, the force per unstretched length
+is
 
 .. math:: f = \tfrac12 \rho\,C_x D\,|u|\,u\cos\varphi_x
 
-beside the mean drag. Its phase follows the riser's velocity along the flow, :math:`v\cdot u/|u|`, as
-`synchronisation` has it, with three frequencies of its own, about twice those of the lift. It is
-independent of the lift's phase.
+in addition to the mean drag. Its phase follows the velocity of the riser along the flow, :math:`v\cdot
+u/|u|`, by `synchronisation`, with three separate frequencies of about twice those of the lift. It is
+independent of the phase of the lift.
 
-How loads turn with the pipe, and how phases follow elevation, is left out of the tangent, as of the lift.
+As for the lift, the tangent omits the dependence of loads on the direction of the pipe, and of phases on
+elevation.
 
 References
 ----------

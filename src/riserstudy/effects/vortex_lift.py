@@ -1,15 +1,15 @@
 r"""Vortex-induced vibration across the flow: lift that synchronises with the riser's motion.
 
-Vortices shed from a pipe lift it across the water that flows past. With the velocity u of the water across
-the pipe, seen from it, the pipe's tangent t and :math:`n = u/|u|`, the lift per unstretched length is
+Vortices shed from a pipe cause a lift force across the flow. With the velocity u of the water relative to
+the pipe and across it, the tangent t of the pipe, and :math:`n = u/|u|`, the lift per unstretched length
+is
 
 .. math:: f = \tfrac12 \rho\,C_v D\,|u|\,(t \times u)\cos\varphi
 
-with a phase that follows the riser's velocity across the flow, :math:`y' = v\cdot e` with
-:math:`e = t \times n`, as `synchronisation` has it. Lift never takes energy from
-the flow that it does not give to the riser: across what flows past, seen from the riser, it does no work.
-How loads turn with the pipe, and how phases follow elevation, is left out of the tangent: in motion both are
-small beside inertia.
+with a phase that follows the velocity of the riser across the flow, :math:`y' = v\cdot e` with :math:`e =
+t \times n`, by `synchronisation`. The lift is perpendicular to the relative flow, so all energy that it
+takes from the flow is supplied to the riser. The tangent omits the dependence of loads on the direction of
+the pipe, and of phases on elevation; in motion both are small compared with inertia.
 
 References
 ----------

@@ -2,13 +2,14 @@ r"""Water surface: drag, added mass and wave force act on the wet share of a seg
 
 .. math:: w_e = \frac{d_+}{d_+ - d_-}
 
-for a segment with one end under water, at the depth d_+ below the surface, and the other above it, at
-d_- < 0; 1 or 0 for all others. The surface is straight between nodes. The loads of the segment are those
-of water as at its ends, whose velocity above the surface is carried on from the surface, times the share:
-that errs by the square of the segment's length, and does not jump when a node comes up or goes under.
+for a segment with one end under water, at the depth d_+ below the surface, and the other end above it, at
+d_- < 0. For all other segments, the share is 1 or 0. The surface is interpolated linearly between nodes.
+The loads of the segment are computed as if it were under water, and multiplied by the share; at the end
+above the surface, the water velocity is that at the surface. The error is of second order in the segment
+length, and the loads do not jump when a node emerges or submerges.
 
-Weight in water does not follow: it is the scene's own number. What a changing mass does to the momentum
-of the water around the pipe (slamming) is left out.
+The submerged weight does not change; it is the number given in the scene. The force due to the changing
+added mass (slamming) is neglected.
 
 References
 ----------

@@ -1,22 +1,23 @@
 r"""Waves: velocity and acceleration of the water at the nodes by linear (Airy) theory, at any depth.
 
-A sum of long-crested components travelling along one heading; a regular wave is one of them. With the
-distance x along the heading, z up from the mean level and :math:`\theta = k x - \omega t + \varphi`,
+The sea is a sum of long-crested components that travel in one direction; a regular wave is a single
+component. With the distance x in this direction, the elevation z above the mean level, and :math:`\theta =
+k x - \omega t + \varphi`,
 
 .. math::
     \eta = \sum a \cos\theta,\quad
     u = \sum a \omega \frac{\cosh k(z+d)}{\sinh kd} \cos\theta,\quad
     w = \sum a \omega \frac{\sinh k(z+d)}{\sinh kd} \sin\theta
 
-and the derivatives by time. All grow by a half cosine over the ramp, whose own rate is part of the
-acceleration. Up to and at t = 0 the sea is calm: statics know no waves.
-Sums are direct, component by component.
+and the derivatives with respect to time. All components increase over the ramp by half a cosine; the
+derivative of the ramp is part of the acceleration. Up to t = 0 the sea is calm, so the static equilibrium
+has no waves. The sums are computed directly, component by component.
 
-Linear theory ends at the mean level. Above it there is no water (none), or water that moves as at the
-mean level up to the surface (constant), or the whole profile is stretched from bed to surface (Wheeler
-1970). At nodes above the surface, where only the wet share of a segment asks for it (`waterline`), water
-moves as at the surface. Evaluated at the deformed position of a node; the change with horizontal position
-is left out of the stiffness.
+Linear theory is valid up to the mean level. For the water above it there are three options: no velocity
+(none), the velocity at the mean level (constant), or a profile that is stretched from seabed to surface
+(Wheeler 1970). At nodes above the surface, which are needed for segments that cross the surface
+(`waterline`), the velocity is that at the surface. The wave is evaluated at the position of a node in the
+deformed riser. The stiffness omits the change of the wave with horizontal position.
 
 References
 ----------

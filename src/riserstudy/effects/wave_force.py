@@ -2,9 +2,9 @@ r"""Morison's inertia force: force of accelerating water across the pipe.
 
 .. math:: f = (1 + C_a)\,\rho\,\frac{\pi D^2}{4}\,(\dot u - (\dot u \cdot t)\,t)
 
-per unstretched length, with the local acceleration of the water. Its share that follows the pipe's own
-acceleration is the added mass. The change with position is left out of the stiffness: over a step it is
-a thousandth of the inertia or less.
+per unstretched length, with the local acceleration of the water. The part of the inertia force that
+depends on the acceleration of the pipe is the effect `added_mass`. The stiffness omits the change of the
+force with position; over a time step it is at most a thousandth of the inertia.
 
 References
 ----------

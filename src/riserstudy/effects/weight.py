@@ -1,8 +1,8 @@
-r"""Dead loads along the string: weight in water, a line load across it.
+r"""Constant loads along the riser: submerged weight, and a lateral load per length.
 
 .. math:: w = (m_{dry} + \rho_i A_i - \rho_w A_o)\,g
 
-per unstretched length, as the effective tension sees it.
+per unstretched length, as it acts in the effective tension.
 
 References
 ----------

@@ -72,12 +72,12 @@ class Stack(Strict):
 class Disconnect(Strict):
     """The wellhead releases the lower end of the riser, with the body at it, at a time of the run.
 
-    ``phase``: from that time on, the release waits until the platform's heave has this phase: 0 when it rises
-    through its mean, 90 deg at its maximum. The heave must be a single harmonic. ``over``: time over which
-    the force of the connector decreases. By default the release is sudden, which sends steep wave fronts
-    along an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or tensioners do not change.
-    Without ``drain`` the contents stay in the riser. Without ``stack`` the riser can pass through the place
-    of the stack, with a warning.
+    ``phase``: from that time on, the release waits until the platform's heave has this phase: 0 when it
+    rises through its mean, 90 deg at its maximum. The heave must be a single harmonic. ``over``: time over
+    which the force of the connector decreases. By default the release is sudden, which sends steep wave
+    fronts along an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or tensioners do not
+    change. Without ``drain`` the contents stay in the riser. Without ``stack`` there is no contact: the
+    LMRP can move through the stack, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

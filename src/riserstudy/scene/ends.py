@@ -97,7 +97,7 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 
 
 class Bottom(Strict):
-    """Lower end: held at the wellhead, free, or the end of a conductor, held vertically and by the soil."""
+    """Lower end: held at the wellhead, free, or a conductor's end, held vertically and by the soil."""
 
     hold: Literal["wellhead", "free", "foot"]
     elevation: u.Length | None = None

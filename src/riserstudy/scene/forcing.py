@@ -125,7 +125,7 @@ class TimeSeries(Strict, Generic[P]):
 
 
 class Position(Strict):
-    """Rest position of the platform, relative to the point above the well. By default all parts are zero."""
+    """Rest position of the platform, relative to the point above the well; by default zero."""
 
     surge: u.Length | None = None
     sway: u.Length | None = None

@@ -26,10 +26,11 @@ class CoefficientAt(Strict):
 
 
 class Drag(Strict):
-    """Morison drag, across the pipe by default. With ``horizontal``, by and on horizontal motion only.
+    """Morison drag, across the pipe by default.
 
-    The coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated
-    at the present place of the pipe, moved and stretched. Beyond the table its end values apply.
+    With ``horizontal``, only horizontal velocities cause drag, and it acts in x and y only. The
+    coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated at
+    the present elevation of the moving, stretched pipe. Beyond the table its end values apply.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -89,8 +90,8 @@ class InLineExcitation(Strict):
 
     ``coefficient``: C_x of the varying drag, C_x rho D / 2 times the squared speed; assumed, 0.1 to 1.
     ``frequencies``: the lowest, the one at which force and velocity are in phase, and the highest, as
-    multiples of speed divided by diameter. They are about twice those across the flow: 0.22, 0.36, 0.52 is
-    assumed, each within a quarter of it.
+    multiples of speed divided by diameter. They are about twice the frequencies across the flow. The
+    values 0.22, 0.36 and 0.52 are assumptions, with a range of 25 % to either side.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -191,13 +192,13 @@ class Section(Strict):
     above water``.
 
     ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It
-    has no effect on the simulation: the minimum tension counts steel and modules separately. If it is
-    absent, it is unknown.
+    has no effect on the simulation. The formula for the minimum tension requires it, because it treats
+    steel and modules separately. If it is absent, it is unknown.
 
-    ``modules`` and ``lines`` are given separately from the pipe. Mass, weight and stiffness of the section
-    are then those of the pipe alone, and theirs are added. The lift of the modules becomes
-    ``buoyancy_lift``; if any section has modules, the lift of sections without modules is zero. The given
-    diameters for drag and added mass apply to pipe, modules and lines together.
+    ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of
+    the section are then those of the pipe alone; those of modules and lines are added. The lift of the
+    modules becomes ``buoyancy_lift``; if any section has modules, the lift of sections without modules is
+    zero. The given diameters for drag and added mass apply to pipe, modules and lines together.
     """
 
     name: str
