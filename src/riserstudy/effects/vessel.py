@@ -14,8 +14,8 @@ mass is larger sideways. The resistance to yaw is :math:`C_r |\dot\psi|\,\dot\ps
 If the platform has first-order motion (`first_order_motion`), r excludes this motion: forces and inertia
 are those of the slow motion.
 
-The unknown for yaw is an arc, :math:`\psi` times the radius of gyration, because all other unknowns are
-lengths, too. Without sway the node is held across x; without yaw the hull keeps its heading.
+The unknown for yaw is an arc, :math:`\psi` times the radius of gyration. It is therefore a length, like
+all other unknowns. Without sway the node is held across x; without yaw the hull keeps its heading.
 
 References
 ----------

@@ -89,9 +89,9 @@ class InLineExcitation(Strict):
     """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
 
     ``coefficient``: C_x of the varying drag, C_x rho D / 2 times the squared speed; assumed, 0.1 to 1.
-    ``frequencies``: the lowest, the one at which force and velocity are in phase, and the highest, as
-    multiples of speed divided by diameter. They are about twice the frequencies across the flow. The
-    values 0.22, 0.36 and 0.52 are assumptions, with a range of 25 % to either side.
+    ``frequencies``: the lowest frequency, the frequency at which force and velocity are in phase, and the
+    highest frequency, as multiples of speed divided by diameter. They are about twice the frequencies
+    across the flow. The values 0.22, 0.36 and 0.52 are assumptions, with a range of 25 % to either side.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -110,12 +110,12 @@ class VortexInducedVibration(Strict):
     synchronises with the velocity of the riser. The model requires drag across the pipe, which limits the
     amplitude. The scene is then solved in three dimensions.
 
-    ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest, the one at which force and velocity are
-    in phase, and the highest, as multiples of speed divided by diameter; published 0.11, 0.18, 0.26.
-    ``memory``: averaging length of the mean squares of the motion, in diameters of flow, for example 20.
-    ``seed``: seed of the initial phases, which are smooth along the riser. ``ramp``: time over which the
-    lift increases; by default the time of ten vortices in the fastest current. ``in_line``: excitation along
-    the flow; by default there is none.
+    ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest frequency, the frequency at which
+    force and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter;
+    published 0.11, 0.18, 0.26. ``memory``: averaging length of the mean squares of the motion, in
+    diameters of flow, for example 20. ``seed``: seed of the initial phases, which are smooth along the
+    riser. ``ramp``: time over which the lift increases; by default the time of ten vortices in the fastest
+    current. ``in_line``: excitation along the flow; by default there is none.
     """
 
     model: Literal["synchronisation"]
