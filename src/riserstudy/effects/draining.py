@@ -1,7 +1,7 @@
 r"""Contents that drain from a disconnected riser, and sea water that follows them.
 
-The column moves along the riser as one body, with the speed V(t) downwards. It does not follow the axial
-motion of the riser, but follows its lateral motion. Including the wall friction, the load in the effective
+The column moves along the riser as one body, with the speed V(t) downwards. The column follows the lateral
+motion of the riser, but not its axial motion. Including the wall friction, the load in the effective
 tension is
 
 .. math:: f = -m(s, t)\,g\,\hat z + m(s, t)\,\dot V\,\hat t, \qquad m = \rho_i A_i
