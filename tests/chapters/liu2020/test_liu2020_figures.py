@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 from matplotlib.colors import to_hex
 
-from riserstudy.chapters.liu2020.figures import motion, static_shapes, statics
+from riserstudy.chapters.liu2020.figures import heave, motion, static_shapes, statics
 from riserstudy.chapters.liu2020.figures.colours import ALL, NAMES, OF_CALIBRATION, ONE, VERTICAL
 from riserstudy.figures.drawn import headline
 from riserstudy.study.read import read_studies
@@ -36,46 +36,81 @@ def moments(draw):
     return xr.DataArray(speed * (lower - at_ring * decay), axes, tuple(axes))
 
 
-def tuned(draw, curves):
-    """What is derived from static runs, as far as figures read it."""
-    on_riser = curves.sel(s_node=curves["s_node"] <= 533.0)
-    force = xr.DataArray(
-        draw.uniform(100.0, 9e3, (2, 2, 3)),
-        {
-            "calibration": [ALL, ONE],
-            "counted": ["all cylinders", "one cylinder"],
-            "surface_speed": SPEEDS,
-        },
-        ("calibration", "counted", "surface_speed"),
-    )
-    largest = abs(on_riser).max("s_node")
-    return xr.Dataset({"largest_bending_moment_near_ring": largest, "horizontal_force": force})
+def tuned(curves):
+    """What is derived from static runs, as far as the figure reads it."""
+    near = curves.sel(s_node=(curves["s_node"] <= 533.0) & (curves["s_node"] >= 413.0))
+    return xr.Dataset({"largest_bending_moment_near_ring": abs(near).max("s_node")})
 
 
 @pytest.mark.parametrize("seed", range(20))
-def test_a_curve_that_leaves_a_panel_has_its_moment_at_the_ring_where_it_leaves(seed):
-    draw = np.random.default_rng(seed)
-    curves = moments(draw)
+def test_the_moments_of_a_vertical_force_are_drawn_whole_and_compared(seed):
+    curves = moments(np.random.default_rng(seed))
     runs = xr.Dataset({"bending_moment_static": curves})
-    figure = static_shapes.fig12(runs, tuned(draw, curves), *PRINTED)
+    figure = static_shapes.fig12(runs, tuned(curves))
+    ratios = tuned(curves)["largest_bending_moment_near_ring"]
+    ratios = ratios.sel(tensioner_model=VERTICAL) / ratios.sel(tensioner_model="gas law")
+    said = [float(n) for n in re.findall(r"\d+", headline(figure))]
+    assert said == [round(float(ratios.min())), round(float(ratios.max()))]
     for ax in figure.axes:
-        edge, right = ax.get_xlim()
-        said = {t.get_text(): t.xy for t in ax.texts if "at the ring" in t.get_text()}
-        leaving = 0
+        low, high = ax.get_xlim()
         for line in ax.get_lines():
-            values, depth = line.get_data()
-            assert values.max() < right
-            if values.min() > edge:
-                continue
-            leaving += 1
-            at_ring = f"{values[np.argmin(depth)]:.0f}".replace("-", "−")
-            (place,) = [
-                xy for text, xy in said.items() if re.search(rf"(^|: ){at_ring} kN m", text)
-            ]
-            # there the curve crosses the edge
-            assert np.interp(place[1], depth[::-1], values[::-1]) == pytest.approx(edge, rel=1e-9)
-            assert "vertical force" in str(line.get_label())
-        assert len(said) == leaving
+            values = line.get_xdata()
+            assert low < values.min() <= values.max() < high
+    for left, right, calibration in zip(
+        figure.axes[::2], figure.axes[1::2], [ALL, ONE], strict=True
+    ):
+        (text,) = (t.get_text() for t in left.texts if t.get_text())
+        ratio = float(ratios.sel(calibration=calibration, surface_speed=1.0))
+        assert f"{ratio:.0f} times" in text
+        assert NAMES[VERTICAL] not in {line.get_label() for line in right.get_lines()}
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_title_of_forces_states_the_least_of_the_largest_errors(seed):
+    draw = np.random.default_rng(seed)
+    axes = {"counted": ["all cylinders", "one cylinder"], "surface_speed": SPEEDS}
+    shapes = list(statics.OF_PROFILE)
+    errors = draw.uniform(-0.9, 3.0, (len(shapes), 2, 3))
+    small = draw.uniform(-0.2, 0.2, (2, 3))
+    assumed = xr.DataArray(
+        PRINTED * (1.0 + errors), {"current_profile": shapes, **axes}, ("current_profile", *axes)
+    )
+    calibrated = xr.DataArray(
+        PRINTED * (1.0 + small),
+        {"calibration": [ALL, ONE], "surface_speed": SPEEDS},
+        ("calibration", "surface_speed"),
+    )
+    sets = (xr.Dataset({"horizontal_force": of}) for of in (assumed, calibrated))
+    title = headline(statics.dat_force(*sets, *PRINTED))
+    wanted = [min(max(abs(e)) for e in of.reshape(-1, 3)) for of in (errors, small)]
+    said = [float(number) for number in re.findall(r"(\d+) %", title)]
+    assert said == pytest.approx([100.0 * of for of in wanted], abs=0.5)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_title_of_end_stops_compares_runs_without_contact(seed):
+    """Tension is negative before a stop acts if it is so in heave below the last run without contact."""
+    draw = np.random.default_rng(seed)
+    amplitudes = np.arange(6.0, 8.6, 0.25)
+    zero, contact = draw.uniform(6.2, 8.3, 2)
+    axes = {"stop_stiffness": [1e7, 3e7], "heave_amplitude": amplitudes, "time": [0.0, 1.0]}
+    sign = np.array([1.0, -1.0])
+    size = 7.5 + amplitudes - contact
+    stroke = xr.DataArray(
+        np.stack([np.outer(size, sign)] * 2)[..., None], {**axes, "cylinder": [0]}
+    )
+    tension = 1e6 * np.stack([np.ones_like(amplitudes), zero - amplitudes], axis=-1)
+    tension = xr.DataArray(np.stack([tension] * 2)[..., None], {**axes, "s": [0.0]})
+    figure = heave.heave_limit(
+        xr.Dataset({"tensioner_stroke": stroke, "effective_tension": tension})
+    )
+    without = amplitudes[amplitudes < contact]
+    title = headline(figure)
+    assert f"negative at {zero:.1f} m" in title
+    assert ("before a stop acts" in title) == (zero <= without.max())
+    for ax in figure.axes:
+        (band,) = (patch for patch in ax.patches if patch.get_width() == 0.25)
+        assert band.get_x() == without.max()
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -145,7 +180,7 @@ def test_elevations_in_titles_are_those_of_the_scenes():
         assert {key: f"{value:g} m" for key, value in said.items()} == found
 
 
-def test_depths_and_drag_in_names_of_fitted_currents_are_those_of_the_study():
+def test_depths_and_drag_in_names_of_calibrated_currents_are_those_of_the_study():
     study = read_studies(CONFIG, "liu2020").studies["statics_calibrated"]
     base, other = study.set, study.axes["calibration"][ONE]
     scales = {ALL: base["current.profile"]["scale"], ONE: other["current.profile.scale"]}
@@ -155,6 +190,6 @@ def test_depths_and_drag_in_names_of_fitted_currents_are_those_of_the_study():
     }
     for name in (ALL, ONE):
         depth, drag = scales[name], drags[name]
-        assert statics.FITTED[name].startswith(f"{depth}, drag coefficient {drag},")
+        assert statics.CALIBRATED[name].startswith(f"{depth}, drag coefficient {drag},")
         assert f"exponential {depth}, drag coefficient {drag}" in static_shapes.CALIBRATIONS[name]
         assert to_hex(OF_CALIBRATION[name]) == statics.OF_PROFILE[f"exponential {depth}"]

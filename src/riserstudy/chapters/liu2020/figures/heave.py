@@ -14,6 +14,7 @@ from riserstudy.chapters.liu2020.figures.colours import (
     VERTICAL_CYLINDERS,
 )
 from riserstudy.figures.direct import label_ends
+from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
     GREY,
     field,
@@ -29,7 +30,7 @@ DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
 ALIKE = 0.02  # of amplitudes, below which no difference can be seen
 STROKE = 7.5  # m, either way
-ABOUT_ZERO = (6.5, 7.75), (-0.5, 1.5)  # heave (m) and tension (MN) of the inset
+ABOUT_ZERO = (6.6, 7.5), (-0.6, 1.4)  # heave (m) and tension (MN) of the inset
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
 
@@ -161,23 +162,41 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
     for ax in axes:
         ax.set_xlabel(AMPLITUDE)
     negative = _from(-tension.min(("time", "stop_stiffness")), 0.0)
-    stopped = _from(abs(reach).max(("time", "stop_stiffness")), STROKE)
+    free, stopped = _between(abs(reach).max(("time", "stop_stiffness")), STROKE)
     if stopped is not None:
-        _mark(
-            axes[0], (stopped, STROKE), f"stop reached at\n{stopped:.1f} m of heave", (0.0, -62.0)
-        )
+        _shade(axes, free, stopped)
     if negative is not None:
         name = f"negative from\n{negative:.1f} m of heave"
         _mark(axes[1], (negative, 0.0), name, (-14.0, -62.0))
-        _near_zero(axes[1], negative)
+        _near_zero(axes[1])
     words = "Tension stays positive" if negative is None else (
         f"Tension becomes negative at {negative:.1f} m of heave"
     )  # fmt: skip
-    acts = "no stop acts" if stopped is None else f"a stop acts from {stopped:.1f} m on"
-    first = negative is not None and stopped is not None and negative < stopped
+    acts = "no stop acts" if stopped is None else f"a stop acts at {stopped:g} m"
+    first = negative is not None and stopped is not None and negative <= free
     headline(figure, f"{words}, before a stop acts" if first else f"{words}; {acts}")
     key_below(figure, axes[0], 3)
     return figure
+
+
+def _between(values: xr.DataArray, level: float) -> tuple[float, float | None]:
+    """Heave (m) of the last run below a level and of the first beyond it, the latter None where nowhere."""
+    heave, over = values["heave_amplitude"].values, values.values > level
+    if not over.any():
+        return float(heave[-1]), None
+    k = int(np.argmax(over))
+    return float(heave[max(k - 1, 0)]), float(heave[k])
+
+
+def _shade(axes: list[Axes], free: float, stopped: float) -> None:
+    """Between which runs a stop is first reached."""
+    for ax in axes:
+        ax.axvspan(free, stopped, color="0.85", lw=0.0, zorder=0)
+    axes[0].annotate(
+        "first contact with a stop\nbetween these runs", (0.5 * (free + stopped), 0.0), xytext=(-24.0, 0.0),
+        textcoords="offset points", ha="right", va="center", fontsize="small",
+        arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 0.0},
+    )  # fmt: skip
 
 
 def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, float]) -> None:
@@ -189,16 +208,9 @@ def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, flo
     )  # fmt: skip
 
 
-def _near_zero(ax: Axes, negative: float) -> None:
+def _near_zero(ax: Axes) -> None:
     """The tension about the heave (m) at which it becomes negative, enlarged where the panel is empty."""
-    inset = ax.inset_axes((0.13, 0.63, 0.36, 0.33), xlim=ABOUT_ZERO[0], ylim=ABOUT_ZERO[1])
-    for line in ax.lines:
-        width = min(3.0, float(line.get_linewidth()))
-        inset.plot(*line.get_data(), color=line.get_color(), lw=width, marker=line.get_marker(),
-                   ms=3, mfc=line.get_markerfacecolor())  # fmt: skip
-    inset.axhline(0.0, color="black", linewidth=1.0)
-    inset.tick_params(labelsize="x-small")
-    ax.indicate_inset_zoom(inset, edgecolor=GREY)
+    enlarge(ax, (0.1, 0.6, 0.36, 0.3), *ABOUT_ZERO, 3.0)
 
 
 def _from(values: xr.DataArray, level: float) -> float | None:

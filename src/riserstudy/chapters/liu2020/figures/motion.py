@@ -75,6 +75,9 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     label_line(axes[0], speed, 1.0, (-12.0, 6.0))
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
+    engine = figure.get_layout_engine()
+    if engine is not None:
+        engine.set(wspace=0.1)  # type: ignore[call-arg]  # the ends of both time axes apart
     headline(figure, f"Surge waves travel down a riser {title}")
     return figure
 
@@ -153,6 +156,8 @@ def baselines(
     same = (less, less, (-turn, turn))
     for ax, values, title, x, even in zip(axes, compared, titles, labels, same, strict=True):
         _samples(ax, values.sel(tensioner_model=list(WITHOUT)), even)
+        if ax is axes[0]:
+            ax.set_xticks(np.arange(1.0, np.floor(ax.get_xlim()[1]) + 0.5))  # 1: no difference
         ax.axvline(0.0 if ax is axes[-1] else 1.0, color="black", lw=0.8, label="no difference")
         ax.set_xlabel(x)
         panel_title(ax, title)
@@ -227,7 +232,7 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
         aspect=40,
         label="bending moment (kN m)",
     )
-    label = f"printed: {largest:g} kN m (centre of rotation fitted to it)"
+    label = f"printed: {largest:g} kN m (centre of rotation calibrated to it)"
     axes[2].axvline(largest, label=label, **PRINTED)
     axes[2].set_xlabel("largest bending moment (kN m)")
     panel_title(axes[2], "largest over time")
@@ -249,7 +254,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
         ax.plot(curve["roll_period"], curve, ".-", color=colour, ms=4, label=f"{amplitude:g}° roll")
     ax.plot([10.0], [largest], "kx", markersize=8)
     ax.annotate(
-        f"{largest:g} kN m, printed for 4° (fitted)", (10.0, largest), xytext=(3, 85), fontsize="small",
+        f"{largest:g} kN m, printed for 4° (calibrated)", (10.0, largest), xytext=(3, 85), fontsize="small",
         textcoords="offset points",
         arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 5.0, "relpos": (0.0, 0.0)},
     )  # fmt: skip

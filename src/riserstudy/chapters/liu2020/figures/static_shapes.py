@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, Literal
 
 import numpy as np
@@ -20,7 +21,8 @@ from riserstudy.chapters.liu2020.figures.colours import (
 )
 from riserstudy.chapters.liu2020.figures.motion_shared import DEPTH, RING
 from riserstudy.figures.direct import legible
-from riserstudy.figures.style import GREY, headline, panel_title, panels, shades
+from riserstudy.figures.insets import enlarge
+from riserstudy.figures.style import headline, panel_title, panels, shades
 
 Place = Literal["outside lower left", "outside lower right"]
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
@@ -40,120 +42,81 @@ CALIBRATIONS = {
 }
 
 
-def fig11(
-    statics_calibrated: xr.Dataset,
-    statics_tuned: xr.Dataset,
-    slow: float,
-    middle: float,
-    fast: float,
-) -> Figure:
-    """Displacement in currents, on the tensioners and on a constant tension.
-
-    ``slow``, ``middle``, ``fast``: printed forces of the tensioners by surface speed (N).
-    """
+def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
+    """Displacement in currents, on the tensioners and on a constant tension."""
     title = "1 m/s, tensioners and four interpretations of 232 t"
     figure = _at_rest(1.0 * statics_calibrated["x_static"], title, "lateral displacement (m)")
-    _forces(figure, statics_tuned, (slow, middle, fast), (0.97, 0.04), "right")
     low, high = _times(statics_tuned, "largest_displacement")
     headline(
         figure,
-        f"Compared with tensioners, a vertical force multiplies displacement by {low:.1f} to {high:.1f}",
+        f"At all speeds a vertical force multiplies the displacement by {low:.1f} to {high:.1f}",
     )
     _keys(figure)
     return figure
 
 
-def fig12(
-    statics_calibrated: xr.Dataset,
-    statics_tuned: xr.Dataset,
-    slow: float,
-    middle: float,
-    fast: float,
-) -> Figure:
-    """Bending moment in currents, on the tensioners and on a constant tension; forces as in fig11."""
-    title = f"upper {NEAR:.0f} m: 1 m/s, four interpretations of 232 t"
+def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
+    """Bending moment in currents, on the tensioners and on a constant tension."""
+    title = f"upper {NEAR:.0f} m, 1 m/s: the other three interpretations"
     figure = _at_rest(
-        1e-3 * statics_calibrated["bending_moment_static"], title, "bending moment (kN m)"
-    )
-    _forces(figure, statics_tuned, (slow, middle, fast), (0.03, 0.3), "left")  # where no curve is
+        1e-3 * statics_calibrated["bending_moment_static"], title, "bending moment (kN m)",
+        right=[model for model in NAMES if model != VERTICAL],
+    )  # fmt: skip
     for left, right in zip(figure.axes[::2], figure.axes[1::2], strict=True):
-        _scale_of_tensioners(left, right)
-        right.set_ylim(NEAR, -0.12 * NEAR)  # room for the tensioners' largest
+        right.set_ylim(NEAR, -0.05 * NEAR)
         right.set_ylabel(DEPTH)
-        _name_largest(right)
-        _label_values_beyond(left, 0.1, (230.0, 170.0, 110.0))
-        _label_values_beyond(right, 0.03, (0.9 * NEAR,))
+        low, high = right.get_xlim()
+        enlarge(left, (0.1, 0.09, 0.6, 0.44), (low, high), (-0.05 * NEAR, NEAR), 2.0)
+        _compare_largest(left)
     low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
     headline(
         figure,
-        f"A vertical force multiplies the tensioners' largest moment by {low:.0f} to {high:.0f}",
+        f"At all speeds a vertical force multiplies the largest moment by {low:.0f} to {high:.0f}",
     )
     _keys(figure)
     return figure
 
 
-def _scale_of_tensioners(left: Axes, right: Axes) -> None:
-    """Both panels show all moments but the negative ones of the vertical force, which are far larger."""
-    lines = right.get_lines()
-    low = min(float(np.min(of.get_xdata())) for of in lines if of.get_label() != NAMES[VERTICAL])
-    high = max(float(np.max(of.get_xdata())) for of in lines)
-    room = 0.08 * (high - low)
-    for ax in (left, right):
-        ax.set_xlim(low - room, high + room)
-
-
-def _name_largest(ax: Axes) -> None:
-    """The largest moment on the tensioners (kN m), above the curve, beside which that at the ring is seen."""
-    (curve,) = (line for line in ax.get_lines() if line.get_label() == NAMES["gas law"])
-    moments, depths = (np.asarray(values, float) for values in curve.get_data())
-    k = int(np.argmax(abs(moments)))
-    largest = f"{moments[k]:.0f}".replace("-", "−")
+def _compare_largest(ax: Axes) -> None:
+    """The largest moments near the ring in the fastest current, by a vertical force and on tensioners."""
+    of_models = {}
+    for model in (VERTICAL, "gas law"):
+        (line,) = (
+            line
+            for line in ax.get_lines()
+            if line.get_label() == f"{SPEEDS[-1]:g} m/s, {NAMES[model]}"
+        )
+        moments, depths = (np.asarray(values, float) for values in line.get_data())
+        near = np.flatnonzero(depths <= NEAR)
+        k = near[np.argmax(abs(moments[near]))]
+        of_models[model] = moments[k], depths[k]
+    (vertical, depth), (tensioners, _) = of_models.values()
+    vertically, tensioned = (f"{m:.0f} kN m".replace("-", "−") for m in (vertical, tensioners))
+    text = (
+        f"{SPEEDS[-1]:g} m/s: {vertically}, {vertical / tensioners:.0f} times\n"
+        f"the {tensioned} on tensioners"
+    )
     ax.annotate(
-        f"{NAMES['gas law']}: largest {largest} kN m", (moments[k], depths[k]),
-        xytext=(0.03, -0.06 * NEAR), textcoords=("axes fraction", "data"), fontsize="x-small",
-        color=legible(OF_TOP["gas law"]), va="center",
+        text, (vertical, depth), xytext=(0.06, 0.8), textcoords="axes fraction", fontsize="small",
+        color=legible(OF_TOP[VERTICAL]), va="top",
         arrowprops={
-            "arrowstyle": "-|>", "lw": 0.8, "color": legible(OF_TOP["gas law"]), "shrinkB": 1.0,
-            "relpos": (0.07, 0.0),
+            "arrowstyle": "-|>", "lw": 0.8, "color": legible(OF_TOP[VERTICAL]), "shrinkB": 1.0,
+            "relpos": (0.0, 1.0),
         },
     )  # fmt: skip
 
 
-def _label_values_beyond(ax: Axes, left: float, depths: tuple[float, ...]) -> None:
-    """Where curves leave a panel to the left: their moments at the ring.
-
-    They are written from a share ``left`` of the panel on, at ``depths`` (m), the fastest current first.
-    """
-    edge, _ = ax.get_xlim()
-    away = [line for line in ax.get_lines() if float(np.min(line.get_xdata())) < edge]
-    for line, depth in zip(reversed(away), depths, strict=False):
-        moments, below = (np.asarray(values, float) for values in line.get_data())
-        downwards = np.argsort(below)
-        moments, below = moments[downwards], below[downwards]
-        k = int(np.argmax(moments > edge))  # the first that is seen
-        leaves = float(np.interp(edge, moments[k - 1 : k + 1], below[k - 1 : k + 1]))
-        speed = str(line.get_label()).rpartition(", ")[0]
-        at_ring = f"{moments[0]:.0f}".replace("-", "−")
-        ax.annotate(
-            f"{speed}{': ' * bool(speed)}{at_ring} kN m at the ring", (edge, leaves),
-            xytext=(left, depth), textcoords=("axes fraction", "data"), fontsize="x-small",
-            color=legible(line.get_color()), va="center",
-            arrowprops={
-                "arrowstyle": "-|>", "lw": 0.8, "color": legible(line.get_color()), "shrinkB": 0.0,
-                "relpos": (0.0, 0.5),
-            },
-        )  # fmt: skip
-
-
 def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
-    """A quantity under a vertical force over that on the tensioners at 1 m/s: least and most of currents."""
-    at = tuned[name].sel(surface_speed=1.0)
+    """A quantity under a vertical force over that on tensioners: least and most of currents and speeds."""
+    at = tuned[name]
     ratio = at.sel(tensioner_model=VERTICAL) / at.sel(tensioner_model="gas law")
     return float(ratio.min()), float(ratio.max())
 
 
-def _at_rest(values: xr.DataArray, title: str, across: str) -> Figure:
-    """A row for each calibrated current: the paper's comparison, and every interpretation at 1 m/s."""
+def _at_rest(
+    values: xr.DataArray, title: str, across: str, right: Sequence[str] = tuple(NAMES)
+) -> Figure:
+    """A row for each calibrated current: the paper's comparison, and interpretations (``right``) at 1 m/s."""
     figure, axes = panels(2, 2, 4.2)
     for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
         here = values.sel(calibration=calibration)
@@ -165,10 +128,10 @@ def _at_rest(values: xr.DataArray, title: str, across: str) -> Figure:
                 width = 2.8 if model == "gas law" else 1.3
                 label = f"{speed:g} m/s, {NAMES[model]}"
                 _by_depth(row[0], curve, LINES[model], colour, label, width)
-        for model, name in NAMES.items():
+        for model in right:
             curve = here.sel(tensioner_model=model, surface_speed=1.0)
             width = 3.5 if model == "gas law" else 1.3
-            _by_depth(row[1], curve, LINES[model], OF_TOP[model], name, width)
+            _by_depth(row[1], curve, LINES[model], OF_TOP[model], NAMES[model], width)
         panel_title(row[0], CALIBRATIONS[calibration])
         panel_title(row[1], title)
         row[0].set_ylabel(DEPTH)
@@ -184,28 +147,6 @@ def _by_depth(
     style: dict[str, Any] = {"linestyle": line, "color": colour, "linewidth": width}
     ax.plot(riser, RING - riser["s_node"], label=label, **style)
     ax.set_ylim(560.0, -20.0)
-
-
-def _forces(
-    figure: Figure,
-    tuned: xr.Dataset,
-    printed: tuple[float, ...],
-    place: tuple[float, float],
-    side: Literal["left", "right"],
-) -> None:
-    """By what force (N) the cylinders push back, and the printed one, in a box of each left panel."""
-    for ax, calibration in zip(figure.axes[::2], CALIBRATIONS, strict=True):
-        cylinders = "one cylinder" if calibration == ONE else "all cylinders"
-        force = tuned["horizontal_force"].sel(calibration=calibration, counted=cylinders)
-        lines = [
-            f"{speed:g} m/s: {float(force.sel(surface_speed=speed)):.0f} N ({of:.0f} N)"
-            for speed, of in zip(SPEEDS, printed, strict=True)
-        ]
-        ax.annotate(
-            "\n".join([f"horizontal force of {cylinders} (printed):", *lines]), place,
-            xycoords="axes fraction", ha=side, va="bottom", fontsize="x-small",
-            bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
-        )  # fmt: skip
 
 
 def _keys(figure: Figure) -> None:

@@ -32,7 +32,7 @@ RESPONSES = {
 }
 CALM = 14.0  # s, wave periods above which waves on the riser lower its stress
 SHOWN = 300.0  # s, of a sea
-HIGHEST = 0.5  # Hz, of spectra
+NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance, and multiples (Hz) at which spectra end
 ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
 
 
@@ -130,7 +130,7 @@ def _by_motion(values: xr.DataArray, label: str, elevations: dict[str, float]) -
                     color=colour, label=motion, clip_on=False)  # fmt: skip
         ax.set_xlabel(WAVE)
         height = elevations[str(reference)]
-        panel_title(ax, f"centre of rotation {reference} ({height:g} m)")
+        panel_title(ax, f"centre of rotation {reference},\n{height:g} m above the lower flex joint")
     axes[0].set_ylabel(label)
     medium = Line2D([], [], color=GREY, marker=".", ms=4, lw=1.2)
     band = Patch(color=GREY, alpha=0.25, linewidth=0.0)
@@ -175,7 +175,8 @@ def waves(waves: xr.Dataset) -> Figure:
         arrowprops={"arrowstyle": "-|>", "color": "black", "lw": 0.9, "shrinkA": 3.0, "shrinkB": 3.0},
     )  # fmt: skip
     ax.annotate(
-        f"× {float(ratio.max()):.0f}", (float(most), 0.72 * float(stretched.sel(wave_period=most))),
+        f"ratio: {float(ratio.max()):.0f}",
+        (float(most), 0.64 * float(stretched.sel(wave_period=most))),
         xytext=(5, 0), textcoords="offset points", va="center", fontsize="small",
     )  # fmt: skip
     raised = ratio["wave_period"].where(ratio > 1.0)
@@ -199,7 +200,7 @@ def sea(storm: xr.Dataset) -> Figure:
         left, middle, right = axes[3 * row : 3 * row + 3]
         _about_largest(left, scale * history, abs(swing))
         left.set_ylabel(f"{label} ({unit})")
-        low = density["frequency"] < HIGHEST
+        low = density["frequency"] <= _highest(density)
         middle.plot(density["frequency"][low], scale**2 * density[low], color=ON_TENSIONERS)
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
         _exceeded(right, swing)
@@ -216,11 +217,19 @@ def sea(storm: xr.Dataset) -> Figure:
     if engine is not None:
         engine.set(wspace=0.08)  # type: ignore[call-arg]
     key_below(figure, axes[2], 3)
+    least, most = min(worst.values()), max(worst.values())
     headline(
         figure,
-        f"The moment peaks at {worst['moment']:.1f}, tension at {worst['tension']:.1f} standard deviations",
+        f"Moment, tension and stroke peak at {least:.1f} to {most:.1f} standard deviations",
     )
     return figure
+
+
+def _highest(density: xr.DataArray) -> float:
+    """Frequency (Hz) up to which a spectrum has nearly all of its variance, up to a round one."""
+    below = density.cumsum("frequency") / density.sum("frequency")
+    reached = float(density["frequency"][int(np.argmax(below.values >= NEARLY_ALL))])
+    return ROUND * float(np.ceil(reached / ROUND))
 
 
 def _at_ring(values: xr.DataArray) -> xr.DataArray:
