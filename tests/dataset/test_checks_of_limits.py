@@ -140,7 +140,7 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
             {"output": "x", "largest": "4 m", "smallest": "0 m", "mode": "drilling"},
             "one of largest",
         ),
-        ({"output": "x", "largest": "0 m", "mode": "drilling"}, "use of 0"),
+        ({"output": "x", "largest": "0 m", "mode": "drilling"}, "no utilisation"),
     ],
 )
 def test_a_limit_that_cannot_be_meant_is_refused(limit, said):

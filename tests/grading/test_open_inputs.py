@@ -247,9 +247,9 @@ def test_a_check_that_is_not_there_is_refused():
 @pytest.mark.parametrize(
     "line, said",
     [
-        ("x: {assumed: 2, range: [0, 1], because: so}", "is not inside its range"),
-        ("x: {assumed: c, options: [a, b], because: so}", "none of its options"),
-        ("x: {assumed: a, options: [a, b, a], because: so}", "one stands twice"),
+        ("x: {assumed: 2, range: [0, 1], because: so}", "is outside the range"),
+        ("x: {assumed: c, options: [a, b], because: so}", "not one of the options"),
+        ("x: {assumed: a, options: [a, b, a], because: so}", "one occurs twice"),
         ("x: {assumed: 1, range: [0, .inf], because: so}", "finite number"),
         ("x: {given: .nan}", "finite number"),
         ("x: {assumed: 1, because: so}", "needs one of range and options"),

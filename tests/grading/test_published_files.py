@@ -41,7 +41,7 @@ def test_a_published_file_names_its_fault(tmp_path):
     path = tmp_path / "published/paper.yaml"
     one = "{id: X1, figure: '1', kind: claim, statement: s, check: c, reads: {runs: base}}"
     path.write_text(f"paper: paper\nitems: [{one}, {one}]\n")
-    with pytest.raises(InputError, match="'X1' stands twice"):
+    with pytest.raises(InputError, match="'X1' occurs twice"):
         read_published(tmp_path, "paper", {"base"})
     path.write_text(f"paper: paper\nitems: [{one}]\n")
     with pytest.raises(InputError, match="no dataset 'base'; allowed are other"):

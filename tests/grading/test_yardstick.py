@@ -160,7 +160,7 @@ def test_the_table_has_each_word_once_and_words_that_do_not_overlap():
     [
         ({"small": {"because": "b"}}, "needs one of at_least and at_most"),
         ({"small": {"at_least": "1 %", "because": "b"}}, "less than no_difference"),
-        ({"a": {"at_most": "3 %", "also": ["a"], "because": "b"}}, "'a' stands twice"),
+        ({"a": {"at_most": "3 %", "also": ["a"], "because": "b"}}, "'a' occurs twice"),
     ],
 )
 def test_words_that_cannot_be_meant_are_refused(words, said):

@@ -186,8 +186,8 @@ def test_waves_beyond_the_operators_are_refused():
 @pytest.mark.parametrize(
     "changes, reason",
     [
-        ({"operators": [*ROWS, ROWS[0]]}, "a period stands twice"),
-        ({"symmetry": "sides"}, "about headings"),
+        ({"operators": [*ROWS, ROWS[0]]}, "a period occurs twice"),
+        ({"symmetry": "sides"}, "operators with headings"),
         ({"beyond": "guess"}, "hold"),
         ({"operators": [ROWS[0], {"period": "9 s"}]}, "same motions"),
         ({"operators": [{"period": "5 s", "heave": "1 m/m"}, ROWS[1]]}, "go together"),
@@ -200,7 +200,7 @@ def test_waves_beyond_the_operators_are_refused():
          "in every line"),
         ({"operators": [ROWS[0], ROWS[1] | {"frequency": "0.1 Hz"}]}, "needs one of period and frequency"),
         ({"operators": [*towards(0, 1.0), *towards(90, 1.0)[1:]]}, "same periods"),
-        ({"heading": "90 deg"}, "has its own"),
+        ({"heading": "90 deg"}, "wave of the scene has a heading"),
         ({"phases": "upwards"}, "lead"),
     ],
 )  # fmt: skip

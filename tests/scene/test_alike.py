@@ -65,7 +65,7 @@ def test_what_is_the_same_in_all_sections_may_be_written_in_any_units(seed):
 @pytest.mark.parametrize("other", [1.000001, 0.999, 1.1])
 def test_what_differs_is_refused_however_little_and_in_any_units(what, other):
     for seed in range(8):
-        with pytest.raises(InputError, match=r"the same|is another than"):
+        with pytest.raises(InputError, match=r"the same|differs from the level"):
             SceneFile("a.yaml", scene(random.Random(seed), other, what)).resolved()
 
 

@@ -59,8 +59,8 @@ def test_columns_stand_in_any_order(tmp_path):
 @pytest.mark.parametrize(
     "table, current, reason",
     [
-        (TABLE, {"headings": "from"}, "goes with a heading"),
-        (TABLE, {"headings": "towards"}, "goes with a heading"),
+        (TABLE, {"headings": "from"}, "only for a current with a heading"),
+        (TABLE, {"headings": "towards"}, "only for a current with a heading"),
         (TABLE, {"heading": "30 deg", "headings": "to"}, "towards"),
         (TABLE, {"heading": "30 m", "headings": "from"}, "dimension"),
         ("depth (m),speed (m/s),heading (deg)\n0,1,0\n9,0,0\n", {}, "unknown column 'heading'"),
@@ -70,9 +70,9 @@ def test_columns_stand_in_any_order(tmp_path):
         (
             "depth (m),speed (m/s),direction (rad)\n0,1,20\n9,0,0\n",
             {},
-            "1146 deg is more than a turn",
+            "1146 deg is more than 360 deg",
         ),
-        (TABLE, {"heading": "40 rad"}, "heading: 2292 deg is more than a turn"),
+        (TABLE, {"heading": "40 rad"}, "heading: 2292 deg is more than 360 deg"),
         ("elevation (m),speed (m/s)\n540,1\n600,0\n", {"beyond": "hold"}, "nothing of the water"),
         ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is no 'name \\(unit\\)'"),
     ],

@@ -20,8 +20,11 @@ TABLES = {
         "elevation (unit) or depth (unit), speed (unit)",
     ),
     "depth and elevation": ("depth (m), elevation (m), speed (m/s)\n0, 1, 1\n1, 0, 2\n", "line 1"),
-    "depths that fall": ("depth (m), speed (m/s)\n1, 1\n0, 2\n", "depths must rise"),
-    "elevations that fall": ("elevation (m), speed (m/s)\n1, 1\n0, 2\n", "elevations must rise"),
+    "depths that fall": ("depth (m), speed (m/s)\n1, 1\n0, 2\n", "depths must increase"),
+    "elevations that fall": (
+        "elevation (m), speed (m/s)\n1, 1\n0, 2\n",
+        "elevations must increase",
+    ),
     "a depth in the air": ("depth (m), speed (m/s)\n-1, 1\n0, 2\n", "line 2: depth"),
     "a word": ("elevation (m), speed (m/s)\n0, fast\n", "line 2"),
     "a missing value": ("elevation (m), speed (m/s)\n0, 1\n1\n", "line 3"),

@@ -114,10 +114,10 @@ def test_contents_of_sea_water_give_the_weight_of_an_open_pipe():
 @pytest.mark.parametrize(
     "levels, said",
     [
-        ({"riser[0].contents.level": "-300 m"}, "riser\\[0\\].contents.level: -300 m is another"),
+        ({"riser[0].contents.level": "-300 m"}, "riser\\[0\\].contents.level: -300 m differs"),
         (
             {"riser[0].contents.level": "-300 m", "riser[1].contents.level": "25 m"},
-            "'upper joints'; allowed is that one's",
+            "'upper joints'; give the same level",
         ),
         ({"riser[1].contents.level": "-40 m"}, "below the section's upper end at 5 m"),
     ],

@@ -188,7 +188,7 @@ def test_a_riser_s_other_sections_have_no_modules():
                 "buoyancy": {"factor": 0.5, "tension_ratio": 1.2, "reading": "R1"},
                 "top.tension": None,
             },
-            "beside modules or lines",
+            "together with modules or lines",
         ),
     ],
 )

@@ -1,4 +1,4 @@
-"""Lines of operators: order, whole turns of headings and units change nothing; none stands twice."""
+"""Lines of operators: order, whole turns of headings and units change nothing; none occurs twice."""
 
 import math
 import random
@@ -94,7 +94,7 @@ def test_no_line_can_be_contradicted_by_another(seed, headed):
     every = written(rows, rng) + written([again], rng, turns=True, units=True)
     for _ in range(3):
         rng.shuffle(every)
-        with pytest.raises(ValueError, match=f"stands twice, {period:g} s") as refused:
+        with pytest.raises(ValueError, match=f"occurs twice, {period:g} s") as refused:
             response(every)
         assert ("at heading" in str(refused.value)) == headed
 
@@ -107,7 +107,7 @@ def test_headings_a_turn_apart_are_refused_by_name_of_their_table(tmp_path, pair
         head + "".join(f"{h},{p},{0.1 * k},0\n" for k, h in enumerate(pair) for p in (8, 12))
     )
     (place,) = [place for place in PLACES if place.name == "operators"]
-    with pytest.raises(ValueError, match="headings a turn apart are one"):
+    with pytest.raises(ValueError, match="headings that differ by 360 deg are the same"):
         Response(operators=read_table(table, place), phases="lead", headings="towards")
 
 

@@ -129,7 +129,7 @@ REFUSED = {
     ),
     "a tangent where the gas volume is closed": (
         CHANG, "top.tensioners.linearised", {"by": "tangent", "at": "19 m"}, "top.tensioners",
-        "linearised.at 19 m closes the gas volume, which is empty at 18.4",
+        "linearised.at 19 m is beyond the end of the gas volume, which is zero at 18.4",
     ),
     "a chord of one end": (
         CHANG, "top.tensioners.linearised", {"by": "chord", "longest": "8 m"},
@@ -138,7 +138,7 @@ REFUSED = {
     "a place on a chord": (
         CHANG, "top.tensioners.linearised",
         {"by": "chord", "shortest": "-8 m", "longest": "8 m", "at": "1 m"},
-        "top.tensioners.linearised", "at goes with a tangent",
+        "top.tensioners.linearised", "at is only for a tangent",
     ),
     "a piston without gravity": (LIU, "gravity", None, "top.tensioners.piston_mass", "needs gravity"),
     "two laws of a tensioner": (
@@ -156,16 +156,16 @@ REFUSED = {
     "a top on no platform": (SURGE, "platform", None, "top.x", "needs platform"),
     "lateral motion with x unsaid": (SURGE, "top.x", None, "top.x", "is needed"),
     "a current that goes back down": (
-        SURGE, "current", {"profile": PROFILE}, "current.profile", "elevations must rise",
+        SURGE, "current", {"profile": PROFILE}, "current.profile", "elevations must increase",
     ),
     "a motion that goes back in time": (
-        SURGE, "platform.surge", {"points": POINTS}, "platform.surge.points", "times must rise",
+        SURGE, "platform.surge", {"points": POINTS}, "platform.surge.points", "times must increase",
     ),
     # a platform that floats, and the ground
     "a top on no vessel": (DRIVE_OFF, "vessel", None, "vessel", "go together"),
     "a vessel that turns in its first-order motions": (
         DRIVE_OFF, "platform", {},
-        "vessel.yaw", "heading at rest",
+        "vessel.yaw", "constant heading",
     ),
     "a conductor's foot in no soil": (DRIVE_OFF, "soil", None, "soil", "go together"),
     "a joint below the lowest section": (
@@ -215,7 +215,7 @@ REFUSED = {
     ),
     "no stations": (SURGE, "analysis.output.stations", [], "analysis.output.stations", "at least 1"),
     "stations out of order": (
-        SURGE, "analysis.output.stations", ["9 m", "5 m"], "analysis.output", "must rise",
+        SURGE, "analysis.output.stations", ["9 m", "5 m"], "analysis.output", "must increase",
     ),
     # origins
     "an assumption without evidence": (

@@ -73,7 +73,7 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
         ([HEADING, "5,1", "9,1,0"], "line 2", "allowed are 3"),
         ([HEADING, "5,much,0", "9,1,0"], "line 2", "numbers"),
         (["period (s),heave (m/m)", "5,1", "9,1"], "table.csv: line 2", "go together"),
-        ([HEADING, "9,1,0", "5,1,0", "9,1,0"], "platform.response", "a period stands twice"),
+        ([HEADING, "9,1,0", "5,1,0", "9,1,0"], "platform.response", "a period occurs twice"),
         ([HEADING, "5,-1,0", "9,1,0"], "table.csv: line 2: heave", "greater"),
         ([HEADING, "5,1,0", "0,1,0"], "table.csv: line 3: period", "greater"),
         (
@@ -92,7 +92,7 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
             "dimension",
         ),
         ([FREQUENCY.replace("Hz", "1/s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "rad"),
-        ([FREQUENCY, "0.2,1,0", "0.2,1,0"], "platform.response", "a frequency stands twice"),
+        ([FREQUENCY, "0.2,1,0", "0.2,1,0"], "platform.response", "a frequency occurs twice"),
         (
             [FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"],
             "line 1",

@@ -86,7 +86,7 @@ def rows(*pairs):
     "table, stroke, said",
     [
         (rows((-1, 5), (1, 4)), None, "force falls to 4000 N in row 2"),
-        (rows((-1, 5), (1, 6), (1, 7)), None, "must grow by the row"),
+        (rows((-1, 5), (1, 6), (1, 7)), None, "must increase from row to row"),
         (rows((1, 5), (2, 6)), None, "must have mid-stroke"),
         (rows((-1, -5), (1, 6)), None, "greater than or equal to 0"),
         (rows((-1, 5)), None, "at least 2"),
@@ -130,7 +130,7 @@ def test_a_linear_table_of_one_slope_moves_like_a_linear_tensioner():
 
 
 def test_interpolation_without_a_table_is_refused():
-    with pytest.raises(InputError, match="needs table"):
+    with pytest.raises(InputError, match="only for a table"):
         load_scene(HEAVE, **{f"{TENSIONERS}.interpolation": "linear"})
 
 

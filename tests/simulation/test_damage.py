@@ -215,7 +215,7 @@ def scene_with(**changes):
 @pytest.mark.parametrize(
     "changes, said",
     [
-        ({"analysis.output.interval": "3 s"}, "cuts off peaks of stress"),
+        ({"analysis.output.interval": "3 s"}, "misses peaks of stress"),
         ({"riser[0].contents": None, "riser[0].inner_diameter": None}, "young_modulus"),
         ({"fatigue.details[0].at": "nowhere"}, "no section 'nowhere'"),
         ({"fatigue.details[0].curve.detail_class": "Z"}, "detail_class 'Z' is not known"),
@@ -225,7 +225,10 @@ def scene_with(**changes):
         ),
         ({"fatigue.angles": 6}, "fatigue.angles"),
         ({"fatigue.details[0].safety_factor": None}, "missing"),
-        ({"analysis.duration": None, "analysis.output": None, "analysis.step": None}, "no cycles"),
+        (
+            {"analysis.duration": None, "analysis.output": None, "analysis.step": None},
+            "no stress cycles",
+        ),
     ],
 )
 def test_a_scene_that_tells_too_little_is_refused(changes, said):

@@ -158,7 +158,7 @@ def test_a_riser_that_stands_on_the_stack_is_not_let_go(tmp_path):
             "output: {interval: 0.25 s}, method: explicit, mesh: {elements: 9}, step: 0.1 ms",
             "implicit",
         ),
-        ("hold: 0.98", "hold: 2.0", "no less than top.tension"),
+        ("hold: 0.98", "hold: 2.0", "not less than top.tension"),
         (
             "tension: 2000 kN",
             "tension: 2000 kN, tension_loss: {share: 0.5, at: 1 s, over: 1 s}",

@@ -116,5 +116,5 @@ def test_a_spread_jump_keeps_its_load_and_leaves_the_rest(seed):
 
 def test_three_points_at_one_elevation_are_refused():
     points = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 50, 50, 50, 400)]
-    with pytest.raises(InputError, match="two at one elevation are a jump"):
+    with pytest.raises(InputError, match="two points at one elevation define a jump"):
         string(points)

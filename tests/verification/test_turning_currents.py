@@ -159,7 +159,7 @@ def test_a_tide_adds_to_the_spiral_along_the_heading():
     "told, said",
     [
         ({"profile": [*profile(POINTS)[:2], {"elevation": "540 m", "speed": "1 m/s"}]}, "in none"),
-        ({"profile": profile(POINTS), "heading": "30 deg"}, "directions of their own"),
+        ({"profile": profile(POINTS), "heading": "30 deg"}, "already have directions"),
         ({"profile": DRIFT}, "hemisphere"),
         ({"profile": DRIFT | {"component": "magnitude", "hemisphere": "northern"}}, "hemisphere"),
     ],

@@ -110,7 +110,7 @@ def read_false_claims(config: Path, paper: str, printed: PublishedFile) -> list[
     Raises
     ------
     InputError
-        When the file cannot be meant, an ID stands twice, or one is made from nothing that can be graded.
+        When the file cannot be meant, an ID occurs twice, or one is made from nothing that can be graded.
     """
     path = false_claims_path(config, paper)
     if not path.exists():
@@ -131,7 +131,7 @@ def _refuse_misplaced(path: Path, claims: Sequence[Falsified], printed: Publishe
     seen: set[str] = set()
     for one in claims:
         if one.id in seen or one.id in items:
-            raise InputError(path, one.id, "stands twice", "each ID is of one claim")
+            raise InputError(path, one.id, "occurs twice", "give each ID once")
         seen.add(one.id)
         if one.of not in items:
             allowed = "allowed are " + ", ".join(items)

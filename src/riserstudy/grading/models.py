@@ -109,13 +109,13 @@ class Item(Checked):
         if (self.kind == "number") != (self.published is not None):
             raise Misfit(
                 "published",
-                "does not fit together",
+                "is inconsistent",
                 "every number has a printed value, and no claim has one",
             )
         if (self.published is None) != (self.rounding is None):
             raise Misfit(
                 "rounding",
-                "does not fit together",
+                "is inconsistent",
                 "the unit of the last printed digit goes with a printed value",
             )
         if self.rounding and self.published and self.rounding > abs(self.published):
@@ -193,7 +193,7 @@ class PublishedFile(Strict):
         ids = [entry.id for entry in entries]
         twice = sorted({name for name in ids if ids.count(name) > 1})
         if twice:
-            raise ValueError(f"id {twice[0]!r} stands twice")
+            raise ValueError(f"id {twice[0]!r} occurs twice")
         return self
 
     @model_validator(mode="after")

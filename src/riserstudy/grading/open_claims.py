@@ -58,19 +58,17 @@ class Assumed(Strict):
         if self.options is not None and len({*self.options}) < len(self.options):
             raise Misfit(
                 "options",
-                "does not fit together",
-                "one stands twice, and would be drawn twice as often",
+                "is inconsistent",
+                "an option occurs twice, so it would be sampled twice as often",
             )
         if self.options is not None and self.assumed not in self.options:
             raise Misfit(
-                "assumed", "does not fit together", f"{self.assumed!r} is none of its options"
+                "assumed", "is inconsistent", f"{self.assumed!r} is not one of the options"
             )
         if self.range is not None:
             low, high = self.range
             if isinstance(self.assumed, str) or not low <= self.assumed <= high or low == high:
-                raise Misfit(
-                    "assumed", "does not fit together", f"{self.assumed!r} is not inside its range"
-                )
+                raise Misfit("assumed", "is inconsistent", f"{self.assumed!r} is outside the range")
         return self
 
 
@@ -113,7 +111,7 @@ class ClaimsFile(Strict):
     def _fits(self) -> Self:
         ids = [item.id for item in self.items]
         if twice := sorted({name for name in ids if ids.count(name) > 1}):
-            raise ValueError(f"id {twice[0]!r} stands twice")
+            raise ValueError(f"id {twice[0]!r} occurs twice")
         for name, one in self.inputs.items():
             if isinstance(one, Calibrated) and one.to not in ids:
                 raise ValueError(f"inputs.{name}: to: no number {one.to!r}")

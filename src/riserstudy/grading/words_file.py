@@ -43,7 +43,7 @@ class WordsFile(Strict):
     def _each_word_once(self) -> Self:
         names = [name for word, of in self.words.items() for name in (word, *of.also)]
         if twice := sorted({name for name in names if names.count(name) > 1}):
-            raise ValueError(f"word {twice[0]!r} stands twice")
+            raise ValueError(f"word {twice[0]!r} occurs twice")
         for word, of in self.words.items():
             if of.at_least is not None and of.at_least < self.no_difference:
                 raise ValueError(f"words.{word}: a change of less than no_difference is none")

@@ -50,7 +50,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
         elif not _names_alternative(step):
             where += f".{step}" if where else step
     kind, found = first["type"], first["input"]
-    value_text = repr(found) if not isinstance(found, dict | list) else "what stands there"
+    value_text = repr(found) if not isinstance(found, dict | list) else "the value found"
     if kind == "extra_forbidden":
         return InputError(
             source, where, "unknown key", "see `riserstudy schema` for what is allowed"
@@ -64,7 +64,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
         return InputError(source, path, misfit.found, misfit.allowed, also)
     message = first["msg"].removeprefix("Value error, ")
     if kind == "value_error":
-        return InputError(source, where, "does not fit together", message)
+        return InputError(source, where, "is inconsistent", message)
     return InputError(source, where, value_text[:120], message[0].lower() + message[1:])
 
 

@@ -63,7 +63,7 @@ class Output(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a >= b for a, b in pairwise(self.stations or [])):
-            raise ValueError("stations must rise from one to the next")
+            raise ValueError("stations must increase from each to the next")
         return self
 
 
@@ -92,7 +92,7 @@ class Analysis(Strict):
     def _fits(self) -> Self:
         if (self.duration is None) != (self.output is None):
             raise ValueError(
-                "duration and output go together: both for dynamics, neither for statics"
+                "give both duration and output for a dynamic run, or neither for a static run"
             )
         if self.accuracy is not None and (self.mesh or self.step):
             raise ValueError("give accuracy, or mesh and step, not both")
@@ -113,13 +113,13 @@ class Analysis(Strict):
         if start > duration:
             raise Misfit(
                 "",
-                f"output.start {start:g} s lies after the end",
+                f"output.start {start:g} s is after the end of the run",
                 f"allowed is up to {duration:g} s",
             )
         if (duration - start) / output.interval > MOST_OUTPUTS:
             raise Misfit(
                 "",
-                f"output.interval {output.interval:g} s asks for more than {MOST_OUTPUTS} outputs",
+                f"output.interval {output.interval:g} s requires more than {MOST_OUTPUTS} outputs",
                 "take a longer one",
             )
         places = len(output.stations or []) or (self.mesh.elements if self.mesh else 1)
@@ -127,7 +127,7 @@ class Analysis(Strict):
             raise Misfit(
                 "",
                 f"output of {places} places every {output.interval:g} s is more than {MOST_VALUES} values",
-                "take a longer interval, or stations",
+                "give a longer interval, or fewer stations",
             )
         if self.step is not None and duration / self.step > MOST_STEPS:
             raise Misfit(

@@ -109,7 +109,7 @@ class Bottom(Strict):
         if self.hold != "free" and self.elevation is None:
             raise ValueError("a held bottom needs its elevation")
         if self.hold == "free" and (self.elevation is not None or self.rotation is not None):
-            raise ValueError("a free bottom has neither elevation nor rotation of its own")
+            raise ValueError("a free lower end has neither elevation nor rotation; leave them out")
         if self.hold != "free" and self.body and self.body.centre_below:
             raise ValueError("body.centre_below needs 'hold: free'")
         return self
@@ -221,11 +221,11 @@ class Top(Strict):
         if self.telescopic_joint:
             if self.z == "free" or self.x == "free" or self.elevation is None:
                 raise ValueError(
-                    "above a telescopic_joint x and z are held or on the platform, at an elevation"
+                    "above a telescopic_joint, x and z must be held or on the platform, at an elevation"
                 )
             if not pulled and self.telescopic_joint.tension is None:
                 raise ValueError(
-                    "a telescopic_joint carries no tension: needs tension or tensioners"
+                    "a telescopic_joint without tension or tensioners carries no tension; give one of them"
                 )
         elif self.z != "free" and pulled:
             raise ValueError("tension and tensioners need 'z: free', or a telescopic_joint")
@@ -234,6 +234,6 @@ class Top(Strict):
         place = self.tensioners and self.tensioners.arrangement
         if place and place.ring_radius > 0.0 and not self.telescopic_joint:
             raise ValueError(
-                "ring_radius above 0 needs a telescopic_joint to take the ring's moment"
+                "ring_radius above 0 needs a telescopic_joint, which carries the ring's moment"
             )
         return self

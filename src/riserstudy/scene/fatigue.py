@@ -62,8 +62,8 @@ class OwnCurve(Strict):
         if exponents != sorted(set(exponents)):
             raise Misfit(
                 "slopes",
-                "does not fit together",
-                "exponents must rise: the second line is that of small ranges",
+                "is inconsistent",
+                "exponents must increase, since the second line is for small stress ranges",
             )
         return self
 
@@ -139,8 +139,8 @@ class Detail(Strict):
         if self.stress_per_moment and not place_of(self.at).startswith(ENDS):
             raise Misfit(
                 "stress_per_moment",
-                "does not fit together",
-                f"allowed with 'at: {ENDS[0]}' a section",
+                "is inconsistent",
+                f"allowed is a place such as 'at: {ENDS[0]}' and the name of a section",
             )
         if self.stress_per_moment and self.thickness is None:
             raise ValueError("stress_per_moment needs thickness")

@@ -120,7 +120,7 @@ class TimeSeries(Strict, Generic[P]):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a.time >= b.time for a, b in pairwise(self.points)):
-            raise Misfit("points", "does not fit together", "times must rise from point to point")
+            raise Misfit("points", "is inconsistent", "times must increase from point to point")
         return self
 
 
@@ -240,7 +240,7 @@ def _within_a_turn(name: str, angle: float | None) -> None:
     if angle is not None and abs(angle) > TURN:
         raise Misfit(
             "",
-            f"{name}: {math.degrees(angle):.4g} deg is more than a turn",
+            f"{name}: {math.degrees(angle):.4g} deg is more than 360 deg",
             "allowed is up to 360 deg",
         )
 
@@ -350,19 +350,21 @@ class Current(Strict):
         points = self.profile if isinstance(self.profile, list) else []
         directed = {point.direction is not None for point in points}
         if len(directed) > 1:
-            raise Misfit("profile", "does not fit together", "direction in every line or in none")
+            raise Misfit("profile", "is inconsistent", "give direction in every line or in none")
         _within_a_turn("heading", self.heading)
         if True in directed and self.heading is not None:
-            raise Misfit("heading", "the points have directions of their own", "leave it out")
+            raise Misfit("heading", "the points already have directions", "leave it out")
         if self.headings is not None and self.heading is None and directed != {True}:
             raise Misfit(
-                "headings", "does not fit together", "'towards' or 'from' goes with a heading"
+                "headings",
+                "is inconsistent",
+                "'towards' or 'from' is only for a current with a heading",
             )
         if len({point.depth is None for point in points}) > 1:
             raise Misfit(
                 "profile",
-                "does not fit together",
-                "elevation in every line, or depth in every line",
+                "is inconsistent",
+                "give elevation in every line, or depth in every line",
             )
         for name in ("elevation", "depth"):
             values = [x for point in points if (x := getattr(point, name)) is not None]
@@ -371,7 +373,7 @@ class Current(Strict):
             ):
                 raise Misfit(
                     "profile",
-                    f"{name}s must rise from point to point",
-                    f"two at one {name} are a jump there",
+                    f"{name}s must increase from point to point",
+                    f"two points at one {name} define a jump",
                 )
         return self

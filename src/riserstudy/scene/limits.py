@@ -52,18 +52,24 @@ class Limit(Strict):
     def _fits(self) -> Self:
         if self.output not in UNITS:
             allowed = f"allowed are {', '.join(UNITS)}"
-            raise Misfit("output", f"{self.output!r} is none that has limits", allowed)
+            raise Misfit("output", f"{self.output!r} is no output that can have limits", allowed)
         if [self.largest, self.smallest, self.mean].count(None) != 2:
             raise ValueError("give one of largest, smallest and mean")
         if self.at is not None and self.output not in ALONG:
             allowed = f"allowed with {', '.join(ALONG)}"
-            raise Misfit("at", f"{self.output} has one place", allowed)
+            raise Misfit(
+                "at", f"{self.output} is a quantity of one place, so it needs no 'at'", allowed
+            )
         if self.mean is not None and self.output in ALONG and not self.place.startswith(ENDS):
             raise Misfit(
-                "mean", f"of {self.output} at one place", f"allowed with 'at: {ENDS[0]}' a section"
+                "mean",
+                f"of {self.output} at one place",
+                f"allowed is a place such as 'at: {ENDS[0]}' and the name of a section",
             )
         if self.allowable == 0.0 and self.side != "smallest":
-            raise Misfit(self.side, "nothing has a use of 0", "allowed is any other value")
+            raise Misfit(
+                self.side, "an allowable of 0 gives no utilisation", "allowed is any other value"
+            )
         return self
 
     @property

@@ -52,7 +52,7 @@ class SceneFile:
                 raise InputError(layer, *faults[0])
             if plain is None and not is_known(path):
                 allowed = "see `riserstudy schema` for what is allowed"
-                raise InputError(layer, path, "unknown key, which null would take out", allowed)
+                raise InputError(layer, path, "unknown key, so null cannot remove it", allowed)
             try:
                 paths.put(tree, path, plain)
             except LookupError as error:
@@ -134,7 +134,7 @@ def first_step(path: str, layer: str) -> str:
         return str(paths.steps(path)[0])
     except ValueError as error:
         allowed = "allowed are names and indices, as in riser[0].length"
-        found = f"{error.args[0]!r} is no step of a path"
+        found = f"{error.args[0]!r} is neither a name nor an index"
         raise InputError(layer, path, found, allowed) from None
 
 

@@ -73,7 +73,7 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
     faults = []
     unknown = set(tree) - {kind} - COMPANIONS[kind]
     if unknown:
-        allowed = f"beside '{kind}' stand {', '.join(sorted(COMPANIONS[kind]))}"
+        allowed = f"allowed with '{kind}' are {', '.join(sorted(COMPANIONS[kind]))}"
         faults.append((path, f"unknown key {', '.join(sorted(map(str, unknown)))}", allowed))
     span = tree.get("range")
     if span is not None and not (isinstance(span, list) and len(span) == 2):
@@ -88,7 +88,9 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
     if kind == "chosen" and "because" not in tree:
         faults.append((path, "a choice without a reason", "add 'because: one line'"))
     if kind == "calibrated" and "to" not in tree:
-        faults.append((path, "calibrated to nothing", "add 'to: paper/ID' of the number it meets"))
+        faults.append(
+            (path, "no number that it is calibrated to", "add 'to: paper/ID' of this number")
+        )
     why = str(tree.get("because") or tree.get("from") or tree.get("to") or "")
     origin = Origin(kind, tree[kind], tuple(span) if span else None, tuple(options), why)
     return tree[kind], {path: origin}, faults

@@ -127,49 +127,49 @@ class Response(Strict):
         if len(kinds) > 1:
             raise Misfit(
                 "operators",
-                "does not fit together",
-                "period in every line, or frequency in every line",
+                "is inconsistent",
+                "give period in every line, or frequency in every line",
             )
         kind = "frequency" if kinds == {True} else "period"
         for heading, rows in self.by_heading.items():
             if twice := [a for a, b in pairwise(rows) if _one_frequency(a, b)]:
                 raise Misfit(
                     "operators",
-                    f"a {kind} stands twice, {_place_of(twice[0])}{_at(heading, self.headings)}",
-                    "allowed is once a heading, and headings a turn apart are one",
+                    f"a {kind} occurs twice, {_place_of(twice[0])}{_at(heading, self.headings)}",
+                    "give each heading once; headings that differ by 360 deg are the same",
                 )
         if len(tables[0]) < 2 or any(not _same_frequencies(t, tables[0]) for t in tables):
             raise Misfit(
                 "operators",
-                "does not fit together",
+                "is inconsistent",
                 "every heading must have the same periods, at least two",
             )
         if len(tables) > 1 and None in self.by_heading:
-            raise Misfit(
-                "operators", "does not fit together", "heading must stand in every line or in none"
-            )
+            raise Misfit("operators", "is inconsistent", "give heading in every line or in none")
         if (self.headings is None) != (None in self.by_heading):
             raise Misfit(
                 "headings",
-                "does not fit together",
-                "'towards' or 'from' goes with a heading in every line of the operators",
+                "is inconsistent",
+                "'towards' or 'from' needs a heading in every line of the operators",
             )
         if self.symmetry and self.headings is None:
             raise Misfit(
                 "symmetry",
-                "does not fit together",
-                "is about headings, which the operators do not have",
+                "is inconsistent",
+                "needs operators with headings",
             )
         if self.heading is not None and self.wave is None:
-            raise Misfit("heading", "does not fit together", "the wave of the scene has its own")
-        if any(a.motions != b.motions for a, b in pairwise(self.operators)):
             raise Misfit(
-                "operators", "does not fit together", "every line must have the same motions"
+                "heading",
+                "is inconsistent",
+                "leave it out, since the wave of the scene has a heading",
             )
+        if any(a.motions != b.motions for a, b in pairwise(self.operators)):
+            raise Misfit("operators", "is inconsistent", "every line must have the same motions")
         missing = set(self.motions or []) - self.operators[0].motions
         if missing:
             raise Misfit(
-                "motions", "does not fit together", f"the operators have no {sorted(missing)[0]}"
+                "motions", "is inconsistent", f"the operators have no {sorted(missing)[0]}"
             )
         return self
 

@@ -40,10 +40,10 @@ def _loaded(scene: Resolved) -> Resolved:
         found, also = "needs gravity, and the mass of every section", ("gravity", "riser")
         raise Misfit(path, found, "add them, or leave buoyancy out", also)
     if any(s.modules or s.lines for s in sections):
-        found, remedy = "stands beside modules or lines of sections", "give one of them"
+        found, remedy = "is given together with modules or lines of sections", "give one of them"
         raise Misfit(path, found, remedy, ("riser",))
     if any(s.submerged_weight is not None for s in sections) or scene.top.tension is not None:
-        found = "stands beside submerged_weight or top.tension, which it gives"
+        found = "is given together with submerged_weight or top.tension, which follow from it"
         raise Misfit(path, found, "give one of them", ("riser", "top.tension"))
     if scene.top.z != "free" or scene.top.tensioners:
         found, remedy = "gives the top tension", "needs 'top.z: free' without tensioners"
@@ -67,13 +67,15 @@ def _carried(scene: Resolved) -> Resolved:
     if rig is None or rig.carried is None:
         return scene
     if scene.bottom.hold != "free":
-        found, remedy = "needs a riser that hangs", "write 'bottom.hold: free'"
+        found, remedy = "needs a hung-off riser", "write 'bottom.hold: free'"
         raise Misfit(path, found, remedy, ("bottom.hold",))
     if scene.gravity is None:
         raise Misfit(path, "needs gravity", "add gravity", ("gravity",))
     weight, mass = scene.hanging
     if weight <= 0.0:
-        raise Misfit(path, f"{weight:g} N hangs on them", "must be above 0 N", ("riser",))
+        raise Misfit(
+            path, f"{weight:g} N is the weight that they carry", "must be above 0 N", ("riser",)
+        )
     top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass)})
     return scene.model_copy(update={"top": top})
 
@@ -85,11 +87,11 @@ def _timed(scene: Resolved) -> Resolved:
         return scene
     heave = scene.platform.heave if scene.platform else None
     if not isinstance(heave, Translation):
-        found, also = "needs platform.heave, one harmonic", ("platform.heave",)
-        raise Misfit(path, found, "give it, or the time in its place", also)
+        found, also = "needs platform.heave with a single harmonic", ("platform.heave",)
+        raise Misfit(path, found, "give it, or give the time instead", also)
     timed = release.timed(heave.period, heave.phase or 0.0)
     if not timed.at < (scene.analysis.duration or 0.0):
-        found, remedy = f"comes at {timed.at:g} s", "must be before the end of analysis.duration"
+        found, remedy = f"is at {timed.at:g} s", "must be before the end of analysis.duration"
         raise Misfit(path, found, remedy, ("analysis.duration", "platform.heave"))
     return scene.model_copy(update={"disconnect": timed})
 
@@ -102,7 +104,7 @@ def _valved(scene: Resolved) -> Resolved:
     left = 1.0 - release.valve.hold * scene.hanging[0] / scene.top.tension
     if not left > 0.0:
         hanging = f"{release.valve.hold:g} of the {scene.hanging[0]:.4g} N that hang"
-        found = f"{hanging} is no less than top.tension"
+        found = f"{hanging} is not less than top.tension"
         allowed = f"allowed is less than {scene.top.tension:.4g} N"
         raise Misfit("disconnect.valve.hold", found, allowed, ("top.tension",))
     share = (1.0 - (release.valve.failed or 0.0)) * left

@@ -42,8 +42,8 @@ class Drag(Strict):
         if any(a > b for (a, _), (b, _) in pairwise(self.table)):
             raise Misfit(
                 "coefficient",
-                "does not fit together",
-                "elevations must not fall from point to point",
+                "is inconsistent",
+                "elevations must not decrease from point to point",
             )
         return self
 
@@ -82,7 +82,7 @@ class AddedMass(Strict):
 
 def _must_rise(frequencies: list[float]) -> None:
     if any(a >= b for a, b in pairwise(frequencies)):
-        raise Misfit("frequencies", "does not fit together", "lowest, free and highest must rise")
+        raise Misfit("frequencies", "is inconsistent", "lowest, free and highest must increase")
 
 
 class InLineExcitation(Strict):
@@ -256,10 +256,10 @@ class Section(Strict):
             raise ValueError("modules and lines need the mass of the pipe, or its wall_density")
         if self.modules and self.buoyancy_lift is not None:
             raise ValueError(
-                "give modules or buoyancy_lift, not both: modules have a lift of their own"
+                "give modules or buoyancy_lift, not both, since modules also give lift"
             )
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
-            raise Misfit("lines", "does not fit together", "names must differ")
+            raise Misfit("lines", "is inconsistent", "names must differ")
         if self.wall_density:
             return self.model_copy(update={"mass": self.wall_density * self.wall_area})
         return self

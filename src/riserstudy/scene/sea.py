@@ -99,7 +99,7 @@ class WindDrift(Strict):
         if (self.component == "both") != (self.hemisphere is not None):
             raise Misfit(
                 "hemisphere",
-                "does not fit together",
+                "is inconsistent",
                 "'northern' or 'southern' goes with 'component: both'",
             )
         return self

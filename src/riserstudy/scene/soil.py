@@ -72,7 +72,9 @@ class TabulatedSoil(Strict):
         depths = [depth for depth, _ in groupby(self.table, lambda row: row.depth)]
         if depths != sorted(set(depths)):
             raise Misfit(
-                "table", "does not fit together", "depths must rise, all rows of one together"
+                "table",
+                "is inconsistent",
+                "depths must increase, with all rows of one depth together",
             )
         for depth, rows in self.curves.items():
             for name, values in zip(
@@ -82,8 +84,8 @@ class TabulatedSoil(Strict):
                 if any(step < 0.0 or (step == 0.0 and name == "displacement") for step in steps):
                     raise Misfit(
                         "table",
-                        "does not fit together",
-                        f"{name} must rise at the depth of {depth:g} m",
+                        "is inconsistent",
+                        f"{name} must increase at the depth of {depth:g} m",
                     )
         return self
 

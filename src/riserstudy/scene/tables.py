@@ -174,10 +174,10 @@ def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, A
 def _file(folder: Path, name: object) -> Path:
     """Where a table stands; only tables are read, so that no scene shows what else is on a machine."""
     if not isinstance(name, str) or not name.endswith(".csv"):
-        allowed = "allowed is the path of a .csv file, seen from the scene"
+        allowed = "allowed is the path of a .csv file, relative to the scene"
         raise InputError(folder, "file", repr(name), allowed)
     if "\\" in name or PureWindowsPath(name).drive:
-        allowed = "allowed is / between folders, which every system takes, and no drive"
+        allowed = "use / between folders and no drive letter, so every system finds the file"
         raise InputError(folder, "file", repr(name), allowed)
     return folder / name
 
@@ -247,7 +247,7 @@ def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
     if len(columns) < len(cells):
         return (
             repr(next(c.strip() for c in cells if not _HEADING.fullmatch(c)))
-            + " is no 'name (unit)'"
+            + " is not of the form 'name (unit)'"
         )
     known = {name for names in place.columns for name in names} | set(place.optional)
     if unknown := [name for name in columns if name not in known]:

@@ -104,7 +104,7 @@ class Linearised(Strict):
                 "least squares and a chord need shortest and longest, a tangent neither"
             )
         if ranged and self.at is not None:
-            raise ValueError("at goes with a tangent")
+            raise ValueError("at is only for a tangent")
         if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
             raise ValueError("shortest must be below longest")
         return self
@@ -184,11 +184,15 @@ class Tensioners(Strict):
             raise Misfit(
                 "failing.cylinders",
                 f"{self.failing.cylinders} of {self.count}",
-                "they count from 0",
+                "cylinders are numbered from 0",
             )
         wrong = [c for c in self.failed or [] if c >= self.count]
         if wrong or len(set(self.failed or [])) == self.count:
-            raise Misfit("failed", f"{self.failed} of {self.count} cylinders", "they count from 0")
+            raise Misfit(
+                "failed",
+                f"{self.failed} of {self.count} cylinders",
+                "cylinders are numbered from 0",
+            )
         laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
         if laws.count(None) != len(laws) - 1:
             raise ValueError("needs one of gas, two_chamber_gas, linear, table and carried")
@@ -197,7 +201,7 @@ class Tensioners(Strict):
         if self.table:
             self._serves(self.table)
         elif self.interpolation:
-            raise Misfit("interpolation", "is that of a table", "needs table")
+            raise Misfit("interpolation", "is only for a table", "add table, or leave it out")
         if self.linearised and self.any_gas is None:
             raise ValueError("linearised needs gas or two_chamber_gas")
         for part in ("stroke", "linearised"):
@@ -211,13 +215,13 @@ class Tensioners(Strict):
         for k in range(1, len(table)):
             if reach[k] <= reach[k - 1]:
                 raise Misfit(
-                    "table", f"reach {reach[k]:g} m in row {k + 1}", "must grow by the row"
+                    "table", f"reach {reach[k]:g} m in row {k + 1}", "must increase from row to row"
                 )
             if force[k] < force[k - 1]:
                 raise Misfit(
                     "table",
                     f"force falls to {force[k]:g} N in row {k + 1}",
-                    "a cylinder pulls no less the longer it is",
+                    "the force must not decrease as the cylinder gets longer",
                 )
         first, last = reach[0], reach[-1]
         if self.stroke:
@@ -244,12 +248,12 @@ class Tensioners(Strict):
         room = pulling.volume / pulling.area
         if reach >= room:
             raise ValueError(
-                f"{part} {reach:g} m closes the gas volume, which is empty at {room:g} m"
+                f"{part} {reach:g} m is beyond the end of the gas volume, which is zero at {room:g} m"
             )
         if pushing and reach <= -pushing.volume / pushing.area:
             raise ValueError(
-                f"{part} {reach:g} m closes the low-pressure volume, "
-                f"which is empty at {-pushing.volume / pushing.area:g} m"
+                f"{part} {reach:g} m is beyond the end of the low-pressure volume, "
+                f"which is zero at {-pushing.volume / pushing.area:g} m"
             )
 
     def carrying(self, weight: float, mass: float) -> Tensioners:

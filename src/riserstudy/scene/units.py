@@ -47,12 +47,10 @@ def to_si(text: str, unit: str) -> float:
     allowed = f"allowed is a number with a unit such as '1 {unit}'"
     plain, offset = text.strip(), 0.0
     if unit == "Pa":
-        allowed = (
-            "allowed is a pressure that says which, such as '190.2 bar absolute' or '1 Pa gauge'"
-        )
+        allowed = "allowed is an absolute or a gauge pressure, such as '190.2 bar absolute' or '1 Pa gauge'"
         kind = re.search(r"\b(absolute|gauge)$", plain)
         if not kind:
-            raise Misfit("", f"{text!r} says neither absolute nor gauge", allowed)
+            raise Misfit("", f"{text!r} is marked neither absolute nor gauge", allowed)
         plain = plain[: kind.start()].strip()
         offset = ATMOSPHERE if kind.group() == "gauge" else 0.0
     number = NUMBER.match(plain)
@@ -96,12 +94,12 @@ def factor(name: str, unit: str) -> float:
     Raises
     ------
     ValueError
-        When pint does not know it, or it has another dimension.
+        When pint does not know it, or it has the wrong dimension.
     """
     import pint
 
     if _MILLITONNE.search(name):
-        raise Misfit("", "has 'mt', a thousandth of a tonne", "write t or kg")
+        raise Misfit("", "has the unit 'mt', which means a thousandth of a tonne", "write t or kg")
     try:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
         same = _angle_power(given._units) == _angle_power(wanted._units)
@@ -109,13 +107,13 @@ def factor(name: str, unit: str) -> float:
         if unit == "rad/s" and list(given._units) in CYCLES:  # to pint a cycle is no angle
             same, value = True, value * math.tau
     except pint.DimensionalityError:
-        raise ValueError(f"has another dimension{HINTS.get((name, unit), '')}") from None
+        raise ValueError(f"has the wrong dimension{HINTS.get((name, unit), '')}") from None
     except Exception:
         raise ValueError("has a unit that is not known") from None
     if odd := [name for name in given._units if _is_no_quantity(name)]:
-        raise Misfit("", f"has {odd[0]!r}", "without dimension only deg, rad and % are taken")
+        raise Misfit("", f"has {odd[0]!r}", "the only units allowed here are deg, rad and %")
     if not same:
-        raise ValueError("must say '/deg' or '/rad', deg or rad")
+        raise ValueError("must contain '/deg' or '/rad', deg or rad")
     return float(value)
 
 

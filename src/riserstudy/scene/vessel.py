@@ -115,37 +115,37 @@ class Coupling(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tolerance is not None and self.scheme == "staggered":
-            raise Misfit("tolerance", "a staggered exchange repeats nothing", "leave it out")
+            raise Misfit("tolerance", "a staggered exchange has no iterations", "leave it out")
         return self
 
     def misfits(self, analysis: Analysis) -> Iterator[Misfit]:
         """What cannot be done in turns of a run."""
         if analysis.duration is None:
-            found, also = "at rest nothing is exchanged", ("analysis.duration",)
+            found, also = "a static scene has no exchange", ("analysis.duration",)
             yield Misfit("", found, "needs analysis.duration", also)
             return
         also = ("analysis",)
         if isinstance(analysis.method, str):
-            found = f"analysis.method {analysis.method} does not work in turns"
+            found = f"analysis.method {analysis.method} does not work with an exchange"
             yield Misfit("", found, "take generalised-alpha or Newmark's method", also)
         if analysis.solver:
             found = f"analysis.solver {analysis.solver} has no vessel"
             yield Misfit("", found, "leave it out", also)
         if analysis.start not in (None, "equilibrium"):
-            found = f"analysis.start {analysis.start} takes steps that do not fit into turns"
+            found = f"analysis.start {analysis.start} uses time steps that do not fit the exchange interval"
             yield Misfit("", found, "start from equilibrium", also)
         path, interval, step = "interval", f"{self.interval:g} s", analysis.step
         if self.interval > analysis.duration:
             allowed = f"allowed is up to analysis.duration, {analysis.duration:g} s"
             yield Misfit(path, f"{interval} is longer than the run", allowed, also)
         if analysis.duration / self.interval > MOST_TURNS:
-            found = f"{interval} asks for more than {MOST_TURNS} turns"
+            found = f"{interval} requires more than {MOST_TURNS} exchanges"
             yield Misfit(path, found, "take a longer one", also)
         if step and self.interval / step > MOST_STEPS_A_TURN:
             found = f"{interval} has more than {MOST_STEPS_A_TURN} steps of {step:g} s"
             yield Misfit(path, found, "take a shorter one", also)
         if step and STEPS_A_TURN * step > self.interval * (1.0 + 1e-9):
-            found = f"{interval} is too short, for runs with longer steps estimate the error"
+            found = f"{interval} is too short, since runs with longer time steps estimate the error"
             yield Misfit(
                 path, found, f"allowed is from {STEPS_A_TURN} times analysis.step on", also
             )

@@ -40,8 +40,8 @@ def cut(scene: Parts) -> list[Section]:
             continue
         output = scene.analysis.output
         if output and output.stress_in == section.name:
-            found = f"{section.name!r} reaches through the water's surface, where it is cut"
-            remedy = "give two sections, and name one of them"
+            found = f"{section.name!r} crosses the water surface, where it is divided"
+            remedy = "give two sections, one above and one below the surface"
             raise Misfit("analysis.output.stress_in", found, remedy, ("riser", "water.surface"))
         above: dict[str, Any] = {"flex_joint_below": None, "guide_below": None}
         if section.submerged_weight is not None:

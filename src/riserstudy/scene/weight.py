@@ -67,7 +67,7 @@ def with_attachments(scene: Parts) -> list[Section]:
     for k, section in enumerate(scene.riser):
         if section.submerged_weight is None:
             found = f"modules and lines need {section.line}.submerged_weight"
-            remedy = "give that of the pipe"
+            remedy = "give the submerged weight of the pipe"
             raise Misfit(f"{section.line}.submerged_weight", found, remedy, ("riser",))
         bare = section.buoyancy_lift is None and modular
         more: dict[str, float] = {"buoyancy_lift": 0.0} if bare else {}

@@ -57,9 +57,9 @@ class Numbers(Strict):
     def _fits(self) -> Self:
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
-            raise Misfit("values", "does not fit together", "must be there, each once")
+            raise Misfit("values", "is inconsistent", "must be there, each once")
         if self.preview and not set(self.preview) <= set(numbers):
-            raise Misfit("preview", "does not fit together", "must be some of the values")
+            raise Misfit("preview", "is inconsistent", "must be some of the values")
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
@@ -94,7 +94,7 @@ class Samples(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if missing := [tier for tier in TIERS if tier not in self.count]:
-            raise Misfit("count", "does not fit together", f"no number for {missing[0]}")
+            raise Misfit("count", "is inconsistent", f"no number for {missing[0]}")
         return self
 
 

@@ -43,9 +43,9 @@ class Config(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tier not in self.tiers:
-            raise Misfit("tiers", "does not fit together", f"needs {self.tier!r}, the tier to run")
+            raise Misfit("tiers", "is inconsistent", f"needs {self.tier!r}, the tier to run")
         if len(set(self.papers)) != len(self.papers):
-            raise Misfit("papers", "does not fit together", "name each once")
+            raise Misfit("papers", "is inconsistent", "name each once")
         if taken := RULES.intersection(self.papers):
             raise Misfit("papers", f"{taken.pop()!r} is the name of a rule", "take another")
         return self

@@ -45,17 +45,13 @@ class FigureModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.plot and len(self.reads) != 1:
-            raise Misfit("plot", "does not fit together", "reads one dataset")
+            raise Misfit("plot", "is inconsistent", "reads one dataset")
         if self.of and not self.plot:
-            raise Misfit("of", "does not fit together", "needs a plot to show them in")
+            raise Misfit("of", "is inconsistent", "needs a plot to show them in")
         if self.of and self.plot == "utilisation":
-            raise Misfit(
-                "of", "does not fit together", "utilisation is that of all limits of the study"
-            )
+            raise Misfit("of", "is inconsistent", "utilisation is that of all limits of the study")
         if self.of and self.plot in OF_SEAS:
-            raise Misfit("of", "does not fit together", f"{self.plot} are those of all modes")
+            raise Misfit("of", "is inconsistent", f"{self.plot} are those of all modes")
         if self.settings and self.plot:
-            raise Misfit(
-                "with", "does not fit together", "a plot that fits any grid takes no arguments"
-            )
+            raise Misfit("with", "is inconsistent", "a plot that fits any grid takes no arguments")
         return self

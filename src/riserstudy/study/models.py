@@ -122,7 +122,7 @@ class StudyModel(Strict):
     def _fits(self) -> Self:
         if PureWindowsPath(self.scene).anchor or ".." in PureWindowsPath(self.scene).parts:
             raise Misfit(
-                "scene", "does not fit together", "must lie below the folder of the configuration"
+                "scene", "is inconsistent", "must lie below the folder of the configuration"
             )
         if "\\" in self.scene:
             raise Misfit(

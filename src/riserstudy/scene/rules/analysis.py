@@ -44,7 +44,7 @@ def ends(scene: Parts) -> Iterator[Misfit]:
         return
     if duration / MOST_PERIODS > shortest:
         found = (
-            f"{duration:g} s holds more than {MOST_PERIODS} periods of {shortest:g} s, the shortest of "
+            f"{duration:g} s contains more than {MOST_PERIODS} periods of {shortest:g} s, the shortest of "
             "platform and waves"
         )
         remedy = "take a shorter duration or a longer period"

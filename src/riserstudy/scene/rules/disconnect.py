@@ -20,13 +20,16 @@ def disconnect(scene: Parts) -> Iterator[Misfit]:
     if release is None:
         return
     if scene.bottom.hold != "wellhead":
-        found, remedy = "needs 'bottom.hold: wellhead', which lets go", "hold the lower end so"
+        found, remedy = (
+            "needs 'bottom.hold: wellhead', from which the riser disconnects",
+            "write it",
+        )
         yield Misfit("disconnect", found, remedy, ("bottom.hold",))
     if scene.bottom.body and scene.bottom.body.reach:
         found, remedy = "needs a body at a point", "leave out bottom.body's reach"
         yield Misfit("disconnect", found, remedy, ("bottom.body.reach",))
     if release.valve and (scene.top.tension is None or scene.top.tension_loss):
-        found, remedy = "valve needs top.tension", "give it, without a tension_loss of its own"
+        found, remedy = "valve needs top.tension", "give it, and leave out top.tension_loss"
         yield Misfit("disconnect.valve", found, remedy, ("top.tension", "top.tension_loss"))
     if release.recoil_valve:
         yield from _throttled(scene, release.recoil_valve)
@@ -44,9 +47,9 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
         return
     if valve.failed and max(valve.failed) >= rig.count:
         found = f"{valve.failed} of {rig.count} cylinders"
-        yield Misfit(f"{path}.failed", found, "they count from 0", also)
+        yield Misfit(f"{path}.failed", found, "cylinders are numbered from 0", also)
     if valve.isolation and not valve.isolation.volume < gas.volume:
-        found = f"{valve.isolation.volume:g} m^3 leaves none of a cylinder's gas"
+        found = f"{valve.isolation.volume:g} m^3 is not less than a cylinder's gas volume"
         yield Misfit(
             f"{path}.isolation.volume", found, f"allowed is less than {gas.volume:g} m^3", also
         )
@@ -69,7 +72,10 @@ def _drains(scene: Parts) -> Iterator[Misfit]:
         remedy = "needs the same contents and bore in all sections with contents"
         yield Misfit(path, found, remedy, ("riser",))
     if scene.water is None or scene.water.surface is None:
-        found, remedy = "needs water.surface", "add it: the sea stands against the contents"
+        found, remedy = (
+            "needs water.surface",
+            "add it: the pressure of the sea acts against the contents",
+        )
         yield Misfit(path, found, remedy, ("water.surface",))
 
 
@@ -77,7 +83,7 @@ def events(scene: Parts) -> Iterator[Misfit]:
     """What happens at a time does so before the end, in a march that can stop for it."""
     a, rig = scene.analysis, scene.top.tensioners
     if rig and rig.failing and a.duration is None:
-        found, remedy = "needs analysis.duration", "add it: statics are before it"
+        found, remedy = "needs analysis.duration", "add it: a static scene has no events"
         yield Misfit("top.tensioners.failing", found, remedy, ("analysis.duration",))
     if not scene.events:
         return
@@ -92,7 +98,7 @@ def events(scene: Parts) -> Iterator[Misfit]:
         )
         yield Misfit(path, found, "leave out analysis.method and solver", also)
     if scene.vessel and scene.vessel.coupling:
-        found = "does not go with vessel.coupling"
+        found = "is not possible with vessel.coupling"
         yield Misfit(path, found, "leave coupling out", ("vessel.coupling",))
 
 

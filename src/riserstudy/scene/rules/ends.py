@@ -23,7 +23,7 @@ def held(scene: Parts) -> Iterator[Misfit]:
     if top.z != "free" and bottom.hold == "free" and top.elevation is None:
         remedy = "add it"
         yield Misfit(
-            "top.elevation", "a riser that hangs needs top.elevation", remedy, ("bottom.hold",)
+            "top.elevation", "a hung-off riser needs top.elevation", remedy, ("bottom.hold",)
         )
     for name in ("x", "z"):
         if scene.platform is None and getattr(top, name) == "platform":

@@ -35,7 +35,7 @@ def names(scene: Parts) -> Iterator[Misfit]:
     for name, count in Counter(section.name for section in scene.riser).items():
         if count > 1:
             found = f"{count} sections are named {name!r}"
-            yield Misfit("riser", found, "give each section a name of its own")
+            yield Misfit("riser", found, "give each section a different name")
 
 
 def reaches(scene: Parts) -> Iterator[Misfit]:
@@ -78,10 +78,10 @@ def filled(scene: Parts) -> Iterator[Misfit]:
     for k, level in levels.items():
         if level is not None and not alike([level, levels[highest]]):
             found = (
-                f"{level:g} m is another than that of the highest section with contents, "
+                f"{level:g} m differs from the level of the highest section with contents, "
                 f"{scene.riser[highest].name!r}"
             )
-            remedy = "allowed is that one's: it counts alone"
+            remedy = "give the same level: only that of the highest section is used"
             yield Misfit(f"riser[{k}].contents.level", found, remedy, (path,))
     bottom, level = scene.bottom.elevation, levels.get(highest)
     if level is None or bottom is None:
@@ -89,7 +89,7 @@ def filled(scene: Parts) -> Iterator[Misfit]:
     upper = bottom + sum(section.total_length for section in scene.riser[: highest + 1])
     if level < upper - ROUNDED - SLIDES * (upper - bottom):
         found = f"{level:g} m is below the section's upper end at {upper:g} m"
-        remedy = "allowed is from there: contents fill a section from end to end"
+        remedy = "give a level at or above it: contents fill a section completely"
         yield Misfit(path, found, remedy, ("bottom.elevation",))
 
 

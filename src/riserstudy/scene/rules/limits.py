@@ -24,8 +24,8 @@ def limits(scene: Parts) -> Iterator[Misfit]:
         except Misfit as fault:
             yield fault.below(f"limits[{k}].at")
         if limit.output == "stroke" and scene.top.telescopic_joint:
-            found = "'stroke' counts from the static state"
-            remedy = "write 'joint_stroke', which counts from the joint's length"
+            found = "'stroke' is measured from the static state"
+            remedy = "write 'joint_stroke', which is measured from the joint's length"
             yield Misfit(f"limits[{k}].output", found, remedy, ("top.telescopic_joint",))
 
 
@@ -36,18 +36,21 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
         return
     if a.duration is None or a.output is None:
         found, also = "needs analysis.duration", ("analysis.duration",)
-        yield Misfit("fatigue", found, "add it: statics have no cycles", also)
+        yield Misfit("fatigue", found, "add it: a static run has no stress cycles", also)
         return
     if a.solver:
         yield Misfit(
             "fatigue", "not with analysis.solver", "leave out the solver", ("analysis.solver",)
         )
     if scene.events or scene.top.tension_loss:
-        found, remedy = "not with events such as a disconnect", "leave them out: they do not recur"
+        found, remedy = (
+            "not with events such as a disconnect",
+            "leave them out: fatigue needs loads that recur",
+        )
         yield Misfit("fatigue", found, remedy, ("disconnect", "top"))
     shortest = scene.shortest_period
     if shortest and a.output.interval > shortest / A_PERIOD:
-        found = f"{a.output.interval:g} s cuts off peaks of stress, whose fatigue is computed"
+        found = f"{a.output.interval:g} s misses peaks of stress, from which fatigue is computed"
         remedy = (
             f"allowed are {A_PERIOD} outputs in the shortest period, {shortest / A_PERIOD:.3g} s"
         )
@@ -56,7 +59,7 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
     for k, detail in enumerate(scene.fatigue.details):
         if detail.name in known:
             yield Misfit(
-                f"fatigue.details[{k}].name", f"{detail.name!r} is there before", "give another"
+                f"fatigue.details[{k}].name", f"{detail.name!r} occurs twice", "give another name"
             )
         known.add(detail.name)
         yield from (fault.below(f"fatigue.details[{k}]") for fault in _detail(scene, detail))
@@ -71,4 +74,4 @@ def _detail(scene: Parts, detail: Detail) -> Iterator[Misfit]:
         return
     lacking = [lack for s in scene.riser if s.name in names for lack in wall_lacks(scene, s)]
     if detail.face is not None and lacking:
-        yield Misfit("face", f"stress of the wall lacks {lacking[0]}", "give it")
+        yield Misfit("face", f"the wall stress cannot be computed without {lacking[0]}", "give it")

@@ -25,8 +25,8 @@ def moored(scene: Parts) -> Iterator[Misfit]:
     if scene.platform:
         yield from _first_order(scene, vessel, scene.platform)
     if vessel.yaw and scene.spatial and scene.analysis.method == "explicit":
-        found = "explicit stepping does not know the forces of a turning hull"
-        yield Misfit("vessel.yaw", found, "take an implicit method", ("analysis.method",))
+        found = "explicit stepping does not include the forces of a turning hull"
+        yield Misfit("vessel.yaw", found, "use an implicit method", ("analysis.method",))
     for name in ("yaw", "coupling") if top.tensioners and top.tensioners.arrangement else ():
         if getattr(vessel, name, None):
             found = (
@@ -66,18 +66,21 @@ def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[M
     explicit = scene.analysis.method == "explicit"
     position = platform.position
     remedies: dict[str, tuple[object, str]] = {
-        "platform.cruise": (platform.cruise, "the vessel finds its own way; leave the cruise out"),
+        "platform.cruise": (
+            platform.cruise,
+            "the motion of the vessel is computed; leave the cruise out",
+        ),
         "vessel.yaw": (
             vessel.yaw,
-            "first-order motions are those of the heading at rest; leave out vessel.yaw or the platform",
+            "first-order motions are defined for a constant heading; leave out vessel.yaw or the platform",
         ),
         "vessel.coupling": (
             vessel.coupling,
-            "first-order motions are not exchanged in turns; leave out vessel.coupling or the platform",
+            "an exchange does not include first-order motions; leave out vessel.coupling or the platform",
         ),
         "analysis.method": (
             explicit,
-            "explicit steps have no first-order motions; take an implicit method",
+            "explicit stepping has no first-order motions; use an implicit method",
         ),
         "platform.position.surge": (
             position and position.surge,
@@ -90,5 +93,5 @@ def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[M
     }
     for path, (there, remedy) in remedies.items():
         if there:
-            found, also = "does not go with a vessel and a platform", ("vessel", "platform")
+            found, also = "is not possible with a vessel and a platform", ("vessel", "platform")
             yield Misfit(path, found, remedy, also)

@@ -31,7 +31,7 @@ def sea(scene: Parts) -> Iterator[Misfit]:
         yield Misfit("wave", found, "add one, or leave wave out", ("riser",))
     for k, section in enumerate(scene.riser):
         if section.added_mass and section.added_mass.direction:
-            found, remedy = "a wave needs added_mass across the pipe", "leave out its direction"
+            found, remedy = "a wave needs added_mass across the pipe", "leave its direction out"
             yield Misfit(f"riser[{k}].added_mass.direction", found, remedy, ("wave",))
 
 
@@ -46,13 +46,13 @@ def viv(scene: Parts) -> Iterator[Misfit]:
             yield Misfit(path, found, remedy, (path.replace("viv", "drag"),))
     first = next(iter(shedding))
     if not scene.current and not scene.wave:
-        found, also = "needs water that flows past", ("current", "wave")
+        found, also = "needs water that flows past the riser", ("current", "wave")
         yield Misfit(first, found, "add a current or a wave", also)
     if scene.analysis.duration is None:
-        found, remedy = "needs analysis.duration", "add it: statics know no vortices"
+        found, remedy = "needs analysis.duration", "add it: a static scene has no vortices"
         yield Misfit(first, found, remedy, ("analysis.duration",))
     if scene.analysis.method == "explicit":
-        found, remedy = "explicit stepping has no phases", "take an implicit method"
+        found, remedy = "explicit stepping does not include vortices", "use an implicit method"
         yield Misfit(first, found, remedy, ("analysis.method",))
     if not scene.current and any(s.viv.ramp is None for s in shedding.values() if s.viv):
         remedy = "it has no default where there is no current to take it from"
