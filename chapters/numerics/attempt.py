@@ -26,12 +26,12 @@ class Outcome(StrEnum):
 
     ACCURATE = "accurate"
     INACCURATE = "stable but inaccurate"
-    DIVERGED = "finished with values beyond reason"
+    DIVERGED = "finished with impossible values"
     REFUSED = "refused"
     UNSTABLE = "refused: physically unstable"
     TOO_LONG = "refused: longer than the study allows"
-    MISSED = "finished, but cannot stand"
-    UNJUDGED = "finished, but no reference"
+    MISSED = "finished, although physically unstable"
+    UNJUDGED = "finished, without a reference solution"
     NOT_RUN = "not run"
 
 

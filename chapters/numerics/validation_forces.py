@@ -59,14 +59,24 @@ def gas(_: Files) -> Iterator[Row]:
     last = run["time"].values >= 40.0  # from here on the amplitude is whole
     top = int(np.argmax(np.where(last, stroke, -np.inf)))
     case, by = "gas cylinder extended by heave", "p V^n = const., from mid-stroke"
-    because = "the pipe stretches by 1e-8 m; the platform's highest place falls on an output"
+    because = "the pipe stretches by 1e-8 m; one output is at the platform's highest position"
     exact = known.gas_pull(**GAS, reach=REACH)
     yield Row(case, "pull", "N", CLOSED, by, exact, float(force[top]), 1e-6, because)
     lift = slice(top - 100, top + 1)  # a quarter of a period, from mid-stroke
     work = float(np.trapezoid(force[lift], stroke[lift]))
     done = known.gas_work(**GAS, reach=REACH)
     because = "trapezoidal rule over 100 outputs"
-    yield Row(case, "work of a lift", "J", CLOSED, "∫ of the pull", done, work, 1e-5, because)
+    yield Row(
+        case,
+        "work from mid-stroke to the top",
+        "J",
+        CLOSED,
+        "integral of the pull",
+        done,
+        work,
+        1e-5,
+        because,
+    )
 
 
 HIGH, LOW = known.Chamber(0.205, 2.08e6, 9.38), known.Chamber(0.246, 0.15e6, 2.25)

@@ -52,7 +52,10 @@ def wave(_: Files) -> Iterator[Row]:
     top = run["z"].isel(s=-1)
     fall = float(top[0] - top.sel(time=0.6, method="nearest"))
     exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
-    case, because = "bar that loses half its pull", "360 segments; the front is 0.2 s long"
+    case, because = (
+        "bar whose end loses half of its tension",
+        "360 segments; the wave front lasts 0.2 s",
+    )
     by = "ΔF t / √(EA m), until the reflected wave returns"
     yield Row(case, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
     below = float(run["effective_tension"].isel(s=0, time=-1))
@@ -77,7 +80,7 @@ def decay(_: Files) -> Iterator[Row]:
     decrement = math.log(peaks[0] / peaks[5]) / 5.0
     exact = known.decrement(ratio)
     case, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
-    because = "steps of a 300th of the period, second order"
+    because = "time steps of a 300th of the period, second order"
     yield Row(case, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
 
 
@@ -93,7 +96,7 @@ def _tops(values: NDArray[np.float64]) -> list[float]:
 
 def methods(files: Files) -> Iterator[Row]:
     """Surge by methods of stepping that share no step."""
-    alike = "both errors in time, at steps of 0.02 and 0.1 s"
+    alike = "errors in time of both runs, with steps of 0.02 and 0.1 s"
     lumped = "explicit stepping lumps masses: second order in the 160 segments"
     for name, elements, sets, tolerances, because in (
         ("ESDIRK4", 40, {"analysis.step": "0.1 s"}, (5e-5, 2e-4), alike),

@@ -238,7 +238,7 @@ def test_a_scene_that_tells_too_little_is_refused(changes, said):
 
 def test_a_run_that_ends_within_its_ramps_is_refused():
     file = scene_with(**{"platform.surge.ramp": "500 s"})
-    with pytest.raises(SimulationError, match="cycles count from 500 s on"):
+    with pytest.raises(SimulationError, match="cycles are counted from 500 s"):
         run(file.resolved(), estimated=False)
 
 

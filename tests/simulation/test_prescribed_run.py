@@ -50,4 +50,4 @@ def test_an_error_of_the_step_alone_is_not_that_of_a_run(monkeypatch):
     monkeypatch.setattr(module, "march", only_as_fine)
     result = run(of("bench/s2c.yaml", SURGE, 64, 0.1))
     assert result.facts["error_estimate"] == {}
-    assert "no error estimate" in result.facts["warnings"][-1]
+    assert "error is not estimated" in result.facts["warnings"][-1]

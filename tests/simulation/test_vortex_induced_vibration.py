@@ -136,7 +136,7 @@ def test_a_request_holds_for_the_statistics():
 def test_steps_and_outputs_too_long_for_the_vortices_are_told():
     run_of = simulated(scene(analysis__step="40 ms", analysis__output__interval="200 ms"))
     told = [line for line in run_of.facts["warnings"] if line.startswith("riser.viv")]
-    assert any("the step is too long" in line for line in told)
+    assert any("the time step is too long" in line for line in told)
     assert any("so no frequency is computed" in line for line in told)
     assert "vibration_frequency" not in run_of.facts
 

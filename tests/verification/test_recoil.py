@@ -347,7 +347,7 @@ def test_more_bottles_than_there_is_gas_is_told_when_it_happens(tmp_path):
     platform = "platform: {heave: {amplitude: 1e-9 m, period: 10 s}, position: {heave: 8 m}}"
     small = small.replace("platform: {heave: {amplitude: 1e-9 m, period: 10 s}}", platform)
     isolated = VALVE[:-1] + ", isolation: {after: 0.1 s, volume: 1.9 m^3}}"
-    with pytest.raises(SimulationError, match="take a smaller volume"):
+    with pytest.raises(SimulationError, match="give a smaller volume"):
         run(
             tmp_path,
             small.replace("MORE", isolated).replace("riser in equilibrium", "riser unstretched"),

@@ -63,7 +63,7 @@ def hard_cases(stability: xr.Dataset) -> Table:
     about = (
         "Each row is a case. Error and estimate refer to the scene as written. For each method: the longest "
         "time step (s) that is accurate to 1 %, and the longest that is stable, on the mesh of the default "
-        "accuracy. A dash means that no tested time step is."
+        "accuracy. A dash means that no tested time step is accurate or stable."
     )
     columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)

@@ -74,7 +74,7 @@ def without_bottles(model: Model, volume: float) -> Model:
         if np.any(now <= volume):
             raise SimulationError(
                 f"disconnect.recoil_valve.isolation: volume is {volume:g} m^3, but a cylinder has only "
-                f"{float(now.min()):.4g} m^3 of gas by then; take a smaller volume"
+                f"{float(now.min()):.4g} m^3 of gas by then; give a smaller volume"
             )
         left = full - volume
         return pressure * (full / now) ** exponent * ((now - volume) / left) ** exponent, left

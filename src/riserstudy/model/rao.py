@@ -121,20 +121,20 @@ def slips(response: Response, gravity: float) -> list[str]:
         ratio = float(np.median([getattr(row, name) for row in rows] / slope))
         if ratio > STEEP:
             sentences.append(
-                f"platform.response.operators: {name} is {ratio:.3g} times the slope of the waves, by its "
-                "median: are the numbers degrees, under a heading that says radians?"
+                f"platform.response.operators: {name} is {ratio:.3g} times the slope of the waves (median): "
+                "are the numbers in degrees, although the column heading states radians?"
             )
     phases = np.abs([getattr(row, f"{name}_phase") for row in rows for name in response.moving])
     largest = float(phases.max())
     if largest > TURNS:
         sentences.append(
-            f"platform.response.operators: phases reach {largest:.4g} rad: are the numbers degrees, under a "
-            "heading that says radians?"
+            f"platform.response.operators: phases reach {largest:.4g} rad: are the numbers "
+            "in degrees, although the column heading states radians?"
         )
     elif 0.0 < largest <= math.radians(math.pi) and len(set(phases.tolist())) > 2:
         sentences.append(
             f"platform.response.operators: no phase is above {math.degrees(largest):.3g} deg: are the "
-            "numbers radians, under a heading that says degrees?"
+            "numbers in radians, although the column heading states degrees?"
         )
     return sentences
 

@@ -46,7 +46,7 @@ def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float
     if abs(residual) > UNEXPLAINED * scale:
         facts["warnings"].append(
             f"energy: the balance does not account for {100 * abs(residual) / scale:.2g} % of the energy "
-            "exchanged; take a finer mesh and a shorter step"
+            "exchanged; use a finer mesh and a shorter time step"
         )
 
 
@@ -84,7 +84,7 @@ def finite(arrays: dict[str, FloatArray]) -> None:
             error = SimulationError if name.endswith("_static") else StepFailed
             raise error(
                 f"{int((~np.isfinite(values)).sum())} values of {name} are infinite or undefined {how}; "
-                "take a smaller step, and check stroke and gas volume"
+                "use a smaller time step, and check stroke and gas volume"
             )
 
 

@@ -43,7 +43,7 @@ def compile_once(notify: Callable[[str], None]) -> None:
             join_markers()
     except OSError as error:  # nothing can be kept: each run compiles what it needs
         notify(
-            f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile anew"
+            f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile again"
         )
 
 

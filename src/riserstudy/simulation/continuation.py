@@ -154,10 +154,10 @@ def _failed(scene: Resolved, mesh: Mesh, failure: NoEquilibrium, reached: float)
     if isinstance(failure, Folded):
         return SimulationError(
             f"the only static equilibrium found{causes} folds the riser back on itself within one segment "
-            f"at {where}: it buckles there for lack of tension; raise the top tension, or take a finer "
+            f"at {where}: it buckles there for lack of tension; raise the top tension, or use a finer "
             f"mesh; {remedy}"
         )
     return SimulationError(
-        f"no static equilibrium found{causes}: forces at {where} do not balance by {failure.residual:.3g} N; "
+        f"no static equilibrium found{causes}: the residual at {where} is {failure.residual:.3g} N; "
         f"{remedy}"
     )

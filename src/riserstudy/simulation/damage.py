@@ -106,8 +106,8 @@ def since(scene: Resolved) -> float:
     start = max(a.output.start or 0.0, scene.built_up, vibration.since(scene) or 0.0)
     if a.duration <= start:
         raise SimulationError(
-            f"fatigue: cycles count from {start:.4g} s on, when all ramps are over, and analysis.duration of "
-            f"{a.duration:.4g} s is over by then. Run longer"
+            f"fatigue: cycles are counted from {start:.4g} s, when all ramps have ended, but the run ends at "
+            f"{a.duration:.4g} s. Give a longer analysis.duration"
         )
     return start
 
@@ -218,7 +218,7 @@ def _lost(often: float, seldom: float) -> float:
 def too_large() -> SimulationError:
     """What is said of a run whose histories at all nodes do not fit into memory."""
     return SimulationError(
-        "fatigue: histories at all nodes do not fit into memory. Take a longer analysis.output.interval, "
+        "fatigue: histories at all nodes do not fit into memory. Give a longer analysis.output.interval, "
         "fewer segments, or several shorter runs with other seeds"
     )
 
@@ -303,8 +303,8 @@ def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
             interval = scene.analysis.output.interval
             needed = interval * math.sqrt(0.5 * CUT_OFF / row["error_of_outputs"])
             raise SimulationError(
-                f"fatigue: outputs every {interval:g} s lose about {100 * row['error_of_outputs']:.0f} % of "
-                f"the damage of {row['detail']!r}. Take an analysis.output.interval of {needed:.2g} s"
+                f"fatigue: outputs every {interval:g} s miss about {100 * row['error_of_outputs']:.0f} % of "
+                f"the damage of {row['detail']!r}. Give an analysis.output.interval of {needed:.2g} s"
             )
 
 

@@ -111,7 +111,7 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         if left_out > STIFFENING:
             facts["warnings"].append(
                 f"top.z is held: bending would change the top tension by about {100 * left_out:.2g} %, "
-                "which the Hermite beam leaves out; take lumped masses"
+                "which the Hermite beam does not include; use lumped masses"
             )
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)

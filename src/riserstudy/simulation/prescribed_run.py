@@ -55,7 +55,7 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
         result.facts["error_estimate"] = error_of(seen.values(), of_two_runs(sampling))
     else:
         result.facts["warnings"].append(
-            "no error estimate: the coarser run, which it needs, failed"
+            "the error is not estimated, because the coarser run for the estimate failed"
         )
     return result
 

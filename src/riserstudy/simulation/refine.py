@@ -340,7 +340,7 @@ class Refinement:
             mesh = self.meshes[-1 - k] if way == "mesh" else self.mesh
             step = self.step * 2**k if way == "step" and self.step else self.step
             self.watch.begin(
-                f"run {len(self.spent) + 1}, to look again: {size(len(mesh.l0), step)}"
+                f"run {len(self.spent) + 1}, to check the error again: {size(len(mesh.l0), step)}"
             )
             try:
                 scene = thinned(self.scene, step)[0]

@@ -47,7 +47,7 @@ def check_error(result: Result, scene: Resolved) -> None:
         return
     doubt = (
         f"the estimated error is larger than the result: {in_words(error)}, on "
-        f"{size(result.facts['elements'], result.facts.get('step'))}; take a finer mesh and a shorter step, "
+        f"{size(result.facts['elements'], result.facts.get('step'))}; use a finer mesh and a shorter time step, "
         "or omit both, and the program chooses them"
     )
     if scene.analysis.mesh is None:

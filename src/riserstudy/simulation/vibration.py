@@ -45,8 +45,8 @@ def since(scene: Resolved) -> float | None:
     start = built_up + (1.0 - LATER) * (duration - built_up)
     if duration <= built_up:
         raise SimulationError(
-            f"riser.viv: ramps end at {built_up:.4g} s, and analysis.duration of {duration:.4g} s is over by "
-            "then. Run longer, or give riser.viv.ramp"
+            f"riser.viv: ramps end at {built_up:.4g} s, but the run ends at {duration:.4g} s. Give a "
+            "longer analysis.duration, or a shorter riser.viv.ramp"
         )
     return start
 
@@ -64,8 +64,8 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     period, interval = shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
     if step > period / STEPS:
         facts["warnings"].append(
-            f"riser.viv: the step is too long, only {period / step:.3g} steps per shortest shedding period "
-            f"of {period:.3g} s; take a step of {period / (2 * STEPS):.2g} s"
+            f"riser.viv: the time step is too long, with only {period / step:.3g} steps per shortest shedding period "
+            f"of {period:.3g} s; use a time step of {period / (2 * STEPS):.2g} s"
         )
     late = arrays["time"] >= start
     if int(late.sum()) < FEWEST:
@@ -96,7 +96,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
         return
     facts["warnings"].append(
         f"riser.viv: outputs every {interval:.3g} s cannot resolve the shortest shedding period of "
-        f"{period:.3g} s, so no frequency is computed; take analysis.output.interval of "
+        f"{period:.3g} s, so no frequency is computed; give an analysis.output.interval of "
         f"{period / OUTPUTS:.2g} s"
     )
 
