@@ -181,7 +181,7 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
     [
         ("hs,tp (s),share (%)\n1,8,10\n", "no unit"),
         ("hs (kg),tp (s),share (%)\n1,8,10\n", "another dimension"),
-        ("hs (m),tp (s)\n1,8\n", "says nowhere how often"),
+        ("hs (m),tp (s)\n1,8\n", "does not state how often sea states occur"),
         ("hs (m),tp (s),share\n1,8,10\n", "unit ''"),
         ("hs (m),tp (s),share (%),count\n1,8,10,1\n", "a second column"),
         ("hs (m),wind (m/s),share (%)\n1,8,10\n", "no axis of the study"),

@@ -206,7 +206,7 @@ def test_spectra_of_sources_become_heights_periods_and_directions(tmp_path, made
             "dir: a direction that says",
         ),
         (lambda d: d.rename(valid_time="step"), Place(60.0, 2.0), "no times"),
-        (lambda d: d.rename(pp1d="mp2", mp2="pp1d"), Place(60.0, 2.0), "one stands for the other"),
+        (lambda d: d.rename(pp1d="mp2", mp2="pp1d"), Place(60.0, 2.0), "the two are interchanged"),
     ],
 )
 def test_what_is_not_clear_is_refused(tmp_path, change, near, told):

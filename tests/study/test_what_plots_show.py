@@ -42,7 +42,7 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING, scene=SCENE
         ("lines", "platform_surge", None, "whose scene has no vessel"),
         ("time series", "x_max", None, "'x_max' has no history"),
         ("time series", "shear_force", None, "'shear_force' has no history"),
-        ("time series", "largest_bending_moment", None, "is one number a point"),
+        ("time series", "largest_bending_moment", None, "is a single number per point"),
         ("envelope", "lfj_angle", None, "has no values along the riser"),
         ("envelope", "bending_moment", ["bending_moment"], "is not kept"),
         ("envelope", "x_min", ["x_max"], "'x_min' is not kept"),

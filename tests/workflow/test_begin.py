@@ -104,7 +104,7 @@ def test_results_that_nobody_asks_for_go_and_what_users_made_stays(results):
     mine.write_bytes(b"mine")
     _, dropped, _ = results
     told = start([results[0], results[2]])
-    assert told == ([], [f"{dropped} is no longer asked for, and removed"])
+    assert told == ([], [f"{dropped} is no longer needed, and removed"])
     assert not dropped.exists()
     assert mine.exists()
 

@@ -169,7 +169,7 @@ def test_an_edit_is_seen_whatever_became_of_the_records(folder, how):
     assert "a run mends it" in snakemake(folder, "-n")[1]
     status, said = snakemake(folder)
     assert status == 0, said
-    assert "damaged, and what its job made is made anew" in said
+    assert "damaged; the files of its job are made again" in said
     assert (folder / "results/paper/a.nc").read_text() == "other"
     assert "Nothing to be done" in snakemake(folder)[1]
 
@@ -184,7 +184,7 @@ def test_inputs_and_results_of_tomorrow_stop_no_run(folder):
     (folder / "results/paper/a.nc").unlink()
     status, said = snakemake(folder)
     assert status == 0, said
-    assert "config/a.yaml is from the future, and dated today" in said
+    assert "config/a.yaml is dated in the future; its date is set to today" in said
     assert (folder / "results/paper/a.nc").read_text() == "config/a.yaml"
     assert "Nothing to be done" in snakemake(folder)[1]
 

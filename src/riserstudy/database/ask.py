@@ -84,7 +84,7 @@ def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
             yield db
     except sqlite3.DatabaseError as error:
         found = f"damaged, or no results database ({_reason(error)})"
-        raise InputError(path, "", found, "delete it; the next run makes it anew") from None
+        raise InputError(path, "", found, "delete it; the next run makes it again") from None
 
 
 def _reason(error: Exception) -> str:
@@ -116,7 +116,7 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     except sqlite3.DatabaseError as error:
         if getattr(error, "sqlite_errorname", "") != "SQLITE_AUTH":
             raise
-        raise InputError(where, "", "more than reading", allowed) from None
+        raise InputError(where, "", "a statement that does more than read", allowed) from None
     except (sqlite3.Warning, ValueError, OverflowError) as error:
         raise InputError(where, "", str(error), allowed) from None
     if cursor.description is None:

@@ -139,7 +139,7 @@ def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr
     import xarray as xr
 
     if not path.is_file():
-        raise InputError(path, "", "no dataset", "the next run makes it anew")
+        raise InputError(path, "", "no dataset", "the next run makes it again")
     with xr.open_dataset(path, engine="netcdf4") as dataset:
         axes = dataset["point_key"].dims
         if not axes:

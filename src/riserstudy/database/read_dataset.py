@@ -97,7 +97,7 @@ def read_dataset(path: Path) -> Contents:
             return Contents(attributes, grids)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
         found = f"no whole dataset ({error})"
-        raise InputError(path, "", found, "delete it; the next run makes it anew") from None
+        raise InputError(path, "", found, "delete it; the next run makes it again") from None
 
 
 def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:

@@ -49,7 +49,7 @@ def verify(database: Path) -> Verified:
     keys = [key for key in keys if _KEY.fullmatch(key)]
     damaged = [key for key in keys if store.has(key) and store.about(key) is None]
     wrong += [
-        f"point {key}: damaged; the next run that needs it simulates it anew" for key in damaged
+        f"point {key}: damaged; the next run that needs it simulates it again" for key in damaged
     ]
     gone = sum(not store.has(key) for key in keys)
     return Verified(len(files), len(keys), wrong, gone)
@@ -61,7 +61,7 @@ def _itself(database: Path) -> Iterator[str]:
     if seal.exists():
         digest = seal.read_text("utf-8").partition(" ")[0]
         if digest_of(database) != digest:
-            yield f"{database}: not what it was when it was made; the next run makes it anew"
+            yield f"{database}: changed since it was made; the next run makes it again"
 
 
 def _files(folder: Path, files: dict[str, str]) -> Iterator[str]:
@@ -72,7 +72,7 @@ def _files(folder: Path, files: dict[str, str]) -> Iterator[str]:
             yield f"{folder / path}: {error.found}"
             continue
         if not same:
-            yield f"{folder / path}: not what it was when the database was made"
+            yield f"{folder / path}: changed since the database was made"
     parts = [Path(path).parts for path in files]
     papers = {ways[0] for ways in parts if len(ways) == 2} - {"..", "/"}
     for file in sorted(file for paper in papers for file in (folder / paper).glob("*")):

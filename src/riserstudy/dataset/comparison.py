@@ -112,7 +112,7 @@ def compared(
 def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column: Column) -> Pair:
     title, (name, place, unit, size) = column.title, column.heading
     if name in OTHERWISE:
-        raise InputError(path, title, "is defined otherwise than in a run", OTHERWISE[name])
+        raise InputError(path, title, "is defined differently in a run", OTHERWISE[name])
     wall = name.startswith(WALL)
     name = name.replace(WALL, EFFECTIVE, 1) if wall else name
     dim = _dim(run, path, axis, title, name)
@@ -122,7 +122,7 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
         notes += [f"the run is interpolated {between}"] if between else []
     if ours.ndim != 1:
         found = f"{name} is over {', '.join(map(str, ours.dims))}"
-        raise InputError(path, title, found, f"say where: `{name} at 300 m ({unit})`")
+        raise InputError(path, title, found, f"give the place: `{name} at 300 m ({unit})`")
     stored = str(run[name].attrs.get("units", "1"))
     along, theirs = column.along, in_si(path, title, column.values, unit, stored)
     inside, known = _inside(along, run[dim].values.astype(float), notes, axis)
@@ -168,7 +168,7 @@ def _sized(run: xr.Dataset, name: str) -> tuple[xr.DataArray, list[str]]:
     else:
         values = abs(run[name])
     return values.assign_attrs(run[name].attrs), [
-        "the file has its size: the run's is taken so too"
+        "the file has magnitudes, so the magnitude of the run is used"
     ]
 
 

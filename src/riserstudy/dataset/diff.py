@@ -93,7 +93,7 @@ def _rows(path: Path) -> dict[str, dict[str, str]]:
         with table.open(newline="", encoding="utf-8") as stream:
             return {f"{row['paper']}/{row['id']}": row for row in csv.DictReader(stream)}
     except (OSError, UnicodeDecodeError, csv.Error, KeyError):
-        raise InputError(table, "", "no table of graded numbers", "make it anew") from None
+        raise InputError(table, "", "no table of graded numbers", "make it again") from None
 
 
 def _datasets(path: Path) -> dict[str, Path]:
@@ -167,7 +167,7 @@ def opened(path: Path) -> xr.Dataset:
         return xr.load_dataset(path, engine="netcdf4", decode_times=False)
     except (OSError, ValueError, RuntimeError):
         scene = path.suffix in (".yaml", ".yml")
-        how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it anew"
+        how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it again"
         raise InputError(path, "", "no dataset", how) from None
 
 
@@ -185,7 +185,7 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
     if not np.array_equal(a_there, b_there):
         return Varied(name, variable, float("inf"), "defined elsewhere")
     if not np.array_equal(a[~a_there], b[~b_there], equal_nan=True):
-        return Varied(name, variable, float("inf"), "infinite, or no number, where it was another")
+        return Varied(name, variable, float("inf"), "infinite or undefined, unlike before")
     a, b = a[a_there], b[b_there]
     scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
     return Varied(name, variable, float(np.abs(a - b).max() / scale) if scale else 0.0)

@@ -151,5 +151,5 @@ def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
 
 def _damaged(labelled: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
     """What is said of a dataset that no simulation wrote like this."""
-    allowed = "the file is damaged, or not of this program; run its scene again"
+    allowed = "the file is damaged, or riserstudy did not write it; run its scene again"
     return InputError(_name(labelled), name, found, allowed)

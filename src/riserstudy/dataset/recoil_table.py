@@ -58,7 +58,13 @@ def _free(of: dict[str, Any]) -> bool:
 
 def _clearance(of: dict[str, Any]) -> list[Cell]:
     if "clearance_min" not in of:
-        return ["smallest clearance", None, "m", None, "not evaluated: the LMRP rises to the end"]
+        return [
+            "smallest clearance",
+            None,
+            "m",
+            None,
+            "not evaluated: the LMRP still rises at the end of the run",
+        ]
     return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], ""]
 
 

@@ -65,7 +65,7 @@ class Walls:
         force = self._force(np.array([place]))[..., 0]
         if np.isnan(force).any():
             raise self._refused(
-                f"walls of two sections meet at {place:g} m", "say a place beside it, 1 mm away"
+                f"walls of two sections meet at {place:g} m", "give a place 1 mm away"
             )
         if self._time is not None:
             force = np.interp(time, self._time, force)
@@ -107,7 +107,9 @@ class Walls:
         near = SAME * self._ends[-1]
         if min(needed) < self._s[0] - near or max(needed) > self._s[-1] + near:
             found = f"the run has elevations from {self._s[0]:g} to {self._s[-1]:g} m alone"
-            allowed = "run it with stations at the ends of its contents, or say effective_tension"
+            allowed = (
+                "run it with stations at the ends of its contents, or compare effective_tension"
+            )
             raise self._refused(found, allowed)
         z = np.apply_along_axis(lambda one: np.interp(stations, self._s, one), -1, self._z)
         at = np.searchsorted(stations, self._ends)

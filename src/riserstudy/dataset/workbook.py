@@ -22,7 +22,7 @@ def lacks_library(target: Path) -> InputError | None:
         return None
     allowed = "install it with `pip install 'riserstudy[workbook]'`, or write .csv"
     return InputError(
-        "--output", str(target), "workbooks need openpyxl, which is not here", allowed
+        "--output", str(target), "workbooks need openpyxl, which is not installed", allowed
     )
 
 

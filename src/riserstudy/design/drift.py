@@ -51,7 +51,7 @@ def drift(hull: Hull, force: float, current: float, times: ArrayLike) -> Drift:
         When force or current point the other way.
     """
     if force < 0.0 or current < 0.0:
-        raise ValueError("force and current: must be 0 or above, both the same way")
+        raise ValueError("force and current must be 0 or above and have the same direction")
     t = np.asarray(times, float)
     if force == 0.0:
         lag = 1.0 + current * hull.drag / hull.mass * t

@@ -126,7 +126,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     elif isinstance(profile, list):
         own = max(profile, key=lambda point: -(point.depth or 0.0) + (point.elevation or 0.0)).speed
         if own == 0.0:
-            raise InputError("current.profile", "0 m/s", "still at the surface", allowed)
+            raise InputError("current.profile", "0 m/s", "no current at the surface", allowed)
         changed = [
             point.model_copy(update={"speed": point.speed * speed / own}) for point in profile
         ]

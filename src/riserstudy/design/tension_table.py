@@ -78,7 +78,7 @@ def _engine(scene: Resolved, request: TensionRequest) -> Found:
     if missing := engine.lacks(scene):
         return Found("engine", None, ", ".join(missing))
     slack = engine.needed(scene, request.tolerances)
-    note = f"slack first {slack.s:.4g} m from the bottom"
+    note = f"effective tension becomes negative first {slack.s:.4g} m from the bottom"
     if scene.top.tensioners:
         note += "; constant tension on the ring in place of the tensioners"
     return Found("engine", slack.tension, note)

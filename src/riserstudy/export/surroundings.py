@@ -107,7 +107,9 @@ def _waves(deck: Deck) -> dict[str, Any]:
             f"wave.{n}" for n in ("significant_height", "peak_period", "peak_enhancement")
         }
         deck.carried |= {"wave.components", "wave.seed"}
-        deck.otherwise["wave.seed"] = "the record of the deck is another: it draws its own phases"
+        deck.otherwise["wave.seed"] = (
+            "the deck has another sea record, since its program draws other phases"
+        )
         train |= {
             "WaveType": "JONSWAP", "WaveJONSWAPParameters": "Partially specified",
             "WaveHs": wave.significant_height, "WaveTp": wave.peak_period,

@@ -211,7 +211,8 @@ def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) 
     law, nothing = _law(deck, rig, length), _rows(np.array([-REACH, REACH]) + length, np.zeros(2))
     if rig.mid_stroke == "riser in equilibrium":
         deck.otherwise["top.tensioners.mid_stroke"] = (
-            "links have their lengths at rest; who reads the deck counts reach from the unstretched riser, "
+            "links have their lengths at rest; programs that read the deck measure extension from the "
+            "unstretched riser, "
             f"{rest.unstretched - zero:+.4g} m off"
         )
     for c, bearing in enumerate(bearings):

@@ -62,7 +62,7 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
         name, unit = _head(path, text)
         if name in WEIGHTS:
             if weight is not None:
-                raise InputError(path, name, "a second column that says how often", "give one")
+                raise InputError(path, name, "a second column that states how often", "give one")
             if unit != WEIGHTS[name]:
                 allowed = f"allowed is {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
                 raise InputError(path, name, f"unit {unit!r}", allowed)
@@ -73,7 +73,12 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
         else:
             factors[k] = axis, _factor(path, text, unit, study[axis].attrs.get("units", ""))
     if weight is None:
-        raise InputError(path, "", "says nowhere how often", "add share (%), time (h) or count")
+        raise InputError(
+            path,
+            "",
+            "does not state how often sea states occur",
+            "add share (%), time (h) or count",
+        )
     columns: dict[str, list[float]] = {axis: [] for axis, _ in factors.values()}
     often = []
     for number, row in enumerate(rows[1:], start=2):
@@ -143,7 +148,7 @@ def _head(path: Path, text: str) -> tuple[str, str]:
 def _factor(path: Path, text: str, unit: str, of_axis: str) -> float:
     """What one of a column's unit is in that of an axis, which is CF's."""
     if not unit:
-        allowed = f"allowed is a unit behind the name, as in '{text.strip()} ({of_axis})'"
+        allowed = f"allowed is a unit after the name, as in '{text.strip()} ({of_axis})'"
         raise InputError(path, text.strip(), "no unit", allowed)
     try:
         return to_si(f"1 {unit}", _plain(of_axis))

@@ -78,7 +78,7 @@ def from_wamit(path: Path, length: float) -> Operators:
     if not values:
         raise InputError(path, "", "no motions", "allowed are the modes 1 to 6 at periods above 0")
     if len(values) < sum(row.mode <= 6 for row in waves):
-        raise InputError(path, "", "a line stands twice", "allowed is one for each wave and mode")
+        raise InputError(path, "", "a line occurs twice", "allowed is one for each wave and mode")
     headings = sorted({heading for heading, _, _ in values})
     periods = sorted({period for _, period, _ in values})
     modes = sorted({mode for *_, mode in values})

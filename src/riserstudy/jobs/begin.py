@@ -48,18 +48,18 @@ def begin(
         return [], []
     wanted = frozenset(outputs)
     damaged = seals.damaged(sorted(wanted))
-    lines = _listed(damaged, "not as written, and made anew when asked for")
+    lines = _listed(damaged, "changed since it was written; it is made again when needed")
     anew = [file.as_posix() for file in damaged]
     records = mend.unreadable(SNAKEMAKE)
     if not at_work:
         return anew, lines + _listed(
             records, "damaged, and Snakemake may stop at it; a run mends it"
         )
-    lines += _listed(records, "damaged, and what its job made is made anew when asked for")
+    lines += _listed(records, "damaged; the files of its job are made again when needed")
     lines += _dated()
     lines += _other_tier(tier)
     dropped = list(seals.dropped(papers, wanted))
-    lines += _listed(dropped, "no longer asked for, and removed")
+    lines += _listed(dropped, "no longer needed, and removed")
     try:
         anew += mend.drop(records, SNAKEMAKE)
         _remove(dropped)
@@ -83,7 +83,7 @@ def _dated() -> list[str]:
     """Date today what is from the future, and say what."""
     files = [path for folder in DATED for path in sorted(folder.rglob("*"))]
     dated, refused = mend.date_today([*files, *marker().parent.glob(f"{marker().name}*")])
-    lines = _listed(dated, "from the future, and dated today")
+    lines = _listed(dated, "dated in the future; its date is set to today")
     return lines + _listed(
         refused, "from the future, and cannot be dated today: what reads it fails"
     )

@@ -108,7 +108,7 @@ class Configuration:
                     path,
                     f"figures.{name}",
                     f"as a target {rule!r} it is {other}, too",
-                    "name one of them anew",
+                    "give one of them another name",
                 )
             taken[rule] = label
 

@@ -114,19 +114,19 @@ def head(where: str, text: str) -> Head:
     Raises
     ------
     InputError
-        When it could be several things, or gives no unit of its dimension.
+        When it is ambiguous, or gives no unit of its dimension.
     """
     match = _HEAD.fullmatch(text)
     name, unit = (match["name"], match["unit"].strip()) if match else (text, "")
     key = plain(name)
     if key in UNSURE:
-        raise InputError(where, text.strip(), "could be several things", f"say {UNSURE[key]}")
+        raise InputError(where, text.strip(), "is ambiguous", f"say {UNSURE[key]}")
     turned = key in GOES_TO
     quantity = NAMES["wave_from_direction"] if turned else NAMES.get(key)
     if quantity is None or key == "time":
         return Head(None, key, 1.0, unit)
     if not unit:
-        allowed = f"allowed is a unit behind the name, as in '{quantity.name} ({quantity.unit})'"
+        allowed = f"allowed is a unit after the name, as in '{quantity.name} ({quantity.unit})'"
         raise InputError(where, text.strip(), "no unit", allowed)
     if quantity.unit == "deg":
         if plain(unit) not in ("deg", "degree", "degrees", "degt", "deg_true", "degree_true"):

@@ -68,7 +68,7 @@ def cover(
     """
     draw = np.random.default_rng(seed)
     known = first(of)
-    notify(f"{len(known)} sea states that hold the record between them")
+    notify(f"{len(known)} sea states that enclose the record")
     responses = run(of.states[known])
     while True:
         surface = Surface(of.states[known], responses)

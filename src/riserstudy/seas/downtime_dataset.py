@@ -49,7 +49,7 @@ def summarise(
             f"by up to {off:.1%}"
         )
     if riser.seeds == 1:
-        lines.append("what other seeds would bring is not known, and in no band")
+        lines.append("the effect of other seeds is unknown and in no band")
     if FROM in record and not directed:
         lines.append(
             "directions of the record are not used: all seas come from the scene's heading"
@@ -59,14 +59,16 @@ def summarise(
         off = max(float(one.error.max()) for one in middles)
         lines.append(f"at {count} half-way between headings it is off by up to {off:.1%}")
     elif directed:
-        lines.append("each row has the nearest heading; what lies between headings is in no band")
+        lines.append(
+            "each row has the nearest heading; the effect of headings in between is in no band"
+        )
     risers = [*(part.riser for part in parts), *(middle.riser for middle in middles)]
     failures = [one for of in risers for one in of.failures.items()]
     for (height, period), why in failures[:3]:
         lines.append(f"no result in {height:g} m, {period:g} s: {why}")
     if hours.unknown:
         lines.append(
-            f"{hours.unknown:.2%} of the rows lie beside such seas, and count as not workable"
+            f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable"
         )
     return lines
 

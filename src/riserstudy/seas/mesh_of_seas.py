@@ -102,7 +102,7 @@ def mesh_of_seas(
             f"{found.words}: demands differ by up to {found.error.max():.2%} from those by accuracy"
         )
         return found
-    notify("no coarser mesh leaves demands as they are: each run finds its own")
+    notify("no coarser mesh gives the same demands, so each run finds its own mesh")
     return None
 
 

@@ -142,7 +142,7 @@ def _by_name(path: Path, name: str, standard: str) -> Column | None:
     if key in UNSURE:
         allowed = f"give it the standard_name {COMES_FROM} or {GOES_TO}"
         raise InputError(
-            path, name, "a direction that says not whether waves come from it", allowed
+            path, name, "a direction that does not state whether waves come from it", allowed
         )
     if key == "fp":
         return NAMES["peak_period"]
@@ -169,7 +169,7 @@ def _from_where(
         raise InputError(path, name, f"unit {unit!r}", "allowed is degree or radian")
     turn = 180.0 if standard == GOES_TO else 0.0
     note = [f"from {unit}"] if unit != "deg" else []
-    note += ["by half a turn from where waves go to"] if turn else []
+    note += ["turned by 180 deg from the direction in which waves travel"] if turn else []
     degrees = numbers * factors[unit]
     # what is no bearing stays as it is, for its row to be named
     bearings = np.where(np.abs(degrees) <= 360.0, (degrees + turn) % 360.0, degrees)

@@ -186,7 +186,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         if one.quantity and one.factor != 1.0
     ]
     notes += [
-        f"wave_from_direction by half a turn from {one.heading}" for one in heads if one.turned
+        f"wave_from_direction turned by 180 deg from {one.heading}" for one in heads if one.turned
     ]
     notes += [f"left out: {', '.join(left)}"] if left else []
     return pd.DataFrame(columns).set_index("time"), "; ".join(notes)
@@ -249,7 +249,7 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
         found = "most are shorter than the zero-crossing periods of their rows"
-        raise InputError(path, "peak_period", found, "see whether one stands for the other")
+        raise InputError(path, "peak_period", found, "check whether the two are interchanged")
     for one in COLUMNS:
         if one.name not in frame:
             continue

@@ -51,7 +51,7 @@ class RiserResponse:
 
     def __post_init__(self) -> None:
         if not self.limits:
-            raise InputError(self.file.source, "limits", "none", "give what the riser may do")
+            raise InputError(self.file.source, "limits", "none", "give the limits of the riser")
         phases_of(self.file, 1)  # refuses a scene without a sea or a time
         if not 0.0 < self.exposure <= self.interval:
             found = f"{self.exposure:g} s after the ramps, the record has a row each {self.interval:g} s"

@@ -151,7 +151,7 @@ class StudyModel(Strict):
             for path in first:
                 if any(meets(path, own) for own in second):
                     found = f"sets {path!r}, and so does axis {one!r}"
-                    raise Misfit(f"axes.{other}", found, "allowed is a path of its own")
+                    raise Misfit(f"axes.{other}", found, "give each axis a different path")
         self._keep_apart()
         return self
 
@@ -284,9 +284,9 @@ class StudyFile(Strict):
             found = f"no study {self.in_motion.study!r}"
             yield Misfit("in_motion.study", found, _among(self.studies))
         for name in sorted(set(self.schematics) & set(self.figures)):
-            yield Misfit(f"schematics.{name}", "a figure of that name", "name it anew")
+            yield Misfit(f"schematics.{name}", "a figure of that name", "give it another name")
         for name in sorted(n for n in set(self.datasets) if self.datasets.count(n) > 1):
-            yield Misfit(name, "the name of two datasets", "name one of them anew")
+            yield Misfit(name, "the name of two datasets", "give one of them another name")
         known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):

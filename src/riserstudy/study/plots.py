@@ -77,7 +77,9 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
     over_grid = plot in ("lines", "heat map")
     if of_points(quantity):
         return (
-            None if over_grid else Reason(f"is one number a point, which {_a(plot)} does not show")
+            None
+            if over_grid
+            else Reason(f"is a single number per point, which {_a(plot)} does not show")
         )
     if plot == "envelope" and stem not in ALONG:
         return Reason("has no values along the riser", f"allowed are {', '.join(ALONG)}")

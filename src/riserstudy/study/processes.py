@@ -55,8 +55,8 @@ def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator
                 yield from pool.map(_do, range(first, min(first + AT_ONCE, len(items))))
         except BrokenProcessPool:
             raise SimulationError(
-                "a process was killed, by the system for want of memory perhaps; "
-                "run it again: what was done is kept"
+                "a process was killed, possibly by the system for lack of memory; "
+                "run it again: completed points are kept"
             ) from None
 
 

@@ -76,7 +76,9 @@ class QuickTuner(Tuner):
             if work < least:
                 best, least = found, work
         if best is None:
-            raise SimulationError(f"{self.study.where}: no setting takes less than requests")
+            raise SimulationError(
+                f"{self.study.where}: no setting is cheaper than requesting the accuracy at each point"
+            )
         return best
 
     def estimated(self, setting: Setting, index: Index) -> float:
@@ -132,7 +134,9 @@ def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tune
         errors = {}
     work = tuner.work(setting, [place]) if not left else math.inf
     if work >= place.work_of_request:
-        raise SimulationError(f"{study.where}: no setting takes less than requests")
+        raise SimulationError(
+            f"{study.where}: no setting is cheaper than requesting the accuracy at each point"
+        )
     return Tuned(
         accuracy=tuner.words,
         setting=setting,

@@ -93,7 +93,7 @@ class SeasStudy:
             phases_of(file, 1)  # refuses a scene without a sea or a time
             if not file.resolved().limits:
                 raise InputError(
-                    self.settings.where, "limits", "none", "give what the riser may do"
+                    self.settings.where, "limits", "none", "give the limits of the riser"
                 )
 
     @cached_property

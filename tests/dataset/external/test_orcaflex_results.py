@@ -72,7 +72,7 @@ def test_the_variable_of_a_range_graph_may_stand_above_it(tmp_path):
                  0.0 * S, sizes.max(axis=0), above=above)  # fmt: skip
     found = compared(run(), path, end_a="bottom")
     assert all(difference(pair).rms < 1e-2 for pair in found.pairs)
-    assert all("the file has its size" in pair.notes[0] for pair in found.pairs)
+    assert all("the file has magnitudes" in pair.notes[0] for pair in found.pairs)
 
 
 @pytest.mark.parametrize(

@@ -105,11 +105,11 @@ def heading_of(
     if not found:
         return None
     if len({(m["name"].lower(), m["unit"]) for m in found}) > 1:
-        allowed = "say which with --column"
+        allowed = "name the variable with --column"
         raise InputError(path, title, "several variables stand above the headings", allowed)
     name = found[0]["name"].lower()
     if name in OTHERWISE:
-        raise InputError(path, title, "is defined otherwise than in a run", OTHERWISE[name])
+        raise InputError(path, title, "is defined differently in a run", OTHERWISE[name])
     ours, size = VARIABLES[name]
     after = found[0]["after"] or ""
     suffix = STATISTICS.get(re.sub(r"[^a-z]+", " ", after.lower()).strip(), statistic)
@@ -126,7 +126,7 @@ def _place(path: Path, title: str, after: str, end: EndA | None, length: float) 
         return None
     found = _PLACE.fullmatch(after)
     if not found:
-        allowed = f"say where with --column '{title}=effective_tension at 300 m (kN)'"
+        allowed = f"give the place with --column '{title}=effective_tension at 300 m (kN)'"
         raise InputError(path, title, f"{after.strip()!r} is no place on a line", allowed)
     if end is None:
         raise InputError(
@@ -137,6 +137,6 @@ def _place(path: Path, title: str, after: str, end: EndA | None, length: float) 
     if found["end"].lower() == "end a":
         return end.s
     if end.s not in (0.0, length):
-        allowed = "say where with --column"
+        allowed = "give the place with --column"
         raise InputError(path, title, "end B of a line that is a part of the riser", allowed)
     return length - end.s

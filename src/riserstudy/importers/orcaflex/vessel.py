@@ -71,7 +71,7 @@ def _answers(vessel: Part) -> bool:
     reported = vessel.optional("SuperimposedMotion")
     motion = vessel.optional("PrimaryMotion")
     if motion not in (None, "None", "Prescribed"):
-        allowed = "allowed are None, Prescribed: a platform of a scene moves as it is told"
+        allowed = "allowed are None, Prescribed: the motion of a scene's platform is prescribed"
         vessel.note(vessel.refused("PrimaryMotion", str(motion), allowed))
     return reported is None or "RAO" in str(reported)
 
