@@ -47,8 +47,8 @@ def check_error(result: Result, scene: Resolved) -> None:
         return
     doubt = (
         f"the estimated error is larger than the result: {in_words(error)}, on "
-        f"{size(result.facts['elements'], result.facts.get('step'))}; use a finer mesh and a shorter time step, "
-        "or omit both, and the program chooses them"
+        f"{size(result.facts['elements'], result.facts.get('step'))}; use a finer mesh and a shorter time "
+        "step, or omit both, and the program chooses them"
     )
     if scene.analysis.mesh is None:
         raise SimulationError(doubt)

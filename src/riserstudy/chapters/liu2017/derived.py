@@ -145,7 +145,7 @@ def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
         "gain": to_si(vessel["thrusters"]["gain"], "kN/m"),
         "hull_drag": to_si(vessel["hull_drag"], "kN*s^2/m^2"),
     }
-    return described(dataset, PAPER, "fits to the one printed number").assign_attrs(fit)
+    return described(dataset, PAPER, "fits to the single printed number").assign_attrs(fit)
 
 
 # limits
@@ -171,7 +171,7 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
             "disconnect_time": first,
         }
     ).assign(red_and_yellow(first, offset, eds_times, preparing))
-    return with_flags(described(dataset, PAPER, "point of disconnect and watch circles"))
+    return with_flags(described(dataset, PAPER, "offsets of disconnect and watch circles"))
 
 
 def lag(late: xr.Dataset) -> xr.Dataset:
@@ -185,7 +185,7 @@ def lag(late: xr.Dataset) -> xr.Dataset:
     )
     bottom = begins.sel(limit=list(BOTTOM)).min("limit")
     dataset["lag"] = bottom - begins.sel(limit="upper flex joint", drop=True)
-    return described(dataset, PAPER, "what makes the bottom respond late")
+    return described(dataset, PAPER, "causes of the late response of the bottom")
 
 
 def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:

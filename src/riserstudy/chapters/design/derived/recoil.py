@@ -45,7 +45,7 @@ def recoil_failures_outcome(recoil_failures: xr.Dataset) -> xr.Dataset:
     ----------
     recoil_failures : disconnects over ``phase``, ``units``, ``valve_left_open`` and ``gas_pressure``.
     """
-    return described(_judged(recoil_failures), PAPER, "disconnects with failures")
+    return described(_judged(recoil_failures), PAPER, "emergency disconnects with failed parts")
 
 
 def _others(of: xr.DataArray) -> list[dict[str, int]]:

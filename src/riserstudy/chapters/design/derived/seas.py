@@ -21,7 +21,7 @@ def allowances(seas: xr.Dataset) -> xr.Dataset:
     The largest of each seed, less the value at rest, follows a Gumbel distribution.
     """
     made = xr.Dataset({f"{name}_allowance": _fractile(each) for name, each in _added(seas).items()})
-    return described(made, PAPER, "what irregular seas add to the riser at rest")
+    return described(made, PAPER, "dynamic allowances from irregular seas")
 
 
 def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.Dataset:
@@ -55,7 +55,7 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
         coords=coords | {"limit": labels, "offset_side": list(SIDES)},
     )
     made = xr.Dataset({"offset_of_limit": limits_of}).merge(envelopes(limits_of))
-    made = described(made, PAPER, "offsets at which limits are reached, by the sea")
+    made = described(made, PAPER, "offsets at which limits are reached, for several seas")
     return made.assign_attrs(reach=to_si(reach, "m"))
 
 

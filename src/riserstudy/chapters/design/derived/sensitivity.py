@@ -45,7 +45,7 @@ def sensitivity(
         },
         {over: list(gaps)},
     )
-    return described(made, PAPER, "what the assumed inputs do")
+    return described(made, PAPER, "effect of the assumed inputs")
 
 
 def _gap(scene: Resolved, settings: dict[str, Any]) -> float:

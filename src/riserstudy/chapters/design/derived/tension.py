@@ -1,4 +1,4 @@
-"""Design, tension: minimum tension by formula and engine, and the window of the setting."""
+"""Design, tension: minimum top tension by formula and by simulation, and the window of the setting."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Data
     )
     made["carrying_tension_engine"] = ("mud_weight", np.array(by_engine))
     made["slack_s"] = ("mud_weight", np.array(at))
-    return described(made, PAPER, "minimum tension by formula and engine")
+    return described(made, PAPER, "minimum top tension by formula and by simulation")
 
 
 def tension_window(muds: xr.Dataset, failed: list[int], **settings: Any) -> xr.Dataset:

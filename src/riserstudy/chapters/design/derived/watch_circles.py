@@ -60,4 +60,4 @@ def watch_circles(
     first = first_crossing(offset - limit, 0.0)
     made = xr.Dataset({"limit_offset": limit, "disconnect_time": first})
     made = made.assign(red_and_yellow(first, offset, eds_times, preparing))
-    return with_flags(described(made, PAPER, "watch circles of a vessel adrift"))
+    return with_flags(described(made, PAPER, "watch circles of a vessel without thrust"))

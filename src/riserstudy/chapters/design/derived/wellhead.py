@@ -51,7 +51,7 @@ def wellhead_fatigue(wellhead: xr.Dataset, wellhead_mesh: xr.Dataset) -> xr.Data
         {"sample": wellhead["sample"].values, "varied_input": np.array([*given])[order]},
     )
     made = made.assign(sampled(wellhead))
-    return described(made, PAPER, "what explains the fatigue of a conductor")
+    return described(made, PAPER, "fatigue of a conductor, and the inputs that explain it")
 
 
 def _columns(values: NDArray[np.generic]) -> FloatArray:
