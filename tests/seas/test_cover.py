@@ -107,7 +107,7 @@ def test_beyond_the_sea_states_that_were_simulated_there_is_no_number():
 
 def test_too_few_sea_states_and_those_on_a_line_are_refused(record):
     of = sea_states(record)
-    with pytest.raises(SimulationError, match="request a larger error"):
+    with pytest.raises(SimulationError, match="use a larger tolerance"):
         cover(of, resonant(damping=0.05), ALLOWED, 0.001, 60)
     line = np.column_stack([np.linspace(1.0, 2.0, 9), np.linspace(5.0, 9.0, 9)])
     with pytest.raises(InputError, match="on a line"):

@@ -143,7 +143,7 @@ def test_a_softer_part_below_the_mudline_bends_more():
         ({"soil.resistance": {"table": [
             {"depth": "0 m", "displacement": "1 m", "resistance": "2 N/m"},
             {"depth": "0 m", "displacement": "2 m", "resistance": "1 N/m"}]}}, "resistance must increase"),
-        ({"soil.mudline": "30 m", "water.seabed": "30 m"}, "is not on the sections below the flex joint"),
+        ({"soil.mudline": "30 m", "water.seabed": "30 m"}, "is not within the sections below the flex joint"),
         ({"riser[0].outer_diameter": None, "riser[0].inner_diameter": None, "riser[0].young_modulus": None,
           "riser[0].axial_stiffness": "1e10 N", "riser[0].bending_stiffness": "1e9 N*m^2"},
          "soil needs the outer_diameter of section 'conductor'"),

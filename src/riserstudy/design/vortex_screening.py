@@ -260,11 +260,14 @@ ABOUT = {
     "excited_length": ("m", "length of the riser on which the mode may lock in"),
     "excited_from": ("m", "lowest elevation at which the mode may lock in"),
     "excited_to": ("m", "highest elevation at which the mode may lock in"),
-    "slowest_current": ("m s-1", "speed across the riser from which on the mode may lock in"),
-    "fastest_current": ("m s-1", "speed across the riser up to which the mode may lock in"),
-    "amplitude": ("1", "largest amplitude over diameter"),
-    "amplitude_limit": ("1", "amplitude over diameter at which lift equals drag at one place"),
-    "drag_factor": ("1", "drag coefficient over that of a riser that does not vibrate"),
+    "slowest_current": ("m s-1", "lowest speed across the riser at which the mode may lock in"),
+    "fastest_current": ("m s-1", "highest speed across the riser at which the mode may lock in"),
+    "amplitude": ("1", "largest amplitude divided by diameter"),
+    "amplitude_limit": (
+        "1",
+        "amplitude divided by diameter at which lift equals drag at one place",
+    ),
+    "drag_factor": ("1", "drag coefficient divided by that of a riser without vibration"),
 }
 ALONG = {
     "current_speed": ("m s-1", "speed of the current across the riser"),

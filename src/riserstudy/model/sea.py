@@ -20,7 +20,7 @@ SHALLOW = 1e-12  # kd tanh kd below which tanh kd is kd to twelve digits, and kd
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
     """Elevations (m), rising, and speeds (m/s) where there is one direction, (k,); end values hold beyond."""
     if current.turns:
-        raise TypeError("a current whose direction changes has no speed alone")
+        raise TypeError("a current whose direction changes is not defined by its speed alone")
     return _ended(current, *_as_table(current, water))
 
 

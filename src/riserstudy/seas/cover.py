@@ -87,14 +87,15 @@ def cover(
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
             notify(
-                f"{len(more)} sea states more: {worst:.1%} between flat and cubic, {len(known)} done"
+                f"{len(more)} further sea states: linear and cubic surfaces differ by "
+                f"{worst:.1%}, {len(known)} done"
             )
             found = run(of.states[more])
         known, responses = [*known, *more], np.concatenate([responses, found])
         if len(known) > most:
             raise SimulationError(
-                f"{len(known)} sea states leave an error of {worst:.1%} where {error:.1%} is requested; "
-                "request a larger error, or allow more sea states"
+                f"{len(known)} sea states give an error of {worst:.1%}, above the tolerance of {error:.1%}; "
+                "use a larger tolerance, or allow more sea states"
             )
 
 

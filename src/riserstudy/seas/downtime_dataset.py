@@ -39,7 +39,7 @@ def summarise(
     many = f" in {len(parts)} headings" if directed else ""
     lines = [
         f"{count} sea states{many} of {riser.exposure:g} s, {riser.seeds} seeds each; "
-        f"at {compared} that were compared the response is off by up to {off:.1%}"
+        f"at {compared} that were compared the response differs by up to {off:.1%}"
     ]
     if meshes := [part.mesh for part in parts if part.mesh]:
         words = sorted({one.words for one in meshes})
@@ -57,7 +57,9 @@ def summarise(
     if middles:
         count = sum(len(one.states) for one in middles)
         off = max(float(one.error.max()) for one in middles)
-        lines.append(f"at {count} half-way between headings it is off by up to {off:.1%}")
+        lines.append(
+            f"at {count} half-way between headings the response differs by up to {off:.1%}"
+        )
     elif directed:
         lines.append(
             "each row has the nearest heading; the effect of headings in between is in no band"

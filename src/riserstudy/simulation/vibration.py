@@ -64,7 +64,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     period, interval = shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
     if step > period / STEPS:
         facts["warnings"].append(
-            f"riser.viv: the time step is too long, with only {period / step:.3g} steps per shortest shedding period "
+            f"riser.viv: the time step is too long: {period / step:.3g} steps per shortest shedding period "
             f"of {period:.3g} s; use a time step of {period / (2 * STEPS):.2g} s"
         )
     late = arrays["time"] >= start

@@ -109,13 +109,13 @@ def test_a_bend_moment_has_no_sign(tmp_path):
 @pytest.mark.parametrize(
     "headings, end, said",
     [
-        (["Arc length (m)", "Effective tension (kN) Max"], None, "where end A is"),
+        (["Arc length (m)", "Effective tension (kN) Max"], None, "which end is end A"),
         (["Arc length (m)", "Effective tension (kN) Max"], "middle", "no place on the riser"),
         (["Arc length (m)", "Effective tension (kN) Max"], "400 m down", "no place on the riser"),
         (["Arc length (m)", "Effective tension (kN) Mean"], "top", "no run has it along"),
         (["Arc length (m)", "x bend moment (kN.m) Max"], "top", "one of two components"),
         (["Arc length (m)", "Maximum"], "top", "is no heading with a unit"),
-        (["Time (s)", "Effective tension (kN) at End A"], None, "where end A is"),
+        (["Time (s)", "Effective tension (kN) at End A"], None, "which end is end A"),
         (["Time (s)", "Effective tension (kN) at Touchdown"], "top", "is no place on a line"),
         (["Time (s)", "End force (kN) at End A"], "top", "is defined otherwise"),
         (["Time (s)", "Effective tension (kN) at End B"], "250 m down", "a part of the riser"),

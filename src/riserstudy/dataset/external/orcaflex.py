@@ -130,7 +130,7 @@ def _place(path: Path, title: str, after: str, end: EndA | None, length: float) 
         raise InputError(path, title, f"{after.strip()!r} is no place on a line", allowed)
     if end is None:
         raise InputError(
-            path, title, "where end A is, the file does not say", f"add --end-a: {END_A}"
+            path, title, "the file does not state which end is end A", f"add --end-a: {END_A}"
         )
     if found["arc"]:
         return end.place(float(found["arc"]))

@@ -79,7 +79,7 @@ def _table(
     values, notes = table.columns[1:], [*table.notes]
     if foreign and axis == "s":
         if end is None:
-            found = "where end A is, the file does not say"
+            found = "the file does not state which end is end A"
             raise InputError(path, title, found, f"add --end-a: {orcaflex.END_A}")
         along = end.s + end.way * along
         order = slice(None, None, end.way)

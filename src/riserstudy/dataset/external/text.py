@@ -69,7 +69,7 @@ def read_table(path: Path) -> Text:
     above = [" ".join(cell for cell in row if cell) for _, row in rows[: first - used]]
     notes = [f"left out: {len(above)} of the lines, above the headings"] if above else []
     if decimal:
-        notes.append(f"commas are decimal marks, cells are apart by the {name}")
+        notes.append(f"commas are decimal marks, and cells are separated by the {name}")
     return Text(above, titles[:width], columns, notes)
 
 

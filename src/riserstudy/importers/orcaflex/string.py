@@ -149,7 +149,7 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
         with deck.noting():
             if not high > low or abs(long - reach) > SLACK * reach:
                 words = f"{long:g} m along {reach:g} m of the riser"
-                allowed = "allowed along the riser is a line of its length"
+                allowed = "a line along the riser must have the riser's length"
                 raise line.part.refused("Length", words, allowed)
             found.append((line, low, high))
         aside = math.hypot(line.lower.x, line.lower.y)
@@ -170,7 +170,9 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
         names = {name for name, _ in lengths_of(line.part)}
         if len(names) > 1:
             found = ", ".join(sorted(names))
-            raise line.part.refused("LineType", found, "allowed along the riser is one line type")
+            raise line.part.refused(
+                "LineType", found, "a line along the riser must have one line type"
+            )
         kind = kind_of(deck, line.part, *names)
         kinds.append(kind)
         fields = _pipe(kind) | {"name": line.name, "tension": "shared"}

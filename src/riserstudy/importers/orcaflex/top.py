@@ -70,7 +70,9 @@ def _pulling(deck: Part, ring: set[str]) -> list[Part]:
             if ring & set(ends):
                 pulling.append(part)
             else:
-                part.apart = f"it is between {' and '.join(map(repr, ends))}, not at the upper end"
+                part.apart = (
+                    f"the line is between {' and '.join(map(repr, ends))}, not at the upper end"
+                )
     return pulling
 
 

@@ -138,7 +138,7 @@ def foot(scene: Parts) -> Iterator[Misfit]:
             low[k] = section
         head += section.total_length
     if not ends.bottom < mudline <= head + ROUNDED:
-        found = f"{mudline:g} m is not on the sections below the flex joint, or the lowest one"
+        found = f"{mudline:g} m is not within the sections below the flex joint, or within the lowest section"
         remedy = f"allowed is above {ends.bottom:g} m and up to {head:g} m"
         yield Misfit("soil.mudline", found, remedy, (*ENDS, "riser"))
     for k, section in low.items():

@@ -17,7 +17,7 @@ def heave(heave_runs: xr.Dataset) -> xr.Dataset:
     dataset = _axial_force(_at_ends(heave_runs, "gas law"))
     linear = _axial_force(_at_ends(heave_runs, "linear"))
     dataset["axial_force_amplitude_linear"] = linear["axial_force_amplitude"]
-    return described(dataset, PAPER, "amplitude of the axial force, platform heaving")
+    return described(dataset, PAPER, "amplitude of the axial force, in heave of the platform")
 
 
 def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:

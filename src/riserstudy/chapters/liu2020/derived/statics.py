@@ -53,7 +53,7 @@ def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
 def statics_tuned(statics_calibrated: xr.Dataset) -> xr.Dataset:
     """Displacement, moments and force in the calibrated currents, by model of the tensioners."""
     dataset = _at_rest(statics_calibrated)
-    return described(dataset, PAPER, "displacement and moments at rest, current calibrated")
+    return described(dataset, PAPER, "static displacement and moments in calibrated currents")
 
 
 def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
