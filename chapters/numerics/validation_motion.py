@@ -53,7 +53,7 @@ def wave(_: Files) -> Iterator[Row]:
     fall = float(top[0] - top.sel(time=0.6, method="nearest"))
     exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
     case, because = (
-        "bar whose end loses half of its tension",
+        "bar whose top loses half of its tension",
         "360 segments; the wave front lasts 0.2 s",
     )
     by = "ΔF t / √(EA m), until the reflected wave returns"

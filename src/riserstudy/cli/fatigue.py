@@ -168,6 +168,6 @@ def _print_comparison(years: Years, without: Years) -> None:
     for one in shares(years, without):
         print(
             f"vortex-induced vibration causes {100 * one.share:.3g} % of the damage of {one.of.detail}: "
-            f"{one.of.rate:.3g} per year with vibration and {one.without:.3g} without, at s = {one.of.s:.4g} m "
-            f"(largest damage without vibration: {one.largest_without:.3g})"
+            f"{one.of.rate:.3g} per year with vibration and {one.without:.3g} without, at s = "
+            f"{one.of.s:.4g} m (largest damage without vibration: {one.largest_without:.3g})"
         )
