@@ -145,7 +145,8 @@ class AccuracyStudy(EngineStudy):
 
     ``budget``: node-steps that a run may take; more are left out. ``patience``: seconds that a request for an
     accuracy may take; one beyond it is a row that says so. ``peers``: by scene and other simulator, errors of
-    displacement and its time over that of our cheapest run of that error, as `make bench` found them last.
+    displacement and its time divided by the time of riserstudy's cheapest run with the same error, as
+    `make bench` found them last.
     Absent: none.
     """
 

@@ -90,7 +90,7 @@ def outside(scene: Resolved, mesh: Mesh, integrator: str, step: float) -> Result
     started = clock.perf_counter()
     a = scene.analysis
     if a.output is None or a.duration is None:
-        raise SimulationError("nothing to step through: a scene at rest")
+        raise SimulationError("a static scene has no time steps")
     still = single(scene, mesh, None)
     model, _ = settle(scene, mesh)
     model.s.rate[:] = 0.0, 1.0

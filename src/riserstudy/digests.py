@@ -149,7 +149,7 @@ def data_of(file: Path) -> tuple[Path, ...]:
     found = tuple(file.parent / name for name in facts(file).data)
     for path in found:
         if not path.is_file():
-            found_none = f"no file {path.name} is beside it"
+            found_none = f"no file {path.name} is next to it"
             raise InputError(file, "DATA_FILES", found_none, "name the files that it reads")
     return found
 

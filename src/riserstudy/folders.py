@@ -81,7 +81,7 @@ def _refuse_foreign(folder: Path) -> None:
         return
     if os.name != "posix":
         return
-    allowed = "name a folder of your own by RISERSTUDY_CACHE, or make it yours alone (chmod go-w)"
+    allowed = "name another folder by RISERSTUDY_CACHE, or remove the write permission of others (chmod go-w)"
     if stat.st_uid != os.getuid():
         raise InputError(folder, "", "the cache belongs to another user", allowed)
     if stat.st_mode & S_IWOTH:

@@ -46,7 +46,7 @@ def test_the_lumped_mass_is_the_mass_where_none_is_shared(pair):
 
 
 def test_mass_comes_with_its_lumped_form():
-    with pytest.raises(TypeError, match="mass and lump come together"):
+    with pytest.raises(TypeError, match="mass and lump must be given together"):
         register(Drag, mass=ROLES[AddedMass]["mass"])
 
 

@@ -72,7 +72,7 @@ def test_a_step_that_cannot_converge_names_time_node_effect_and_remedy():
     for part in (
         r"t = [\d.]+ s",
         r"node \d+ \(s = [\d.]+ m\)",
-        r"force there is from [a-z ]+ \(",
+        r"force at this node comes from [a-z ]+ \(",
         "Take a",
     ):
         assert failure.match(part)

@@ -65,7 +65,7 @@ def test_everything_that_is_not_mapped_is_named():
     assert {line.partition(":")[0] for line in left} == {
         "General.ImplicitConstantTimeStep", "Environment.KinematicViscosity",
         "Environment.SeabedType", "VesselTypes[Semi].Length", "LineTypes[Joint].PoissonRatio",
-        "what only draws",
+        "values that affect only drawings",
     }  # fmt: skip
 
 
@@ -126,7 +126,7 @@ def test_a_sea_keeps_its_height_period_and_shape(tmp_path, capsys):
     wave = loaded(tmp_path, sea).wave
     assert (wave.significant_height, wave.peak_period, wave.peak_enhancement) == (5.0, 11.0, 2.0)
     assert (wave.components, wave.seed, wave.ramp) == (60, 12345, 20.0)
-    assert "WaveSeed: the record is another" in capsys.readouterr().out
+    assert "WaveSeed: the sea record differs" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("kind", ["JONSWAP", "ISSC"])

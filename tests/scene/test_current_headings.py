@@ -73,7 +73,7 @@ def test_columns_stand_in_any_order(tmp_path):
             "1146 deg is more than 360 deg",
         ),
         (TABLE, {"heading": "40 rad"}, "heading: 2292 deg is more than 360 deg"),
-        ("elevation (m),speed (m/s)\n540,1\n600,0\n", {"beyond": "hold"}, "nothing of the water"),
+        ("elevation (m),speed (m/s)\n540,1\n600,0\n", {"beyond": "hold"}, "no point in the water"),
         ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is no 'name \\(unit\\)'"),
     ],
 )

@@ -28,7 +28,7 @@ def test_a_period_of_next_to_nothing_is_refused_in_a_line(commands, tmp_path, co
     )
     code, out, error = commands(*words)
     assert (code, out, error.count("\n")) == (2, "", 1)
-    assert "take a shorter duration or a longer period" in error
+    assert "give a shorter duration or a longer period" in error
 
 
 def test_a_cost_that_takes_long_is_told_of_and_ends(commands, monkeypatch):

@@ -177,7 +177,7 @@ def test_a_riser_s_other_sections_have_no_modules():
     [
         ({"riser[0].buoyancy_lift": "1 kN/m"}, "modules or buoyancy_lift, not both"),
         ({"riser[0].wall_density": None}, "need the mass of the pipe"),
-        ({"riser[0].lines[0].tension": None}, "come together"),
+        ({"riser[0].lines[0].tension": None}, "give both young_modulus and tension"),
         ({"riser[0].lines[0].wall_density": None}, "one of mass and wall_density"),
         ({"riser[0].lines[1].name": "hose"}, "names must differ"),
         ({"riser[0].lines[1].inner_diameter": "5 in"}, "must be smaller"),

@@ -96,7 +96,7 @@ REFUSED = {
         SURGE, "wave", {"height": "6 m", "period": "8 s"}, "wave.above_mean_level", "missing",
     ),
     "a sea above its bed": (
-        SURGE, "water", WATER | {"seabed": "600 m"}, "water", "seabed must lie below surface",
+        SURGE, "water", WATER | {"seabed": "600 m"}, "water", "seabed must be below surface",
     ),
     "a drift of unsaid depth": (
         SURGE, "current", {"profile": {"sum": [{"shape": "uniform", "surface_speed": "1 m/s"}]}},

@@ -85,7 +85,7 @@ def rows(*pairs):
 @pytest.mark.parametrize(
     "table, stroke, said",
     [
-        (rows((-1, 5), (1, 4)), None, "force falls to 4000 N in row 2"),
+        (rows((-1, 5), (1, 4)), None, "force decreases to 4000 N in row 2"),
         (rows((-1, 5), (1, 6), (1, 7)), None, "must increase from row to row"),
         (rows((1, 5), (2, 6)), None, "must have mid-stroke"),
         (rows((-1, -5), (1, 6)), None, "greater than or equal to 0"),

@@ -192,7 +192,9 @@ def test_points_that_estimate_nothing_are_served_as_their_nearest_is(study_of, m
             assert by
 
 
-@pytest.mark.parametrize("name, said", [("own_mesh", "analysis.mesh"), ("rest", "a study at rest")])
+@pytest.mark.parametrize(
+    "name, said", [("own_mesh", "analysis.mesh"), ("rest", "a study without time")]
+)
 def test_what_cannot_be_tuned_is_refused_before_any_job(study_of, name, said):
     with pytest.raises(InputError, match=said):
         refuse_settings(study_of(name))

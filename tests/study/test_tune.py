@@ -135,7 +135,7 @@ def test_points_that_a_setting_is_held_against_are_none_that_it_was_tuned_on(fil
 @pytest.mark.parametrize(
     "name, said",
     [
-        ("rest", "a study at rest"),
+        ("rest", "a study without time"),
         ("stepped", "sets analysis.step: nothing to tune"),
         ("few", "3 points: nothing to tune"),
         ("newmark", "which is not tuned"),

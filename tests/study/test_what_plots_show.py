@@ -51,7 +51,7 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING, scene=SCENE
         ("lines", "von_mises_stress", None, "no section whose wall is given"),
         ("lines", "thrust_y_static", None, "has no value at rest"),
         ("lines", "stroke_static", None, "has no value at rest"),
-        ("envelope", "effective_tension_absmax", None, "its sign means something"),
+        ("envelope", "effective_tension_absmax", None, "its sign has a meaning"),
     ],
 )
 def test_what_a_plot_cannot_show_is_refused_at_planning(tmp_path, plot, quantity, keep, said):

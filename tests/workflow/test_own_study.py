@@ -116,7 +116,7 @@ STUDY = "config/studies/example.yaml"
 @pytest.mark.parametrize(
     "said, added",
     [
-        ("figures.a: nothing says how to draw it", "{caption: c, reads: [heave]}"),
+        ("figures.a: no plot is named for it", "{caption: c, reads: [heave]}"),
         ("'heave' has 1 axes", "{caption: c, reads: [heave], plot: heat map}"),
         ("reads one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
         ("needs a plot", "{caption: c, reads: [heave], of: [x]}"),

@@ -157,7 +157,7 @@ ABOUT = {
     "compile_seconds": ("s", "time of compiling all signatures of a kernel, without what it calls"),
     "signatures": ("1", "signatures of a kernel that the study compiles"),
     "calls": ("1", "calls of an effect that a run makes"),
-    "base_seconds": ("s", "run time of the scene as it is, with other scenes at work"),
+    "base_seconds": ("s", "run time of the unchanged scene, while other scenes also run"),
     "elements": ("1", "segments of the riser"),
     "unknowns": ("1", "degrees of freedom solved"),
 }

@@ -386,7 +386,7 @@ ABOUT = {
     "largest_stable_step": ("s", "largest step that survives"),
     "largest_accurate_step": ("s", "largest step accurate to 1 %"),
     "best_seconds": ("s", "wall time at the largest accurate step"),
-    "best_unexplained_energy": ("1", "share of the energy exchanged left unexplained"),
+    "best_unexplained_energy": ("1", "energy residual divided by the energy exchanged"),
     "best_numerical_dissipation": ("1", "share of the energy exchanged dissipated by the method"),
     "written_error": ("1", "error of the scene as written"),
     "written_estimate": ("1", "error estimated by the run itself"),

@@ -17,16 +17,16 @@ if TYPE_CHECKING:
     import xarray as xr
 
 TEXTS = {
-    "name": "what is computed",
+    "name": "computed quantity",
     "quantity": "of which a number is compared",
     "unit": "unit of reference and value",
-    "kind": "what the reference is: closed form, second method or conservation law",
+    "kind": "kind of reference: closed form, second method or conservation law",
     "by": "formula or method of the reference",
-    "because": "what the tolerance leaves room for",
+    "because": "reason for the tolerance",
 }
 NUMBERS = {
-    "reference": "what the closed form, other method or law says, in the unit of its row",
-    "value": "what the engine computes, in the unit of its row",
+    "reference": "value by the closed form, second method or conservation law, in the unit of its row",
+    "value": "value by the engine, in the unit of its row",
     "error": "difference over the size of the reference",
     "tolerance": "error that is allowed",
 }

@@ -57,7 +57,7 @@ def priced(file: SceneFile) -> Prices:
     unknowns, because = freedom(scene, model)
     step = f", step {scene.analysis.step:.4g} s" if scene.analysis.step else ""
     text = [
-        f"Timed on {len(mesh.l0)} segments{step}; the solver and all else takes "
+        f"Timed on {len(mesh.l0)} segments{step}; the solver and all other parts take "
         f"{100 * share.pop(REST):.0f} %.",
         f"{unknowns} degrees of freedom: {because}",
     ]

@@ -203,7 +203,7 @@ def _warn_of_short_record(record: float, exposure: float | None) -> None:
     """Say that extremes of a long exposure rest on little."""
     if exposure and exposure > SHORT * record:
         print(
-            f"riserstudy: warning: extremes of {exposure:g} s rest on a record of {record:g} s, "
+            f"riserstudy: warning: extremes of {exposure:g} s are estimated from a record of {record:g} s, "
             f"{exposure / record:.0f} times shorter; simulate longer, or more seeds",
             file=sys.stderr,
         )

@@ -136,7 +136,7 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
     there = _both(theirs, mine, notes)
     if there.sum() < FEWEST:
         found = (
-            f"{int(there.sum())} rows lie between {known[0]:g} and {known[-1]:g} and have numbers"
+            f"{int(there.sum())} rows are between {known[0]:g} and {known[-1]:g} and have numbers"
         )
         why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
         raise InputError(path, title, found, f"at least {FEWEST} are needed{why}")

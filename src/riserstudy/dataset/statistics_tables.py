@@ -92,7 +92,7 @@ def _histories(
 ) -> Iterator[tuple[str, float | None, str, xr.DataArray]]:
     """Name, arclength (m), unit and history from a time (s) on, of all that varies with time."""
     if "time" not in run:
-        raise InputError("dataset", "time", "a run at rest", "statistics need analysis.duration")
+        raise InputError("dataset", "time", "a static run", "statistics need analysis.duration")
     time = run["time"].values
     steps = np.diff(time[time >= start])
     if not len(steps):

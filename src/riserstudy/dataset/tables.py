@@ -46,7 +46,7 @@ def time_series(dataset: xr.Dataset) -> Table:
         When the run has no time.
     """
     if "time" not in dataset:
-        raise InputError("dataset", "time", "a run at rest", "time series need analysis.duration")
+        raise InputError("dataset", "time", "a static run", "time series need analysis.duration")
     columns, units, values = ["time"], ["s"], [dataset["time"].values]
     for name, history in dataset.data_vars.items():
         if "time" not in history.dims:

@@ -115,6 +115,6 @@ def lift_off(scene: Resolved, overpull: float, weighed: float | None = None) -> 
 def lift_off_lacks(scene: Resolved) -> list[str]:
     """What a scene lacks for lifting its LMRP off, by its fields; empty where it is all there."""
     if scene.lowest_riser_section:
-        return ["bottom.body as the LMRP: sections of the riser stand below its flex joint"]
+        return ["bottom.body as the LMRP: sections of the riser are below its flex joint"]
     missing = [] if scene.bottom.body else ["bottom.body"]
     return missing + ([] if scene.water else ["water"])

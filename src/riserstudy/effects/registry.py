@@ -81,12 +81,12 @@ def register(record: type, *called: Called | str, **functions: Callable) -> None
     Raises
     ------
     TypeError
-        When there is no such role, or one of two that come together, or a name is taken.
+        When there is no such role, or one of two that must be given together, or a name is taken.
     """
     if unknown := set(functions) - set(Programs._fields):
         raise TypeError(f"{record.__name__}: no such role: {', '.join(sorted(unknown))}")
     if ("mass" in functions) != ("lump" in functions):
-        raise TypeError(f"{record.__name__}: mass and lump come together")
+        raise TypeError(f"{record.__name__}: mass and lump must be given together")
     for one in called:
         if isinstance(one, Called):
             call(one)

@@ -115,7 +115,7 @@ def _above_water(deck: Deck, section: Section, k: int) -> None:
         return
     if low < surface:
         deck.otherwise[f"riser[{k}].length"] = (
-            f"what reads the deck cuts the section at the surface, {surface - low:.6g} m up"
+            f"the program that reads the deck divides the section at the surface, {surface - low:.6g} m up"
         )
     dry = high - max(low, surface)
     more = ((section.mass or 0.0) * GRAVITY - (section.submerged_weight or 0.0)) * dry

@@ -86,7 +86,7 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
     """An upper end that is free on inclined tensioners; it turns freely where a body is there."""
     of = deck.scene.top
     if of.tensioners is None or of.tensioners.arrangement is None:
-        allowed = "allowed with top.tensioners.arrangement: nothing of a deck pulls upright on what is free"
+        allowed = "allowed with top.tensioners.arrangement: no part of a deck pulls vertically on a free end"
         raise deck.refused("top.x", "free", allowed)
     if of.rotation not in (None, "free"):
         deck.otherwise["top.rotation"] = "free, as the ring is"

@@ -205,7 +205,7 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
         below, above = values[axis] < low - slack, values[axis] > high + slack
         if calm and below.any():
             notes.append(
-                f"{axis} below {low:g}, {100 * of.shares[below].sum():.3g} % of the time, counts as {low:g}"
+                f"{axis} below {low:g}, {100 * of.shares[below].sum():.3g} % of the time, is set to {low:g}"
             )
             values[axis] = np.maximum(values[axis], low)
             below[:] = False
@@ -217,6 +217,6 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
                 f"{100 * of.shares[outside].sum():.3g} % of the time is outside of {low:g} to {high:g}, "
                 f"which the study simulates: from {there.min():g} to {there.max():g}",
                 f"simulate more values of {axis}"
-                + ("" if above.any() else ", or count calmer ones as the calmest by --calm"),
+                + ("" if above.any() else ", or treat calmer seas as the calmest by --calm"),
             )
     return Occurrence(values, of.shares, tuple(notes))

@@ -116,7 +116,7 @@ class Item(Checked):
             raise Misfit(
                 "rounding",
                 "is inconsistent",
-                "the unit of the last printed digit goes with a printed value",
+                "the unit of the last printed digit needs a printed value",
             )
         if self.rounding and self.published and self.rounding > abs(self.published):
             raise Misfit(

@@ -96,6 +96,6 @@ def refuse_check(path: Path, paper: str, entry: Checked) -> None:
         return
     if defining(chapter_modules(paper, "claims"), entry.check) is None:
         found = f"chapters/{paper}/claims.py defines no function {entry.check!r}"
-        raise InputError(path, "check", found, "define it, or say why nothing is compared")
+        raise InputError(path, "check", found, "define it, or state why nothing is compared")
     given = [*entry.reads, *entry.options]
     refuse_arguments(path, f"{entry.id}.with", paper, "claims", entry.check, given)

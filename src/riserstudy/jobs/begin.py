@@ -85,7 +85,7 @@ def _dated() -> list[str]:
     dated, refused = mend.date_today([*files, *marker().parent.glob(f"{marker().name}*")])
     lines = _listed(dated, "dated in the future; its date is set to today")
     return lines + _listed(
-        refused, "from the future, and cannot be dated today: what reads it fails"
+        refused, "dated in the future, and its date cannot be changed: jobs that read it fail"
     )
 
 

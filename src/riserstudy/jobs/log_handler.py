@@ -28,7 +28,10 @@ class LogHandlerSettings(LogHandlerSettingsBase):
 
     tier: str = field(
         default="standard",
-        metadata={"help": "tier of the run, whose times are remembered apart", "env_var": False},
+        metadata={
+            "help": "tier of the run; times are remembered separately for each tier",
+            "env_var": False,
+        },
     )
 
 

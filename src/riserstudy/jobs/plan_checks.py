@@ -36,7 +36,7 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
             listed = published_path(config, str(paper))
             found = f"{value} is plain, as printed values are, and {listed} has no such input"
             allowed = (
-                f"list it under `inputs`, or say its origin, as {{chosen: {value}, because: ...}}"
+                f"list it under `inputs`, or state its origin, as {{chosen: {value}, because: ...}}"
             )
             raise InputError(scene.source, path, found, allowed)
 

@@ -74,7 +74,7 @@ class RunFacts(TypedDict, total=False):
 
     wall_seconds: Annotated[float, Column("elapsed time of the simulation", "s", repeats=False)]
     solve_seconds: Annotated[
-        float, Column("time of the run alone, or of all refinements", "s", repeats=False)
+        float, Column("time of the single run, or of all refinements", "s", repeats=False)
     ]
     elements: Annotated[int, Column("segments of the riser", "1", kind="integer")]
     step: Annotated[float, Column("time step", "s")]

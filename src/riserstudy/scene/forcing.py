@@ -32,7 +32,7 @@ class Water(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.surface is not None and self.seabed is not None and self.seabed >= self.surface:
-            raise ValueError("seabed must lie below surface")
+            raise ValueError("seabed must be below surface")
         return self
 
 
@@ -264,7 +264,7 @@ class Shape(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.seabed is not None and self.surface is not None and self.seabed >= self.surface:
-            raise ValueError("seabed must lie below surface")
+            raise ValueError("seabed must be below surface")
         owners = {"power": "power", "scale": "exponential", "layer": "layer", "vanishes": "layer"}
         for name, needed in owners.items():
             if (getattr(self, name) is not None) != (self.shape == needed):

@@ -59,7 +59,7 @@ class Line(Strict):
         if (self.mass is None) == (self.wall_density is None):
             raise ValueError("needs one of mass and wall_density")
         if (self.young_modulus is None) != (self.tension is None):
-            raise ValueError("young_modulus and tension ('shared' or 'sliding') come together")
+            raise ValueError("give both young_modulus and tension ('shared' or 'sliding')")
         return self
 
     @property

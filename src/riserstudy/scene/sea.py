@@ -100,6 +100,6 @@ class WindDrift(Strict):
             raise Misfit(
                 "hemisphere",
                 "is inconsistent",
-                "'northern' or 'southern' goes with 'component: both'",
+                "'northern' or 'southern' is only for 'component: both'",
             )
         return self

@@ -220,7 +220,7 @@ class Tensioners(Strict):
             if force[k] < force[k - 1]:
                 raise Misfit(
                     "table",
-                    f"force falls to {force[k]:g} N in row {k + 1}",
+                    f"force decreases to {force[k]:g} N in row {k + 1}",
                     "the force must not decrease as the cylinder gets longer",
                 )
         first, last = reach[0], reach[-1]

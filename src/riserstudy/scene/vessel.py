@@ -127,7 +127,7 @@ class Coupling(Strict):
         also = ("analysis",)
         if isinstance(analysis.method, str):
             found = f"analysis.method {analysis.method} does not work with an exchange"
-            yield Misfit("", found, "take generalised-alpha or Newmark's method", also)
+            yield Misfit("", found, "use generalised-alpha or Newmark's method", also)
         if analysis.solver:
             found = f"analysis.solver {analysis.solver} has no vessel"
             yield Misfit("", found, "leave it out", also)

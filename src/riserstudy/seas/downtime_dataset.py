@@ -100,7 +100,7 @@ def dataset_of(file: SceneFile, parts: Sequence[Part], middles: Sequence[Middle]
             "demand_of_limit": (both, demand, {"long_name": f"demand, {own}"}),
             "standard_error": (both, deviation, {"long_name": f"of the demand by seeds, {own}"}),
             "held_out": (state, held, {"long_name": "1: simulated to compare"}),
-            "allowed": (limit, riser.allowed, {"long_name": f"what is allowed, {own}"}),
+            "allowed": (limit, riser.allowed, {"long_name": f"allowable, {own}"}),
             "response_error": (
                 limit, worst, {"units": "1", "long_name": "largest difference where compared"}
             ),

@@ -167,7 +167,9 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     each = riser.seconds(of.states[chosen[-PRICED:]])
     seconds = runs * each / effort.cores
     time = "" if math.isnan(each) else f" of {each:.2g} s, {seconds:.2g} s on {effort.cores} cores"
-    return f"at least {least} sea states, {runs} runs{time}, less what is stored; at most {effort.most}"
+    return (
+        f"at least {least} sea states, {runs} runs{time}, minus stored runs; at most {effort.most}"
+    )
 
 
 def interval_of(record: xr.Dataset) -> float:

@@ -40,7 +40,7 @@ def why(model: Model, mesh: Mesh, sums: Sums) -> str:
         how = "velocities grow without bound"
     return (
         f"the run stopped at t = {time:.6g} s at node {int(node)} (s = {mesh.s[int(node)]:.4g} m): {how}; "
-        f"the last correction was {size:.3g} m, the largest force there is from "
+        f"the last correction was {size:.3g} m, the largest force at this node comes from "
         f"{suspect(model, int(node))}. Use a smaller time step, give sudden motions a ramp, or check "
         "stroke and tension"
     )

@@ -73,7 +73,7 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
     facts = finer.facts
     if facts["directions"] > 1 and facts["smallest_tension"] < -rounding(scene):
         raise PhysicallyUnstable(
-            f"effective tension falls to {facts['smallest_tension']:.3g} N at s = "
+            f"effective tension decreases to {facts['smallest_tension']:.3g} N at s = "
             f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
             f"any wavelength: its peaks did not converge in {len(excess)} runs on finer meshes; give every "
             "section bending stiffness, or give analysis.mesh and step"

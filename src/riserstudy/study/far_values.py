@@ -22,7 +22,7 @@ def far_values(study: Study) -> list[str]:
     unit, such as counts and seeds, and paths where the scene has no value or zero, are left alone.
     """
     return [
-        f"{study.where}: axes.{name}: {text}; see whether the unit is meant"
+        f"{study.where}: axes.{name}: {text}; check the unit"
         for name, axis in study.model.axes.items()
         if isinstance(axis, Numbers)
         for text in _far(study, axis)

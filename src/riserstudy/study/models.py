@@ -134,11 +134,11 @@ class StudyModel(Strict):
                 raise Misfit("keep", f"runs return no {name!r}", allowed)
         if self.settings and self.tuned:
             raise Misfit(
-                "settings", "tuned in the file, too", "allowed is one of settings and tuned"
+                "settings", "also tuned in the file", "allowed is one of settings and tuned"
             )
         self._only_coarser()
         if self.limits and "limits" in self.set:
-            raise Misfit("limits", "stand in set, too", "allowed is one of both")
+            raise Misfit("limits", "are also in set", "allowed is one of both")
         for name in self.axes:
             ours = name in DIMENSIONS or name in about_points()
             if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):
@@ -164,7 +164,7 @@ class StudyModel(Strict):
             for name, axis in self.axes.items():
                 if any(meets(path, own) for own in _paths_of(axis)):
                     found = f"sets {path!r}, and so does axis {name!r}"
-                    raise Misfit("preview", found, "allowed is what no axis sets")
+                    raise Misfit("preview", found, "allowed are paths that no axis sets")
 
     def _keep_apart(self) -> None:
         """Refuse labels that put something else where an axis before them puts its own.

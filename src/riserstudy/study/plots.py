@@ -88,7 +88,7 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
     if quantity.endswith("_static") and stem.startswith(_MOVING):
         return Reason("has no value at rest")
     if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
-        return Reason("has no largest size along the riser: its sign means something")
+        return Reason("has no magnitude along the riser, since its sign has a meaning")
     if not _is_kept(plot, quantity, stem, study):
         kept = study.model.keep
         has = (

@@ -72,7 +72,7 @@ def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:
             continue
         if defining(chapter_modules(paper, "figures"), name) is None:
             allowed = "allowed are plot: " + ", ".join(NEEDS)
-            raise InputError(path, f"figures.{name}", "nothing says how to draw it", allowed)
+            raise InputError(path, f"figures.{name}", "no plot is named for it", allowed)
         given = [*figure.reads, *(figure.settings or {})]
         refuse_arguments(path, f"figures.{name}", paper, "figures", name, given)
 

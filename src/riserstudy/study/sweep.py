@@ -206,7 +206,7 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
         return name, {"path": path, "unit": _unit_at(file, path), "values": listed}
     parts = [_QUANTITY.fullmatch(v) if isinstance(v, str) else None for v in listed]
     if any(plain) and any(parts):
-        allowed = "give all of them a unit, or none: those without count in the scene's"
+        allowed = "give all of them a unit, or none: values without a unit have the scene's unit"
         raise InputError("sweep", f"axes.{path}", str(listed), allowed)
     quantities = [(float(part[1]), part[2]) for part in parts if part]
     if len(quantities) < len(listed) or in_si(path, listed[0])[0] is None:

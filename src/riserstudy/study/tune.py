@@ -79,7 +79,9 @@ def check_tunable(study: Study, count: int) -> None:
     """
     where, analysis = study.where, study.base.tree.get("analysis") or {}
     if not isinstance(analysis, dict) or analysis.get("duration") is None:
-        raise InputError(where, "analysis", "no duration: a study at rest", "request an accuracy")
+        raise InputError(
+            where, "analysis", "no duration: a study without time", "request an accuracy"
+        )
     for name, tuned in (("solver", (None,)), ("method", TUNED)):
         if analysis.get(name) not in tuned:
             found = f"{analysis[name]!r}, which is not tuned"

@@ -121,7 +121,10 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
             "time (s);effective_tension at 0 m (kN)\n0,5;1\n1.5;2\n",
             "a decimal comma, and line 3 a decimal",
         ),
-        ("time (s),ufj_angle (deg),ufj_angle (deg)\n0,1,1\n1,1,1\n", "stands above two columns"),
+        (
+            "time (s),ufj_angle (deg),ufj_angle (deg)\n0,1,1\n1,1,1\n",
+            "is the heading of two columns",
+        ),
         (
             "time (s),ufj_angle (deg),ufj_angle (rad)\n0,1,1\n1,1,1\n",
             "is the same variable and place",

@@ -70,7 +70,7 @@ def test_unknown_series_and_damaged_files_are_refused(tmp_path):
     base.export(str(path))
     with pytest.raises(InputError, match="allowed are Te"):
         compared(run(), path, called=CALLED)
-    with pytest.raises(InputError, match="say it with --column"):
+    with pytest.raises(InputError, match="name it with --column"):
         compared(run(), path)
     path.write_bytes(b"\x01")
     with pytest.raises(InputError, match="qats cannot read it"):

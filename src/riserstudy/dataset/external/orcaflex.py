@@ -106,7 +106,7 @@ def heading_of(
         return None
     if len({(m["name"].lower(), m["unit"]) for m in found}) > 1:
         allowed = "name the variable with --column"
-        raise InputError(path, title, "several variables stand above the headings", allowed)
+        raise InputError(path, title, "the file has several variables above the headings", allowed)
     name = found[0]["name"].lower()
     if name in OTHERWISE:
         raise InputError(path, title, "is defined differently in a run", OTHERWISE[name])

@@ -15,7 +15,7 @@ from riserstudy.dataset.external.text import Text, read_table
 from riserstudy.errors import InputError
 
 AXES = {"time": "s", "s": "m"}  # what a first column may be, in its SI unit
-AXIS = "begin with `time (s)` or `s (m)`, or say what it is with --column"
+AXIS = "begin with `time (s)` or `s (m)`, or name the variable with --column"
 
 
 def read_external(
@@ -39,7 +39,9 @@ def read_external(
         return _series(path, called)
     table = read_table(path)
     if repeated := {title for title in table.headings if table.headings.count(title) > 1}:
-        raise InputError(path, sorted(repeated)[0], "stands above two columns", "write each once")
+        raise InputError(
+            path, sorted(repeated)[0], "is the heading of two columns", "write each heading once"
+        )
     if unknown := [title for title in called if title not in table.headings]:
         allowed = f"allowed are {', '.join(table.headings)}"
         raise InputError("--column", unknown[0], "no heading of the file", allowed)
@@ -49,8 +51,8 @@ def read_external(
 def _series(path: Path, called: Mapping[str, str]) -> External:
     """Series over time, each by the name that the user gives it."""
     if not called:
-        found = f"names of a {path.suffix} file do not say what they are of a run"
-        allowed = "say it with --column 'NAME=effective_tension at 300 m (kN)'"
+        found = f"names of a {path.suffix} file do not state which variable of a run they are"
+        allowed = "name it with --column 'NAME=effective_tension at 300 m (kN)'"
         raise InputError(path, "", found, allowed)
     found_series = read_series(path, [*called])
     made = [
@@ -62,10 +64,10 @@ def _series(path: Path, called: Mapping[str, str]) -> External:
         )
         for one in found_series
     ]
-    notes = ["times are taken in s, values in the units of --column: the file does not say any"]
+    notes = ["times are taken in s, values in the units of --column: the file states no units"]
     if any(one.unit for one in found_series):
         units = ", ".join(f"{one.title} {one.unit}" for one in found_series if one.unit)
-        notes = [f"times are taken in s, values in the units of --column; the file says {units}"]
+        notes = [f"times are taken in s, values in the units of --column; the file states {units}"]
     return External("time", own.only_once(path, made), notes)
 
 
@@ -84,7 +86,9 @@ def _table(
         along = end.s + end.way * along
         order = slice(None, None, end.way)
         along, values = along[order], [column[order] for column in values]
-        notes.append(f"arc length counts {'up' if end.way > 0 else 'down'} from s = {end.s:g} m")
+        notes.append(
+            f"arc length is measured {'up' if end.way > 0 else 'down'} from s = {end.s:g} m"
+        )
     own.rising(path, title, along)
     made = []
     for name, numbers in zip(titles, values, strict=True):

@@ -145,7 +145,7 @@ def write_point_counts(deck: Part, names: list[str]) -> None:
         mass = buoy.number("Mass")
         if mass > BETWEEN:
             allowed = (
-                f"allowed within the riser are {BETWEEN:g} t: a scene has bodies at its ends alone"
+                f"allowed within the riser are {BETWEEN:g} t: a scene has bodies only at its ends"
             )
             buoy.note(buoy.refused("Mass", f"{mass:g}", allowed))
         buoy.apart = f"a point of the riser; its mass of {mass:g} t is left out"

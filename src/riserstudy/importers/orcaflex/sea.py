@@ -150,7 +150,7 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         "components": train.whole("WaveNumberOfComponents"),
         "seed": abs(train.whole("WaveSeed")),
     }
-    reason = "the record is another: components and their phases are drawn otherwise"
+    reason = "the sea record differs: components and their phases are drawn differently"
     train.otherwise["WaveSeed"] = reason
     return wave
 

@@ -45,7 +45,7 @@ def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
     if node not in vessels and line.upper.to not in GROUND:
         return _pulled(deck, cast, bottom, pulling, sea)
     if pulling:
-        raise pulling[0].refused("Name", pulling[0].name, "allowed with a free upper end alone")
+        raise pulling[0].refused("Name", pulling[0].name, "allowed only with a free upper end")
     upright(line, line.upper)
     held = "platform" if node in vessels else "held"
     base = height_of(vessels[node]) if node in vessels else 0.0

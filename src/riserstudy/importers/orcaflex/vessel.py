@@ -154,7 +154,9 @@ def _response(kind: Part, table: Part) -> dict[str, Any]:
         for row in one.figures(*TABLE):
             period = row[0]
             if not 0.0 < period < math.inf:
-                one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: it is no wave"
+                one.otherwise[TABLE[0]] = (
+                    f"its row at {period:g} is left out: it is not a period of a wave"
+                )
                 continue
             operator: dict[str, Any] = {
                 "heading": f"{heading:.10g} deg",

@@ -47,7 +47,7 @@ def ends(scene: Parts) -> Iterator[Misfit]:
             f"{duration:g} s contains more than {MOST_PERIODS} periods of {shortest:g} s, the shortest of "
             "platform and waves"
         )
-        remedy = "take a shorter duration or a longer period"
+        remedy = "give a shorter duration or a longer period"
         yield Misfit("analysis.duration", found, remedy, ("platform", "wave"))
 
 

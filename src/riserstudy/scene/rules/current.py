@@ -60,7 +60,7 @@ def covers(scene: Parts) -> Iterator[Misfit]:
             "current.profile",
             f"reaches from {low:g} m to {high:g} m of elevation, the riser in water from {needs_low:g} m to "
             f"{needs_high:g} m",
-            "give the rest of the profile, or say what holds there, as 'current.beyond: hold' (its end "
+            "give the rest of the profile, or state the current there, as 'current.beyond: hold' (its end "
             "values) or 'zero' (still water)",
             ("water", "riser", "bottom.elevation", "top.elevation"),
         )
@@ -74,7 +74,7 @@ def _in_water(scene: Parts, flow: Current) -> Iterator[Misfit]:
     if surface is not None and elevations and min(elevations) >= surface:
         yield Misfit(
             "current.profile",
-            f"says nothing of the water: its elevations are from {min(elevations):g} m to "
+            f"has no point in the water: its elevations are from {min(elevations):g} m to "
             f"{max(elevations):g} m, the surface is at {surface:g} m",
             "allowed are points below it, or 'depth'",
             ("water.surface",),

@@ -154,5 +154,5 @@ def foot(scene: Parts) -> Iterator[Misfit]:
             yield Misfit("soil.resistance.table", found, remedy, ("soil.mudline", *ENDS))
     seabed = scene.water.seabed if scene.water else None
     if seabed is not None and mudline > seabed + ROUNDED:
-        found = f"{mudline:g} m lies above water.seabed {seabed:g} m"
+        found = f"{mudline:g} m is above water.seabed {seabed:g} m"
         yield Misfit("soil.mudline", found, "allowed is up to the seabed", ("water.seabed",))

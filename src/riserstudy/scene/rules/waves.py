@@ -55,7 +55,7 @@ def viv(scene: Parts) -> Iterator[Misfit]:
         found, remedy = "explicit stepping does not include vortices", "use an implicit method"
         yield Misfit(first, found, remedy, ("analysis.method",))
     if not scene.current and any(s.viv.ramp is None for s in shedding.values() if s.viv):
-        remedy = "it has no default where there is no current to take it from"
+        remedy = "it has no default without a current"
         yield Misfit(f"{first}.ramp", "missing", remedy, ("current",))
     for name in ("ramp", "seed"):
         if not alike(getattr(s.viv, name) for s in shedding.values()):

@@ -137,7 +137,8 @@ def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
         "largest bending moment under roll, centre of rotation calibrated",
     )
     made["settling"].attrs["long_name"] = (
-        "largest difference of the moment's amplitude at the ring from period to period, over the largest"
+        "largest change of the moment amplitude at the ring between successive periods, "
+        "divided by the largest amplitude"
     )
     return made
 
@@ -159,7 +160,7 @@ def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
 
 def roll_ways(roll_geometry: xr.Dataset) -> xr.Dataset:
     """The same over (geometry, tensioner_model, roll_amplitude, roll_period)."""
-    return _rolled(roll_geometry, "largest bending moment under roll, by what turns the riser")
+    return _rolled(roll_geometry, "largest bending moment under roll, for several geometries")
 
 
 def roll_about_joint(roll_geometry: xr.Dataset) -> xr.Dataset:

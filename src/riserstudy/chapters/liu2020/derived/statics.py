@@ -27,7 +27,7 @@ def tension_readings(tension: xr.Dataset) -> xr.Dataset:
     lean = xr.DataArray(list(INCLINATIONS), dims="inclination", name="inclination")
     lean = lean.assign_coords(inclination=lean)
     dataset = xr.Dataset({"top_tension": pull * np.cos(np.deg2rad(lean))})
-    return described(dataset, PAPER, "top tension at rest in every reading")
+    return described(dataset, PAPER, "static top tension in every interpretation")
 
 
 def dat_force(statics: xr.Dataset) -> xr.Dataset:

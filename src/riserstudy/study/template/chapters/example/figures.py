@@ -16,6 +16,6 @@ def swing_over_heave(tension_swing: xr.Dataset) -> Figure:
     ax.plot(amplitude, straight, "--", color=COLOURS[1], label="proportional to heave")
     ax.set_xlabel("heave amplitude (m)")
     ax.set_ylabel("half of the range of top tension (kN)")
-    ax.set_title("How far top tension swings, by heave")
+    ax.set_title("Range of the top tension over the heave amplitude")
     ax.legend()
     return figure
