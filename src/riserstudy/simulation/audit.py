@@ -104,7 +104,6 @@ def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> 
     if facts["directions"] < 3 and along[k] < -rounding(scene):
         facts["warnings"].append(
             f"effective tension decreases to {along[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: a riser "
-            "may "
-            "go slack or buckle there, which this run does not simulate, because it excludes "
+            "may go slack or buckle there, which this run does not simulate, because it excludes "
             + ("lateral motion" if facts["directions"] == 1 else "motion out of its plane")
         )
