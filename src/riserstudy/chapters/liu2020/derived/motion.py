@@ -180,7 +180,7 @@ def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
     )
     made = described(dataset.assign(sampled(runs)), PAPER, title)
     made["settling"].attrs["long_name"] = (
-        "difference of largest and smallest moment over their sum, by size"
+        "difference of largest and smallest moment, as magnitudes, divided by their sum"
     )
     return made
 
