@@ -125,7 +125,7 @@ REFUSED = {
     ),
     "a line over more than the low-pressure volume": (
         LIU, "top.tensioners.linearised", {"by": "least squares", "shortest": "-10 m", "longest": "8 m"},
-        "top.tensioners", "linearised.shortest -10 m closes the low-pressure volume",
+        "top.tensioners", "linearised.shortest -10 m is beyond the end of the low-pressure volume",
     ),
     "a tangent where the gas volume is closed": (
         CHANG, "top.tensioners.linearised", {"by": "tangent", "at": "19 m"}, "top.tensioners",
