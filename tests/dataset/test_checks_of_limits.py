@@ -127,7 +127,7 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
     [
         ({"output": "lfj_angle", "largest": 4, "mode": "drilling"}, "4 has no unit"),
         ({"output": "lfj_angle", "largest": "4 deg"}, "missing"),
-        ({"output": "lfj_angle", "largest": "4 m", "mode": "drilling"}, "another dimension"),
+        ({"output": "lfj_angle", "largest": "4 m", "mode": "drilling"}, "wrong dimension"),
         (
             {"output": "lfj_angle", "at": "lower", "largest": "4 deg", "mode": "drilling"},
             "one place",

@@ -108,10 +108,10 @@ def test_values_along_the_riser(table):
     [
         (["time (s)", "wall_tension at 300 m (kN)"], "T_e = T_w"),
         (["time (s)", "end_force (kN)"], "effective tension at that end"),
-        (["time (s)", "effective_tension (kN)"], "say where"),
+        (["time (s)", "effective_tension (kN)"], "give the place"),
         (["time (s)", "effective_tension at 400 m (kN)"], "is not on the riser"),
         (["time (s)", "tension at 300 m (kN)"], "has no tension over time"),
-        (["time (s)", "effective_tension at 300 m (m)"], "another dimension"),
+        (["time (s)", "effective_tension at 300 m (m)"], "wrong dimension"),
         (["time (s)", "effective_tension at 300 m"], "no heading with a unit"),
         (["depth (m)", "bending_moment_max (kN m)"], "is no axis"),
     ],

@@ -180,7 +180,7 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
     "text, said",
     [
         ("hs,tp (s),share (%)\n1,8,10\n", "no unit"),
-        ("hs (kg),tp (s),share (%)\n1,8,10\n", "another dimension"),
+        ("hs (kg),tp (s),share (%)\n1,8,10\n", "wrong dimension"),
         ("hs (m),tp (s)\n1,8\n", "does not state how often sea states occur"),
         ("hs (m),tp (s),share\n1,8,10\n", "unit ''"),
         ("hs (m),tp (s),share (%),count\n1,8,10,1\n", "a second column"),
@@ -204,7 +204,7 @@ def test_a_table_that_cannot_be_meant_is_refused(text, said, tmp_path):
 def test_calmer_seas_count_as_the_calmest_when_it_is_said(tmp_path):
     found = summed(study(), table(tmp_path, "hs (m),tp (s),share (%)\n0.2,8,100\n"), calm=True)
     assert found.worst[0].rate == pytest.approx(rate(1.0, 8.0))
-    assert found.notes == ("significant_height below 1, 100 % of the time, counts as 1",)
+    assert found.notes == ("significant_height below 1, 100 % of the time, is set to 1",)
 
 
 def test_time_that_a_table_leaves_out_is_told(tmp_path):

@@ -249,7 +249,7 @@ def test_a_check_that_is_not_there_is_refused():
     [
         ("x: {assumed: 2, range: [0, 1], because: so}", "is outside the range"),
         ("x: {assumed: c, options: [a, b], because: so}", "not one of the options"),
-        ("x: {assumed: a, options: [a, b, a], because: so}", "one occurs twice"),
+        ("x: {assumed: a, options: [a, b, a], because: so}", "an option occurs twice"),
         ("x: {assumed: 1, range: [0, .inf], because: so}", "finite number"),
         ("x: {given: .nan}", "finite number"),
         ("x: {assumed: 1, because: so}", "needs one of range and options"),

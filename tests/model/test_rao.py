@@ -298,7 +298,7 @@ def test_radians_under_a_heading_of_degrees_are_told_by_their_phases():
     rows = [
         row | {"heave_phase": f"{x} deg"} for row, x in zip(ROWS, (3.0, -2.9, 1.5), strict=True)
     ]
-    assert "radians, under" in slips(made(operators=rows), 9.81)[0]
+    assert "radians, although" in slips(made(operators=rows), 9.81)[0]
 
 
 def test_an_operator_knows_its_motions():

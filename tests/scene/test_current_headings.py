@@ -74,7 +74,7 @@ def test_columns_stand_in_any_order(tmp_path):
         ),
         (TABLE, {"heading": "40 rad"}, "heading: 2292 deg is more than 360 deg"),
         ("elevation (m),speed (m/s)\n540,1\n600,0\n", {"beyond": "hold"}, "no point in the water"),
-        ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is no 'name \\(unit\\)'"),
+        ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is not of the form 'name \\(unit\\)'"),
     ],
 )
 def test_headings_that_cannot_be_meant_are_refused(tmp_path, table, current, reason):

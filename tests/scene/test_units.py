@@ -53,7 +53,7 @@ def test_the_page_lists_names_for_every_field_that_takes_a_unit():
 @pytest.mark.parametrize(
     "text, unit, said",
     [
-        ("20 mt", "kg", "'mt', a thousandth of a tonne"),
+        ("20 mt", "kg", "'mt', which means a thousandth of a tonne"),
         ("20 t", "N", "for a force write tf"),
         ("14 kip", "kg", "for a mass write lb"),
         ("14 lb", "N", "for a force write lbf"),

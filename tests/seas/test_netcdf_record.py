@@ -203,7 +203,7 @@ def test_spectra_of_sources_become_heights_periods_and_directions(tmp_path, made
         (
             lambda d: d.isel(latitude=0, longitude=0).rename(mwd="dir"),
             None,
-            "dir: a direction that says",
+            "dir: a direction that does not state",
         ),
         (lambda d: d.rename(valid_time="step"), Place(60.0, 2.0), "no times"),
         (lambda d: d.rename(pp1d="mp2", mp2="pp1d"), Place(60.0, 2.0), "the two are interchanged"),
@@ -237,7 +237,7 @@ def test_directions_of_a_table_that_waves_go_to_are_turned(tmp_path):
     path.write_text(head + "".join(lines))
     record = read_record(path)
     np.testing.assert_allclose(record["wave_from_direction"].values, FROM)
-    assert "half a turn" in record.attrs["conversions"]
+    assert "180 deg" in record.attrs["conversions"]
     path.write_text(head + "".join(lines[:-1]) + f"{TIME[-1]},1,8,700\n")
     with pytest.raises(InputError, match="row 7: wave_from_direction: 700"):
         read_record(path)

@@ -196,7 +196,7 @@ def test_failure_is_an_error_where_it_must_be(axes, options):
         ({"top.tension": []}, {}, "values, each once"),
         ({"top.tension": [1, 1]}, {}, "values, each once"),
         ({"top.tension": [1600, "1700 kN"]}, {}, "give all of them a unit, or none"),
-        ({"top.tension": ["2 MN", "3 m"]}, {}, "another dimension"),
+        ({"top.tension": ["2 MN", "3 m"]}, {}, "wrong dimension"),
         ({"top.pull": [1, 2]}, {}, "pull"),
         ({"platform.surge.period": [8, -8]}, {}, "platform.surge.period"),
         ({"platform.surge.phase": [0, 90]}, {}, "platform.surge.phase"),  # no unit is there

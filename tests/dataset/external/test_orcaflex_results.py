@@ -90,7 +90,7 @@ def test_a_time_history_is_where_its_heading_says(tmp_path, place, end, s):
     values = tension(TIME, 100.0 if s is None else s)
     path = write(tmp_path / "t.txt", ["Time (s)", heading], TIME, values)
     if s is None:
-        with pytest.raises(InputError, match="say where"):
+        with pytest.raises(InputError, match="give the place"):
             compared(run(), path)
         found = compared(run(), path, called={heading: "effective_tension at 100 m (kN)"})
     else:
@@ -117,7 +117,7 @@ def test_a_bend_moment_has_no_sign(tmp_path):
         (["Arc length (m)", "Maximum"], "top", "is no heading with a unit"),
         (["Time (s)", "Effective tension (kN) at End A"], None, "which end is end A"),
         (["Time (s)", "Effective tension (kN) at Touchdown"], "top", "is no place on a line"),
-        (["Time (s)", "End force (kN) at End A"], "top", "is defined otherwise"),
+        (["Time (s)", "End force (kN) at End A"], "top", "is defined differently"),
         (["Time (s)", "Effective tension (kN) at End B"], "250 m down", "a part of the riser"),
         (["Time (s)", "Wall tension (kN) at End A"], "top", "no scene to convert it by"),
     ],
