@@ -36,7 +36,7 @@ def test_drift_solves_its_equation_of_motion(force, current):
 
 
 def test_a_force_against_the_current_is_refused():
-    with pytest.raises(ValueError, match="same way"):
+    with pytest.raises(ValueError, match="same direction"):
         drift(HULL, 1e6, -1.0, 10.0)
 
 

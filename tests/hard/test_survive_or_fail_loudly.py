@@ -73,7 +73,7 @@ def test_a_step_that_cannot_converge_names_time_node_effect_and_remedy():
         r"t = [\d.]+ s",
         r"node \d+ \(s = [\d.]+ m\)",
         r"force at this node comes from [a-z ]+ \(",
-        "Take a",
+        "Use a",
     ):
         assert failure.match(part)
     assert "nan" not in said.lower()

@@ -331,7 +331,7 @@ def test_the_release_waits_for_its_phase(tmp_path, phase, at):
             "needs tensioners with gas",
         ),
         ("count: 5", "count: 5\n    failing: {at: 5 s, cylinders: [0]}", "before the end"),
-        ("count: 5", "count: 5\n    failing: {at: 1 s, cylinders: [5]}", "count from 0"),
+        ("count: 5", "count: 5\n    failing: {at: 1 s, cylinders: [5]}", "numbered from 0"),
     ],
 )
 def test_a_recoil_that_does_not_fit_is_refused(tmp_path, old, new, message):
