@@ -88,7 +88,7 @@ def test_points_on_several_meshes_are_joined_at_once(study_of, tmp_path, monkeyp
     join.write_study(study_of("meshes"), tmp_path / "whole.nc", 1, told.append)
     monkeypatch.setattr(join, "AT_ONCE", 2)
     join.write_study(study_of("meshes"), tmp_path / "parts.nc", 1, told.append)
-    assert any("several meshes" in line for line in told)
+    assert any("different meshes" in line for line in told)
     with (
         xr.open_dataset(tmp_path / "whole.nc", engine="netcdf4") as whole,
         xr.open_dataset(tmp_path / "parts.nc", engine="netcdf4") as in_parts,
