@@ -190,7 +190,7 @@ def test_damaged_points_and_datasets_are_made_anew(checkout, finished):
     assert all(line.startswith("riserstudy: note: ") for line in notes)
     assert (
         sum(
-            "is changed since it was written; it is made again when needed" in line
+            "is not as written; it is made again when needed" in line
             for line in notes
         )
         == 3

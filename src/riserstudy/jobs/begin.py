@@ -48,7 +48,7 @@ def begin(
         return [], []
     wanted = frozenset(outputs)
     damaged = seals.damaged(sorted(wanted))
-    lines = _listed(damaged, "changed since it was written; it is made again when needed")
+    lines = _listed(damaged, "not as written; it is made again when needed")
     anew = [file.as_posix() for file in damaged]
     records = mend.unreadable(SNAKEMAKE)
     if not at_work:
