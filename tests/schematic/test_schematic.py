@@ -157,7 +157,7 @@ def test_what_is_there_is_named_and_what_is_not_is_not():
         assert part in drive_off
     assert "tensioners:" not in drive_off
     spring = words(drawn("chang2020", "fig07"))
-    assert "heave ±5 m in 20 s" in spring
+    assert "heave ±5 m* in 20 s*" in spring
     assert "water" not in spring
 
 

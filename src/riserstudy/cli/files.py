@@ -29,7 +29,7 @@ def draw(
     from riserstudy.figures import save
     from riserstudy.schematic import schematic
 
-    save(schematic(file.resolved(), assumed=file.assumed), output)
+    save(schematic(file.resolved(), assumed=file.assumed, calibrated=file.calibrated), output)
     wrote(output)
 
 

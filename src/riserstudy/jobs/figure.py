@@ -64,4 +64,10 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
         )
         allowed = "tensioners without an arrangement, or 'hanging'"
         raise InputError(where, f"schematics.{name}.cylinders", found, allowed)
-    return schematic(scene, standing=standing, remarks=model.remarks, assumed=file.assumed)
+    return schematic(
+        scene,
+        standing=standing,
+        remarks=model.remarks,
+        assumed=file.assumed,
+        calibrated=file.calibrated,
+    )

@@ -74,6 +74,11 @@ class SceneFile:
         """Paths of the values that the scene assumes."""
         return frozenset(path for path, of in self.origins.items() if of.status == "assumed")
 
+    @property
+    def calibrated(self) -> frozenset[str]:
+        """Paths of the values that the scene fits to a published value."""
+        return frozenset(path for path, of in self.origins.items() if of.status == "calibrated")
+
     def scene(self) -> Scene:
         """The checked scene as it is written, in SI.
 

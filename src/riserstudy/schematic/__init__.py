@@ -17,7 +17,7 @@ from riserstudy.figures.style import as_written
 from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
-from riserstudy.schematic.geometry import ASSUMED, Geometry
+from riserstudy.schematic.geometry import ASSUMED, CALIBRATED, Geometry
 from riserstudy.schematic.labels import KEY, SIZE, Label
 from riserstudy.schematic.not_shown import parts_left_out
 from riserstudy.schematic.riser import ends, riser
@@ -50,6 +50,7 @@ def schematic(
     standing: bool = False,
     remarks: Mapping[str, str] | None = None,
     assumed: frozenset[str] = frozenset(),
+    calibrated: frozenset[str] = frozenset(),
 ) -> Figure:
     """Drawing of a scene.
 
@@ -57,10 +58,11 @@ def schematic(
     ----------
     standing : cylinders without an arrangement are drawn below the ring.
     remarks : words for the labels of parts, by their paths.
-    assumed : paths of values that the scene assumes; lengths, elevations and numbers of parts are marked.
+    assumed, calibrated : paths of values that the scene assumes, or fits to a published value; all numbers
+        that the drawing shows of them are marked.
     """
     with as_written():
-        return _schematic(Geometry(scene, standing, remarks or {}, assumed), scene)
+        return _schematic(Geometry(scene, standing, remarks or {}, assumed, calibrated), scene)
 
 
 def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
@@ -204,10 +206,17 @@ def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
     before = f", before {loads if current else 'waves act'} on it" if current or waves else ""
     named = ", ".join(map(in_words, parts_left_out(scene)))
     missing = f" Not shown: {named}." if named else ""
-    marked = any(ASSUMED in label.text for label in labels)
-    assumed = f" {ASSUMED}: assumed; other values may be, too." if marked else ""
+    meanings = {
+        ASSUMED: "assumed; derived values have no mark",
+        CALIBRATED: "calibrated",
+    }
+    marks = "".join(
+        f" {mark}: {meaning}."
+        for mark, meaning in meanings.items()
+        if any(mark in label.text for label in labels)
+    )
     symbols = f". {SYMBOLS}{moved}" if dashed or moved else ""
-    return f"{NOTE}{symbols}. The riser is unstretched{before}.{assumed}{missing}"
+    return f"{NOTE}{symbols}. The riser is unstretched{before}.{marks}{missing}"
 
 
 def _texts(figure: Figure, geometry: Geometry, labels: list[Label], dashed: bool) -> None:

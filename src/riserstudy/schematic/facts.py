@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from matplotlib.ticker import EngFormatter
 
@@ -64,45 +64,54 @@ def spring_text(section: Section, of_stiffness: str = "", of_length: str = "") -
     return f"{section.name}: k = {stiffness}{of_stiffness}, {length} long{of_length}"
 
 
-def section_text(section: Section, wet: bool, mark: str = "", gravity: float | None = None) -> str:
-    """Name, size, stiffness, mass and weight of a section, and what is in and around it.
+def section_text(section: Section, geometry: Geometry, path: str) -> str:
+    """Name, size, stiffness, mass and weight of the section at a path, and what is in and around it.
 
-    ``mark`` stands at the length. ``gravity`` (m/s2): by it contents weigh; absent: their weight is left out.
+    A scene without gravity leaves the weight of contents out.
     """
-    size = metres(section.total_length) + mark
+
+    def mark(of: str) -> str:
+        return geometry.mark(f"{path}.{of}")
+
+    size = metres(section.total_length) + mark("length")
     if section.joints:
-        size = f"{section.joints.count} × {section.joints.length:.4g} m{mark}"
+        size = f"{section.joints.count} × {section.joints.length:.4g} m{mark('joints')}"
     outer, inner = section.outer_diameter, section.inner_diameter
-    pipe = f"{1000 * outer:.4g} mm" if outer else ""
+    pipe = f"{1000 * outer:.4g} mm{mark('outer_diameter')}" if outer else ""
     if outer and inner:
-        pipe += f" × {500 * (outer - inner):.3g} mm wall"
+        pipe += f" × {500 * (outer - inner):.3g} mm wall{mark('inner_diameter')}"
     drag = section.drag
     return f"{section.name}: " + sentence(
         [
             size,
             pipe,
-            f"EA {amount(section.axial_stiffness, 'N')}" if section.axial_stiffness else "",
-            f"EI {amount(section.bending_stiffness, 'N m²')}" if section.bending_stiffness else "",
-            f"{mass(section.mass)}/m" if section.mass else "",
-            _weight_text(section, wet, gravity),
-            f"drag diameter {drag.diameter:.3g} m" if drag else "",
+            _marked("EA", section.axial_stiffness, "N", mark("axial_stiffness")),
+            _marked("EI", section.bending_stiffness, "N m²", mark("bending_stiffness")),
+            f"{mass(section.mass)}/m{mark('mass')}" if section.mass else "",
+            _weight_text(section, geometry.scene, mark),
+            f"drag diameter {drag.diameter:.3g} m{mark('drag.diameter')}" if drag else "",
             "drag along the pipe" if section.tangential_drag else "",
-            f"line load {amount(section.lateral_load, 'N')}/m" if section.lateral_load else "",
+            _marked("line load", section.lateral_load, "N/m", mark("lateral_load")),
         ]
     )
 
 
-def _weight_text(section: Section, wet: bool, gravity: float | None) -> str:
+def _marked(name: str, value: float | None, unit: str, mark: str) -> str:
+    """A named quantity with its mark; nothing where there is none."""
+    return f"{name} {amount(value, unit)}{mark}" if value else ""
+
+
+def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) -> str:
     """Weight per length with contents, which the tension carries, and without."""
-    weight, full = section.submerged_weight, section.contents
+    weight, full, gravity = section.submerged_weight, section.contents, scene.gravity
     filled = 0.0
     if weight is not None and full is not None and gravity is not None:
         filled = weight + gravity * section.contents_mass
-    empty = f"{like(weight, filled, 'N')}/m" if weight else ""
-    where = " in water" if wet else ""
+    empty = f"{like(weight, filled, 'N')}/m{mark('submerged_weight')}" if weight else ""
+    where = " in water" if scene.water is not None else ""
     if full is None:
         return f"{empty}{where}" if empty else ""
-    inside = f"contents of {full.density:.4g} kg/m³"
+    inside = f"contents of {full.density:.4g} kg/m³{mark('contents.density')}"
     if weight is None or gravity is None:
         return sentence([f"{empty}{where} without contents" if empty else "", inside])
     return sentence(
@@ -110,9 +119,10 @@ def _weight_text(section: Section, wet: bool, gravity: float | None) -> str:
     )
 
 
-def tension_text(scene: Resolved, tension: float) -> str:
+def tension_text(geometry: Geometry, tension: float) -> str:
     """Constant tension (N) at the top; where a buoyant factor gives it, over the weight that it carries."""
-    text = f"tension {amount(tension, 'N')}"
+    scene = geometry.scene
+    text = f"tension {amount(tension, 'N')}{geometry.mark('top.tension')}"
     if scene.buoyancy is None or scene.gravity is None:
         return text
     carried = sum(
@@ -121,7 +131,8 @@ def tension_text(scene: Resolved, tension: float) -> str:
     )
     if carried <= 0.0:
         return text
-    return f"{text}, {tension / carried:.3g} times the weight in water of riser and contents"
+    ratio = f"{tension / carried:.3g}{geometry.mark('buoyancy.tension_ratio')}"
+    return f"{text}, {ratio} times the weight in water of riser and contents"
 
 
 def rotation_text(rotation: Rotation | None) -> str:
@@ -133,17 +144,19 @@ def rotation_text(rotation: Rotation | None) -> str:
     return f"flex joint, {joint_text(rotation.stiffness)}"
 
 
-def joint_text(stiffness: float) -> str:
-    """Stiffness of a flex joint."""
-    return f"{amount(stiffness * DEGREE, 'N m')}/°"
+def joint_text(stiffness: float, mark: str = "") -> str:
+    """Stiffness of a flex joint, followed by its mark."""
+    return f"{amount(stiffness * DEGREE, 'N m')}/°{mark}"
 
 
-def body_text(body: Body, gravity: float, density: float) -> str:
-    """A concentrated mass."""
-    weight = body.weight(gravity, density)
-    return f"{body.name}: " + sentence(
-        [mass(body.mass), f"{amount(weight, 'N')} in water" if weight and density else ""]
-    )
+def body_text(body: Body, geometry: Geometry, path: str) -> str:
+    """A concentrated mass at a path."""
+    scene = geometry.scene
+    density = scene.water.density if scene.water else 0.0
+    weight = body.weight(scene.gravity or 0.0, density)
+    heavy = f"{amount(weight, 'N')}{geometry.mark(f'{path}.submerged_weight')} in water"
+    massive = f"{mass(body.mass)}{geometry.mark(f'{path}.mass')}"
+    return f"{body.name}: " + sentence([massive, heavy if weight and density else ""])
 
 
 def top_text(scene: Resolved, remark: str = "") -> str:
@@ -181,26 +194,36 @@ def freedom_text(scene: Resolved) -> str:
     return "motion along the axis only"
 
 
-def tensioner_text(rig: Tensioners, mark: str = "") -> str:
-    """Number and law of the tensioners; ``mark`` stands at the number."""
+def tensioner_text(rig: Tensioners, geometry: Geometry) -> str:
+    """Number and law of the tensioners."""
+
+    def mark(*of: str) -> str:
+        return geometry.mark(*(f"top.tensioners.{one}" for one in of))
+
     gas, both, line = rig.gas, rig.two_chamber_gas, rig.linear
     law = ""
     if gas:
-        law = f"gas, {amount(gas.area * gas.pressure, 'N')} each at mid-stroke"
+        pull = f"{amount(gas.area * gas.pressure, 'N')}{mark('gas.area', 'gas.pressure')}"
+        law = f"gas, {pull} each at mid-stroke"
     elif both:
-        pull = both.high.area * both.high.pressure - both.low.area * both.low.pressure
-        law = f"gas on both sides, {amount(pull, 'N')} each at mid-stroke"
+        pulls = both.high.area * both.high.pressure - both.low.area * both.low.pressure
+        chambers = [
+            f"two_chamber_gas.{c}.{of}" for c in ("high", "low") for of in ("area", "pressure")
+        ]
+        law = f"gas on both sides, {amount(pulls, 'N')}{mark(*chambers)} each at mid-stroke"
         if both.pistons:
             each = "each" if both.pistons.counted == "each" else "in all"
-            law += f", less pistons of {mass(both.pistons.mass)} {each}"
+            law += f", less pistons of {mass(both.pistons.mass)} {each}{mark('two_chamber_gas.pistons')}"
     elif line:
-        law = f"{amount(line.tension, 'N')} and {amount(line.stiffness, 'N/m')}"
+        law = f"{amount(line.tension, 'N')}{mark('linear.tension')} and "
+        law += f"{amount(line.stiffness, 'N/m')}{mark('linear.stiffness')}"
         law += " each" if rig.count > 1 else ""
     failed = f"{len(rig.failed)} failed" if rig.failed else ""
     made_linear = "made linear" if rig.linearised else ""
-    damped = f"damper {amount(rig.damper, 'N s/m')}" if rig.damper else ""
+    damped = _marked("damper", rig.damper, "N s/m", mark("damping"))
     stops = f"stops at {_either_way(rig.stroke.shortest, rig.stroke.longest)}" if rig.stroke else ""
-    cylinders = f"as one cylinder{mark}" if rig.count == 1 else f"{rig.count} cylinders{mark}"
+    stops += mark("stroke.shortest", "stroke.longest") if stops else ""
+    cylinders = ("as one cylinder" if rig.count == 1 else f"{rig.count} cylinders") + mark("count")
     return sentence([f"tensioners: {cylinders}", law, made_linear, damped, stops, failed])
 
 
@@ -213,54 +236,71 @@ def platform_texts(platform: Platform, geometry: Geometry) -> list[str]:
     """The platform's prescribed motions, one text each."""
     texts = []
     for name, motion in platform.harmonics:
-        texts.append(f"{name} {_harmonic(name, motion)}{geometry.remark(f'platform.{name}')}")
+        path = f"platform.{name}"
+        texts.append(f"{name} {_harmonic(name, motion, geometry)}{geometry.remark(path)}")
     for name in ("surge", "sway", "heave", "roll", "pitch", "yaw"):
         if hasattr(getattr(platform, name), "points"):
             texts.append(f"{name} by a time series")
         away = getattr(platform.position, name, None)
         if away:
-            texts.append(f"rests at {name} {_size(name, away)}")
+            mark = geometry.mark(f"platform.position.{name}")
+            texts.append(f"rests at {name} {_size(name, away)}{mark}")
     response, cruise = platform.response, platform.cruise
     if response:
         texts.append(f"{', '.join(response.moving)} by response to waves")
     if cruise:
         heading = f" towards {degrees(cruise.heading)}" if cruise.heading else ""
-        texts.append(f"sails at {cruise.speed:.3g} m/s{heading}")
+        mark = geometry.mark("platform.cruise.speed")
+        texts.append(f"sails at {cruise.speed:.3g} m/s{mark}{heading}")
     return texts
 
 
-def _harmonic(name: str, motion: Harmonic) -> str:
-    return f"±{_size(name, motion.amplitude)} in {motion.period:.4g} s"
+def _harmonic(name: str, motion: Harmonic, geometry: Geometry) -> str:
+    size, period = (geometry.mark(f"platform.{name}.{of}") for of in ("amplitude", "period"))
+    return f"±{_size(name, motion.amplitude)}{size} in {motion.period:.4g} s{period}"
 
 
 def _size(name: str, value: float) -> str:
     return degrees(value) if name in TILTS else f"{value:.4g} m"
 
 
-def vessel_texts(scene: Resolved) -> list[str]:
+def vessel_texts(geometry: Geometry) -> list[str]:
     """What acts on a platform that is free to surge."""
+
+    def mark(of: str) -> str:
+        return geometry.mark(f"vessel.{of}")
+
+    scene = geometry.scene
     vessel = scene.vessel
     if vessel is None:
         return []
     wind, drift, thrusters = vessel.wind, vessel.wave_drift, vessel.thrusters
-    added = f" and {mass(vessel.added_mass)} of added mass" if vessel.added_mass else ""
+    added = ""
+    if vessel.added_mass:
+        added = f" and {mass(vessel.added_mass)}{mark('added_mass')} of added mass"
     also = [way for way in ("sway", "yaw") if scene.spatial and getattr(vessel, way)]
     ways = " and ".join(["surge", *also]) if len(also) < 2 else "surge, sway and yaw"
-    texts = [f"platform: free to {ways}, {mass(vessel.mass)}{added}"]
+    texts = [f"platform: free to {ways}, {mass(vessel.mass)}{mark('mass')}{added}"]
     if wind:
-        texts.append(f"wind {wind.speed:.3g} m/s towards {degrees(wind.heading or 0.0)}")
+        speed = f"{wind.speed:.3g} m/s{mark('wind.speed')}"
+        texts.append(f"wind {speed} towards {degrees(wind.heading or 0.0)}")
     if drift:
-        texts.append(f"wave drift {amount(drift.force, 'N')} towards {degrees(drift.heading or 0)}")
+        force = f"{amount(drift.force, 'N')}{mark('wave_drift.force')}"
+        texts.append(f"wave drift {force} towards {degrees(drift.heading or 0)}")
     if thrusters:
-        most = f", at most {amount(thrusters.saturation, 'N')}" if thrusters.saturation else ""
-        pull = f"thrusters {amount(thrusters.gain, 'N/m')}{most}"
-        texts.append(f"{pull}, towards x = {thrusters.command:.4g} m")
+        pull = f"thrusters {amount(thrusters.gain, 'N/m')}{mark('thrusters.gain')}"
+        most = _marked(", at most", thrusters.saturation, "N", mark("thrusters.saturation"))
+        to = f"{thrusters.command:.4g} m{mark('thrusters.command')}"
+        texts.append(f"{pull}{most}, towards x = {to}")
     return texts
 
 
-def wave_text(wave: Swell | Storm) -> str:
+def wave_text(wave: Swell | Storm, geometry: Geometry) -> str:
     """A wave or a sea."""
     if isinstance(wave, Swell):
         height = wave.height or 2.0 * (wave.amplitude or 0.0)
-        return f"wave: height {height:.3g} m, {wave.period:.3g} s"
-    return f"sea: significant height {wave.significant_height:.3g} m, peak {wave.peak_period:.3g} s"
+        high, period = geometry.mark("wave.height", "wave.amplitude"), geometry.mark("wave.period")
+        return f"wave: height {height:.3g} m{high}, {wave.period:.3g} s{period}"
+    high, peak = (geometry.mark(f"wave.{of}") for of in ("significant_height", "peak_period"))
+    size = f"significant height {wave.significant_height:.3g} m{high}"
+    return f"sea: {size}, peak {wave.peak_period:.3g} s{peak}"

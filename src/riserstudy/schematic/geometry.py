@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -19,7 +19,7 @@ from riserstudy.scene.riser import Section
 Point = tuple[float, float]
 SHORT = 0.1  # of the riser: sections below this length are shown with the end that they are at
 LINE_POINTS = 201
-ASSUMED = "*"  # marks a value in a label
+ASSUMED, CALIBRATED = "*", "†"  # mark values in labels
 
 
 @dataclass(frozen=True)
@@ -28,25 +28,28 @@ class Geometry:
 
     ``standing``: cylinders that have no arrangement stand on the platform and push the ring up.
     ``remarks``: words for the labels of parts, by their paths.
-    ``assumed``: paths of values that the scene assumes.
+    ``assumed``, ``calibrated``: paths of values that the scene assumes, or fits to a published value.
     """
 
     scene: Resolved
     standing: bool = False
     remarks: Mapping[str, str] = field(default_factory=dict)
     assumed: frozenset[str] = frozenset()
+    calibrated: frozenset[str] = frozenset()
 
     def remark(self, path: str) -> str:
         """What follows the label of a part: its remark in brackets, if it has one."""
         return f" ({self.remarks[path]})" if path in self.remarks else ""
 
     def assumes(self, path: str) -> bool:
-        """Whether the scene assumes the value at a path, or any within it."""
-        return any(within(one, path) for one in self.assumed)
+        """Whether the scene assumes the value at a path, any within it, or what it is within."""
+        return _any_at(self.assumed, path)
 
-    def mark(self, path: str) -> str:
-        """What a label adds to a value that the scene assumes."""
-        return ASSUMED if self.assumes(path) else ""
+    def mark(self, *paths: str) -> str:
+        """What a label adds to the value at a path, or from several, that the scene assumes or calibrates."""
+        if any(map(self.assumes, paths)):
+            return ASSUMED
+        return CALIBRATED if any(_any_at(self.calibrated, path) for path in paths) else ""
 
     @cached_property
     def length(self) -> float:
@@ -172,6 +175,11 @@ class Geometry:
                 break
             total += section.total_length
         return total
+
+
+def _any_at(values: Iterable[str], path: str) -> bool:
+    """Whether any of the paths of values is at a path, within it or above it."""
+    return any(within(one, path) or within(path, one) for one in values)
 
 
 def labelled(scene: Resolved) -> Iterator[str]:

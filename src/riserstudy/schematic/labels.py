@@ -20,15 +20,19 @@ GAP = 0.4 * LINE  # between labels
 CHARACTERS = 31  # in a line
 UNBROKEN = "\u00a0"  # space at which no line ends
 REACH = 0.16  # from the drawing to its labels (inches)
+AWAY = (
+    0.8 * LINE
+)  # above or below an end, so that no leader lies on the water or the ground (inches)
 
 
 class Label(NamedTuple):
-    """A text, the point that it names, and what kind of thing it is about."""
+    """A text, the point that it names, its kind of thing, and how far above the point it stands (inches)."""
 
     text: str
     x: float
     z: float
     colour: str
+    lift: float
 
 
 @dataclass
@@ -37,17 +41,19 @@ class Labels:
 
     rows: list[Label] = field(default_factory=list)
 
-    def add(self, text: str, point: tuple[float, float], colour: str = PART) -> None:
-        """Name a point."""
+    def add(
+        self, text: str, point: tuple[float, float], colour: str = PART, lift: float = 0.0
+    ) -> None:
+        """Name a point; where there is room, so many inches above it."""
         wrapped = "\n".join(textwrap.wrap(tied(text), CHARACTERS, break_long_words=False))
-        self.rows.append(Label(wrapped, *point, colour))
+        self.rows.append(Label(wrapped, *point, colour, lift))
 
     def place(self, ax: Axes) -> None:
         """Write all labels to the right of the axes, ordered from top to bottom as their points are."""
         (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
         width, height = _inches(ax)
         rows = sorted(self.rows, key=lambda row: -row.z)
-        wanted = [(row.z - low) / (high - low) * height for row in rows]
+        wanted = [(row.z - low) / (high - low) * height + row.lift for row in rows]
         heights = [(row.text.count("\n") + 1) * LINE for row in rows]
         for row, y in zip(rows, spread(wanted, heights, height), strict=True):
             corner = (min(max(row.x, left), right), min(max(row.z, low), high))

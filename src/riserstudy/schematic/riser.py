@@ -19,7 +19,7 @@ from riserstudy.schematic.facts import (
     top_text,
 )
 from riserstudy.schematic.geometry import SHORT, Geometry, Point, is_spring
-from riserstudy.schematic.labels import FREEDOM, LOAD, PART
+from riserstudy.schematic.labels import AWAY, FREEDOM, LOAD, PART
 from riserstudy.schematic.view import SYMBOL, THIN, View
 
 STEEL, COVER = "#9aa4ad", "#d7dce0"
@@ -29,14 +29,13 @@ LEAST = 0.04  # height of a body (inches)
 
 def riser(view: View, geometry: Geometry) -> None:
     """All sections, with the diameters that the scene gives them."""
-    scene, length = geometry.scene, geometry.riser_length
+    length = geometry.riser_length
     for k, (section, low, high) in enumerate(geometry.sections):
         _section(view, geometry, section, low, high)
         long = high - low > SHORT * length
         visible = [s for s in _from_the_middle(low, high) if view.shows(geometry.at(s))]
         if visible:
-            of = f"riser[{k}].{'joints' if section.joints else 'length'}"
-            text = section_text(section, scene.water is not None, geometry.mark(of), scene.gravity)
+            text = section_text(section, geometry, f"riser[{k}]")
             if is_spring(section):
                 remarks = [
                     geometry.remark(f"riser[{k}].{n}") for n in ("axial_stiffness", "length")
@@ -50,12 +49,15 @@ def riser(view: View, geometry: Geometry) -> None:
             place = geometry.at(low)
             turning_joint(view, place, section.flex_joint_below.stiffness > 0.0)
             name = "lower flex joint" if geometry.scene.soil else "flex joint"
-            text = f"{name}, {joint_text(section.flex_joint_below.stiffness)}"
+            mark = geometry.mark(f"riser[{k}].flex_joint_below.stiffness")
+            text = f"{name}, {joint_text(section.flex_joint_below.stiffness, mark)}"
             view.name_anywhere(text, place)
         if section.guide_below:
             x, z = geometry.at(low)
             view.spring((x, z), (x + 0.8 * view.inch, z), 0.12 * view.inch)
-            view.name_anywhere(f"guide, {amount(section.guide_below.stiffness, 'N')}/m", (x, z))
+            mark = geometry.mark(f"riser[{k}].guide_below.stiffness")
+            text = f"guide, {amount(section.guide_below.stiffness, 'N')}/m{mark}"
+            view.name_anywhere(text, (x, z))
 
 
 def _from_the_middle(low: float, high: float) -> list[float]:
@@ -122,17 +124,19 @@ def ends(view: View, geometry: Geometry) -> None:
         _ground(view, geometry.bottom, rolling=bottom.hold == "foot")
         if scene.lateral:
             end_joint(view, geometry.bottom, bottom.rotation)
-    view.name(bottom_text(scene, geometry.remark("bottom")), geometry.bottom, FREEDOM)
+    view.name(bottom_text(scene, geometry.remark("bottom")), geometry.bottom, FREEDOM, lift=AWAY)
     if bottom.body:
         body(view, geometry, bottom.body, geometry.bottom, below=True)
     if top.body:
         body(view, geometry, top.body, geometry.ring, below=False)
     if scene.lateral:
         end_joint(view, geometry.top, top.rotation)
-    view.name(top_text(scene, geometry.remark("top")), geometry.top, FREEDOM)
+    view.name(top_text(scene, geometry.remark("top")), geometry.top, FREEDOM, lift=AWAY)
     for name, end, place in (("upper", top, geometry.top), ("lower", bottom, geometry.bottom)):
         if scene.lateral and isinstance(end.rotation, FlexJoint):
-            view.name(f"{name} flex joint, {joint_text(end.rotation.stiffness)}", place)
+            mark = geometry.mark(f"{'top' if end is top else 'bottom'}.rotation.stiffness")
+            text = f"{name} flex joint, {joint_text(end.rotation.stiffness, mark)}"
+            view.name(text, place, lift=-AWAY)
     _wellhead(view, geometry)
     soil(view, geometry)
 
@@ -171,13 +175,15 @@ def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: boo
     view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
     density = scene.water.density if scene.water else 0.0
     weight = body_of.weight(scene.gravity or 0.0, density)
-    view.name(body_text(body_of, scene.gravity or 0.0, density), (x + 0.65 * size, middle))
+    path = f"{'bottom' if below else 'top'}.body"
+    view.name(body_text(body_of, geometry, path), (x + 0.65 * size, middle))
     if weight:
         tail = (x, middle - 0.5 * size)
         if not view.whole:
             view.arrow(tail, (x, tail[1] - 0.42 * view.symbol))
         head = (x, tail[1] - 0.36 * view.symbol)
-        view.name(f"weight {amount(weight, 'N')}", head, LOAD)
+        mark = geometry.mark(f"{path}.submerged_weight")
+        view.name(f"weight {amount(weight, 'N')}{mark}", head, LOAD)
 
 
 def soil(view: View, geometry: Geometry) -> None:

@@ -58,7 +58,7 @@ def wave(view: View, geometry: Geometry) -> None:
     x = np.linspace(left, right, PLACES)
     view.line(list(x), list(_level(geometry, x)), color=WATER, linewidth=0.9)
     crest = (right - 0.1 * (right - left), surface + amplitude)
-    text = f"{wave_text(waves)}, {2.0 * math.pi / number:.3g} m long"
+    text = f"{wave_text(waves, geometry)}, {2.0 * math.pi / number:.3g} m long"
     heading = waves.heading
     if heading:
         text += f", towards {degrees(heading)}"

@@ -40,13 +40,14 @@ def pull(view: View, geometry: Geometry) -> None:
         head = (x, z + 0.75 * view.symbol)
         if not view.whole:
             view.arrow((x, z), head)
-        text = tension_text(geometry.scene, top.tension)
+        text = tension_text(geometry, top.tension)
         view.name(text, (x, z + 0.6 * view.symbol), LOAD)
     if top.lateral_force:
         side = math.copysign(0.6, top.lateral_force) * view.symbol
         if not view.whole:
             view.arrow((x, z), (x + side, z))
-        view.name(f"force {amount(top.lateral_force, 'N')} along x", (x + 0.8 * side, z), LOAD)
+        force = f"{amount(top.lateral_force, 'N')}{geometry.mark('top.lateral_force')}"
+        view.name(f"force {force} along x", (x + 0.8 * side, z), LOAD)
 
 
 def telescopic_joint(view: View, geometry: Geometry) -> None:
@@ -61,14 +62,16 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
     stops = joint.stop and {1: joint.stop.stroke, -1: joint.stop.collapse}
     places = [metres(sign * by, "+") for sign, by in (stops or {}).items() if by]
     origin = "this length" if joint.mid_stroke is None else "the length in equilibrium"
-    stop = f", stop at {' and '.join(places)} from {origin}" if places else ""
+    mark = geometry.mark("top.telescopic_joint.stop.stroke", "top.telescopic_joint.stop.collapse")
+    stop = f", stop at {' and '.join(places)}{mark} from {origin}" if places else ""
     length = f"{joint.length:.4g} m{geometry.mark('top.telescopic_joint.length')}"
     text = f"telescopic joint: {length}{stop}{geometry.remark('top.telescopic_joint')}"
     view.name(text, (x + 0.5 * pipe, low + 0.7 * (high - low)))
     if joint.tension:
         if not view.whole:
             view.arrow((x, low), (x, low + 0.6 * view.symbol))
-        text = f"tension along the joint, {amount(joint.tension, 'N')}"
+        mark = geometry.mark("top.telescopic_joint.tension")
+        text = f"tension along the joint, {amount(joint.tension, 'N')}{mark}"
         view.name(text, (x, low + 0.4 * view.symbol), LOAD)
 
 
@@ -116,7 +119,7 @@ def tensioners(view: View, geometry: Geometry) -> None:
             )  # up, or down
     right = max(feet, key=lambda foot: foot[1])
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
-    text = tensioner_text(rig, geometry.mark("top.tensioners.count"))
+    text = tensioner_text(rig, geometry)
     view.name(text + ("" if place else " (length not given)"), at)
     ring_end = max(foot[0] for foot in feet)
     view.name(f"tension ring{geometry.remark('top.tensioners')}", (x + ring_end, z))
@@ -132,7 +135,7 @@ def platform(view: View, geometry: Geometry) -> None:
     view.box((x, z), width, height, facecolor="#dfe5ea")
     middle = z + 0.5 * height
     edge = x + 0.5 * width
-    afloat = vessel_texts(scene)
+    afloat = vessel_texts(geometry)
     if scene.platform:
         motion = "; ".join(platform_texts(scene.platform, geometry) or ["none"])
         _motions(view, geometry, (x, middle), (width, height))

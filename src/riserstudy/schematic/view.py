@@ -54,10 +54,12 @@ class View:
         left, right, low, high = self.window
         return left <= point[0] <= right and low <= point[1] <= high
 
-    def name(self, text: str, point: Point, colour: str = PART, whole: bool = False) -> None:
-        """Label a point in the view that it belongs to, if it shows it."""
+    def name(
+        self, text: str, point: Point, colour: str = PART, whole: bool = False, lift: float = 0.0
+    ) -> None:
+        """Label a point in the view that it belongs to, if it shows it; the label so many inches above it."""
         if whole == self.whole and self.shows(point):
-            self.labels.add(text, point, colour)
+            self.labels.add(text, point, colour, lift)
 
     def name_anywhere(self, text: str, point: Point) -> None:
         """Label a point in the view of an end that shows it, or in that of everything where none does."""
