@@ -29,7 +29,7 @@ from riserstudy.chapters.fem_riser.claims import (
 )
 from riserstudy.chapters.fem_riser.figures.shared import BLUE, DEFLECTION, HEIGHT, TIME
 from riserstudy.chapters.fem_riser.figures.trends import envelopes
-from riserstudy.figures.direct import label_ends, named
+from riserstudy.figures.direct import label_ends, label_line, named
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -41,7 +41,7 @@ from riserstudy.figures.style import (
     panels,
 )
 
-LATE, MIDDLE = (200.0, 1000.0, 1400.0, 1800.0), 1000.0  # m, heights of the last window; mid-length
+LATE, MIDDLE = (200.0, 1000.0, 1800.0), 1000.0  # m, heights of the last window; mid-length
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time
 LAST = ListedColormap(colormaps["Reds"](np.linspace(0.5, 0.9, 256)))  # of time, red as in the text
@@ -119,7 +119,10 @@ def fig04(motion: xr.Dataset) -> Figure:
         f"The mean at mid-length settles within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
     )
     for ax in axes[3:]:
-        label_ends(ax, named(ax), size="x-small")
+        inside = [line for line in named(ax) if "mean" in str(line.get_label())]
+        label_ends(ax, [line for line in named(ax) if line not in inside], size="x-small")
+        for line in inside:  # below the mean, which only the ends of others cross
+            label_line(ax, line, 0.28, (4.0, -14.0), size="x-small")
     return figure
 
 
@@ -141,7 +144,7 @@ def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
             continue
         track = window.sel(s=s, method="nearest")
         drawn = 100.0 * (track - averaged(track).isel(time=-1)) if last_window else track
-        mean = ", and mean" if last_window and s == MIDDLE else ""
+        mean = " and its mean" if last_window and s == MIDDLE else ""
         ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m" + mean)
     ax.set_xlabel(TIME)
     ax.set_ylabel("change to the last mean (cm)" if last_window else DEFLECTION)

@@ -10,6 +10,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgba
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -72,16 +73,22 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
     figure = envelopes(cases, (BLACK, BLUE, RED))
     headline(figure, f"More top tension {_changes(tension_ratio, 'tension_ratio')}")
     found = measures(tension_ratio.sel(solver=BEAM))
-    for ax, name, scale, head, (across, up) in (
-        (figure.axes[1], "stress", 1e-6, "largest\n(MPa):", (0.68, 0.6)),
-        (figure.axes[3], "vibration", 1.0, "largest\nvibration (m):", (0.04, 0.245)),
-    ):
-        rows = [(head, BLACK), *((f"{scale * float(value):.2g}", colour) for value, colour in zip(
-            found[name], (BLACK, BLUE, RED), strict=True))]  # fmt: skip
-        for k, (text, colour) in enumerate(rows):
-            ax.annotate(text, (across, up - 0.055 * k), xycoords="axes fraction", color=colour,
-                        va="bottom" if k == 0 else "center", fontsize="x-small")  # fmt: skip
+    colours = (BLACK, BLUE, RED)
+    _largest(figure.axes[1], "largest\n(MPa):", 1e-6 * found["stress"], colours, (0.68, 0.6))
+    head = "largest\nvibration (m):"
+    _largest(figure.axes[3], head, found["vibration"], colours, (0.04, 0.245))
     return figure
+
+
+def _largest(
+    ax: Axes, head: str, values: xr.DataArray, colours: tuple[str, ...], place: tuple[float, float]
+) -> None:
+    """Write the largest value of each case below a heading at a place (axes fractions)."""
+    across, up = place
+    rows = [(f"{float(value):.3g}", c) for value, c in zip(values, colours, strict=True)]
+    for k, (text, colour) in enumerate([(head, BLACK), *rows]):
+        ax.annotate(text, (across, up - 0.055 * k), xycoords="axes fraction", color=colour,
+                    va="bottom" if k == 0 else "center", fontsize="x-small")  # fmt: skip
 
 
 def fig08(buoyant_factor: xr.Dataset) -> Figure:
@@ -89,6 +96,8 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
     cases = _each(buoyant_factor, "buoyant_factor", "buoyant factor")
     figure = envelopes(cases, (RED, BLUE, BLACK))
     headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
+    stress = 1e-6 * measures(buoyant_factor.sel(solver=BEAM))["stress"]
+    _largest(figure.axes[1], "largest\n(MPa):", stress, (RED, BLUE, BLACK), (0.68, 0.6))
     most = float(buoyant_factor["buoyant_factor"].max())
     runs = buoyant_factor.sel(buoyant_factor=most)
     near = 0.93 * float(runs["s_node"][-1])
@@ -178,12 +187,13 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
     }
     dotted = Line2D([], [], color=GREY, linewidth=1.2, linestyle=":")
     known |= {
-        "(a–c) filled: range in 261 to 300 s, beam": Line2D([], [], linestyle="none"),
         "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
         "(a–d) lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
-        f"(d) drift, if it exceeds {100.0 * DRIFTS:g} cm; removed from (a)": dotted,
+        f"(d) drift, if its maximum exceeds {100.0 * DRIFTS:g} cm; removed from (a)": dotted,
     }
     legend_below(figure, [*known.values()], [*known], 3)
+    (legend,) = figure.legends
+    legend.set_title("(a–c) filled: range in 261 to 300 s, beam", FontProperties(size="small"))
     return figure
 
 
@@ -207,6 +217,8 @@ def _frame(axes: list[Axes], length: float) -> None:
     axes[3].set_xlim(left=SEEN)
     ticks = [tick for tick in (SEEN, 0.01, 0.1, 1.0) if tick <= axes[3].get_xlim()[1]]
     axes[3].set_xticks(ticks, [f"$10^{{{np.log10(tick):.0f}}}$" for tick in ticks])
+    low, high = axes[2].get_xlim()  # no label at its end, beside the first of the next panel
+    axes[2].set_xticks([t for t in axes[2].get_xticks() if low < t < high - 0.05 * (high - low)])
 
 
 def _envelope(
