@@ -140,8 +140,10 @@ def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
             "ufj_limit_time": first_crossing(angle, LIMITS["upper flex joint"].most),
         }
     )
-    vessel = json.loads(fits.attrs["scene"])["vessel"]
+    scene = json.loads(fits.attrs["scene"])
+    vessel = scene["vessel"]
     fit = {
+        "riser_weight": to_si(scene["riser"][2]["submerged_weight"], "N/m"),
         "gain": to_si(vessel["thrusters"]["gain"], "kN/m"),
         "hull_drag": to_si(vessel["hull_drag"], "kN*s^2/m^2"),
     }

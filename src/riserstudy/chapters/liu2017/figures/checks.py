@@ -51,7 +51,8 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         if drag > 0.0:
             upper.append((gain, drag))
     fit = [calibration.attrs["gain"]], [calibration.attrs["hull_drag"]]
-    (used,) = ax.plot(*fit, "*", color="black", ms=12, label="fit that is used, in the wave")
+    name = f"fit that is used: {calibration.attrs['riser_weight']:g} N/m, in the wave (lines: calm sea)"
+    (used,) = ax.plot(*fit, "*", color="black", ms=12, label=name)
     ax.legend(handles=[used], loc="lower right", fontsize="small")
     if upper:
         gains = [gain for gain, _ in upper]
@@ -98,7 +99,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
         ax.set_ylim(bottom=least)
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {title}")
-        panel_title(ax, "largest up to each time")
+        panel_title(ax, "largest difference up to each time")
     panel_title(axes[2], "iterations")
     iterations = turns["newton_iterations"] / one["newton_iterations"]
     rows = [way.replace(", ", ",\n") for way in ways]

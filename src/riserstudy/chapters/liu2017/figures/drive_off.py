@@ -28,7 +28,7 @@ from riserstudy.chapters.liu2017.figures.shared import (
 )
 from riserstudy.chapters.liu2017.limits import LIMITS, reached, shares
 from riserstudy.dataset.crossing import first_crossing, first_limit
-from riserstudy.figures.direct import label_ends, label_line, named
+from riserstudy.figures.direct import label_ends, label_line, legible, named
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -72,11 +72,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         )  # fmt: skip
         panel_title(axes[column], title)
         axes[2 + column].set_xlabel(TIME)
-    later = [
-        float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_180"), 100.0))
-        - float(first_crossing(driveoff["platform_surge"].sel(case=f"{kind}_0"), 100.0))
-        for kind in SETS
-    ]
+    later = [_mark_arrivals(ax, driveoff, kind) for ax, kind in zip(axes, SETS, strict=False)]
     set_title(
         figure,
         f"Against the environment the platform reaches the false position {_range(later)} s later",
@@ -94,6 +90,22 @@ def fig04(driveoff: xr.Dataset) -> Figure:
     lines = [line for line in named(axes[1]) if line.get_label() != STROKE_OUT]
     label_ends(axes[1], lines, names=names)
     return figure
+
+
+def _mark_arrivals(ax: Axes, driveoff: xr.Dataset, kind: str) -> float:
+    """Mark when the platform with riser reaches the false position; how much later (s) against it does."""
+    times = []
+    for (heading, label), across in zip(HEADINGS.items(), ("right", "left"), strict=True):
+        surge = driveoff["platform_surge"].sel(case=f"{kind}_{heading}")
+        times.append(float(first_crossing(surge, 100.0)))
+        colour = OF_HEADING[label]
+        ax.plot([times[-1]], [100.0], "o", color=colour, mec="white", ms=6, zorder=5, label="_")
+        ax.annotate(
+            f"{times[-1]:.0f} s", (times[-1], 100.0), ha=across, va="bottom" if across == "right" else "top",
+            xytext=(-4.0, 3.0) if across == "right" else (4.0, -3.0), textcoords="offset points",
+            fontsize="small", color=legible(colour),
+        )  # fmt: skip
+    return times[1] - times[0]
 
 
 def _range(values: list[float]) -> str:
@@ -148,7 +160,8 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
         (0.97, 0.04), ha="right", xycoords="axes fraction", va="bottom", fontsize="small",
     )  # fmt: skip
     below = "hardly" if low < HARDLY * high else f"{low:.1f} m"
-    set_title(figure, f"After {EARLY:g} s the top has moved {high:.0f} m, the lower end {below}")
+    far = f"the top has moved {high:.0f} m after {EARLY:g} s, the lower end {below}"
+    set_title(figure, f"Along, {far}")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 
@@ -180,11 +193,12 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     against = (
         float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
     )
-    inhibits = "always inhibits" if against < 0.0 else "does not always inhibit"
+    resists = "always resists" if against < 0.0 else "does not always resist"
     set_title(
-        figure, f"Along, the riser drives the platform for {until:.0f} s; against, it {inhibits}"
+        figure,
+        f"Along, the riser drives the platform for {until:.0f} s; against, it {resists}",
     )
-    axes[0].set_ylabel("force on the platform (MN)")
+    axes[0].set_ylabel("force on the platform, positive\nin drive-off direction (MN)")
     axes[0].plot([], [], color=GREY, label="T sin θ as printed")
     axes[0].plot([], [], ":", color=GREY, label="exact reaction")
     rest = zip(*axes[0].get_legend_handles_labels(), strict=True)
@@ -237,7 +251,7 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
 
 def envelope(envelope: xr.Dataset) -> Figure:
     """Utilisation of the limits over the static offset; bands: over the currents."""
-    figure, (ax,) = panels(height=3.8)
+    figure, (ax,) = panels(height=4.4)
     used = envelope["limit_share"]
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         one = used.sel(limit=name)
@@ -248,8 +262,12 @@ def envelope(envelope: xr.Dataset) -> Figure:
     still = envelope["limit_offset"].sel(surface_speed=0.0)
     end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     mark_both(ax, end, then, "m")
-    ax.set_xlim(0.0, 1.5 * end)
-    ax.set_ylim(0.0, 1.6)
+    far = 1.5 * end
+    seen = [
+        float(part.max()) for part in (used.sel(offset=slice(0.0, far)), used.interp(offset=far))
+    ]
+    ax.set_xlim(0.0, far)
+    ax.set_ylim(0.0, 1.03 * max(seen))
     ax.set_xlabel("static offset of the platform (m)")
     ax.set_ylabel("utilisation of the limit")
     set_title(
@@ -266,10 +284,5 @@ def envelope(envelope: xr.Dataset) -> Figure:
         STROKE_OUT: lines[STROKE_OUT],
     }
     legend_below(figure, [*key.values()], [*key], 2)
-    rises = lines["conductor"]
-    within = int((np.asarray(rises.get_ydata()) < 1.4).sum()) - 1  # it leaves the panel above
-    most = float(np.interp(1.5 * end, used["offset"], np.asarray(rises.get_ydata())))
-    reaches = f"conductor,\nup to {most:.1f} at {1.5 * end:.0f} m"
-    label_line(ax, rises, within / (len(used["offset"]) - 1), (8.0, 0.0), name=reaches)
-    label_ends(ax, [lines[name] for name in LIMITS if name != "conductor"])
+    label_ends(ax, [lines[name] for name in LIMITS])
     return figure

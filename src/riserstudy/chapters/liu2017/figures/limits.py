@@ -67,7 +67,7 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
         _circles(circles, run, station)
         circles.axhline(station, label=_station(station), **REFERENCE)
         panel_title(times, TITLES.get(str(scenario), str(scenario)))
-        circles.set_xlabel("environment to hull (°)")
+        circles.set_xlabel("angle between hull and\nenvironment (°)")
         circles.set_xticks(range(0, 181, 45))
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
         top = max(ax.get_ylim()[1] for ax in row)
@@ -123,7 +123,9 @@ def _circles(ax: Axes, run: xr.Dataset, station: float) -> None:
         ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
     late = ~_in_time(run, station)
     if bool(late.any()):
-        words = f"too late: {', '.join(f'{eds:g}' for eds in times[late.values])} s"
+        *first, last = [f"{eds:g}" for eds in times[late.values]]
+        longer = f"{', '.join(first)} or {last}" if first else last
+        words = f"too late:\ndisconnect in {longer} s"
         ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
 
 
