@@ -55,7 +55,7 @@ def line_types(deck: Deck) -> None:
         )
     }  # fmt: skip
     if deck.scene.buoyancy:
-        deck.otherwise["buoyancy"] = "within the weights in water and the top tension"
+        deck.otherwise["buoyancy"] = "included in the weights in water and in the top tension"
 
 
 def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
@@ -102,7 +102,9 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
                 f"{own:.6g} m is StressOD; OD is {outer:.6g} m, by the weight in water"
             )
     if section.lines:
-        deck.otherwise[f"{path}.lines"] = "within the mass, weight and stiffness of the line type"
+        deck.otherwise[f"{path}.lines"] = (
+            "included in the mass, weight and stiffness of the line type"
+        )
     return entry | _water(deck, section, k, outer, bool(pipe))
 
 

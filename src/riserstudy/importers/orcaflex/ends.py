@@ -69,7 +69,9 @@ def line_of(part: Part) -> Line:
 def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
     to, *place, leaning, of, release = row
     if release is not None:
-        part.note(part.refused(LEANS[-1], str(release), "allowed is none: lines stay connected"))
+        part.note(
+            part.refused(LEANS[-1], str(release), "leave it out: lines of a scene stay connected")
+        )
     try:
         x, y, z = (float(value) for value in place)
         stiffness = None if along is None else float(str(along).replace("Infinity", "inf"))

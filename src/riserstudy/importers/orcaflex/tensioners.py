@@ -147,7 +147,11 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
         raise part.refused(PLACE[0], "points at other bearings", allowed)
     if part.optional("ReleaseStage") is not None:
         found = str(part.optional("ReleaseStage"))
-        part.note(part.refused("ReleaseStage", found, "allowed is none: tensioners stay connected"))
+        part.note(
+            part.refused(
+                "ReleaseStage", found, "leave it out: tensioners of a scene stay connected"
+            )
+        )
     height = z + of.decks[deck]
     length = math.hypot(outer - inner, height - of.ring)
     return (round(outer, 6), round(height, 6), bearing), round(inner, 6), length
