@@ -28,7 +28,7 @@ def small(name, **settings):
         "analysis.step": "0.5 s",
         "analysis.output": {"interval": "10 s"},
     }
-    study = planned(name, set=FILE.studies[name].set | coarse | settings)
+    study = planned(name, set=FILE.studies[name].set | coarse | settings, preview={})
     return dataset_of(study, results_of(study, 1, lambda text: None)[0])
 
 

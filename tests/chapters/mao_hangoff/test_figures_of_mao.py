@@ -63,7 +63,7 @@ def little(name, model):
     if name == "variants":
         return model
     settings = {"analysis.mesh": {"elements": 20}} if name in STATIC else COARSE
-    return model.model_copy(update={"axes": axes, "set": model.set | settings})
+    return model.model_copy(update={"axes": axes, "set": model.set | settings, "preview": {}})
 
 
 @pytest.fixture(scope="module")
