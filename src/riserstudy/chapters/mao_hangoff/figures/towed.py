@@ -214,7 +214,8 @@ def fig09(
     for colour, time in zip(ordered(OF_COORDINATE["time"], TIMES), TIMES, strict=True):
         shape = -base["displacement_along"].sel(time=time)
         (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
-        label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small", ha="right", va="top")
+        side = "left" if time == TIMES[-1] else "right"  # the last two end close to each other
+        label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small", ha=side, va="top")
     _axial_motion(axes[3], base_runs["z"])
     titles = (
         f"shape at 130 s, {AGAINST}",
@@ -228,7 +229,7 @@ def fig09(
         down(ax, label)
     largest, band = _moment_of_base(axes[1], base_runs, own, moment)
     axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
-    axes[2].margins(x=0.09)
+    axes[2].margins(x=0.12)
     known = (
         (Line2D([], [], color=fine), FINE_MESH),
         (Line2D([], [], ls=":", color=of_paper), MESH_OF_PAPER),
