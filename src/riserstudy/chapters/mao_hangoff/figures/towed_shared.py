@@ -58,19 +58,20 @@ def towed_panels(
 def rise_and_differences(
     ax: Axes, below: Axes, runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str
 ) -> None:
-    """Axial motion of the LMRP in the first run; in the panel below, what the others differ from it by."""
+    """Axial motions of the LMRP; in the panel below, the differences of the others from the first."""
     first = runs["lmrp_rise"].sel({axis: values[0]}, method="nearest")
-    colours = ordered(OF_INPUT[axis], values)
-    ax.plot(first["time"], first, color=colours[0], lw=1.0)
-    for colour, value in zip(colours[1:], values[1:], strict=True):
-        other = runs["lmrp_rise"].sel({axis: value}, method="nearest")
-        below.plot(other["time"], other - first, color=colour, lw=1.0)
+    for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, NESTED, strict=True):
+        run = runs["lmrp_rise"].sel({axis: value}, method="nearest")
+        ax.plot(run["time"], run, color=colour, lw=width)
+        if value != values[0]:
+            below.plot(run["time"], run - first, color=colour, lw=1.0)
     ax.set_ylabel("LMRP rise (m)")
     below.set_ylabel("difference (m)")
     ax.set_xlabel(TIME)
     below.set_xlabel(TIME)
-    panel_title(ax, f"axial motion, {label.format(values[0])}")
-    panel_title(below, "the other two minus (c)")
+    panel_title(ax, "axial motion")
+    number_and_unit = label.format(values[0]).split()[-2:]
+    panel_title(below, f"differences from {' '.join(number_and_unit)}")
 
 
 def down(ax: Axes, label: str) -> None:

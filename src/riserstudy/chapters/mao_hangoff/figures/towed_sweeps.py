@@ -46,27 +46,28 @@ ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 
 
 def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
-    """Shape, moment and axial motion with the heaviest LMRP, and what lighter ones differ by.
+    """Shapes, moments and axial motions with three LMRPs, and the differences from the heaviest.
 
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
     """
     figure, axes = mosaic(["a b c", "d e f"], (3.3, 2.6))
     colours = ordered(OF_INPUT["lmrp_mass"], MASSES)
     curves = {
-        f"{MASSES[0]:g} t, {AGAINST}": (-lmrp_mass["displacement_along"].sel(time=STATED), "m"),
-        f"size of the moment, {MASSES[0]:g} t": (lmrp_mass["bending_moment_size"] / 1e3, "kN m"),
+        AGAINST: (-lmrp_mass["displacement_along"].sel(time=STATED), "m"),
+        "size of the moment": (lmrp_mass["bending_moment_size"] / 1e3, "kN m"),
     }
     depth = float(lmrp_mass["s"][-1]) - lmrp_mass["s"]
-    for ax, below, letter, (title, (values, unit)) in zip(
-        axes[:2], axes[3:5], "ab", curves.items(), strict=True
+    for ax, below, (title, (values, unit)) in zip(
+        axes[:2], axes[3:5], curves.items(), strict=True
     ):
         first = values.sel(lmrp_mass=MASSES[0])
-        for colour, mass in zip(colours, MASSES, strict=True):
+        for colour, mass, width in zip(colours, MASSES, NESTED, strict=True):
             of = values.sel(lmrp_mass=mass)
-            drawn, of = (ax, of) if mass == MASSES[0] else (below, of - first)
-            drawn.plot(of, depth, color=colour, label=f"LMRP {mass:g} t")
+            ax.plot(of, depth, color=colour, lw=width, label=f"LMRP {mass:g} t")
+            if mass != MASSES[0]:
+                below.plot(of - first, depth, color=colour)
         panel_title(ax, title)
-        panel_title(below, f"the other two minus ({letter})")
+        panel_title(below, f"differences from {MASSES[0]:g} t")
         down(below, f"difference ({unit})")
     for ax, label, value, unit in zip(
         axes, (ASTERN, MOMENT), (heavy, moment), ("m", "kN m"), strict=False
@@ -81,7 +82,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     lightest = axes[3].lines[1]
     farther = float(np.asarray(lightest.get_xdata())[0])
     label_line(axes[3], lightest, 0.0, (5.0, 2.0), name=f"120 t: {farther:.1f} m")
-    lines = [*axes[0].lines[:1], *axes[3].lines[:2], axes[0].lines[1]]
+    lines = axes[0].lines[:4]
     names = [str(line.get_label()) for line in lines[:3]]
     legend_below(figure, lines, [*names, "printed"], 4)
     change = changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
