@@ -215,7 +215,7 @@ def test_the_command_converts_by_the_scene_of_the_dataset(tmp_path, commands):
     )
     assert (code, wrong) == (0, "")
     assert "T_e = T_w + p_o A_o - p_i A_i" in said
-    assert "arc length counts down from s" in said
+    assert "arc length is measured down from s" in said
     assert figure.stat().st_size > 1e4
     code, _, wrong = commands("compare", tmp_path / "pipe.nc", other, "-o", figure)
     assert code == 2

@@ -98,5 +98,5 @@ def test_a_slack_cable_hangs_on_any_mesh(elements):
 
 
 def test_a_slack_string_under_compression_is_given_up():
-    with pytest.raises(PhysicallyUnstable, match=r"tension falls to -.*buckles there at any"):
+    with pytest.raises(PhysicallyUnstable, match=r"tension decreases to -.*buckles there at any"):
         simulate(from_file("hard/snap"))

@@ -97,5 +97,5 @@ def test_a_stress_of_a_section_that_is_cut_is_refused():
     file = drawn(0, False, False).with_values(
         {"analysis.output": output, "analysis.duration": "10 s", "analysis.step": "0.1 s"}, "test"
     )
-    with pytest.raises(InputError, match="reaches through the water's surface"):
+    with pytest.raises(InputError, match="crosses the water surface"):
         file.resolved()
