@@ -220,4 +220,4 @@ def test_a_heading_that_is_another_one_a_turn_later_is_left_out_or_refused(
         else:
             with pytest.raises(SystemExit):
                 imported(source, *words)
-            assert "which is the same heading" in capsys.readouterr().err
+            assert "the same heading" in capsys.readouterr().err

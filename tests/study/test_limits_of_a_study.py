@@ -103,7 +103,7 @@ def test_where_nothing_is_used_the_point_that_comes_nearest_is_told(tmp_path):
 
 
 def test_limits_that_cannot_be_meant_are_refused(tmp_path):
-    with pytest.raises(ValueError, match="one of both"):
+    with pytest.raises(ValueError, match="only one of the two"):
         study(tmp_path, set={"limits": LIMITS})
     with pytest.raises(InputError, match="'colour' is no output that can have limits"):
         dataset(tmp_path, limits=[{"output": "colour", "largest": "1 m", "mode": "drilling"}])

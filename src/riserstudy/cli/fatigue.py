@@ -95,7 +95,7 @@ def fatigue(
         if path is not None:
             check_output(path, ("table",), reads, force, option)
     if scatter and seas:
-        raise InputError("--seas", str(seas), "with --scatter", "allowed is one of both")
+        raise InputError("--seas", str(seas), "with --scatter", "give only one of the two")
     from riserstudy.fatigue import tables
 
     years = _summed(study, scatter, seas, gamma, at, calm)

@@ -168,7 +168,7 @@ def _at(
     for axis in axes:
         if axis in at:
             if axis in occurs.values:
-                raise InputError("--at", axis, "in the table, too", "allowed is one of both")
+                raise InputError("--at", axis, "in the table, too", "give only one of the two")
             study = study.isel({axis: value_of(study, axis, at[axis])})
         elif study.sizes[axis] == 1 and axis not in occurs.values:
             study = study.isel({axis: 0})

@@ -122,7 +122,7 @@ class Item(Checked):
             raise Misfit(
                 "rounding",
                 f"{self.rounding:g} is coarser than the number {self.published:g}",
-                "it is the unit of the last printed digit, as 0.1 of 24.4",
+                "rounding is the unit of the last printed digit, for example 0.1 for 24.4",
             )
         if self.within is not None and not (self.published and 0.0 < self.within <= RELATIVE):
             raise Misfit(

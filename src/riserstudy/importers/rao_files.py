@@ -220,8 +220,8 @@ def _once_a_turn(path: Path, found: Operators) -> Operators:
         elif _same(kept[twin], rows):
             found.left_out.append(f"heading {heading:g} deg: that of {twin:g} deg")
         else:
-            at = f"another response than at {twin:g} deg, which is the same heading"
-            raise InputError(path, f"heading {heading:g} deg", at, "allowed is one of both")
+            at = f"a response that differs from that at {twin:g} deg, the same heading"
+            raise InputError(path, f"heading {heading:g} deg", at, "give only one of the two")
     return found._replace(rows=[row for rows in kept.values() for row in rows])
 
 

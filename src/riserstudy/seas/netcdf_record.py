@@ -83,7 +83,9 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
         notes.append(note)
     clock = next((n for n in CLOCKS if n in data.variables), None)
     if clock is None or not np.issubdtype(data[clock].dtype, np.datetime64):
-        raise InputError(path, "time", "no times", "allowed is a coordinate 'time' by CF")
+        raise InputError(
+            path, "time", "the file has no times", "give it a coordinate 'time' as in CF"
+        )
     columns: dict[str, FloatArray] = {}
     for one, values, note in _columns(path, data, clock):
         if one.name in columns:

@@ -138,7 +138,7 @@ class StudyModel(Strict):
             )
         self._only_coarser()
         if self.limits and "limits" in self.set:
-            raise Misfit("limits", "are also in set", "allowed is one of both")
+            raise Misfit("limits", "are also in set", "give only one of the two")
         for name in self.axes:
             ours = name in DIMENSIONS or name in about_points()
             if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):

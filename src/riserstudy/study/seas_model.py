@@ -75,7 +75,7 @@ class SeasModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.headings and HEADING in self.axes:
-            raise Misfit(f"axes.{HEADING}", "headings give it", "allowed is one of both")
+            raise Misfit(f"axes.{HEADING}", "headings give it", "give only one of the two")
         if isinstance(self.record, str):
             path = PureWindowsPath(self.record)
             if path.anchor or ".." in path.parts:

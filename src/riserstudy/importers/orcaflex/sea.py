@@ -101,8 +101,8 @@ def _made_linear(train: Part, kind: str, sea: Sea) -> None:
         raise train.refused("WavePeriod", f"{period:g}", allowed)
     second = second_harmonic(amplitude, period, sea.surface - sea.seabed, sea.gravity)
     if second > SMALL:
-        found = f"{kind}, whose second harmonic has {100.0 * second:.0f} % of its amplitude"
-        allowed = f"allowed are waves with up to {100.0 * SMALL:.0f} %: those of a scene are Airy's"
+        found = f"{kind}, with a second harmonic of {100.0 * second:.0f} % of the wave amplitude"
+        allowed = f"allowed is up to {100.0 * SMALL:.0f} %, because a scene has only Airy waves"
         raise train.refused("WaveType", found, allowed)
     train.otherwise["WaveType"] = (
         f"{kind} is an Airy wave of the same height and period, stretched to the surface; "

@@ -283,12 +283,8 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
         _name_peak(axes[2 * k + 1], far, "$S$")
         low = _name_peak(axes[2 * k + 1], far, "$S$", lowest=True)
     twice = abs(low / resonance - 2.0) < 0.02
-    at = (
-        f"twice the resonance period of {resonance:g} s"
-        if twice
-        else f"resonance at {resonance:g} s"
-    )
-    headline(figure, f"Asymmetry reverses near {low:g} s, {at}")
+    at = "at about twice the resonance period" if twice else f"near {low:g} s"
+    headline(figure, f"Asymmetry reverses {at}")
     key_below(figure, axes[0], 2)
     return figure
 

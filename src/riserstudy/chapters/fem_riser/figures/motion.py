@@ -116,7 +116,7 @@ def fig04(motion: xr.Dataset) -> Figure:
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"The mean at mid-length settles within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
+        f"The mean at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
     )
     for ax in axes[3:]:
         inside = [line for line in named(ax) if "mean" in str(line.get_label())]
@@ -147,7 +147,7 @@ def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
         mean = " and its mean" if last_window and s == MIDDLE else ""
         ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m" + mean)
     ax.set_xlabel(TIME)
-    ax.set_ylabel("change to the last mean (cm)" if last_window else DEFLECTION)
+    ax.set_ylabel("deviation from the last mean (cm)" if last_window else DEFLECTION)
     ax.margins(y=0.1)  # room for names
     panel_title(ax, "histories at heights s")
 

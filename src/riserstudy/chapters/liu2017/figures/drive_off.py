@@ -67,8 +67,8 @@ def fig04(driveoff: xr.Dataset) -> Figure:
                     ax.plot(after["time"], after[name], linewidth=0.8, label="_", **style)
         axes[column].axhline(100.0, color=GREY, linewidth=0.9)
         axes[column].annotate(
-            "false position,\n100 m (printed)", (0.0, 100.0), xytext=(0, 3), fontsize="small",
-            textcoords="offset points", color="0.3",
+            "false position,\n100 m (printed)", (0.0, 100.0), xytext=(0, -3), fontsize="small",
+            textcoords="offset points", color="0.3", va="top",
         )  # fmt: skip
         panel_title(axes[column], title)
         axes[2 + column].set_xlabel(TIME)
@@ -101,7 +101,7 @@ def _mark_arrivals(ax: Axes, driveoff: xr.Dataset, kind: str) -> float:
         colour = OF_HEADING[label]
         ax.plot([times[-1]], [100.0], "o", color=colour, mec="white", ms=6, zorder=5, label="_")
         ax.annotate(
-            f"{times[-1]:.0f} s", (times[-1], 100.0), ha=across, va="bottom" if across == "right" else "top",
+            f"{times[-1]:.1f} s", (times[-1], 100.0), ha=across, va="bottom" if across == "right" else "top",
             xytext=(-4.0, 3.0) if across == "right" else (4.0, -3.0), textcoords="offset points",
             fontsize="small", color=legible(colour),
         )  # fmt: skip
@@ -156,12 +156,12 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
         )  # fmt: skip
     low, high = (float(moved) for moved in ends)
     axes[0].annotate(
-        f"circles: after {EARLY:g} s,\nat the top and\na tenth of the length\nfrom the bottom",
+        f"circles: after {EARLY:g} s,\nwith the distance moved,\nat the top and a tenth\nof the length from the bottom",
         (0.97, 0.04), ha="right", xycoords="axes fraction", va="bottom", fontsize="small",
     )  # fmt: skip
     below = "hardly" if low < HARDLY * high else f"{low:.1f} m"
-    far = f"the top has moved {high:.0f} m after {EARLY:g} s, the lower end {below}"
-    set_title(figure, f"Along, {far}")
+    far = f"the top has moved {high:.0f} m, the lower end {below}"
+    set_title(figure, f"Along, after {EARLY:g} s, {far}")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 

@@ -133,7 +133,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
             curve = quantity.sel(stop_stiffness=stiffness)
             for side in ("max", "min"):
                 ends = getattr(curve, side)("time")
-                label = f"stops of {stiffness:g} MN/m" if side == "max" else None
+                label = f"stop stiffness {stiffness:g} MN/m" if side == "max" else None
                 ax.plot(
                     ends["heave_amplitude"],
                     ends,

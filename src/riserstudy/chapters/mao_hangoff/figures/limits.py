@@ -137,7 +137,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         axes[2:],
         Normalize(0.0, most),
         HEAVES,
-        "heave that loses tension (m)\n(darker is worse)",
+        "heave amplitude at loss of tension (m)\n(darker is worse)",
     )
     kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {
@@ -147,7 +147,12 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
     legend_below(figure, [*key.values()], [*key], 2)
     papers = lost.isel(riser_length=-1, lmrp_mass=-1)
     on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
-    headline(figure, f"The locked riser loses tension {locked}, on tensioners {on_tensioners}")
+    headline(
+        figure,
+        f"The locked riser loses tension {locked}, on tensioners {on_tensioners}"
+        if on_tensioners
+        else f"Only the locked riser loses tension, {locked}",
+    )
     return figure
 
 
@@ -159,9 +164,9 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: s
 
 
 def _loses(lost: xr.DataArray) -> str:
-    """From which heave on a riser loses tension, and in which period: the worst."""
+    """From which heave on a riser loses tension, and in which period: the worst; "" where none does."""
     if bool(lost.isnull().all()):
-        return "in no heave shown"
+        return ""
     worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
     return f"from {_two_digits(float(worst))} m of heave in {float(worst['heave_period']):g} s"
 

@@ -143,7 +143,7 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
         *ax.plot([], [], ":", color=GREY, label="closed"),
     ]
     ax.set_xlabel("deflection (mm)")
-    ax.set_ylabel("distance from the clamp (mm)")
+    ax.set_ylabel("length along the pipe from the clamp (mm)")
     ax.set_ylim(1.15e3 * float(below.max()), -0.04e3 * float(below.max()))
     ax.legend(handles=keys, fontsize="small")
     panel_title(ax, "numbers: speed, and deflection of the flooded pipe's tip")

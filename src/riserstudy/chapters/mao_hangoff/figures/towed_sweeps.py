@@ -57,9 +57,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
         "size of the moment": (lmrp_mass["bending_moment_size"] / 1e3, "kN m"),
     }
     depth = float(lmrp_mass["s"][-1]) - lmrp_mass["s"]
-    for ax, below, (title, (values, unit)) in zip(
-        axes[:2], axes[3:5], curves.items(), strict=True
-    ):
+    for ax, below, (title, (values, unit)) in zip(axes[:2], axes[3:5], curves.items(), strict=True):
         first = values.sel(lmrp_mass=MASSES[0])
         for colour, mass, width in zip(colours, MASSES, NESTED, strict=True):
             of = values.sel(lmrp_mass=mass)
