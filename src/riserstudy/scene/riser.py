@@ -113,9 +113,9 @@ class VortexInducedVibration(Strict):
     ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest frequency, the frequency at which
     force and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter;
     published 0.11, 0.18, 0.26. ``memory``: averaging length of the mean squares of the motion, that is
-    the distance that the water flows past the pipe, in diameters; for example 20. ``seed``: seed of the initial phases, which are smooth along the
-    riser. ``ramp``: time over which the lift increases; by default the time of ten vortices in the fastest
-    current. ``in_line``: excitation along the flow; by default there is none.
+    the distance that the water flows past the pipe, in diameters; for example 20. ``seed``: seed of the
+    initial phases, which are smooth along the riser. ``ramp``: time over which the lift increases; by
+    default the time of ten vortices in the fastest current. ``in_line``: excitation along the flow; by default there is none.
     """
 
     model: Literal["synchronisation"]

@@ -116,7 +116,8 @@ def fig04(motion: xr.Dataset) -> Figure:
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"The mean at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s (tide calibrated)",
+        f"The mean at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s "
+        "(tide calibrated)",
     )
     for ax in axes[3:]:
         inside = [line for line in named(ax) if "mean" in str(line.get_label())]

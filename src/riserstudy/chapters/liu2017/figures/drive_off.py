@@ -156,7 +156,8 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
         )  # fmt: skip
     low, high = (float(moved) for moved in ends)
     axes[0].annotate(
-        f"circles: after {EARLY:g} s,\nwith the distance moved,\nat the top and a tenth\nof the length from the bottom",
+        f"circles: after {EARLY:g} s,\nwith the distance moved,\n"
+        "at the top and a tenth\nof the length from the bottom",
         (0.97, 0.04), ha="right", xycoords="axes fraction", va="bottom", fontsize="small",
     )  # fmt: skip
     below = "hardly" if low < HARDLY * high else f"{low:.1f} m"
