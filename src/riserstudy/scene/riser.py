@@ -115,7 +115,8 @@ class VortexInducedVibration(Strict):
     published 0.11, 0.18, 0.26. ``memory``: averaging length of the mean squares of the motion, that is
     the distance that the water flows past the pipe, in diameters; for example 20. ``seed``: seed of the
     initial phases, which are smooth along the riser. ``ramp``: time over which the lift increases; by
-    default the time of ten vortices in the fastest current. ``in_line``: excitation along the flow; by default there is none.
+    default the time of ten vortices in the fastest current. ``in_line``: excitation along the flow; by
+    default there is none.
     """
 
     model: Literal["synchronisation"]
