@@ -72,7 +72,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     ):
         down(ax, label)
         ax.axvline(value, **PRINTED)
-        _beside(ax, value, 0.5, f"{value:g} {unit}")
+        _beside(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
     rise_and_differences(axes[2], axes[5], lmrp_mass, "lmrp_mass", MASSES, "{:g} t")
     axes[3].axvline(light - heavy, **PRINTED)
     axes[3].set_xlim(right=1.08 * (light - heavy))
