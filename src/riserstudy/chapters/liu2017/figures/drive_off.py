@@ -162,7 +162,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     )  # fmt: skip
     below = "hardly" if low < HARDLY * high else f"{low:.1f} m"
     far = f"the top has moved {high:.0f} m, the bottom {below}"
-    set_title(figure, f"After {EARLY:g} s at 0° {far}")
+    set_title(figure, f"Along, after {EARLY:g} s, {far}")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 

@@ -60,7 +60,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     two = [share.sel(current_profile=f"calibrated: {name}") for name in OF_CALIBRATION]
     shallow, deep = sorted(float(of["depth"][of >= 0.5].max()) for of in two)
     apart = ": a shallow and a deep one" if deep > 2.0 * shallow else ""
-    headline(figure, f"With two currents the model gives the printed force{apart}")
+    headline(figure, f"Two currents give the printed force{apart}")
     key_below(figure, axes[1], 3)
     return figure
 
