@@ -219,7 +219,8 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     star: dict[str, Any] = {"color": BLACK, "marker": "*", "ms": 11, "ls": "none"}
     own = GRID_TIME / DURATION * whole
     right.plot([own], [len(elements)], **star)
-    low, high = (getattr(grid_test["solve_seconds"], of)("time_step") for of in ("min", "max"))
+    seconds = grid_test["solve_seconds"]
+    low, high = seconds.min("time_step"), seconds.max("time_step")
     span: dict[str, Any] = {"color": GREY, "linewidth": 2.0}
     for row, ends in enumerate(zip(low.values, high.values, strict=True)):
         right.plot(ends, [row, row], "|-", ms=9, mew=2.0, **span)

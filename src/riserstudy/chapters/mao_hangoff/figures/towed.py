@@ -27,6 +27,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     NESTED,
     TIME,
     down,
+    name_upright,
 )
 from riserstudy.chapters.mao_hangoff.runs import STATED
 from riserstudy.chapters.mao_hangoff.towed import displacement
@@ -207,7 +208,7 @@ def fig09(
     fine, of_paper = OF_MESH[FINE_MESH], OF_MESH[MESH_OF_PAPER]
     axes[0].plot(-base["displacement_along"].sel(time=STATED), depth, color=fine)
     axes[0].axvline(heavy, **PRINTED)
-    _number(axes[0], heavy, f"{heavy:g} m")
+    name_upright(axes[0], heavy, 1.0, f"{heavy:g} m")
     own = variants.sel(variant="mesh and step of the paper")
     shape = -displacement(own).sel(time=STATED).dropna("s")
     axes[0].plot(shape, float(shape["s"][-1]) - shape["s"], ":", color=of_paper)
@@ -295,14 +296,6 @@ def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
         ax.plot(at["time"], at - at[0], color=colour, lw=width, label=name)
     ax.set_xlabel(TIME)
     ax.set_ylabel("axial motion (m)")
-
-
-def _number(ax: Axes, x: float, text: str) -> None:
-    """Write the number of an upright line at its left, at its upper end."""
-    ax.annotate(
-        text, (x, 1.0), xycoords=("data", "axes fraction"), xytext=(-3.0, -4.0),
-        textcoords="offset points", ha="right", va="top", fontsize="small",
-    )  # fmt: skip
 
 
 def _sign_of_largest(moment: xr.DataArray) -> float:

@@ -33,9 +33,9 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
 def towed_panels(
     runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str
 ) -> Figure:
-    """Figs 11, 12 and 14 without a key: shape, moment, and axial motion of one run, from which others differ.
+    """Figs 11, 12 and 14 without a key: shapes, moments, axial motions, and their differences from the first.
 
-    ``values``: the run that is drawn whole in (c) is the first; ``current``: speed and direction, of (a).
+    ``values``: of the runs, the first one being that of comparison; ``current``: speed and direction, of (a).
     """
     figure, axes = mosaic(["a b c", "a b d"], (1.95, 1.95))
     for colour, value in zip(ordered(OF_INPUT[axis], values), values, strict=True):
@@ -72,6 +72,15 @@ def rise_and_differences(
     panel_title(ax, "axial motion")
     number_and_unit = label.format(values[0]).split()[-2:]
     panel_title(below, f"differences from {' '.join(number_and_unit)}")
+
+
+def name_upright(ax: Axes, x: float, up: float, text: str) -> None:
+    """Write the number of an upright line at its left, at a height (share of the panel; 1: below its end)."""
+    at_end = up == 1.0
+    ax.annotate(
+        text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, -4.0 if at_end else 0.0),
+        textcoords="offset points", ha="right", va="top" if at_end else "center", fontsize="small",
+    )  # fmt: skip
 
 
 def down(ax: Axes, label: str) -> None:

@@ -17,6 +17,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     TIME,
     changes,
     down,
+    name_upright,
     rise_and_differences,
     towed_panels,
 )
@@ -72,11 +73,11 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     ):
         down(ax, label)
         ax.axvline(value, **PRINTED)
-        _beside(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
+        name_upright(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
     rise_and_differences(axes[2], axes[5], lmrp_mass, "lmrp_mass", MASSES, "{:g} t")
     axes[3].axvline(light - heavy, **PRINTED)
     axes[3].set_xlim(right=1.08 * (light - heavy))
-    _beside(axes[3], light - heavy, 0.5, f"120 t, printed:\n{light - heavy:.1f} m")
+    name_upright(axes[3], light - heavy, 0.5, f"120 t, printed:\n{light - heavy:.1f} m")
     lightest = axes[3].lines[1]
     farther = float(np.asarray(lightest.get_xdata())[0])
     label_line(axes[3], lightest, 0.0, (5.0, 2.0), name=f"120 t: {farther:.1f} m")
@@ -89,14 +90,6 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
         f"A lighter LMRP trails {change:.0f} % farther; published: {100.0 * (light / heavy - 1.0):.0f} %",
     )
     return figure
-
-
-def _beside(ax: Axes, x: float, up: float, text: str) -> None:
-    """Write the number of an upright line at its left."""
-    ax.annotate(
-        text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, 0.0), ha="right",
-        va="center", textcoords="offset points", fontsize="small",
-    )  # fmt: skip
 
 
 def fig11(current_speed: xr.Dataset) -> Figure:
