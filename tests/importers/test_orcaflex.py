@@ -199,7 +199,7 @@ def test_a_line_in_soil_has_the_soil_of_its_model(tmp_path):
     left = [line for line in read_deck(changed(tmp_path, in_soil)).left_out if "P-y" in line]
     assert left == [
         "P-yModels[Clay].PyCurves[0].ModelType: the curve is Matlock's cube root under static load, "
-        "below 0.1 of the displacement at half the resistance a straight line"
+        "with a straight line below 0.1 times the displacement at half the resistance"
     ]
 
 

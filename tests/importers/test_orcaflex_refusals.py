@@ -38,7 +38,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::ruamel.yaml.error.MantissaNoDot
         (lambda d: d["Environment"]["WaveTrains"][0].update(WaveType="Cnoidal", WavePeriod=4), "harmonic"),
         (lambda d: sea(d, WaveJONSWAPParameters="Automatic"), "Partially specified"),
         (lambda d: sea(d, WaveNumberOfSpectralDirections=7), "allowed is 1"),
-        (lambda d: sea(d, WaveTp=None), "missing, as WaveTz is"),
+        (lambda d: sea(d, WaveTp=None), "missing, and WaveTz too"),
         (lambda d: d["Lines"][0].update(PyModel="Soft clay"), "no p-y model 'Soft clay'"),
         (lambda d: in_soil(d, DepthBelowSeabedFrom=3), "1 ranges of depth; allowed is one from 0 m"),
         (lambda d: in_soil(d) or d["P-yModels"][0]["PyCurves"].append({}), "2 ranges of depth"),
@@ -68,5 +68,5 @@ def test_what_a_scene_cannot_say_is_refused(tmp_path, change, said):
 
 def test_what_is_no_deck_is_refused(tmp_path):
     (tmp_path / "other.yml").write_text("a: 1\n")
-    with pytest.raises(InputError, match="no deck"):
+    with pytest.raises(InputError, match="no OrcaFlex model"):
         read_deck(tmp_path / "other.yml")

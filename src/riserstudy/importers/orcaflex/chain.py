@@ -63,8 +63,10 @@ def roles(deck: Part, on: Bearings) -> Roles:
             alongside.append(line)
         else:
             touches = [name for name in (upper, lower) if name in nodes and name not in on.ground]
-            pulls = f"; what it pulls at {touches[0]!r} is left out too" if touches else ""
-            line.part.apart = f"a line from {upper!r} to {lower!r} that is not of the riser{pulls}"
+            pulls = f"; its pull at {touches[0]!r} is left out too" if touches else ""
+            line.part.apart = (
+                f"a line from {upper!r} to {lower!r} that is no part of the riser{pulls}"
+            )
     return Roles(riser, nodes, joint, alongside)
 
 
@@ -103,9 +105,12 @@ def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
         if way := _down(line, lines, on):
             found.append((rank, way))
     if not found:
-        allowed = "allowed is a line, or lines on end, from tensioners or a vessel to the ground"
+        allowed = (
+            "a riser is a line, or several end to end, from tensioners or a vessel to the ground "
+            "(Fixed or Anchored). Connect the lines in this way"
+        )
         ends = [f"{line.name!r} from {line.upper.to!r} to {line.lower.to!r}" for line in lines]
-        raise deck.refused("Lines", f"no riser: {', '.join(ends)}", allowed)
+        raise deck.refused("Lines", f"no line is a riser: {', '.join(ends)}", allowed)
     best = min(rank for rank, _ in found)
     ways = [way for rank, way in found if rank == best]
     widest = max(greatest_diameter(deck, way) for way in ways)
@@ -113,7 +118,8 @@ def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
     if len(ways) > 1:
         names = " and ".join(repr(way[0].name) for way in ways)
         found_ = f"{len(ways)} of them may be the riser: {names}"
-        raise deck.refused("Lines", found_, "allowed is one")
+        allowed = "a scene has one riser. Delete the others from a copy of the model"
+        raise deck.refused("Lines", found_, allowed)
     return ways[0]
 
 
@@ -145,7 +151,8 @@ def write_point_counts(deck: Part, names: list[str]) -> None:
         mass = buoy.number("Mass")
         if mass > BETWEEN:
             allowed = (
-                f"allowed within the riser are {BETWEEN:g} t: a scene has bodies only at its ends"
+                f"allowed within the riser is at most {BETWEEN:g} t: a scene has bodies only at the ends of "
+                "the riser. Add this mass to a line type"
             )
-            buoy.note(buoy.refused("Mass", f"{mass:g}", allowed))
-        buoy.apart = f"a point of the riser; its mass of {mass:g} t is left out"
+            buoy.note(buoy.refused("Mass", f"{mass:g} t", allowed))
+        buoy.apart = f"a point between two lines of the riser; its mass of {mass:g} t is left out"

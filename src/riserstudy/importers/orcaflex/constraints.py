@@ -17,13 +17,15 @@ def slides_in(constraint: Part, ring: str) -> None:
         Where it is something else.
     """
     if constraint.text("InFrameConnection") != ring:
-        found = f"in {constraint.text('InFrameConnection')!r}"
-        raise constraint.refused("InFrameConnection", found, f"allowed is the ring, {ring!r}")
+        found = f"connected to {constraint.text('InFrameConnection')!r}"
+        allowed = f"allowed is {ring!r}: the telescopic joint of a scene slides in the tension ring"
+        raise constraint.refused("InFrameConnection", found, allowed)
     if _freedoms(constraint) != [2]:
-        raise constraint.refused("DOFFree", f"{_freedoms(constraint)}", "allowed is z alone")
+        allowed = "allowed is z alone: a telescopic joint slides along its axis and does not turn"
+        raise constraint.refused("DOFFree", _named(constraint), allowed)
     stiffness = constraint.optional("TranslationalStiffness")
     if stiffness:
-        allowed = "allowed is 0: it slides freely"
+        allowed = "allowed is 0: a telescopic joint of a scene slides freely"
         raise constraint.refused("TranslationalStiffness", str(stiffness), allowed)
 
 
@@ -36,12 +38,14 @@ def guided_by(constraint: Part) -> tuple[str, float]:
         Where it moves otherwise.
     """
     if _freedoms(constraint) != [2]:
-        raise constraint.refused("DOFFree", f"{_freedoms(constraint)}", "allowed is z alone")
+        allowed = "allowed is z alone: the upper end of a riser below a vessel moves vertically"
+        raise constraint.refused("DOFFree", _named(constraint), allowed)
     constraint.idle("TranslationalStiffness")
     constraint.idle("TranslationalDamping")
     x, y, _ = constraint.vector("InFrameInitialPosition")
     if y:
-        raise constraint.refused("InFrameInitialPosition", f"y = {y:g}", "allowed is y = 0")
+        allowed = "allowed is y = 0: the offset of an upper end in a scene is along x"
+        raise constraint.refused("InFrameInitialPosition", f"y = {y:g} m", allowed)
     return constraint.text("InFrameConnection"), x
 
 
@@ -54,15 +58,21 @@ def turns_in(constraint: Part) -> tuple[str, float, Any]:
         Where it moves otherwise.
     """
     if _freedoms(constraint) != [3, 4]:
-        raise constraint.refused(
-            "DOFFree", f"{_freedoms(constraint)}", "allowed are Rx and Ry alone"
-        )
+        allowed = "allowed are Rx and Ry alone: this constraint becomes the lower flex joint"
+        raise constraint.refused("DOFFree", _named(constraint), allowed)
     x, y, z = constraint.vector("InFrameInitialPosition")
     if x or y:
-        raise constraint.refused("InFrameInitialPosition", f"{x}, {y}", "allowed is x = y = 0")
+        allowed = "allowed is x = y = 0: the lower end of a scene's riser is on the z axis"
+        raise constraint.refused("InFrameInitialPosition", f"x, y = {x:g}, {y:g} m", allowed)
     constraint.idle("StiffnessAndDampingMethod", "Coefficients")
     stiffness = constraint.number("RotationalStiffness")
     return constraint.text("InFrameConnection"), z, rotation(stiffness or None)
+
+
+def _named(constraint: Part) -> str:
+    """The free directions of a constraint, by name."""
+    names = ("x", "y", "z", "Rx", "Ry", "Rz")
+    return f"free: {', '.join(names[k] for k in _freedoms(constraint)) or 'none'}"
 
 
 def _freedoms(constraint: Part) -> list[int]:

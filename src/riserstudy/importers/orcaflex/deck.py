@@ -13,7 +13,8 @@ from riserstudy.errors import InputError
 #: of an entry that says nothing, which is never listed
 EMPTY: tuple[Any, ...] = (None, "~", [], {})
 MOST = 1e30  # in the unit of the deck: beyond all that is met, and fourth powers of it are numbers
-GUESS = "nothing is guessed; write it into the deck"
+GUESS = "nothing is guessed. Write the value into the OrcaFlex model"
+CHANGE = "Change the OrcaFlex model, or write the scene by hand"
 
 
 class Part:
@@ -26,7 +27,8 @@ class Part:
         self, data: Any, path: str, source: Path, faults: list[InputError] | None = None
     ) -> None:
         if not isinstance(data, dict):
-            raise InputError(source, path, "no object", "allowed are names with values")
+            allowed = "write names with values, as OrcaFlex saves an object"
+            raise InputError(source, path, "is not an object", allowed)
         self.data, self.path, self.source = data, path, source
         self.faults: list[InputError] = [] if faults is None else faults
         self.taken: set[str] = set()
@@ -91,7 +93,9 @@ class Part:
         self.value(key)
         numbers = self.numbers(key)
         if len(numbers) != 3:
-            raise self.refused(key, f"{len(numbers)} values", "allowed are 3 values")
+            raise self.refused(
+                key, f"{len(numbers)} values", "allowed are 3 values, for x, y and z"
+            )
         return numbers[0], numbers[1], numbers[2]
 
     def _number(self, key: str, entry: Any) -> float:
@@ -99,7 +103,7 @@ class Part:
         if isinstance(value, bool) or not isinstance(value, int | float) or math.isnan(value):
             raise self.refused(key, repr(entry), "allowed is a number")
         if MOST < abs(value) < math.inf:
-            raise self.refused(key, repr(entry), f"allowed is up to {MOST:g}")
+            raise self.refused(key, repr(entry), "allowed are magnitudes of at most 1e30")
         return float(value)
 
     def whole(self, key: str) -> int:
@@ -132,7 +136,8 @@ class Part:
             raise self.refused(", ".join(columns), "missing", GUESS)
         names, rows = [name.strip() for name in key.split(",")], self.value(key)
         if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
-            raise self.refused(key, "no table", f"allowed are rows of {len(names)} values")
+            allowed = f"write rows of {len(names)} values, one for each name"
+            raise self.refused(key, "is not a table", allowed)
         full = [
             {
                 name: None if cell in ("~", []) else cell
@@ -172,18 +177,21 @@ class Part:
             entry = self.value(key)
             yes = {True: "yes", False: "no"}.get(wanted, wanted)
             if entry != wanted and str(entry).lower() != yes:
-                raise self.refused(key, str(entry), f"allowed is {wanted}")
+                allowed = f"allowed is {wanted}: the import reads no other setting. {CHANGE}"
+                raise self.refused(key, str(entry), allowed)
 
     def idle(self, key: str, *allowed: Any) -> None:
         """See that an entry, where there is one, is without effect: empty, 0, or one of what is allowed."""
         if (entry := self.optional(key)) not in (*EMPTY, 0, *allowed):
             words = " or ".join(map(str, allowed)) or "0"
-            self.note(self.refused(key, str(entry), f"allowed is {words}"))
+            remedy = f"allowed is {words}: the import cannot convert other values. {CHANGE}"
+            self.note(self.refused(key, str(entry), remedy))
 
     def alike(self, one: str, other: str) -> None:
         """See that both directions are alike, where the second is given."""
         if (second := self.optional(other)) not in (None, self.optional(one)):
-            self.note(self.refused(other, str(second), f"allowed is that of {one}"))
+            allowed = f"allowed is the value of {one}: a scene has one value for both directions"
+            self.note(self.refused(other, str(second), allowed))
 
     def part(self, key: str) -> Part:
         """An object within."""
@@ -193,7 +201,9 @@ class Part:
         """Objects of a list within; none where there is no such list."""
         entries = self.optional(key) or []
         if not isinstance(entries, list):
-            raise self.refused(key, "no list", "allowed is a list of objects")
+            raise self.refused(
+                key, "is not a list", "write a list of objects, as OrcaFlex saves it"
+            )
         names = [
             one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(entries)
         ]

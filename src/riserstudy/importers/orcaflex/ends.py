@@ -59,7 +59,7 @@ def line_of(part: Part) -> Line:
     rows = part.table(*PLACE, of=LEANS, idle=ROUND_Z)
     stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",), idle=("ConnectionDamping",))
     if len(rows) != 2 or len(stiff) != 2:
-        allowed = "allowed are two, with bending stiffness"
+        allowed = "a line needs two rows of ends and two rows of their bending stiffness"
         raise part.refused(PLACE[0], f"{len(rows)} ends, {len(stiff)} stiffnesses", allowed)
     ends = [_end(part, row, *bends) for row, bends in zip(rows, stiff, strict=True)]
     upper, lower = ends if part.text("TopEnd") == "End A" else ends[::-1]
@@ -69,18 +69,21 @@ def line_of(part: Part) -> Line:
 def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
     to, *place, leaning, of, release = row
     if release is not None:
-        part.note(
-            part.refused(LEANS[-1], str(release), "leave it out: lines of a scene stay connected")
-        )
+        allowed = "the lines of a scene stay connected. Remove the release from the model"
+        part.note(part.refused(LEANS[-1], f"released in stage {release}", allowed))
     try:
         x, y, z = (float(value) for value in place)
         stiffness = None if along is None else float(str(along).replace("Infinity", "inf"))
     except (TypeError, ValueError):
         found = f"{', '.join(map(str, row))}, stiffness {along}"
-        raise part.refused(PLACE[0], found, "allowed are numbers") from None
+        allowed = "position and stiffness of a line end must be numbers"
+        raise part.refused(PLACE[0], found, allowed) from None
     if across not in (None, along):
         found = f"{along} and {across}"
-        part.note(part.refused(BENDING, found, "allowed is one for both directions"))
+        allowed = (
+            "a flex joint of a scene has one stiffness for both directions. Write equal values"
+        )
+        part.note(part.refused(BENDING, found, allowed))
     return End(str(to), x, y, z, str(of or ""), leaning, stiffness or None)
 
 
@@ -88,7 +91,7 @@ def upright(line: Line, end: End) -> None:
     """See that an end that resists turning stands upright."""
     if end.stiffness and end.leaning not in UPRIGHT:
         found = f"declination {end.leaning} of an end that resists turning"
-        allowed = "allowed are 0 and 180: the end stands upright"
+        allowed = "allowed are 0 and 180: a clamp or flex joint at an end of a scene is upright"
         line.part.note(line.part.refused(LEANS[0], found, allowed))
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import CHANGE, GUESS, Part
 
 if TYPE_CHECKING:
     from riserstudy.importers.orcaflex.ends import Line
@@ -39,7 +39,7 @@ def lengths_of(line: Part) -> list[tuple[str, float]]:
         if isinstance(length, bool) or not isinstance(length, int | float) or not length > 0.0:
             raise line.refused("Length", f"{length!r} of {kind!r}", "allowed are lengths above 0")
     if not rows:
-        raise line.refused("LineType, Length", "no sections", "allowed is one or more")
+        raise line.refused("LineType, Length", "no sections", "a line needs one section or more")
     return [(str(kind), float(length)) for kind, length in rows]
 
 
@@ -54,7 +54,7 @@ def kind_of(deck: Part, line: Part, name: str) -> Part:
     types = deck.named("LineTypes")
     if name not in types:
         found = f"no line type {name!r}"
-        raise line.refused("LineType", found, f"allowed are {', '.join(types)}")
+        raise line.refused("LineType", found, f"the line types of the model are {', '.join(types)}")
     return types[name]
 
 
@@ -90,7 +90,9 @@ def wall(kind: Part) -> dict[str, Any]:
         fields["axial_stiffness"] = _q(kind.number("EA"), "kN")
         mass = _q(mass_of(kind), "kg/m")
     else:
-        allowed = "allowed are General, Homogeneous pipe"
+        allowed = (
+            f"allowed are General and Homogeneous pipe: the import reads no other type. {CHANGE}"
+        )
         raise kind.refused("Category", kind.text("Category"), allowed)
     return fields | {"mass": mass}
 
@@ -106,7 +108,7 @@ def stressed(kind: Part, filled: bool) -> dict[str, Any]:
         return {}
     outer, inner = kind.number("StressOD"), kind.number("StressID")
     if filled and abs(inner - kind.number("ID")) > SAME:
-        kind.otherwise["StressID"] = f"{inner:g} m is left out: contents fill ID"
+        kind.otherwise["StressID"] = f"{inner:g} m is left out, because the contents fill ID"
         return {}
     return {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
 
@@ -136,7 +138,7 @@ def bending_stiffness(kind: Part) -> float:
     """
     stiff = across(kind, "EI")
     if stiff is None:
-        raise kind.refused("EIx", "missing, as EI is", "nothing is guessed; write it into the deck")
+        raise kind.refused("EIx", "missing, and EI too", GUESS)
     return stiff
 
 
@@ -167,7 +169,9 @@ def across(kind: Part, name: str) -> float | None:
     if isinstance(whole, list):
         if len(whole) < 2 or whole[1] not in (None, "~", whole[0]):
             found = ", ".join(map(str, whole))
-            allowed = "allowed is one value for both directions across the line"
+            allowed = (
+                "a scene has one value for both directions across the line. Write equal values"
+            )
             raise kind.refused(name, found, allowed)
         whole = whole[0]
     given = [kind.optional(f"{name}x"), kind.optional(f"{name}n"), whole]
@@ -191,7 +195,8 @@ def _one(kind: Part, name: str, given: list[Any], names: str) -> float | None:
     """The one number of what may be given under several names."""
     values = [value for value in given if value not in (None, "~")]
     if len(values) > 1:
-        raise kind.refused(name, "given twice", f"allowed is one of {names}")
+        allowed = f"allowed is only one of the names {names}. Delete the others"
+        raise kind.refused(name, "given twice", allowed)
     if values and (isinstance(values[0], bool) or not isinstance(values[0], int | float)):
         raise kind.refused(name, repr(values[0]), "allowed is a number")
     return float(values[0]) if values else None

@@ -63,8 +63,8 @@ def read_deck(path: Path) -> Imported:
         warnings.simplefilter("ignore", MantissaNoDotYAML1_1Warning)  # 250e3, as OrcaFlex writes it
         data = read_yaml(path)
     if not isinstance(data, dict) or "Lines" not in data or "LineTypes" not in data:
-        allowed = "allowed is an OrcaFlex text model (.yml) with LineTypes and Lines"
-        raise InputError(path, "", "no deck of a riser", allowed)
+        allowed = "allowed is an OrcaFlex text data file (.yml) with LineTypes and Lines"
+        raise InputError(path, "", "is no OrcaFlex model of a riser", allowed)
     deck = Part(data, "", path)
     tree: dict[str, Any] = {}
     with deck.noting():
@@ -74,7 +74,7 @@ def read_deck(path: Path) -> Imported:
     for key in OBJECTS:
         for part in deck.parts(key):
             if not part.apart and not part.taken - {"Name"} and not part.below:
-                part.apart = "nothing of the riser refers to it"
+                part.apart = "no part of the riser refers to it"
     SceneFile(str(path), unwrap(tree)[0]).resolved()
     return Imported(tree, left_out(deck))
 
@@ -139,13 +139,13 @@ def _foot(deck: Part, cast: Roles, sea: Sea) -> Foot:
     """The lower end, which stands on the ground, or on a constraint that is its flex joint."""
     line, end = cast.riser[-1], cast.riser[-1].lower
     if not end.on_axis:
-        allowed = "allowed is a lower end at x = y = 0"
-        deck.note(line.part.refused(PLACE[1], f"{end.x:g}, {end.y:g}", allowed))
+        allowed = "allowed is x = y = 0: the lower end of a scene's riser is on the z axis. Move the model"
+        deck.note(line.part.refused(PLACE[1], f"lower end at {end.x:g}, {end.y:g} m", allowed))
     joints = deck.named("Constraints")
     if end.to in joints:
         if rotation(end.stiffness) != "fixed" or end.z:
-            allowed = "allowed is an end that is clamped to the constraint, at its origin"
-            deck.note(line.part.refused(PLACE[0], f"{end.to!r}, at {end.z:g} m", allowed))
+            allowed = "the lower end must be clamped to this constraint, at z = 0 of its frame"
+            deck.note(line.part.refused(PLACE[0], f"{end.to!r}, at z = {end.z:g} m", allowed))
         to, z, turning = turns_in(joints[end.to])
         return Foot(z + (sea.seabed if to == "Anchored" else 0.0), turning)
     upright(line, end)

@@ -67,8 +67,8 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
     train = trains[0]
     kind = train.text("WaveType")
     if len(trains) > 1 or kind not in (*AIRY, *STEEP, *SPECTRA):
-        found = f"{len(trains)} wave trains, {kind}"
-        allowed = f"allowed is one of {', '.join((AIRY[0], *STEEP, *SPECTRA))}"
+        found = f"{len(trains)} wave trains, the first of the type {kind}"
+        allowed = f"a scene has one wave train. Use one of {', '.join((AIRY[0], *STEEP, *SPECTRA))}"
         raise train.refused("WaveType", found, allowed)
     if kind in SPECTRA:
         wave = _spectrum(train, kind)
@@ -85,7 +85,7 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
     else:
         method = environment.text("KinematicStretchingMethod")
         if method not in STRETCHING:
-            allowed = f"allowed are {', '.join(STRETCHING)}"
+            allowed = f"a scene has no equivalent. Use one of {', '.join(STRETCHING)}"
             raise environment.refused("KinematicStretchingMethod", method, allowed)
         wave["above_mean_level"] = STRETCHING[method]
     towards = train.number("WaveDirection")
@@ -97,12 +97,15 @@ def _made_linear(train: Part, kind: str, sea: Sea) -> None:
     """Say what an Airy wave lacks of a steep one, which is refused where that is much."""
     amplitude, period = 0.5 * train.number("WaveHeight"), train.number("WavePeriod")
     if not (period > 0.0 and sea.surface > sea.seabed):
-        allowed = "allowed are a period and a depth above 0"
-        raise train.refused("WavePeriod", f"{period:g}", allowed)
+        allowed = "the wave period and the water depth must be above 0"
+        raise train.refused("WavePeriod", f"{period:g} s", allowed)
     second = second_harmonic(amplitude, period, sea.surface - sea.seabed, sea.gravity)
     if second > SMALL:
         found = f"{kind}, with a second harmonic of {100.0 * second:.0f} % of the wave amplitude"
-        allowed = f"allowed is up to {100.0 * SMALL:.0f} %, because a scene has only Airy waves"
+        allowed = (
+            f"allowed is at most {100.0 * SMALL:.0f} %, because a scene has only Airy waves. "
+            "Use a less steep wave, or an Airy wave"
+        )
         raise train.refused("WaveType", found, allowed)
     train.otherwise["WaveType"] = (
         f"{kind} is an Airy wave of the same height and period, stretched to the surface; "
@@ -132,7 +135,8 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         train.demand("WaveJONSWAPParameters", "Partially specified")
     if train.optional("WaveNumberOfSpectralDirections") not in (None, 1):
         found = str(train.optional("WaveNumberOfSpectralDirections"))
-        raise train.refused("WaveNumberOfSpectralDirections", found, "allowed is 1")
+        allowed = "allowed is 1: all waves of a scene have one direction"
+        raise train.refused("WaveNumberOfSpectralDirections", found, allowed)
     enhancement = train.number("WaveGamma") if kind == "JONSWAP" else 1.0
     peak: Any = train.optional("WaveTp")
     crossing = train.optional("WaveTz")
@@ -142,7 +146,8 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
         peak = {"derived": _q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
     else:
-        raise train.refused("WaveTp", "missing, as WaveTz is", "allowed is one of them")
+        allowed = "a spectrum needs one of them. Write one into the model"
+        raise train.refused("WaveTp", "missing, and WaveTz too", allowed)
     wave: dict[str, Any] = {
         "significant_height": _q(train.number("WaveHs"), "m"),
         "peak_period": peak,
@@ -150,7 +155,9 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         "components": train.whole("WaveNumberOfComponents"),
         "seed": abs(train.whole("WaveSeed")),
     }
-    reason = "the sea record differs: components and their phases are drawn differently"
+    reason = (
+        "the sea record differs: the random phases and the components are generated differently"
+    )
     train.otherwise["WaveSeed"] = reason
     return wave
 

@@ -30,12 +30,13 @@ def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, 
     models = {model.text("Name"): model for model in deck.parts(MODELS)}
     if name not in models:
         found = f"no p-y model {str(name)!r}"
-        raise line.refused("PyModel", found, f"allowed are {', '.join(models) or 'none'}")
+        allowed = f"the p-y models are: {', '.join(models) or 'none'}"
+        raise line.refused("PyModel", found, allowed)
     curves = models[name].parts(CURVES)
     if len(curves) != 1 or curves[0].number("DepthBelowSeabedFrom"):
         allowed = (
-            "allowed is one from 0 m: a scene's strength is a straight line over depth; "
-            "leave PyModel out and write 'soil:' into the scene"
+            "allowed is one from 0 m: the strength of a scene's clay is a straight line over depth. "
+            "Remove PyModel from the line and write 'soil:' into the scene"
         )
         raise models[name].refused(CURVES, f"{len(curves)} ranges of depth", allowed)
     return {"mudline": f"{seabed:.10g} m", "resistance": _soft_clay(curves[0], gravity)}
@@ -44,12 +45,15 @@ def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, 
 def _soft_clay(curve: Part, gravity: float) -> dict[str, Any]:
     kind = curve.text("ModelType")
     if kind.lower() != SOFT_CLAY.lower():
-        allowed = f"allowed is {SOFT_CLAY}; a scene has no curves of sand and no tables"
+        allowed = (
+            f"allowed is {SOFT_CLAY}: the import converts no curves of sand and no tables. "
+            "Remove PyModel from the line and write 'soil:' into the scene"
+        )
         raise curve.refused("ModelType", kind, allowed)
     density, strain = curve.number("EffectiveUnitSoilDensity"), curve.number("Epsilonc")
     curve.otherwise["ModelType"] = (
-        "the curve is Matlock's cube root under static load, "
-        f"below {STRAIGHT:g} of the displacement at half the resistance a straight line"
+        "the curve is Matlock's cube root under static load, with a straight line "
+        f"below {STRAIGHT:g} times the displacement at half the resistance"
     )
     return {
         "strength_at_mudline": f"{curve.number('UndrainedShearStrength'):.10g} kN/m^2",

@@ -110,8 +110,12 @@ def _joint(deck: Part, cast: Roles, piece: Piece) -> dict[str, Any] | None:
     if piece.line.lower.to == "Free":
         stiffness = below.upper.stiffness
     if stiffness is None:
-        allowed = "allowed is a bending stiffness above 0 between lines of the riser"
-        deck.note(piece.line.part.refused("ConnectionxBendingStiffness", "a hinge", allowed))
+        allowed = "a scene has no hinge within the riser. Write a bending stiffness above 0"
+        deck.note(
+            piece.line.part.refused(
+                "ConnectionxBendingStiffness", "0, a hinge between two lines of the riser", allowed
+            )
+        )
     if stiffness is None or math.isinf(stiffness):
         return None
     return {"stiffness": _q(stiffness, "kN*m/deg")}
@@ -149,12 +153,13 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
         with deck.noting():
             if not high > low or abs(long - reach) > SLACK * reach:
                 words = f"{long:g} m along {reach:g} m of the riser"
-                allowed = "a line along the riser must have the riser's length"
+                allowed = "a line along the riser must be as long as this part of the riser"
                 raise line.part.refused("Length", words, allowed)
             found.append((line, low, high))
         aside = math.hypot(line.lower.x, line.lower.y)
         line.part.otherwise["ConnectionX"] = (
-            f"its distance of {aside:.4g} m from the riser's axis is left out: a bend does not stretch it"
+            f"its distance of {aside:.4g} m from the riser's axis is left out: bending of the riser "
+            "does not stretch it"
         )
         if abs(long - reach) > 1e-9 * reach:
             line.part.otherwise["Length"] = (
@@ -207,13 +212,14 @@ def _pipe(kind: Part) -> dict[str, Any]:
     if "young_modulus" not in fields:
         area = disc(kind.number("OD")) - disc(kind.number("ID"))
         if not area > 0.0:
-            found = f"{kind.number('ID'):g}"
-            raise kind.refused("ID", found, "allowed of a line along the riser is less than OD")
+            found = f"{kind.number('ID'):g} m, not less than OD"
+            allowed = "a line along the riser needs a wall. Correct ID or OD"
+            raise kind.refused("ID", found, allowed)
         modulus = kind.number("EA") / area
         fields["young_modulus"] = {"derived": _q(modulus, "kN/m^2"), "from": "EA and diameters"}
         second = (kind.number("OD") ** 4 - kind.number("ID") ** 4) * math.pi / 64.0
         kind.otherwise["EI"] = (
-            f"along the riser it bends with {modulus * second:.4g} kN m^2, of EA and diameters"
+            f"the scene has {modulus * second:.4g} kN m^2 for this line, from EA and diameters"
         )
     for key in ("axial_stiffness", "bending_stiffness"):
         fields.pop(key, None)

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import CHANGE, Part
 from riserstudy.importers.orcaflex.ends import PLACE
 
 ALONG = "ConnectionzRelativeTo"
@@ -47,7 +47,7 @@ def fastened(part: Part) -> list[str]:
     """
     rows = part.table(*PLACE, of=(ALONG,))
     if len(rows) < 2:
-        raise part.refused(PLACE[0], f"{len(rows)} ends", "allowed are two")
+        raise part.refused(PLACE[0], f"{len(rows)} ends", "a link or winch needs two ends")
     return [str(row[0]) for row in rows]
 
 
@@ -73,8 +73,9 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
     alike = {(pull.law, pull.damping) for pull in pulls if not pull.idle}
     places = {(*pull.deck[:2], pull.ring_radius) for pull in pulls}
     if max(len(alike), len(places)) > 1 or (first.deck[0] and not _evenly(pulls)):
-        found = "links that differ, or are not evenly around the line"
-        raise parts[0].refused("Connection", found, "allowed are equal ones, evenly on a circle")
+        found = "links that differ, or are not spaced evenly around the line"
+        allowed = "tensioners of a scene are equal ones, spaced evenly on a circle. " + CHANGE
+        raise parts[0].refused("Connection", found, allowed)
     damping = {"damping": _q(first.damping, "kN*s/m")} if first.damping else {}
     made = {
         "count": count,
@@ -137,21 +138,18 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
     (deck, (x, y, z)), (ring, (a, b, c)) = ends if names[0] in of.decks else ends[::-1]
     if deck not in of.decks or ring not in of.at_ring or c:
         found = f"from {deck!r} to {ring!r}"
-        allowed = f"allowed is from {' or '.join(of.decks)} to the line's upper end"
+        allowed = f"a tensioner connects {' or '.join(of.decks)} to the upper end of the riser"
         raise part.refused(PLACE[0], found, allowed)
     x -= of.aside
     bearing = math.degrees(math.atan2(y, x)) % 360.0
     inner, outer = math.hypot(a, b), math.hypot(x, y)
     if inner and abs(math.degrees(math.atan2(b, a)) % 360.0 - bearing) > 1e-3:
-        allowed = "allowed is that both are at one"
-        raise part.refused(PLACE[0], "points at other bearings", allowed)
+        allowed = "both ends of a tensioner must have one bearing around the riser"
+        raise part.refused(PLACE[0], "ends at different bearings", allowed)
     if part.optional("ReleaseStage") is not None:
-        found = str(part.optional("ReleaseStage"))
-        part.note(
-            part.refused(
-                "ReleaseStage", found, "leave it out: tensioners of a scene stay connected"
-            )
-        )
+        found = f"released in stage {part.optional('ReleaseStage')}"
+        allowed = "the import keeps tensioners connected. Remove the release from the model"
+        part.note(part.refused("ReleaseStage", found, allowed))
     height = z + of.decks[deck]
     length = math.hypot(outer - inner, height - of.ring)
     return (round(outer, 6), round(height, 6), bearing), round(inner, 6), length
@@ -160,14 +158,14 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
 def _link(link: Part, of: Anchorage) -> Pull:
     kind = link.text("LinkType").lower()
     if kind not in ("spring/damper", "tether"):
-        allowed = "allowed are Spring/Damper, Tether"
+        allowed = f"allowed are Spring/Damper and Tether: the import reads no other type. {CHANGE}"
         raise link.refused("LinkType", link.text("LinkType"), allowed)
     deck, ring, length = _between(link, of)
     if kind == "tether" or _is_given(link.value("LinearSpring")):
         unstretched = link.number("UnstretchedLength")
         if kind == "tether" and not unstretched > 0.0:
-            found = f"{unstretched:g}"
-            raise link.refused("UnstretchedLength", found, "allowed of a tether is above 0")
+            found = f"{unstretched:g} m"
+            raise link.refused("UnstretchedLength", found, "a tether needs a length above 0")
         stiffness = link.number("Stiffness") / (unstretched if kind == "tether" else 1.0)
         pull = stiffness * (length - unstretched)
         law: tuple[tuple[float, float], ...] = (
@@ -186,7 +184,7 @@ def _damping(link: Part) -> float:
     if link.data.get("LinearDamper") is None and link.data.get("DampingConstant") is None:
         return 0.0
     if not _is_given(link.value("LinearDamper")):
-        allowed = "allowed is a LinearDamper: damping of a scene is one number"
+        allowed = "allowed is Yes: damping of a scene is linear. Give a DampingConstant"
         raise link.refused("LinearDamper", str(link.value("LinearDamper")), allowed)
     return link.number("DampingConstant")
 
@@ -213,7 +211,7 @@ def _winch(winch: Part, of: Anchorage) -> Pull:
     )
     if len(stages) > 1 or next(iter(stages))[0] != "Specified tension":
         found = ", ".join(f"{mode} {value:g}" for mode, value in sorted(stages))
-        allowed = "allowed is one Specified tension at all stages"
+        allowed = "a winch becomes a constant tension. Use one Specified tension at all stages"
         raise winch.refused("StageMode, StageValue", found, allowed)
     return Pull(deck, ring, ((0.0, next(iter(stages))[1]),), 0.0)
 

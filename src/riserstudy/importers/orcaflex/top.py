@@ -18,6 +18,7 @@ from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
 
 SAME = 1e-6  # m, to which elevations of a deck are one
+ALIKE = "a scene has one horizontal value: its product with the coefficient must be the same along x and y"
 SOFT = 10.0  # kN/m, stiffness along a joint that takes no tension worth counting
 
 
@@ -41,11 +42,14 @@ def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
     pulling = _pulling(deck, {line.name, node})
     if line.upper.y:
         found = f"y = {line.upper.y:g} m"
-        deck.note(line.part.refused(PLACE[2], found, "allowed is an upper end along x"))
+        allowed = "allowed is y = 0: the offset of an upper end in a scene is along x"
+        deck.note(line.part.refused(PLACE[2], found, allowed))
     if node not in vessels and line.upper.to not in GROUND:
         return _pulled(deck, cast, bottom, pulling, sea)
     if pulling:
-        raise pulling[0].refused("Name", pulling[0].name, "allowed only with a free upper end")
+        found = f"{pulling[0].name} pulls at an upper end that is held"
+        allowed = "links and winches need a free upper end. Free this end, or delete them"
+        raise pulling[0].refused("Name", found, allowed)
     upright(line, line.upper)
     held = "platform" if node in vessels else "held"
     base = height_of(vessels[node]) if node in vessels else 0.0
@@ -71,7 +75,7 @@ def _pulling(deck: Part, ring: set[str]) -> list[Part]:
                 pulling.append(part)
             else:
                 part.apart = (
-                    f"the line is between {' and '.join(map(repr, ends))}, not at the upper end"
+                    f"it connects {' and '.join(map(repr, ends))}, not the upper end of the riser"
                 )
     return pulling
 
@@ -81,8 +85,8 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
     line, node = cast.riser[0], cast.nodes[0]
     vessels, rings = deck.named("Vessels"), deck.named("6DBuoys")
     if not pulling:
-        allowed = "allowed with Links or Winches that pull it"
-        raise line.part.refused(PLACE[0], "a free upper end", allowed)
+        allowed = "add Links or Winches that pull it upwards"
+        raise line.part.refused(PLACE[0], "a free upper end that nothing pulls", allowed)
     ring = bottom + sum(map(depth, cast.riser))
     decks = {"Fixed": 0.0} | {name: height_of(vessel) for name, vessel in vessels.items()}
     anchorage = Anchorage({line.name, node}, decks, ring)
@@ -163,7 +167,8 @@ def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
     names = {name for name, _ in lengths_of(joint.part)}
     stiff = {flexural(kind_of(deck, joint.part, name)) for name in names}
     if len(stiff) != 1:
-        found, allowed = ", ".join(sorted(names)), "allowed is one bending stiffness of line types"
+        found = f"{', '.join(sorted(names))}, with different bending stiffnesses"
+        allowed = "a telescopic joint of a scene has one bending stiffness. Write equal values"
         raise joint.part.refused("LineType", found, allowed)
     joint_ = {"length": _q(length, "m"), "bending_stiffness": _q(stiff.pop(), "kN*m^2")}
     return {"rotation": rotation(joint.upper.stiffness), "telescopic_joint": joint_}
@@ -190,8 +195,11 @@ def _carries(
         stiffness = axial(kind)
         flexible += length / stiffness if stiffness else math.inf
     if SOFT * flexible < 1.0:
-        found = f"a line on {node!r} that takes more than {SOFT:g} kN over a metre"
-        allowed = f"allowed is a joint that slides: on a constraint, or with up to {SOFT:g} kN/m"
+        found = f"a line on {node!r} that is stiffer than {SOFT:g} kN/m along its axis"
+        allowed = (
+            "a telescopic joint slides. Put it on a constraint that is free along z, "
+            f"or use at most {SOFT:g} kN/m"
+        )
         raise joint.part.refused(PLACE[0], found, allowed)
     made = body or {"name": joint.name, "mass": "0 t"}
     own = float(_plain(made["mass"]).split()[0])
@@ -231,13 +239,13 @@ def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
     drag = [a * c for a, c in zip(area, factor, strict=False)]
     if any(drag):
         if drag[0] != drag[1]:
-            raise buoy.refused("DragArea", f"{area}", "allowed is the same along x and y")
+            raise buoy.refused("DragArea", f"{area}", ALIKE)
         body["drag_area"] = {"horizontal": _q(drag[0], "m^2"), "vertical": _q(drag[2], "m^2")}
     mass_ = buoy.numbers("HydrodynamicMass")
     added = [m * c for m, c in zip(mass_, buoy.numbers("AddedMassCoefficient"), strict=False)]
     if any(added):
         if added[0] != added[1]:
-            raise buoy.refused("HydrodynamicMass", f"{mass_}", "allowed is the same along x and y")
+            raise buoy.refused("HydrodynamicMass", f"{mass_}", ALIKE)
         body["added_mass"] = {"horizontal": _q(added[0], "t"), "vertical": _q(added[2], "t")}
     return body
 

@@ -71,7 +71,7 @@ def _answers(vessel: Part) -> bool:
     reported = vessel.optional("SuperimposedMotion")
     motion = vessel.optional("PrimaryMotion")
     if motion not in (None, "None", "Prescribed"):
-        allowed = "allowed are None, Prescribed: the motion of a scene's platform is prescribed"
+        allowed = "allowed are None and Prescribed: the import reads no other motion"
         vessel.note(vessel.refused("PrimaryMotion", str(motion), allowed))
     return reported is None or "RAO" in str(reported)
 
@@ -86,7 +86,8 @@ def _bow_along_x(vessel: Part) -> None:
         key = "InitialHeading"
     if any(turned):
         found = ", ".join(f"{angle:g}" for angle in turned)
-        vessel.note(vessel.refused(key, found, "allowed is 0: the bow along x, on an even keel"))
+        allowed = "allowed is 0: a scene has the bow along x and an even keel. Turn the model"
+        vessel.note(vessel.refused(key, found, allowed))
     vessel.idle("Length")
 
 
@@ -102,7 +103,7 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
         changes = mode == "Speed change"
         if turn or (k and ((changes and value) or (not changes and value != speed))):
             found = f"stage {k}: {mode} {value}, turning {turn}"
-            allowed = "allowed is one speed that is reached in the first stage, without a turn"
+            allowed = "a platform of a scene reaches one speed in the first stage and does not turn"
             raise vessel.refused(STAGES[0], found, allowed)
         speed = value if k == 0 else speed
         ramp = stages[0] if k == 0 and changes else ramp
@@ -111,7 +112,7 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
     headings = sorted({angle for _, angle, _ in figures})
     if len(headings) > 1:
         found = ", ".join(f"{angle:g}" for angle in headings)
-        raise vessel.refused(STAGES[3], found, "allowed is one direction")
+        raise vessel.refused(STAGES[3], found, "a platform of a scene moves in one direction")
     heading = headings[0]
     cruise = {"speed": f"{speed:.10g} m/s"} | ({"ramp": f"{ramp:.10g} s"} if ramp else {})
     return cruise | ({"heading": f"{heading:.10g} deg"} if heading else {})
@@ -122,16 +123,20 @@ def _operators(deck: Part, vessel: Part, stages: list[float]) -> tuple[Part, dic
     kinds = deck.named("VesselTypes")
     name = vessel.text("VesselType")
     if name not in kinds:
-        raise vessel.refused("VesselType", name, f"allowed are {', '.join(kinds)}")
+        allowed = f"the vessel types of the model are {', '.join(kinds)}"
+        raise vessel.refused("VesselType", f"no vessel type {name!r}", allowed)
     draughts = {one.name: one for one in kinds[name].parts("Draughts")}
     draught = vessel.text("Draught")
     if draught not in draughts:
-        raise vessel.refused("Draught", draught, f"allowed are {', '.join(draughts)}")
+        allowed = f"the draughts of this vessel type are {', '.join(draughts)}"
+        raise vessel.refused("Draught", f"no draught {draught!r}", allowed)
     table = draughts[draught].part("DisplacementRAOs")
     origin = table.vector("RAOOrigin")
     if any((*origin[:2], *table.numbers("PhaseOrigin")[:2])):
-        allowed = "allowed is above the lower end, phases there too"
-        raise table.refused("RAOOrigin", f"{origin[0]:g}, {origin[1]:g}", allowed)
+        allowed = (
+            "x and y of RAOOrigin and PhaseOrigin must be 0, above the lower end. Convert the RAOs"
+        )
+        raise table.refused("RAOOrigin", f"x, y = {origin[0]:g}, {origin[1]:g} m", allowed)
     ramp = {"ramp": f"{stages[0]:.10g} s"} if stages else {}
     return table, _response(kinds[name], table) | ramp
 
@@ -181,5 +186,5 @@ def _choice(part: Part, key: str, of: dict[str, Any]) -> Any:
         entry = part.text(key)
         if entry in of:
             return of[entry]
-        raise part.refused(key, entry, f"allowed are {', '.join(of)}")
+        raise part.refused(key, entry, f"the import reads only {', '.join(of)}")
     return next(iter(of.values()))
