@@ -42,17 +42,19 @@ def write_deck(file: SceneFile) -> Exported:
     scene = file.resolved()
     deck = Deck(file, scene)
     if scene.water is None:
-        raise deck.refused("water", "missing", "a deck has water; add 'water:'")
+        raise deck.refused(
+            "water", "missing", "an OrcaFlex model always has water. Add 'water:' to the scene"
+        )
     if scene.bottom.hold == "free" or scene.bottom.elevation is None:
-        allowed = "allowed are wellhead and foot: a deck is written of a riser that is held below"
+        allowed = "allowed are wellhead and foot: the export has no riser with a free lower end"
         raise deck.refused("bottom.hold", scene.bottom.hold, allowed)
     if scene.vessel:
-        allowed = "allowed is 'platform', whose motion is prescribed"
+        allowed = "the export has only prescribed motion. Replace 'vessel:' by 'platform:'"
         raise deck.refused("vessel", "a platform that floats freely", allowed)
     if scene.gravity not in (None, pipes.GRAVITY):
         deck.otherwise["gravity"] = (
-            f"{scene.gravity:g} m/s^2; that of a deck is {pipes.GRAVITY} m/s^2: weights in water are kept, "
-            "those of contents and in air change with it"
+            f"{scene.gravity:g} m/s^2 in the scene, {pipes.GRAVITY} m/s^2 in OrcaFlex: submerged weights "
+            "are kept, weights of contents and weights in air change with gravity"
         )
     deck.objects |= {"General": surroundings.stages(deck)}
     deck.objects |= {"Environment": surroundings.environment(deck, scene.water)}

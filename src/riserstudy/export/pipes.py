@@ -55,13 +55,14 @@ def line_types(deck: Deck) -> None:
         )
     }  # fmt: skip
     if deck.scene.buoyancy:
-        deck.otherwise["buoyancy"] = "included in the weights in water and in the top tension"
+        deck.otherwise["buoyancy"] = "included in the submerged weights and in the top tension"
 
 
 def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     scene, path = deck.scene, f"riser[{k}]"
     if section.mass is None:
-        raise deck.refused(f"{path}.mass", "missing", "a deck needs the mass of every section")
+        allowed = "OrcaFlex needs the mass of every section. Add 'mass:' to this section"
+        raise deck.refused(f"{path}.mass", "missing", allowed)
     water = scene.water.density if scene.water else 0.0
     lost = section.mass - (section.submerged_weight or 0.0) / GRAVITY  # kg/m, in the water
     _above_water(deck, section, k)
@@ -72,8 +73,8 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     if not dry:
         area = lost / water
         if area < 0.0:
-            allowed = "allowed is up to its weight in air"
-            raise deck.refused(f"{path}.submerged_weight", "more than its mass weighs", allowed)
+            allowed = "it may not exceed the weight in air. Correct mass or submerged weight"
+            raise deck.refused(f"{path}.submerged_weight", "more than the mass weighs", allowed)
         outer = math.sqrt(4.0 * area / math.pi)
     inner = (section.inner_diameter or 0.0) if section.contents else 0.0
     own = section.outer_diameter or 0.0
@@ -88,8 +89,11 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
         outer = own
     else:
         if outer <= inner:
-            found = f"displaces as a pipe of {outer:.4g} m, around contents of {inner:.4g} m"
-            allowed = "allowed is that the pipe is wider than its contents"
+            found = (
+                f"the buoyancy is that of a pipe with a diameter of {outer:.4g} m, "
+                f"around contents with a diameter of {inner:.4g} m"
+            )
+            allowed = "the pipe must be wider than its contents. Correct mass or submerged weight"
             raise deck.refused(f"{path}.submerged_weight", found, allowed)
         axial, bending = section.elasticity
         entry |= {
@@ -99,7 +103,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
         }  # fmt: skip
         if own and abs(outer - own) > SAME * own:
             deck.otherwise[f"{path}.outer_diameter"] = (
-                f"{own:.6g} m is StressOD; OD is {outer:.6g} m, by the weight in water"
+                f"{own:.6g} m is written as StressOD; OD is {outer:.6g} m, from the submerged weight"
             )
     if section.lines:
         deck.otherwise[f"{path}.lines"] = (
@@ -117,13 +121,13 @@ def _above_water(deck: Deck, section: Section, k: int) -> None:
         return
     if low < surface:
         deck.otherwise[f"riser[{k}].length"] = (
-            f"the program that reads the deck divides the section at the surface, {surface - low:.6g} m up"
+            f"OrcaFlex divides the section at the surface, {surface - low:.6g} m above its lower end"
         )
     dry = high - max(low, surface)
     more = ((section.mass or 0.0) * GRAVITY - (section.submerged_weight or 0.0)) * dry
     if abs(more) > 1e3 * STEEPER and deck.scene.gravity:
         deck.otherwise[f"riser[{k}].submerged_weight"] = (
-            f"above the water the deck weighs the mass: {1e-3 * more:+.4g} kN in all"
+            f"above the water, OrcaFlex uses the weight of the mass: {1e-3 * more:+.4g} kN in total"
         )
 
 
@@ -165,7 +169,7 @@ def _mean(deck: Deck, table: tuple[tuple[float, float], ...], k: int) -> float:
     z = np.linspace(low, high, 401)
     mean = float(np.interp(z, *np.array(table).T).mean())
     deck.otherwise[f"riser[{k}].drag.coefficient"] = (
-        f"its mean over the section, {mean:.4g}: a line type has one"
+        f"mean over the section, {mean:.4g}: a line type has one drag coefficient"
     )
     return mean
 

@@ -24,7 +24,8 @@ def environment(deck: Deck, water: Water) -> dict[str, Any]:
     surface, seabed = water.surface, water.seabed
     if surface is None or seabed is None:
         name = "water.surface" if surface is None else "water.seabed"
-        raise deck.refused(name, "missing", "a deck needs the levels of surface and seabed")
+        allowed = "OrcaFlex needs the levels of surface and seabed. Add this level to the scene"
+        raise deck.refused(name, "missing", allowed)
     deck.carried |= {"water"}
     made: dict[str, Any] = {
         "WaterSurfaceZ": surface, "KinematicViscosity": 1.35e-6, "VerticalDensityVariation": "Constant",
@@ -108,7 +109,7 @@ def _waves(deck: Deck) -> dict[str, Any]:
         }
         deck.carried |= {"wave.components", "wave.seed"}
         deck.otherwise["wave.seed"] = (
-            "the deck has another sea record, since its program draws other phases"
+            "the sea record differs, because OrcaFlex generates other random phases"
         )
         train |= {
             "WaveType": "JONSWAP", "WaveJONSWAPParameters": "Partially specified",
@@ -141,7 +142,9 @@ def stages(deck: Deck) -> dict[str, Any]:
         deck.carried.add(path)
         if ramp != first:
             reason = "none" if ramp is None else f"{ramp:g} s"
-            deck.otherwise[path] = f"{reason}; the deck builds up over its first stage, {first:g} s"
+            deck.otherwise[path] = (
+                f"{reason}; OrcaFlex builds up loads over its first stage, {first:g} s"
+            )
     made["StageDuration"] = [first, a.duration - first] if a.duration > first else [first]
     every = a.output.interval if a.output else 0.1
     return made | {"TargetLogSampleInterval": every, "ImplicitConstantTimeStep": a.step or 0.1}
@@ -166,9 +169,9 @@ def vessel(deck: Deck) -> None:
     }  # fmt: skip
     if response and deck.scene.wave is None:
         deck.otherwise["platform.response"] = (
-            "operators are in the deck, whose sea is calm: the wave that moves the platform alone is not"
+            "the operators are written, but not the wave, because it moves only the platform: the sea is calm"
         )
-        deck.otherwise["platform.centre_of_rotation"] = "the origin of these operators"
+        deck.otherwise["platform.centre_of_rotation"] = "written as the origin of these operators"
     if turned and any(turned):
         deck.otherwise["platform.position"] = "roll, pitch and yaw are left out"
     if cruise:
@@ -216,7 +219,7 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
             for heading, rows in response.by_heading.items()
         ]
         if None in response.by_heading:
-            deck.otherwise["platform.response.operators"] = "they are those of waves along x"
+            deck.otherwise["platform.response.operators"] = "written as operators for waves along x"
     if not tables:
         still = [[w, *[0.0] * 12] for w in (0.1, 10.0)]
         names = ["RAOPeriodOrFrequency"]
@@ -253,14 +256,21 @@ def soil(deck: Deck) -> str | None:
         return None
     clay = ground.resistance
     if not isinstance(clay, Matlock) or clay.strength_gradient:
-        allowed = "allowed is soft clay of one strength: write P-yModels into the deck by hand"
-        raise deck.refused("soil.resistance", "a soil that changes with depth, or springs", allowed)
+        found = "not soft clay of one strength over depth"
+        allowed = (
+            "the export has no other soil. Remove 'soil:' from the scene and write P-yModels "
+            "into the OrcaFlex model by hand"
+        )
+        raise deck.refused("soil.resistance", found, allowed)
     if ground.damping and ground.damping.ratio:
-        raise deck.refused("soil.damping", "dashpots in the soil", "leave soil.damping out")
+        allowed = "the export has no damping of the soil. Remove soil.damping from the scene"
+        raise deck.refused("soil.damping", "damping by dashpots", allowed)
     if deck.scene.water and deck.scene.water.seabed != ground.mudline:
-        deck.otherwise["soil.mudline"] = "the seabed of the deck"
+        deck.otherwise["soil.mudline"] = "replaced by the seabed"
     deck.carried |= {"soil"}
-    deck.otherwise["soil.resistance.straight_up_to"] = "the deck has its own beginning of the curve"
+    deck.otherwise["soil.resistance.straight_up_to"] = (
+        "not written: OrcaFlex defines the start of the p-y curve itself"
+    )
     curve = {
         "DepthBelowSeabedFrom": 0, "ModelType": "API RP 2A soft clay",
         "EffectiveUnitSoilDensity": 1e-3 * clay.submerged_unit_weight / 9.80665,

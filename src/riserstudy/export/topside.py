@@ -52,7 +52,10 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
     offset = of.offset or 0.0
     deck.carried |= {"top.x", "top.z", "top.offset", "top.elevation", "top.rotation"}
     if of.held_at_tension is not None:
-        allowed = "give top.elevation: a deck has no end that is held at a tension"
+        allowed = (
+            "OrcaFlex has no end that is held where the tension has a given value. "
+            "Write top.elevation instead"
+        )
         raise deck.refused("top.held_at_tension", f"{of.held_at_tension:g} N", allowed)
     if of.telescopic_joint:
         _joint(deck, of.telescopic_joint, offset, rest)
@@ -70,7 +73,9 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
         _body(deck, of.body, SLIDE, 0.0)
     pulls(deck, SLIDE, rest, along=None)
     if scene.top.x is None:
-        deck.otherwise["top.x"] = "absent: the deck holds the upper end above the lower one"
+        deck.otherwise["top.x"] = (
+            "missing in the scene; OrcaFlex holds the upper end above the lower end"
+        )
     return [SLIDE, 0, 0, 0], stiffness(of.rotation)
 
 
@@ -86,10 +91,13 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
     """An upper end that is free on inclined tensioners; it turns freely where a body is there."""
     of = deck.scene.top
     if of.tensioners is None or of.tensioners.arrangement is None:
-        allowed = "allowed with top.tensioners.arrangement: no part of a deck pulls vertically on a free end"
+        allowed = (
+            "no part of an OrcaFlex model pulls vertically on a free end. "
+            "Add top.tensioners.arrangement"
+        )
         raise deck.refused("top.x", "free", allowed)
     if of.rotation not in (None, "free"):
-        deck.otherwise["top.rotation"] = "free, as the ring is"
+        deck.otherwise["top.rotation"] = "free in the OrcaFlex model, because the ring turns freely"
     _body(deck, of.body, "Free", rest.unstretched)
     pulls(deck, RING, rest, along=None)
     return [RING, 0, 0, 0]
