@@ -193,8 +193,8 @@ def test_failure_is_an_error_where_it_must_be(axes, options):
     "axes, options, fault",
     [
         ({}, {}, "name at least one path"),
-        ({"top.tension": []}, {}, "values, each once"),
-        ({"top.tension": [1, 1]}, {}, "values, each once"),
+        ({"top.tension": []}, {}, "different values"),
+        ({"top.tension": [1, 1]}, {}, "different values"),
         ({"top.tension": [1600, "1700 kN"]}, {}, "give all of them a unit, or none"),
         ({"top.tension": ["2 MN", "3 m"]}, {}, "wrong dimension"),
         ({"top.pull": [1, 2]}, {}, "pull"),

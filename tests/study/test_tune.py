@@ -135,9 +135,9 @@ def test_points_that_a_setting_is_held_against_are_none_that_it_was_tuned_on(fil
 @pytest.mark.parametrize(
     "name, said",
     [
-        ("rest", "a study without time"),
-        ("stepped", "sets analysis.step: nothing to tune"),
-        ("few", "3 points: nothing to tune"),
+        ("rest", "only dynamic runs are tuned"),
+        ("stepped", "sets analysis.step, which tuning would choose"),
+        ("few", "3 points, fewer than twice"),
         ("newmark", "which is not tuned"),
         ("absent", "no study 'absent'"),
     ],

@@ -118,8 +118,11 @@ STUDY = "config/studies/example.yaml"
     [
         ("figures.a: no plot is named for it", "{caption: c, reads: [heave]}"),
         ("'heave' has 1 axes", "{caption: c, reads: [heave], plot: heat map}"),
-        ("reads one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
-        ("needs a plot", "{caption: c, reads: [heave], of: [x]}"),
+        (
+            "does not have one dataset",
+            "{caption: c, reads: [heave, heave_and_current], plot: lines}",
+        ),
+        ("has an effect only with plot", "{caption: c, reads: [heave], of: [x]}"),
         ("pie", "{caption: c, reads: [heave], plot: pie}"),
         ("studies have no 'moment'", "{caption: c, reads: [heave], plot: lines, of: [moment]}"),
     ],

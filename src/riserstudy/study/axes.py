@@ -28,7 +28,7 @@ class Steps(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
-            raise ValueError(f"stop must lie above start, by {MOST_VALUES} steps at most")
+            raise ValueError(f"stop must be above start, by at most {MOST_VALUES} steps")
         return self
 
     @property
@@ -57,9 +57,11 @@ class Numbers(Strict):
     def _fits(self) -> Self:
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
-            raise Misfit("values", "is inconsistent", "must be there, each once")
+            raise Misfit(
+                "values", "is empty or repeats a value", "give one or more different values"
+            )
         if self.preview and not set(self.preview) <= set(numbers):
-            raise Misfit("preview", "is inconsistent", "must be some of the values")
+            raise Misfit("preview", "has a value that is not in values", "give some of the values")
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
@@ -94,7 +96,7 @@ class Samples(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if missing := [tier for tier in TIERS if tier not in self.count]:
-            raise Misfit("count", "is inconsistent", f"no number for {missing[0]}")
+            raise Misfit("count", f"has no number of samples for the tier {missing[0]!r}", "add it")
         return self
 
 

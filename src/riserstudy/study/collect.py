@@ -81,7 +81,9 @@ def results_of(
         f"{study.paper}/{study.name}: {made} points simulated, {len(wanted) - made} from the store"
     )
     if absent:
-        raise SimulationError(f"{study.where}: points vanished from the store; run it again")
+        raise SimulationError(
+            f"{study.where}: points were deleted from the store during the run. Run it again"
+        )
     return [kept[point.key] for point in wanted], made
 
 

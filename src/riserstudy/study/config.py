@@ -45,7 +45,11 @@ class Config(Strict):
         if self.tier not in self.tiers:
             raise Misfit("tiers", "is inconsistent", f"needs {self.tier!r}, the tier to run")
         if len(set(self.papers)) != len(self.papers):
-            raise Misfit("papers", "is inconsistent", "name each once")
+            raise Misfit("papers", "names a paper twice", "name each once")
         if taken := RULES.intersection(self.papers):
-            raise Misfit("papers", f"{taken.pop()!r} is the name of a rule", "take another")
+            raise Misfit(
+                "papers",
+                f"{taken.pop()!r} is the name of a rule of the workflow",
+                "use another name",
+            )
         return self

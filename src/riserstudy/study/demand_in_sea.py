@@ -32,7 +32,7 @@ def check_seeds(seeds: int) -> None:
         Where they do not.
     """
     if seeds != 1 and seeds < FEWEST_SEEDS:
-        allowed = f"allowed are 1, whose extremes count as they are, and {FEWEST_SEEDS} and more"
+        allowed = f"allowed are 1, whose extremes are used directly, and {FEWEST_SEEDS} or more"
         raise InputError("--seeds", str(seeds), "too few for a distribution", allowed)
 
 

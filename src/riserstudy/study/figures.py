@@ -45,13 +45,15 @@ class FigureModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.plot and len(self.reads) != 1:
-            raise Misfit("plot", "is inconsistent", "reads one dataset")
+            raise Misfit("plot", "does not have one dataset", "give one name in reads")
         if self.of and not self.plot:
-            raise Misfit("of", "is inconsistent", "needs a plot to show them in")
+            raise Misfit("of", "has an effect only with plot", "add plot, or leave it out")
         if self.of and self.plot == "utilisation":
-            raise Misfit("of", "is inconsistent", "utilisation is that of all limits of the study")
+            raise Misfit(
+                "of", "not with this plot, which shows all limits of the study", "leave it out"
+            )
         if self.of and self.plot in OF_SEAS:
-            raise Misfit("of", "is inconsistent", f"{self.plot} are those of all modes")
+            raise Misfit("of", f"not with {self.plot!r}, which shows all modes", "leave it out")
         if self.settings and self.plot:
-            raise Misfit("with", "is inconsistent", "a plot that fits any grid takes no arguments")
+            raise Misfit("with", "not with plot, which has no arguments", "leave it out")
         return self

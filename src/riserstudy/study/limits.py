@@ -47,7 +47,7 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
     labels = [label(one) for one in rows[0]]
     if any([label(one) for one in row] != labels for row in rows):
         allowed = "allowed are the same outputs, places and modes at all points"
-        raise InputError(study.where, "limits", "not those of all points", allowed)
+        raise InputError(study.where, "limits", "differ between points", allowed)
     shape = (*(len(steps) for steps in study.axes.values()), len(labels))
     dims = (*study.axes, "limit")
 

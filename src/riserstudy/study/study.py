@@ -131,7 +131,9 @@ class Study:
         """
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         if (points := math.prod(map(len, axes))) > MOST_VALUES:
-            raise InputError(self.where, "axes", f"{points} points", f"allowed are {MOST_VALUES}")
+            raise InputError(
+                self.where, "axes", f"{points} points", f"allowed are at most {MOST_VALUES}"
+            )
         return Grid(self.base, axes, self.where)
 
     @cached_property

@@ -140,7 +140,9 @@ def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) 
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
-        raise SimulationError("sweep: points vanished from the store; run it again")
+        raise SimulationError(
+            "sweep: points were deleted from the store during the run. Run it again"
+        )
     empty = _without_numbers(next(iter(results.values())))
     dataset = dataset_of(study, [results.get(p.key) or empty for p in points])
     reasons = [str(failures.get(p.key, "")) for p in points]
@@ -180,7 +182,10 @@ def as_study(
     made = dict(_axis(file, path, values) for path, values in axes.items())
     if len(made) < len(axes):
         raise InputError(
-            "sweep", "axes", "two dimensions of one name", "name one of them by labels"
+            "sweep",
+            "axes",
+            "two axes would have one name",
+            "name the values of one of them by labels",
         )
     fields = {
         "scene": "scene.yaml",
@@ -199,7 +204,7 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
         return path, {label: dict(sets) for label, sets in values.items()}
     listed = [v.item() if isinstance(v, np.generic) else v for v in values]
     if not listed or len(set(listed)) < len(listed):
-        raise InputError("sweep", f"axes.{path}", str(listed), "allowed are values, each once")
+        raise InputError("sweep", f"axes.{path}", str(listed), "give one or more different values")
     name = as_name(path)
     plain = [isinstance(v, int | float) and not isinstance(v, bool) for v in listed]
     if all(plain):

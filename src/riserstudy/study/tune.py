@@ -80,7 +80,7 @@ def check_tunable(study: Study, count: int) -> None:
     where, analysis = study.where, study.base.tree.get("analysis") or {}
     if not isinstance(analysis, dict) or analysis.get("duration") is None:
         raise InputError(
-            where, "analysis", "no duration: a study without time", "request an accuracy"
+            where, "analysis", "no duration, and only dynamic runs are tuned", "request an accuracy"
         )
     for name, tuned in (("solver", (None,)), ("method", TUNED)):
         if analysis.get(name) not in tuned:
@@ -90,10 +90,10 @@ def check_tunable(study: Study, count: int) -> None:
     for axis, values in study.axes.items():
         for path in (path for _, sets in values for path in sets):
             if path in own or path.startswith("analysis.mesh."):
-                found = f"sets {path}: nothing to tune"
+                found = f"sets {path}, which tuning would choose"
                 raise InputError(where, f"axes.{axis}", found, "name another study")
     if (points := len(study.grid)) < 2 * count:
-        found = f"{points} points: nothing to tune, as {count} are to be tuned on"
+        found = f"{points} points, fewer than twice the {count} points to tune on"
         raise InputError(where, "axes", found, "request an accuracy, or name fewer with --points")
 
 
@@ -129,8 +129,8 @@ def tune(
         seen += fresh
         places += checks
     raise SimulationError(
-        f"{study.where}: each of {ROUNDS} settings that were tuned failed at other points; tune on more with "
-        "--points, or request an accuracy"
+        f"{study.where}: each of {ROUNDS} tuned settings missed the accuracy at other points; tune on "
+        "more points with --points, or request an accuracy"
     )
 
 
@@ -182,8 +182,8 @@ class Tuner:
         if self._over(requested.facts["error_estimate"]) > 1.0 or self._over(unsure) > UNSURE:
             found = f"estimated {_percent(requested.facts['error_estimate'])}, true {_percent(off)}"
             raise SimulationError(
-                f"{where} a request misses the accuracy ({found}), so that nothing can be compared with it; "
-                "tune to a larger --accuracy"
+                f"{where} a run that requests the accuracy misses it ({found}), so no setting can be "
+                "compared with this run; tune to a larger --accuracy"
             )
         work = sum(map(work_of, requested.facts["refinements"]))
         return Place(index, file, best, unsure, work)
@@ -261,8 +261,8 @@ class Tuner:
                     best, least = found, work
         if best is None:
             raise SimulationError(
-                f"{self.study.where}: no mesh, step and method that takes less than requests meets the "
-                "accuracy at all points; request an accuracy"
+                f"{self.study.where}: no mesh, time step and method meets the accuracy at all points "
+                "with less work than runs that request it; request an accuracy"
             )
         return best
 
