@@ -59,7 +59,7 @@ REFUSED = {
     "NaN with a unit": (SURGE, "riser[0].mass", "nan kg/m", "riser[0].mass", "number"),
     "infinity": (SURGE, "top.tension", float("inf"), "top.tension", "inf"),
     "a size beyond all that is met": (
-        SURGE, "riser[0].outer_diameter", "1e80 m", "riser[0].outer_diameter", "allowed is up to 1e+30 m",
+        SURGE, "riser[0].outer_diameter", "1e80 m", "riser[0].outer_diameter", "allowed is at most 1e+30 m",
     ),
     "a number too large": (SURGE, "top.tension", "1e999 N", "top.tension", "not finite"),
     "a negative mass": (SURGE, "riser[0].mass", "-3 kg/m", "riser[0].mass", "greater than 0"),

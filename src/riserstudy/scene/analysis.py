@@ -132,6 +132,6 @@ class Analysis(Strict):
         if self.step is not None and duration / self.step > MOST_STEPS:
             raise Misfit(
                 "",
-                f"step {self.step:g} s asks for more than {MOST_STEPS} steps",
+                f"step {self.step:g} s requires more than {MOST_STEPS} time steps",
                 "take a longer one",
             )

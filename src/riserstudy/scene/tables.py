@@ -207,13 +207,13 @@ def _rows(lines: list[list[str]], path: object, place: Place) -> list[Strict]:
     """Checked rows of the lines of a table; ``path`` names it in errors."""
     columns, units = _heading(path, lines[0] if lines else [], place)
     if len(lines) > MOST_ROWS:
-        raise InputError(path, "", f"{len(lines)} lines", f"allowed are {MOST_ROWS}")
+        raise InputError(path, "", f"{len(lines)} lines", f"allowed are at most {MOST_ROWS}")
     rows = []
     for number, cells in enumerate(lines[1:], start=2):
         if not cells:
             continue
         if len(cells) != len(columns):
-            allowed = f"allowed are {len(columns)}"
+            allowed = f"allowed are {len(columns)}, one for each column of the heading"
             raise InputError(path, f"line {number}", f"{len(cells)} values", allowed)
         values = zip(columns, (_number(path, number, cell) for cell in cells), units, strict=True)
         row = {column: f"{value} {unit}" for column, value, unit in values}
@@ -225,7 +225,7 @@ def _lines(path: object, text: str) -> list[list[str]]:
     try:
         return list(csv.reader(io.StringIO(text, newline=""), strict=True))
     except csv.Error as error:
-        raise InputError(path, "", f"no CSV: {error}", "allowed is a CSV file") from None
+        raise InputError(path, "", f"is no CSV file: {error}", "allowed is a CSV file") from None
 
 
 def _heading(path: object, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
