@@ -61,7 +61,7 @@ def effects(
         bool, typer.Option("--all", help="also list effects that need further inputs")
     ] = False,
     times: Annotated[
-        bool, typer.Option("--times", help="also give the share of run time of each")
+        bool, typer.Option("--times", help="also give the share of run time of each effect")
     ] = False,
 ) -> None:
     """List the effects of a scene with the lines that include them, and effects that it could include.

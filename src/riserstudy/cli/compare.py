@@ -40,7 +40,7 @@ ColumnOption = Annotated[
 EndAOption = Annotated[
     str | None,
     typer.Option(
-        help="origin of OrcaFlex's arc length: top, bottom, or '872 m down' for a line that is a part",
+        help="end A, where OrcaFlex's arc length is 0: top, bottom, or '872 m down' for a part of the riser",
         metavar="PLACE",
     ),
 ]

@@ -78,10 +78,10 @@ def tension(
 ) -> None:
     """Compute the minimum top tension, and the window of the tension setting.
 
-    The minimum tension is computed by the formula and by the engine, which replaces tensioners by a constant
-    tension. The window begins at the minimum tension, or at the tension that lifts the LMRP off with
-    --overpull, and ends at --share times --dynamic-limit. The exit status is 4 if the scene lacks an input,
-    such as separate weights of steel and buoyancy.
+    The minimum tension is computed by the formula and by the engine, which replaces tensioners by a
+    constant tension. The window of the setting ends at --share times --dynamic-limit. It begins at the
+    minimum tension or at the tension that lifts the LMRP off with --overpull, whichever requires the larger
+    setting. The exit status is 4 if the scene lacks an input, such as separate weights of steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -132,7 +132,8 @@ def operability(
     allowance: Annotated[
         list[str] | None,
         typer.Option(
-            help="allowance for waves: lfj_angle='0.5 deg'; may be repeated", metavar="OUTPUT=VALUE"
+            help="effect of waves, added to a static value: lfj_angle='0.5 deg'; may be repeated",
+            metavar="OUTPUT=VALUE",
         ),
     ] = None,
     settings: SetOption = None,
@@ -183,9 +184,9 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
 
-    The envelope is static. Each sea adds an allowance, which nine seas in ten do not exceed. It is computed
-    from runs in the current and at the offset of the scene. The exit status is 4 if a limit could not be
-    evaluated.
+    The envelope is static. Each sea adds an allowance to the static values: the increase that nine in ten
+    seas do not exceed. The allowance is computed from runs in the current and at the offset of the scene.
+    The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

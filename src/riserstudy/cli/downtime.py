@@ -66,7 +66,8 @@ WindowOption = Annotated[
     typer.Option(help="length of a weather window: '24 h'; may be repeated", metavar="TIME"),
 ]
 NextOption = Annotated[
-    int, typer.Option("--next", min=1, max=MOST_AHEAD, help="number of future years")
+    int,
+    typer.Option("--next", min=1, max=MOST_AHEAD, help="number of future years that are predicted"),
 ]
 PersistenceOption = Annotated[
     float,
@@ -91,7 +92,7 @@ VaryOption = Annotated[
 SectorsOption = Annotated[
     int | None,
     typer.Option(
-        min=2, max=36, help="number of headings that directions are sorted into; with --x-towards"
+        min=2, max=36, help="number of wave headings to simulate, all round; with --x-towards"
     ),
 ]
 XTowardsOption = Annotated[
@@ -145,10 +146,10 @@ def downtime(
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    Prediction bands use the shares of whole years, Student's t and the --persistence of years. A window ends
-    at a gap of the record, and a wait that reaches a gap counts as longer. With --scene, the limits are
-    those of a riser. The command then simulates sea states of the record until the response interpolated
-    between them meets --error. The result is checked by further simulated sea states.
+    Prediction bands for future years use the shares of whole years, Student's t and the --persistence of
+    years. A window ends at a gap of the record. Of a wait that reaches a gap, only a lower bound is known.
+    With --scene, the limits apply to a riser. The command then simulates sea states of the record until the
+    response interpolated between them meets --error. Further simulated sea states check the result.
     """
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {
@@ -157,7 +158,8 @@ def downtime(
     }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
     if vary and (output or plot or period):
-        raise InputError("downtime", "--vary", vary[0], "allowed with --csv alone")
+        allowed = "leave out --output, --plot and --return-period; --csv is possible"
+        raise InputError("downtime", "--vary", vary[0], allowed)
     from riserstudy.seas.hours import sea_limit
     from riserstudy.seas.record import read_record
 
@@ -307,7 +309,10 @@ def _directions(sectors: int | None, x_towards: str | None) -> Directions | None
 
     if (sectors is None) != (x_towards is None):
         raise InputError(
-            "downtime", "--sectors", "alone", "allowed is with --x-towards, or neither"
+            "downtime",
+            "--sectors",
+            "given alone",
+            "give both --sectors and --x-towards, or neither",
         )
     if sectors is None or x_towards is None:
         return None

@@ -75,7 +75,10 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
     before = sea.isel(time=np.flatnonzero(year < first))
     if before.sizes["time"] < 2:
         raise InputError(
-            "--hold-back", str(last.years), "nothing is left", "allowed are fewer years"
+            "--hold-back",
+            str(last.years),
+            "no earlier years are left to predict from",
+            "allowed are fewer years",
         )
     known, came = (
         hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)

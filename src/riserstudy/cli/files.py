@@ -72,7 +72,9 @@ def import_deck(
     output.write_text(as_text(deck_scene, deck), "utf-8")
     for line in deck_scene.left_out:
         print(f"left out: {line}")
-    print(f"{output} is written; {len(deck_scene.left_out)} entries of the deck are not in it")
+    print(
+        f"{output} is written. {len(deck_scene.left_out)} entries of the model are left out or differ"
+    )
 
 
 def export_deck(
@@ -101,7 +103,7 @@ def export_deck(
     for line in deck.left_out:
         print(f"left out: {line}")
     print(
-        f"{output} is written; {len(deck.left_out)} lines of the scene are not in it as they stand"
+        f"{output} is written. {len(deck.left_out)} inputs of the scene are left out or written differently"
     )
 
 
@@ -116,8 +118,8 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
     if source.suffix == ".nc":
         operators = rao_files.from_capytaine(source)
     elif length is None:
-        allowed = "allowed is --length '1 m', or what the .gdf file has as ULEN"
-        raise InputError("--length", "", "missing: rotations are made dimensionless by it", allowed)
+        allowed = "give ULEN of the .gdf file, for example --length '1 m'"
+        raise InputError("--length", "", "missing: WAMIT divides rotations by this length", allowed)
     else:
         try:
             ulen = to_si(length, "m")

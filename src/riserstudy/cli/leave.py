@@ -114,7 +114,12 @@ def watch_circles(
     modes = [one.value for one in mode or Mode]
     modes = [one for one in modes if any(limit.mode == one for limit in of.limits or [])]
     if not modes:
-        raise InputError("--mode", ", ".join(mode or []), "no limit of the scene has it", "Add one")
+        raise InputError(
+            "--mode",
+            ", ".join(mode or []),
+            "no limit of the scene has this mode",
+            "Add such a limit",
+        )
     compile_kernels(of)
     from riserstudy.simulation.simulate import simulate
 

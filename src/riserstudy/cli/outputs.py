@@ -103,7 +103,9 @@ def table(
         raise fault
     stored = source.suffix == ".nc"
     if stored and settings:
-        raise InputError("--set", settings[0], "a dataset was simulated", "allowed with a scene")
+        raise InputError(
+            "--set", settings[0], "a dataset has its results already", "allowed only with a scene"
+        )
     file = None if stored else scene_of(source, settings)
     check_output(output, ("table", "workbook"), file.files if file else [source], force)
     one = kind or (None if book else TableKind.EXTREMES)
@@ -175,7 +177,7 @@ def statistics(
     of_run = opened(dataset)
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
-        allowed = "over seeds extremes are those of the duration: leave it out"
+        allowed = "with --over, extremes are those of the whole duration: leave --exposure out"
         raise InputError("--exposure", exposure, "given with --over", allowed)
     times = {}
     for option, text in (("--start", start), ("--exposure", exposure)):

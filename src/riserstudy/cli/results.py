@@ -123,7 +123,7 @@ def _show(
 
 
 def verify(folder: ResultsOption = IN_RESULTS) -> None:
-    """Compare every dataset, figure, table and stored point with its recorded digest.
+    """Compare every dataset, figure, table and stored point with its recorded checksum.
 
     The exit status is 1 if anything differs.
     """
@@ -153,9 +153,9 @@ def prune(
 ) -> None:
     """Remove stored points that no result needs, after confirmation; their size is shown first.
 
-    It removes damaged points and points of other engine versions or former file formats. ``--all`` also
-    removes points of this engine that this folder does not need. Other folders that share the store may need
-    them.
+    A point is one stored simulation of a study. The command removes damaged points, and points of other
+    engine versions or former file formats. ``--all`` also removes points of this engine that this folder
+    does not need. Other folders that share the store may still need these points.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded
@@ -198,7 +198,7 @@ def crate(
 
 def diff(
     old: Annotated[Path, typer.Argument(help="results folder, dataset or table", metavar="OLD")],
-    new: Annotated[Path, typer.Argument(help="the new version of it", metavar="NEW")],
+    new: Annotated[Path, typer.Argument(help="the new version of OLD", metavar="NEW")],
 ) -> None:
     """List the changes between two sets of results: published numbers, verdicts, every dataset.
 

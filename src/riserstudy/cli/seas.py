@@ -73,15 +73,17 @@ def seas(
     times in UTC.
     """
     if (record is None) == (synthetic is None):
-        raise InputError("RECORD", "", "none or two", "give a record, or --synthetic YEARS")
+        raise InputError(
+            "RECORD", "", "no record, or both a file and --synthetic", "give one of them"
+        )
     check_targets([record] if record else [], force, csv, output=output)
     if csv is not None and not contour:
-        raise InputError("seas", "--csv", str(csv), "allowed with --contour")
+        raise InputError("seas", "--csv", str(csv), "allowed only with --contour")
     from riserstudy.seas.record import read_record, with_peak_period, write_record
     from riserstudy.seas.synthetic import synthetic as made
 
     if record is None and near is not None:
-        raise InputError("seas", "--near", near, "allowed with a record")
+        raise InputError("seas", "--near", near, "allowed only with the file of a record")
     place = _place(near) if near else None
     found = made(synthetic or 1, seed) if record is None else read_record(record, place)
     found = with_peak_period(found, gamma)

@@ -61,7 +61,7 @@ ReturnOption = Annotated[
         "--return-period",
         min=2,
         max=10000,
-        help="return period, in years, of a largest value; may be repeated",
+        help="return period of an extreme value to compute, in years; may be repeated",
         metavar="YEARS",
     ),
 ]

@@ -171,8 +171,8 @@ def check(
 ) -> None:
     """Check a scene against its limits.
 
-    The table starts with the governing limit. It gives the value, allowable, utilisation, place and time of
-    each.
+    For each limit, the table gives the value, allowable, utilisation, place and time. The governing limit
+    comes first.
 
     The exit status is 1 if a limit is exceeded, else 4 if a limit could not be evaluated.
     """
@@ -203,11 +203,11 @@ def rerun(
     ] = None,
     force: ForceOption = False,
 ) -> None:
-    """Rerun one point from its dataset and compare.
+    """Rerun one point from its dataset and compare the new results with the stored results.
 
-    ``-o`` writes the complete run, including outputs that the study does not keep. The exit status is 1 if a
-    variable changed by more than 1e-9 of its largest magnitude. Large time histories are stored with ten
-    digits.
+    ``-o`` writes the complete run, including outputs that the study does not keep. The exit status is 1 if
+    a variable changed by more than 1e-9 of its largest magnitude. Smaller changes are not counted, because
+    large time histories are stored with ten digits.
     """
     from riserstudy.dataset.diff import opened
 

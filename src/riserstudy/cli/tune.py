@@ -35,8 +35,8 @@ def tune(
 ) -> None:
     """Find the cheapest mesh, step and method with which all points of a study meet a tolerance.
 
-    The command tunes at a few points and checks at others. The points include the corners and the middle of
-    the axes, and the ends of sampled ranges.
+    The command selects mesh, step and method at a few points of the study, and checks them at other points.
+    The points include the corners and the middle of the axes, and the ends of sampled ranges.
     """
     from riserstudy.study.write_tuned import write_tuned
 
