@@ -57,8 +57,8 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     if upper:
         gains = [gain for gain, _ in upper]
         ax.annotate(
-            f"between {min(gains):.0f} and {max(gains):.0f} kN/m the lines end:\n"
-            "beyond, 12° are reached earlier, or never", (0.02, 0.97),
+            f"the lines end at {min(gains):.0f} to {max(gains):.0f} kN/m: for larger\n"
+            f"gains the angle passes its largest value before {deadline:g} s", (0.02, 0.97),
             xycoords="axes fraction", va="top", fontsize="small",
         )  # fmt: skip
         ax.annotate(

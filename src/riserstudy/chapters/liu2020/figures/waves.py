@@ -24,7 +24,7 @@ from riserstudy.figures.style import (
 
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
-GENERIC = "generic unit"  # those of the paper's platform are not printed
+GENERIC = "generic semi-submersible"  # those of the paper's platform are not printed
 RESPONSES = {
     "bending_moment": ("moment at the ring", "kN m", 1e-3),
     "effective_tension": ("tension at the ring", "kN", 1e-3),
@@ -183,7 +183,7 @@ def waves(waves: xr.Dataset) -> Figure:
     lowered = ratio["wave_period"].where(ratio <= 1.0)
     headline(
         figure,
-        f"Waves on the riser raise its stress at periods up to {float(raised.max()):g} s"
+        f"Waves on the riser increase its stress at periods up to {float(raised.max()):g} s"
         if float(raised.max()) < float(lowered.min())
         else f"Waves on the riser change its stress up to {float(ratio.max()):.0f} times",
     )
