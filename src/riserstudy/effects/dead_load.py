@@ -1,4 +1,4 @@
-"""A force of constant magnitude and direction on one node: constant tension, a dead load.
+"""A force of constant magnitude and direction on one node (a dead load), such as a constant tension.
 
 References
 ----------

@@ -1,4 +1,4 @@
-r"""A gauge of the lower end above the stack: lift and lift rate; it exerts no force.
+r"""A gauge of the lift and lift rate of the riser's lower end above the stack; it exerts no force.
 
 .. math:: \ell = z_0 - z_{stack}
 

@@ -1,4 +1,4 @@
-r"""Loss of a constant tension while the riser moves: failing cylinders, a broken line.
+r"""Loss of a share of a constant tension during a run, because cylinders fail or a line breaks.
 
 .. math:: F(t) = -\tfrac12 \Delta F\,\Big(1 - \cos\frac{\pi (t - t_0)}{\tau}\Big)
 
