@@ -25,10 +25,12 @@ ROOT = Path(__file__).parents[1]
 KEPT = Path(__file__).with_suffix("")
 SCENES = ROOT / "config/scenes"
 ABOUT = """\
-At each release, ten tasks are measured by `python benchmarks/cost.py --write docs/cost.md`. The results are stored in `benchmarks/cost`.
-The table gives the CPU time of a task divided by the CPU time of a fixed loop, which is measured at the same time. This ratio hardly
-depends on the machine, or on other work that runs on it. Each value is the smallest of five repetitions in a process that has loaded all
-code. The values of version 1.0.0 were measured before its release, on a busy machine. `make bench` compares riserstudy with other programs."""  # noqa: E501
+This page shows how the computing cost of ten typical tasks changes from version to version. At each release, the tasks are measured by
+`python benchmarks/cost.py --write docs/cost.md`. The results are stored in `benchmarks/cost`. The column of a version gives the CPU time of
+a task divided by the CPU time of a fixed loop, which is measured at the same time. This ratio hardly depends on the machine, or on other
+work that runs on the machine. The last column gives the CPU time in the newest version. Each value is the smallest of five repetitions in a
+process that has loaded all code. The values of version 1.0.0 were measured before its release, on a busy machine. The command `make bench`
+compares riserstudy with other programs."""  # noqa: E501
 TURNS, FIXED = 5, 8  # turns, and repetitions of the fixed loop
 #: how often a task is repeated in a turn, so that it takes about a second
 TIMES = {
@@ -63,7 +65,7 @@ def time_read_scenes():
 
 
 def time_plan_a_study():
-    """Plan a chapter: every point checked and named."""
+    """Plan a chapter: check and name each of its simulations."""
     Workplan.read(ROOT / "config", {"tier": "preview", "papers": ["liu2017"]})
 
 
@@ -79,12 +81,12 @@ def time_plane():
 
 
 def time_plane_fourth_order():
-    """The same by ESDIRK4."""
+    """Surge of a riser in a plane by the fourth-order method ESDIRK4, 64 segments, 150 s."""
     run("bench/s2c", 64, 150, "ESDIRK4")
 
 
 def time_by_request():
-    """Mesh and step found by a tolerance of 1 %."""
+    """Surge of a riser, 60 s, with a tolerance of 1 %: the engine chooses mesh and time step."""
     simulate(
         load_scene(
             SCENES / "bench/s2c.yaml", **{"analysis.accuracy": "1 %", "analysis.duration": "60 s"}
@@ -93,7 +95,7 @@ def time_by_request():
 
 
 def time_line():
-    """A riser as a mass on a tensioner, 100 s."""
+    """Heave of a riser that is modelled as a mass on a tensioner, 100 s."""
     simulate(load_scene(SCENES / "chang2020/heave.yaml"))
 
 
@@ -109,7 +111,7 @@ def time_modes():
 
 
 def time_deck():
-    """Read a deck of another program."""
+    """Read an OrcaFlex model."""
     read_deck(ROOT / "tests/importers/decks/riser.yml")
 
 

@@ -71,14 +71,14 @@ def fixed_loop():
 TASKS = {
     "plane": ("Surge in a plane, 64 segments, 150 s", partial(run, "bench/s2c", **PLANE)),
     "by_request": (
-        "Surge, 60 s, mesh and step by a tolerance of 1 %",
+        "Surge in a plane, 60 s, with a tolerance of 1 %",
         partial(run, "bench/s2c", **{"analysis.accuracy": "1 %", "analysis.duration": "60 s"}),
     ),
-    "line": ("A mass on a tensioner, 100 s", partial(run, "chang2020/heave")),
+    "line": ("Heave of a mass on a tensioner, 100 s", partial(run, "chang2020/heave")),
     "statics": ("Static equilibrium, ten times", statics),
     "modes": ("Ten natural modes of 120 segments", modes),
     "read_scenes": ("Read and check three scenes, seven times", read_scenes),
-    "deck": ("Read a deck of another program", deck),
+    "deck": ("Read an OrcaFlex model", deck),
 }
 
 
