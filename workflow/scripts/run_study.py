@@ -57,7 +57,7 @@ def unwritable() -> str | None:
     for folder in (Path("results"), *Path("results").glob("*/"), Path("logs"), cache):
         there = next(path for path in (folder, *folder.absolute().parents) if path.exists())
         if not there.is_dir() or not os.access(there, os.W_OK | os.X_OK):
-            return f"{folder}: cannot be written; make it a folder that can, or move it away"
+            return f"{folder}: cannot be written; make the folder writable, or move it away"
     return None
 
 
