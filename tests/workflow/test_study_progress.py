@@ -149,7 +149,7 @@ def test_a_log_has_a_new_line_only_for_a_change(run):
 
 def test_a_first_run_takes_the_times_that_come_with_the_project(run, tmp_path):
     new, clock = run
-    (tmp_path / "points.json").write_text('{"paper/one": 1000, "paper/two": 10}')
+    (tmp_path / "points.json").write_text('{"paper/one": [1000, 1], "paper/two": [10, 1]}')
     progress = new()
     of = progress.first
     whole = 2 * of["a_step"]["simulate"] + 1010 * of["a_point"]["simulate"] + of["a_step"]["figure"]
@@ -172,7 +172,7 @@ def test_every_rule_has_a_time_for_a_first_run():
 def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
     new, clock = run
     planned = tmp_path / "points.json"
-    planned.write_text('{"paper/one": 4, "paper/two": 2}')
+    planned.write_text('{"paper/one": [4, 1], "paper/two": [2, 1]}')
     preview = new()
     for job, message, rule, seconds in (
         ("1", "simulate paper/one", "simulate", 8.0),
@@ -184,7 +184,8 @@ def test_a_tier_that_never_ran_is_told_by_points_from_another(run, tmp_path):
         preview.end(job, rule)
     preview.remember()
 
-    planned.write_text('{"paper/one": 40, "paper/two": 2}')  # ten times the points, and as many
+    # ten times the points, and as many
+    planned.write_text('{"paper/one": [40, 1], "paper/two": [2, 1]}')
     standard = new("standard")
     fixed = standard.first["a_step"]["simulate"]  # which other points do not change
     whole = fixed + (2.0 * 8.0 - fixed) * 10 + 2.0 * (2.0 + 5.0)

@@ -89,7 +89,7 @@ def planned(path):
         for message, (rule, _, count) in first["steps"].items()
         if rule == "simulate"
     }
-    path.write_text(json.dumps(points))
+    path.write_text(json.dumps({study: (count, 1) for study, count in points.items()}))
     return points
 
 
@@ -133,4 +133,35 @@ def test_a_second_run_is_right_from_its_first_look(tmp_path, monkeypatch, seed):
         said = looks(progress, clock, steps, points, together)
         progress.remember()
     wrong = [left for now, left in said if abs((now + left) / clock.now - 1.0) > 0.03]
+    assert not wrong
+
+
+@pytest.mark.parametrize("seconds", [1e-4, 3e-3, 0.2])
+@pytest.mark.parametrize("seed", [5, 6])
+def test_a_study_in_shards_is_right_after_three_of_them(tmp_path, monkeypatch, seed, seconds):
+    """A million points that no run had, in 50 jobs: whatever a point takes, shards tell the rest."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "points.json").write_text('{"mine/grid": [1000000, 50], "mine/other": [40, 1]}')
+    first = json.loads(FIRST.read_text("utf-8"))
+    draw = np.random.default_rng(seed)
+    steps = [
+        (f"simulate mine/grid, part {k} of 50", "shard", 2e4 * seconds * draw.lognormal(0.0, 0.1))
+        for k in draw.permutation(50)
+    ]
+    steps += [("simulate mine/other", "simulate", 3.0)]
+    steps += [("simulate mine/grid", "simulate", 1e6 * first["a_point"]["join"])]
+    clock = Clock()
+    progress = Progress("standard", tmp_path / "steps.json", clock, tmp_path / "points.json")
+    progress.plan(counts(steps))
+    progress.cores = CORES
+    wrong = []
+    for job, (message, rule, lasts) in enumerate(steps):
+        progress.begin(job, message)
+        clock.now += lasts / CORES
+        progress.end(job, rule)
+        if job >= 2:
+            left = sum(of for *_, of in steps[job + 1 :]) / CORES
+            said = progress.seconds_left() or 0.0
+            if abs(said - left) > RIGHT * (left + clock.now):
+                wrong.append((job, left, said))
     assert not wrong

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Self
@@ -154,12 +155,18 @@ class Configuration:
         return list(self._studies.values())
 
     def write_point_counts(self, where: Path) -> None:
-        """Write how many points each study has: what runs the studies tells by it what time is left."""
+        """Write the points of each study and the number of its jobs, by which the time left is told."""
         counts = {
-            f"{paper}/{name}": len(study.plan) for (paper, name), study in self._studies.items()
+            f"{paper}/{name}": (len(study.plan), self.shards(paper, name))
+            for (paper, name), study in self._studies.items()
         }
         where.parent.mkdir(exist_ok=True)
         where.write_text(json.dumps(counts))
+
+    def shards(self, paper: str, study: str) -> int:
+        """Jobs that share the points of a study; 1 where the job that writes it simulates all."""
+        per_job = self.settings.points_per_job
+        return math.ceil(len(self.study(paper, study).grid) / per_job) if per_job else 1
 
     def study(self, paper: str, name: str) -> Study:
         """One study, planned once."""

@@ -10,14 +10,14 @@ from __future__ import annotations
 import json
 import re
 import time
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
 MEMORY = Path(".cache/steps.json")
-PLANNED = Path(".cache/points.json")  # points of each study of this run, as it was planned
+PLANNED = Path(".cache/points.json")  # points and shards of each study, as planned
 DATA_FILES = ("first_times.json",)
 RECORDED = "standard"  # tier of the times that come with the project
 FIRST = Path(__file__).with_name(DATA_FILES[0])  # times for rules that no earlier run had
@@ -71,6 +71,7 @@ class Progress:
         self.at_work: dict[int, Step] = {}  # by number of the job
         self.took: dict[str, Taken] = {}  # by message
         self.points: dict[str, float] = {}  # by study
+        self.shards: dict[str, int] = {}  # jobs that simulate a study, by study
         self.known: dict[str, tuple[str, float]] = {}  # rule and time (core seconds), by message
         self.before = _remembered(memory)
         self.first: dict[str, Any] = json.loads(FIRST.read_text("utf-8"))
@@ -78,7 +79,9 @@ class Progress:
     def plan(self, jobs: Mapping[str, int]) -> None:
         """Take in how many steps of each rule there are to do."""
         self.left = Counter({rule: count for rule, count in jobs.items() if rule != "total"})
-        self.points = _planned(self.planned)
+        planned = _planned(self.planned)
+        self.points = {study: float(points) for study, (points, _) in planned.items()}
+        self.shards = {study: shards for study, (_, shards) in planned.items()}
         self.known = self._known()
 
     def begin(self, job: int, message: str) -> None:
@@ -150,13 +153,40 @@ class Progress:
         return {m: s for m, s in steps.items() if m in own or (planned and m not in studies)}
 
     def _at_first(self, rule: str) -> dict[str, float]:
-        """Time (core seconds) of steps of a rule that no run had, by message; of a study by its points."""
+        """Time (core seconds) of steps of a rule that no run had, by message; of a study by its points.
+
+        A shard by the pace of those of its study that are done; the job that joins them by its points.
+        """
         step, point = (self.first[kind].get(rule) for kind in ("a_step", "a_point"))
         if step is None:
             return {}
         if point is None or not self.points:
             return {rule: step}
-        return {f"simulate {study}": step + point * n for study, n in self.points.items()}
+        joined = self.first["a_point"]["join"]
+        times: dict[str, float] = {}
+        for study, n in self.points.items():
+            shards, message = self.shards[study], f"simulate {study}"
+            if rule == "shard" and shards > 1:
+                seconds = step + self._paces().get(study, point) * n / shards
+                times |= {f"{message}, part {k} of {shards}": seconds for k in range(shards)}
+            elif rule == "simulate":
+                times[message] = step + (point if shards == 1 else joined) * n
+        return times or {rule: step}
+
+    def _paces(self) -> dict[str, float]:
+        """Time of a point (core seconds) by study, of the shards that this run has done or half done."""
+        seconds: dict[str, float] = defaultdict(float)
+        points: dict[str, float] = defaultdict(float)
+        for message, of in self.took.items():
+            if of.rule == "shard" and (study := _study_of(message)):
+                seconds[study] += of.seconds
+                points[study] += of.points
+        for step in self.at_work.values():
+            done, of_all = points_done(step.message) or (0, 0)
+            if of_all and done / of_all >= PACE and (study := _study_of(step.message)):
+                seconds[study] += step.seconds
+                points[study] += done
+        return {study: seconds[study] / points[study] for study in points if points[study]}
 
     def text(self) -> str:
         """Steps done, time gone and left, what is at work, on how many cores."""
@@ -230,7 +260,8 @@ class Progress:
 
         By the pace of its own points once a tenth of them is done; negative where it is slower than thought.
         """
-        rule = "simulate" if STUDY.fullmatch(step.message) else ""
+        found = STUDY.fullmatch(step.message)
+        rule = ("shard" if found[3] else "simulate") if found else ""
         at_first = self._at_first(rule).get(step.message)
         given = self.known[step.message][1] if step.message in self.known else at_first
         if given is None:
@@ -260,14 +291,19 @@ def _remembered(memory: Path) -> dict[str, dict[str, Taken]]:
         return {}
 
 
-def _planned(planned: Path) -> dict[str, float]:
-    """Points of each study; none where the plan has not been left."""
+def _planned(planned: Path) -> dict[str, tuple[float, int]]:
+    """Points of each study, and the jobs that simulate them; none where the plan has not been left."""
     try:
-        return {
-            str(study): float(count) for study, count in json.loads(planned.read_text()).items()
-        }
-    except (OSError, ValueError, AttributeError):
+        counts = json.loads(planned.read_text())
+        return {str(study): (float(n), int(shards)) for study, (n, shards) in counts.items()}
+    except (OSError, ValueError, TypeError, AttributeError):
         return {}
+
+
+def _study_of(message: str) -> str | None:
+    """The study, with its paper, that a step simulates; None of another step."""
+    found = STUDY.fullmatch(message)
+    return f"{found[1]}/{found[2]}" if found else None
 
 
 def _shortened(message: str) -> str:

@@ -78,8 +78,7 @@ class Workplan(Configuration):
 
     def shard_files(self, paper: str, study: str) -> list[str]:
         """Markers of the jobs that share the points of a study; none when one job simulates all."""
-        per_job = self.settings.points_per_job
-        shards = math.ceil(len(self.study(paper, study).grid) / per_job) if per_job else 1
+        shards = self.shards(paper, study)
         folder = f"results/{paper}/{study}.shards"
         return [f"{folder}/{k}-of-{shards}" for k in range(shards)] if shards > 1 else []
 
