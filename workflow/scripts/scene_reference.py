@@ -22,16 +22,17 @@ HEAD = """\
 
 A scene is a YAML file that describes one riser, its supports, its motions and its surroundings.
 **The engine simulates only what the scene contains**, and no value has a default that changes the physics.
-`riserstudy effects SCENE.yaml` lists the effects of a scene, and the line that includes each.
+The command `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene, and the line
+of the scene that includes each effect.
 
 Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts
-them to SI. [Units](#units) lists their names. The engine refuses a bare number where a unit is required, a
-rotational stiffness without `/deg` or `/rad`, a pressure without `absolute` or `gauge`, and `t` as a
-force (`tf` is a force).
-Elevations increase upwards from one datum of your choice; arclengths start at the lower end.
+them to SI. [Units](#units) lists the names of units. The engine refuses a bare number where a unit is
+required, a rotational stiffness without `/deg` or `/rad`, and a pressure without `absolute` or `gauge`. It
+also refuses `t` as a force (`tf` is a force).
+Elevations increase upwards from one datum of your choice; arclengths start at the lower end of the riser.
 
-A plain value is *published* in a scene with `paper:`, and *given* in a scene without. Other origins are
-written with the value:
+Every value has an origin. A value without a stated origin, called a plain value, is *published* if the scene
+has the key `paper`, and *given* otherwise. Other origins are written with the value:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -41,16 +42,22 @@ added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
 interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-*Chosen* values do not describe the riser: for example the datum of elevations, or the outputs.
-`inputs` in `config/published` lists the values that a paper prints; tests compare the plain values of its
-scenes with this list. A study can vary all assumptions together, over their ranges or options.
+*Chosen* values do not describe the riser; examples are the datum of elevations and the outputs. The list
+`inputs` of a file in `config/published` contains the values that a paper prints. Tests compare the plain
+values of the paper's scenes with this list. A study can vary all *assumed* values together, over their ranges
+or options.
 
-A table can be given as a CSV file next to the scene, as `profile: {file: current.csv}`. Its first line gives
-the columns with their units, in any order: %s.
+A table can be given as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
+line of the CSV file gives the columns with their units, in any order. The tables have these columns:
+
+%s
+
+In the table of response amplitude operators (`operators`), each motion can have a second column for its
+phase, for example `heave_phase`.
 
 Editors that support JSON schema complete and check scene files with
-[`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Write this
-in the first line of a scene, with the path from the scene:
+[`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Write the
+following comment in the first line of a scene. The path starts at the folder of the scene:
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -63,15 +70,19 @@ def scene_reference() -> str:
     tables = []
     for place in PLACES:
         columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
-        more = ", and `heading` or any motion such as `heave` with `heave_phase`"
-        named = f"`{'.'.join((*place.way, place.name))}`"
-        tables.append(f"{named} ({columns}{more if place.optional else ''})")
-    parts = [HEAD % "; ".join(tables), units()]
+        more = f"; optional: {_named(place.optional)}" if place.optional else ""
+        tables.append(f"- `{'.'.join((*place.way, place.name))}`: {columns}{more}")
+    parts = [HEAD % "\n".join(tables), units()]
     for model in models():
         parts.append(f"## {title(model)}\n\n{_prose(model)}\n")
         rows = [f"| `{name}` | {described(field)} |" for name, field in model.model_fields.items()]
         parts.append("| key | value |\n|---|---|\n" + "\n".join(rows) + "\n")
     return "\n".join(parts)
+
+
+def _named(columns: tuple[str, ...]) -> str:
+    """Names of columns; of the phases of motions, the text around the list tells."""
+    return ", ".join(f"`{name}`" for name in columns if not name.endswith("_phase"))
 
 
 UNITS = """\

@@ -21,11 +21,11 @@ READINGS = {
 class Buoyancy(Strict):
     """Foam blocks around the riser, used instead of submerged weights and top tension.
 
-    Let w L be the weight in air of riser and contents, b the factor and e the tension ratio. The effective
-    tension at a distance h below the top has three interpretations. R1: (1 - b) w (e L - h); the factor is
-    the share of the weight that the blocks carry. R2: b w (e L - h); the factor is the remaining share. R3:
-    w (e L - b h); the factor is the remaining share, and the tension ratio refers to the weight without
-    blocks.
+    Let w be the weight in air of riser and contents per length, L the length of the riser, b the ``factor``
+    and e the ``tension_ratio``. For the effective tension at a distance h below the top, there are three
+    interpretations. R1: (1 - b) w (e L - h); the factor is the share of the weight that the blocks carry. R2:
+    b w (e L - h); the factor is the remaining share. R3: w (e L - b h); the factor is the remaining share,
+    and the tension ratio refers to the weight without blocks.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

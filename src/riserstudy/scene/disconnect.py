@@ -18,7 +18,7 @@ class Valve(Strict):
     """Effect of tensioner valves on a constant ``top.tension`` after the release.
 
     The tension decreases smoothly to ``hold`` times the suspended submerged weight. ``failed``: fraction of
-    the tension that remains because its valves do not move.
+    the tension that remains because the valves of some tensioners do not move.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -36,10 +36,10 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A valve in the oil between each cylinder and its gas, which throttles the oil after the release.
 
-    ``opening``: area of the open valve. ``discharge``: its discharge coefficient. It closes to the fraction
-    ``residual`` of the opening, smoothly within ``over``, starting ``delay`` after the release. The valves
-    of ``failed`` cylinders, counted from 0, stay open. By default there is no delay. Without ``isolation``
-    all gas stays in use.
+    ``opening``: area of the open valve. ``discharge``: its discharge coefficient. The valve closes to the
+    fraction ``residual`` of the opening, smoothly within ``over``, starting ``delay`` after the release. The
+    valves of ``failed`` cylinders, counted from 0, stay open. By default there is no delay. Without
+    ``isolation`` all gas stays in use.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -72,12 +72,12 @@ class Stack(Strict):
 class Disconnect(Strict):
     """The wellhead releases the lower end of the riser, with the body at it, at a time of the run.
 
-    ``phase``: from that time on, the release waits until the platform's heave has this phase: 0 when it
-    rises through its mean, 90 deg at its maximum. The heave must be a single harmonic. ``over``: time over
-    which the force of the connector decreases. By default the release is sudden, which sends steep wave
-    fronts along an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or tensioners do not
-    change. Without ``drain`` the contents stay in the riser. Without ``stack`` there is no contact: the
-    LMRP can move through the stack, with a warning.
+    ``phase``: from that time on, the release waits until the platform's heave has this phase. The phase is 0
+    when the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic.
+    ``over``: time over which the force of the connector decreases. By default the release is sudden, which
+    sends steep wave fronts along an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or
+    tensioners do not change. Without ``drain`` the contents stay in the riser. Without ``stack`` there is no
+    contact: the LMRP can move through the stack, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -34,7 +34,7 @@ class Body(Strict):
     density of the material. Weight, drag and added mass are zero if they are not given. Without
     ``centre_below`` the body is a point at the riser's end. With it the body turns rigidly with the lower
     end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the riser
-    through the centre; without it, it is zero.
+    through the centre. If it is absent, the rotary inertia is zero.
     """
 
     name: str
@@ -136,10 +136,10 @@ class JointStop(Strict):
 class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
-    ``length`` is the distance from ring to top with the platform at rest. The outer and the inner barrel
-    bend as one. ``tension``: additional constant pull of tensioners along the joint. Without ``stop`` there
-    are no stops. The mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves
-    with the platform. The stops of the joint and the ``stroke`` of tensioners are separate: a rig can have
+    ``length`` is the distance from ring to top with the platform at rest. The outer and the inner barrel bend
+    as one. ``tension``: additional constant pull of tensioners along the joint. Without ``stop`` there are no
+    stops. The mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves with the
+    platform. The stops of the joint and the stops of the tensioners (``stroke``) are separate: a rig can have
     both.
 
     Stroke and stops are measured from ``length``. With ``mid_stroke: riser in equilibrium`` they are measured
@@ -183,13 +183,14 @@ class Top(Strict):
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
     free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
-    also has a platform, the top has its first-order motions as well, in z with ``z: platform``.
+    also has a platform, the top also has the first-order (wave-frequency) motions of the platform, in z with
+    ``z: platform``.
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
     equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given.
     ``held_at_tension``: z is held where the static riser has this top tension. With a telescopic joint, the
-    top is the upper end of the joint, and tension, tensioners, lateral force and body act at the tension ring
-    below it.
+    top is the upper end of the joint. Tension, tensioners, lateral force and body then act at the tension
+    ring below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

@@ -46,7 +46,7 @@ class Slope(Strict):
 
 
 class OwnCurve(Strict):
-    """Your own S-N curve, with one or two slopes; beyond their crossing the flatter one applies.
+    """Your own S-N curve, with one or two slopes; beyond their crossing, the flatter slope applies.
 
     Above the reference thickness, the stress range is multiplied by (thickness /
     reference_thickness)^thickness_exponent.
@@ -155,8 +155,8 @@ class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
     ``angles``: number of places around the wall at which damage is summed; the first is on the side of +x.
-    Between two of them damage can be larger than at both: by a factor of up to cos(pi / angles)^-m for
-    ranges to the power m.
+    Between two of these places, damage can be larger than at both. The factor is at most cos(pi / angles)^-m,
+    where m is the exponent of the stress range in the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -19,7 +19,7 @@ SMOOTH = 1e-6  # sine of a phase below which a motion sets in without a jolt
 
 
 class Water(Strict):
-    """The sea. Without it there is no drag, added mass, current or waves.
+    """The sea. Without this key there is no drag, added mass, current or waves.
 
     Waves require the elevations of mean level and seabed, and so do current profiles without their own
     elevations.
@@ -154,10 +154,11 @@ class Platform(Strict):
 
     Roll is about x, pitch about y (the platform's vertical leans towards +x), and yaw about z.
 
-    In a scene with a ``vessel``, these are its first-order motions, and the centre of rotation drifts with
-    it. RAOs are those of the initial heading, and phases those of the wave above the well, however far the
-    vessel drifts. Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the
-    initial place of the vessel.
+    In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
+    and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) are those of the
+    initial heading of the vessel. Phases are those of the wave above the well, however far the vessel drifts.
+    Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the initial place of the
+    vessel.
     """
 
     position: Position | None = None
@@ -218,8 +219,8 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, rounding told apart
 class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
-    Two points at the same elevation define a jump: the water below, then the water above. The default
-    direction is the heading of the current.
+    Two points at the same elevation define a jump: first the speed just below this elevation, then the speed
+    just above. The default direction is the heading of the current.
     """
 
     elevation: u.Length | None = None
@@ -246,10 +247,11 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 
 
 class Shape(Strict):
-    """A named profile from the seabed to the surface: (height / depth)^power, exp(-depth / scale).
+    """A named profile of the speed from the seabed to the surface, relative to ``surface_speed``.
 
-    ``layer``: uniform down to ``layer`` below the surface, then decreasing linearly to zero at ``vanishes``.
-    By default, seabed and surface are those of the water.
+    ``power``: (height above the seabed / water depth)^power. ``exponential``: exp(-depth below the surface /
+    scale). ``layer``: uniform down to ``layer`` below the surface, then decreasing linearly to zero at the
+    depth ``vanishes``. By default, seabed and surface are those of the water.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]
@@ -284,10 +286,10 @@ class Current(Strict):
     """Steady current. By default it flows along x, and from the start of the run, without a ramp.
 
     ``headings`` states whether headings are directions that the current flows to (towards, the default) or
-    comes from. It also applies to the ``direction`` of points, which is given at all points or at none. If
-    the direction varies, the x and y components are interpolated linearly between points. ``beyond`` is
-    required if the profile does not cover the whole riser: outside its elevations the end values hold, or the
-    water is still.
+    comes from. This key also applies to the ``direction`` of points, which is given at all points or at none.
+    If the direction varies, the x and y components are interpolated linearly between points. ``beyond`` is
+    required if the profile does not cover the whole riser. Outside the elevations of the profile, its end
+    values apply (``hold``), or the water is still (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

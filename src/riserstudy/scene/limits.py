@@ -29,9 +29,9 @@ class Limit(Strict):
 
     For outputs whose sign is a convention, such as moments and angles, the limit applies to the magnitude.
     ``at``: a section of the riser, or ``lower end of`` or ``upper end of`` one, or the first and the last of
-    several consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole riser; for
-    tension and stress, without the stack and conductor below its flex joint. The origin of an allowable is
-    given like that of any other value.
+    several consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole riser. For
+    tension and stress, the default excludes the stack and the conductor below the flex joint. The origin of
+    an allowable is given like the origin of any other value.
     """
 
     output: str

@@ -99,15 +99,15 @@ def _same(one: float | None, other: float | None) -> bool:
 class Response(Strict):
     """Platform motion from response amplitude operators (RAOs), as points or a CSV table.
 
-    A table is given as ``{file: name.csv}``. Phases lead or lag the crest of the wave at the platform,
-    whose surface is amplitude cos(w t - phase) there. Headings of RAOs state where waves travel to
-    (towards) or come from; between headings, RAOs are interpolated linearly. Their rows can be in any
-    order. ``symmetry``: the response to missing headings is that of given headings, mirrored about the x-z
-    plane (sides), or also about the y-z plane (sides and ends). ``beyond`` defines the response outside
-    the periods of the RAOs: their end values hold, there is no motion, or the wave is refused (the
-    default). A warning states the share of the sea that this concerns. By default the wave is that of the
-    scene, all motions of the table are used, and there is no ramp. A wave that is given in the response
-    travels along x by default.
+    A table is given as ``{file: name.csv}``. Phases lead or lag the crest of the wave at the platform, whose
+    surface is amplitude cos(w t - phase) there. Headings of RAOs state where waves travel to (towards) or
+    come from; between headings, RAOs are interpolated linearly. The rows of the table can be in any order.
+    ``symmetry``: the response to missing headings is that of given headings, mirrored about the x-z plane
+    (sides), or also about the y-z plane (sides and ends). ``beyond`` defines the response to waves with
+    periods outside those of the RAOs. With ``hold`` the end values of the RAOs apply, with ``zero`` there is
+    no motion, and with ``refuse`` (the default) the wave is refused. A warning states the share of the sea
+    that has such periods. By default the wave is that of the scene, all motions of the table are used, and
+    there is no ramp. A wave that is given in the response travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -28,9 +28,10 @@ class CoefficientAt(Strict):
 class Drag(Strict):
     """Morison drag, across the pipe by default.
 
-    With ``horizontal``, only horizontal velocities cause drag, and it acts in x and y only. The
-    coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated at
-    the present elevation of the moving, stretched pipe. Beyond the table its end values apply.
+    With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
+    The coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated
+    at the present elevation of the moving, stretched pipe. Beyond the ends of the table, its end values
+    apply.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -62,14 +63,14 @@ class Drag(Strict):
 
 
 class TangentialDrag(Strict):
-    """Drag along the pipe, on its circumference: C_t rho pi D / 2 times the squared relative velocity."""
+    """Drag along the pipe: C_t rho pi D / 2 times the squared relative velocity along the pipe."""
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
 
 
 class AddedMass(Strict):
-    """Added mass, C_a rho pi D^2 / 4. By default across the pipe; with ``horizontal``, in x and y only."""
+    """Added mass, C_a rho pi D^2 / 4: across the pipe by default; with ``horizontal``, in x and y only."""
 
     coefficient: Coefficient
     diameter: Annotated[u.Length, POSITIVE]
@@ -88,10 +89,11 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
 
-    ``coefficient``: C_x of the varying drag, C_x rho D / 2 times the squared speed; assumed, 0.1 to 1.
-    ``frequencies``: the lowest frequency, the frequency at which force and velocity are in phase, and the
-    highest frequency, as multiples of speed divided by diameter. They are about twice the frequencies
-    across the flow. The values 0.22, 0.36 and 0.52 are assumptions, with a range of 25 % to either side.
+    ``coefficient``: C_x of the varying drag, C_x rho D / 2 times the squared speed. Values of 0.1 to 1 are
+    assumptions. ``frequencies``: the lowest frequency, the frequency at which force and velocity are in
+    phase, and the highest frequency, as multiples of speed divided by diameter. These frequencies are about
+    twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, with a range of 25
+    % to either side.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -110,13 +112,13 @@ class VortexInducedVibration(Strict):
     synchronises with the velocity of the riser. The model requires drag across the pipe, which limits the
     amplitude. The scene is then solved in three dimensions.
 
-    ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest frequency, the frequency at which
-    force and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter;
-    published 0.11, 0.18, 0.26. ``memory``: averaging length of the mean squares of the motion, that is
-    the distance that the water flows past the pipe, in diameters; for example 20. ``seed``: seed of the
-    initial phases, which are smooth along the riser. ``ramp``: time over which the lift increases; by
-    default the time of ten vortices in the fastest current. ``in_line``: excitation along the flow; by
-    default there is none.
+    ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest frequency, the frequency at which force
+    and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter. The
+    published values are 0.11, 0.18 and 0.26. ``memory``: distance over which the mean squares of the motion
+    are averaged. This distance is how far the water flows past the pipe, in diameters; for example 20.
+    ``seed``: seed of the initial phases, which are smooth along the riser. ``ramp``: time over which the lift
+    increases; by default the time of ten vortices in the fastest current. ``in_line``: excitation along the
+    flow; by default there is none.
     """
 
     model: Literal["synchronisation"]
@@ -142,9 +144,10 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. It adds its weight to ``submerged_weight``, and its mass across the pipe.
 
-    A bore that is open to the sea contains sea water; without contents, its weight is zero. The contents
-    reach up to ``level``, by default to the upper end of the highest section with contents. Their gauge
-    pressure on the wall is that of this column at rest.
+    If ``contents`` are absent, no weight of contents is added. For a bore that is open to the sea, give sea
+    water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by
+    default to the upper end of the highest section with contents. The gauge pressure of the contents on the
+    wall is that of this column at rest.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -163,7 +166,7 @@ class StructuralDamping(DampingAtPeriod):
 
 
 class InnerJoint(Strict):
-    """Rotational spring between a section and the one below it."""
+    """Rotational spring between a section and the section below it."""
 
     stiffness: Annotated[u.RotationalStiffness, POSITIVE]
 
@@ -182,22 +185,22 @@ class Section(Strict):
     resists the yaw of a vessel. Mass, drag, tangential drag, added mass, vortex-induced vibration, contents,
     damping, load, joint and guide are zero or not present if they are not given.
 
-    ``submerged_weight`` excludes ``contents``. It is the weight of the pipe and everything fixed to it,
-    minus the weight of the water that its *outer* surface displaces. For example, a bare pipe of 21 in by 19
-    in with 318.2 kg/m of steel, in sea water of 1025 kg/m^3 and with g 9.81 m/s^2, has 874.7 N/m. If it is
-    full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m. If it is full of sea water, write 2714.1 N/m
-    without contents, or 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is
-    computed from mass, both diameters, contents, gravity and water (above the water, without the displaced
-    water); if one of these is missing, the scene is refused. A section that reaches through the water
-    surface is then divided there, as is a section with modules or lines. The upper part is called ``<name>,
-    above water``.
+    ``submerged_weight`` excludes ``contents``. It is the weight of the pipe and everything fixed to it, minus
+    the weight of the water that its *outer* surface displaces. An example is a bare pipe with diameters of 21
+    in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, its
+    submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m. If
+    the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with contents of 1025
+    kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, both diameters, contents, gravity and
+    water. Above the water surface, no displaced water is subtracted. If one of these inputs is missing, the
+    scene is refused. A section that reaches through the water surface is then divided at the surface, as is a
+    section with modules or lines. The upper part is called ``<name>, above water``.
 
-    ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It
-    has no effect on the simulation. The formula for the minimum tension requires it, because it treats
-    steel and modules separately. If it is absent, it is unknown.
+    ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It has
+    no effect on the simulation. The formula for the minimum tension requires it, because it treats steel and
+    modules separately. If ``buoyancy_lift`` is absent, the lift is unknown.
 
-    ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of
-    the section are then those of the pipe alone; those of modules and lines are added. The lift of the
+    ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
+    section are then those of the pipe alone. The values of modules and lines are added. The lift of the
     modules becomes ``buoyancy_lift``; if any section has modules, the lift of sections without modules is
     zero. The given diameters for drag and added mass apply to pipe, modules and lines together.
     """

@@ -46,10 +46,10 @@ class Swell(Strict):
 class RegularWave(Swell, Wave):
     """A regular Airy wave with an amplitude, or with a height of twice the amplitude.
 
-    Its surface is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0, the wave travels
-    along x, and it acts from t = 0 without a ramp, on a riser in static equilibrium. ``above_mean_level``:
-    velocities above the mean level are zero (none), those of the mean level (constant), or those of a
-    stretched profile (stretched, after Wheeler).
+    Its surface is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and the wave
+    travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
+    ``above_mean_level``: velocities above the mean level are zero (none), those of the mean level (constant),
+    or those of a stretched profile (stretched, after Wheeler).
     """
 
 
@@ -80,11 +80,12 @@ class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
     The surface speed is surface_factor W / sqrt(sin latitude). Over the friction depth, depth_factor W /
-    sqrt(sin latitude), the drift turns by half a turn and decreases to 1/23. At the surface it is 45 degrees
-    from the wind, and it turns further away with depth. ``component`` selects the part that acts on the
-    riser: the part along the wind, the part across the wind (which carries the whole transport), the
-    magnitude, or both parts. With ``both``, the heading of the current is that of the wind. The drift then
-    turns to the right of it in the northern ``hemisphere``, and to the left in the southern.
+    sqrt(sin latitude), the drift turns by half a turn and decreases to 1/23. At the surface, the direction of
+    the drift is 45 degrees from the wind, and turns further away with depth. ``component`` selects the part
+    of the drift that acts on the riser: the part along the wind, the part across the wind, the magnitude, or
+    both parts. The part across the wind carries the whole transport. With ``both``, the heading of the
+    current is that of the wind. The drift then turns to the right of the wind in the northern ``hemisphere``,
+    and to the left in the southern.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

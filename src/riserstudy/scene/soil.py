@@ -18,8 +18,9 @@ from riserstudy.scene.damping import DampingAtPeriod
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    Undrained shear strength increases linearly with depth. The curve is infinitely stiff at its origin; up
-    to the fraction ``straight_up_to`` of y50 a straight line replaces it.
+    Undrained shear strength increases linearly with depth. The curve is infinitely stiff at its origin. A
+    straight line therefore replaces the curve up to the fraction ``straight_up_to`` of y50, the displacement
+    at half of the ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -39,8 +40,9 @@ class ElasticSoil(Strict):
 class Sand(Strict):
     """Sand by the p-y curves of API RP 2A: p = A p_u tanh(k X y / (A p_u)) at the depth X.
 
-    ``friction_angle`` is the angle of internal friction. ``initial_modulus`` is k, the increase of the soil
-    stiffness with depth. A is 0.9 under cyclic loading. Otherwise it is 3 - 0.8 X / D, and at least 0.9.
+    ``friction_angle`` is the angle of internal friction. p_u is the ultimate resistance, y the displacement
+    and D the diameter of the conductor. ``initial_modulus`` is k, the increase of the soil stiffness with
+    depth. A is 0.9 under cyclic loading. Otherwise it is 3 - 0.8 X / D, and at least 0.9.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]

@@ -19,7 +19,8 @@ class Chamber(Strict):
     """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
 
     ``outside``: external pressure on the same area. By default it is atmospheric if the gas has a gauge
-    pressure. It is zero if the gas has an absolute pressure, as in laws that include only that pressure.
+    pressure. It is zero if the gas has an absolute pressure, as in tensioner laws that include only the
+    pressure of the gas.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -41,7 +42,10 @@ class Chamber(Strict):
 
 
 class Gas(Chamber):
-    """One gas chamber per cylinder, at mid-stroke: F = A P (V / (V - A reach))^k - A outside."""
+    """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
+
+    A is the area, k the exponent; P and V are pressure and volume at mid-stroke.
+    """
 
     exponent: Annotated[float, Field(gt=1)]
 
@@ -127,9 +131,9 @@ class Stroke(Strict):
 class Arrangement(Strict):
     """Cylinders evenly spaced around the ring, from points on the ring to points on the deck.
 
-    ``first_bearing`` is the bearing of the first cylinder, from +x towards +y; with ``half a spacing``, +x
-    is midway between two cylinders. The elevation of the deck is that of the platform at rest. Its centre is
-    vertically above the riser's top.
+    ``first_bearing`` is the bearing of the first cylinder, from +x towards +y; with ``half a spacing``, +x is
+    midway between two cylinders. ``deck_elevation`` is the elevation of the deck with the platform at rest.
+    The centre of the deck is vertically above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -155,9 +159,9 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default they have no damping and no stops.
 
-    ``table``: any other law, as the pull of one cylinder over its reach. It is interpolated smoothly and
-    monotonically, or linearly with ``interpolation: linear``. Beyond its ends it continues linearly, with a
-    warning.
+    ``table``: any other law, as the pull of one cylinder over its reach (its extension from mid-stroke). The
+    table is interpolated smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the
+    ends of the table the pull continues linearly, with a warning.
 
     Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
     no force. Without ``failing`` no cylinder fails during the run.

@@ -65,8 +65,8 @@ class Thrusters(Strict):
     Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with it,
     its magnitude is limited in all directions. Without ``rise`` the command acts suddenly; with it, the
     command increases as 1 - exp(-t / rise). Without ``lag`` the thrust follows immediately; with it, the
-    thrust has this time constant. Without ``sway`` or ``yaw`` there is no thrust across the hull or no
-    moment.
+    thrust has this time constant. Without ``sway`` there is no thrust across the hull. Without ``yaw`` there
+    is no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -160,10 +160,11 @@ class Vessel(Strict):
     turn, and these degrees of freedom are removed. Without ``coupling``, platform and riser are solved as
     one system.
 
-    If the scene also has a ``platform``, it gives first-order motions in waves, which are superposed: the
-    riser's top, deck and tension ring move with the sum. Hull drag, inertia and thrusters respond only to
-    the slow motion, and so does the mean wave drift that is given here. The outputs ``low_frequency_surge``
-    and ``low_frequency_sway`` are the slow motion, ``platform_surge`` and ``platform_sway`` the sum.
+    If the scene also has a ``platform``, this key gives first-order motions in waves, which are superposed on
+    the slow motion of the vessel. The riser's top, deck and tension ring move with the sum. Hull drag,
+    inertia and thrusters respond only to the slow motion, and so does the mean wave drift that is given here.
+    The outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the slow motion, ``platform_surge`` and
+    ``platform_sway`` the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
