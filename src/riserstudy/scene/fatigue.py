@@ -62,7 +62,7 @@ class OwnCurve(Strict):
         if exponents != sorted(set(exponents)):
             raise Misfit(
                 "slopes",
-                "is inconsistent",
+                "has exponents that do not increase",
                 "exponents must increase, since the second line is for small stress ranges",
             )
         return self
@@ -139,7 +139,7 @@ class Detail(Strict):
         if self.stress_per_moment and not place_of(self.at).startswith(ENDS):
             raise Misfit(
                 "stress_per_moment",
-                "is inconsistent",
+                "needs the end of a section as its place",
                 f"allowed is a place such as 'at: {ENDS[0]}' and the name of a section",
             )
         if self.stress_per_moment and self.thickness is None:

@@ -120,7 +120,11 @@ class TimeSeries(Strict, Generic[P]):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a.time >= b.time for a, b in pairwise(self.points)):
-            raise Misfit("points", "is inconsistent", "times must increase from point to point")
+            raise Misfit(
+                "points",
+                "has times that do not increase",
+                "times must increase from point to point",
+            )
         return self
 
 
@@ -352,20 +356,24 @@ class Current(Strict):
         points = self.profile if isinstance(self.profile, list) else []
         directed = {point.direction is not None for point in points}
         if len(directed) > 1:
-            raise Misfit("profile", "is inconsistent", "give direction in every line or in none")
+            raise Misfit(
+                "profile",
+                "has a direction in some lines only",
+                "give direction in every line or in none",
+            )
         _within_a_turn("heading", self.heading)
         if True in directed and self.heading is not None:
             raise Misfit("heading", "the points already have directions", "leave it out")
         if self.headings is not None and self.heading is None and directed != {True}:
             raise Misfit(
                 "headings",
-                "is inconsistent",
+                "needs a heading or directions of the current",
                 "'towards' or 'from' is only for a current with a heading",
             )
         if len({point.depth is None for point in points}) > 1:
             raise Misfit(
                 "profile",
-                "is inconsistent",
+                "has elevation in some lines and depth in others",
                 "give elevation in every line, or depth in every line",
             )
         for name in ("elevation", "depth"):

@@ -127,7 +127,7 @@ class Response(Strict):
         if len(kinds) > 1:
             raise Misfit(
                 "operators",
-                "is inconsistent",
+                "has period in some lines and frequency in others",
                 "give period in every line, or frequency in every line",
             )
         kind = "frequency" if kinds == {True} else "period"
@@ -141,35 +141,45 @@ class Response(Strict):
         if len(tables[0]) < 2 or any(not _same_frequencies(t, tables[0]) for t in tables):
             raise Misfit(
                 "operators",
-                "is inconsistent",
+                "has different periods, or only one",
                 "every heading must have the same periods, at least two",
             )
         if len(tables) > 1 and None in self.by_heading:
-            raise Misfit("operators", "is inconsistent", "give heading in every line or in none")
+            raise Misfit(
+                "operators",
+                "has a heading in some lines only",
+                "give heading in every line or in none",
+            )
         if (self.headings is None) != (None in self.by_heading):
             raise Misfit(
                 "headings",
-                "is inconsistent",
+                "does not fit the headings of the operators",
                 "'towards' or 'from' needs a heading in every line of the operators",
             )
         if self.symmetry and self.headings is None:
             raise Misfit(
                 "symmetry",
-                "is inconsistent",
+                "is given for operators without headings",
                 "needs operators with headings",
             )
         if self.heading is not None and self.wave is None:
             raise Misfit(
                 "heading",
-                "is inconsistent",
+                "is not needed",
                 "leave it out, since the wave of the scene has a heading",
             )
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
-            raise Misfit("operators", "is inconsistent", "every line must have the same motions")
+            raise Misfit(
+                "operators",
+                "has different motions in its lines",
+                "every line must have the same motions",
+            )
         missing = set(self.motions or []) - self.operators[0].motions
         if missing:
             raise Misfit(
-                "motions", "is inconsistent", f"the operators have no {sorted(missing)[0]}"
+                "motions",
+                "names a motion without operators",
+                f"the operators have no {sorted(missing)[0]}",
             )
         return self
 

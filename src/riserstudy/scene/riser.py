@@ -43,7 +43,7 @@ class Drag(Strict):
         if any(a > b for (a, _), (b, _) in pairwise(self.table)):
             raise Misfit(
                 "coefficient",
-                "is inconsistent",
+                "has elevations that decrease",
                 "elevations must not decrease from point to point",
             )
         return self
@@ -83,7 +83,11 @@ class AddedMass(Strict):
 
 def _must_rise(frequencies: list[float]) -> None:
     if any(a >= b for a, b in pairwise(frequencies)):
-        raise Misfit("frequencies", "is inconsistent", "lowest, free and highest must increase")
+        raise Misfit(
+            "frequencies",
+            f"{frequencies} do not increase",
+            "lowest, free and highest must increase",
+        )
 
 
 class InLineExcitation(Strict):
@@ -263,7 +267,7 @@ class Section(Strict):
                 "give modules or buoyancy_lift, not both, since modules also give lift"
             )
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
-            raise Misfit("lines", "is inconsistent", "names must differ")
+            raise Misfit("lines", "has two lines with one name", "names must differ")
         if self.wall_density:
             return self.model_copy(update={"mass": self.wall_density * self.wall_area})
         return self

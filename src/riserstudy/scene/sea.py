@@ -100,7 +100,7 @@ class WindDrift(Strict):
         if (self.component == "both") != (self.hemisphere is not None):
             raise Misfit(
                 "hemisphere",
-                "is inconsistent",
+                "does not fit the component",
                 "'northern' or 'southern' is only for 'component: both'",
             )
         return self

@@ -75,7 +75,7 @@ class TabulatedSoil(Strict):
         if depths != sorted(set(depths)):
             raise Misfit(
                 "table",
-                "is inconsistent",
+                "has depths that do not increase",
                 "depths must increase, with all rows of one depth together",
             )
         for depth, rows in self.curves.items():
@@ -86,7 +86,7 @@ class TabulatedSoil(Strict):
                 if any(step < 0.0 or (step == 0.0 and name == "displacement") for step in steps):
                     raise Misfit(
                         "table",
-                        "is inconsistent",
+                        f"has a {name} that does not increase",
                         f"{name} must increase at the depth of {depth:g} m",
                     )
         return self

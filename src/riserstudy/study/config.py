@@ -43,7 +43,7 @@ class Config(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tier not in self.tiers:
-            raise Misfit("tiers", "is inconsistent", f"needs {self.tier!r}, the tier to run")
+            raise Misfit("tiers", f"lacks the tier {self.tier!r}", "add the tier that is to run")
         if len(set(self.papers)) != len(self.papers):
             raise Misfit("papers", "names a paper twice", "name each once")
         if taken := RULES.intersection(self.papers):

@@ -122,7 +122,7 @@ class StudyModel(Strict):
     def _fits(self) -> Self:
         if PureWindowsPath(self.scene).anchor or ".." in PureWindowsPath(self.scene).parts:
             raise Misfit(
-                "scene", "is inconsistent", "must lie below the folder of the configuration"
+                "scene", "lies in another folder", "must lie below the folder of the configuration"
             )
         if "\\" in self.scene:
             raise Misfit(

@@ -81,7 +81,7 @@ class SeasModel(Strict):
             if path.anchor or ".." in path.parts:
                 raise Misfit(
                     "record",
-                    "is inconsistent",
+                    "lies in another folder",
                     "must lie below the folder of the configuration",
                 )
         for text in self.windows:
