@@ -181,7 +181,7 @@ def downtime(
         from riserstudy.dataset.tables import in_units
         from riserstudy.seas.riser_returns import returned, table_of
 
-        print("exceeded once in so many years:")
+        print("responses that are exceeded once in a return period:")
         show(in_units(table_of(returned(made.demands, period)), units), None)
     _write(made, output, plot)
 
@@ -232,9 +232,9 @@ def of_the_sea(
     if hold_back:
         held_back(sea, limits, Ahead(hold_back, ahead.persistence))
     found = hours(sea, limits)
-    print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} more lack a value")
+    print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} further rows lack a value")
     mean = banded(found.mean_year(ahead.persistence))
-    print(f"workable: {found.share:.2%} of all; {mean} of a mean year")
+    print(f"workable: {found.share:.2%} of all rows; {mean} in a mean year")
     show_hours(found, lengths, ahead)
     show(found.by_month(), csv)
     if plot is not None:

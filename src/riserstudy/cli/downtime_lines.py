@@ -37,7 +37,7 @@ def show_riser(
     for one in made.hours.modes:
         print(f"{one.mode}: {one.hours.share:.2%} of {one.hours.rows} rows")
         print(f"  {one.low:.2%} to {one.high:.2%} because of the error of the response")
-        print(f"  {banded(one.hours.mean_year(ahead.persistence))} of a mean year")
+        print(f"  {banded(one.hours.mean_year(ahead.persistence))} in a mean year")
         show_hours(one.hours, lengths, ahead, "  ")
     show(in_units(made.hours.limits, units), csv)
 
@@ -48,7 +48,7 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
     others = [(h, found.next_years(ahead.years, h)) for h in PERSISTENCES]
     if not math.isnan(others[0][1].low):
         each = "; ".join(f"{of.low:.2%} to {of.high:.2%} at {h:g}" for h, of in others)
-        print(f"{indent}  persistence of years {ahead.persistence:g}; {each}")
+        print(f"{indent}  for a persistence of years {ahead.persistence:g}; {each}")
     for year in found.partial_years:
         print(f"{indent}{year.year}: {year.recorded:.0%} recorded, excluded from these bands")
     for length in lengths:

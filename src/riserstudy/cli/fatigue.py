@@ -105,8 +105,8 @@ def fatigue(
     if not math.isnan(years.error_runs):
         known = sum(math.isfinite(sea.error) for sea in years.seas)
         print(
-            f"estimated error of damage in runs: {100 * years.error_runs:.2g} %, each by its damage, known "
-            f"of {known} of {len(years.seas)} sea states"
+            f"estimated error of damage in runs: {100 * years.error_runs:.2g} %, runs weighted by "
+            f"their damage; known for {known} of {len(years.seas)} sea states"
         )
     show(tables.of_details(years), csv)
     if years.axes:
@@ -115,7 +115,7 @@ def fatigue(
             print(line)
     if years.by_vibration > 0.0:
         print(
-            f"sea states with vortex-induced vibration simulated bring {100 * years.by_vibration:.3g} % of it"
+            f"sea states simulated with vortex-induced vibration cause {100 * years.by_vibration:.3g} % of it"
         )
     if without is not None:
         _print_comparison(years, _summed(without, scatter, seas, gamma, at, calm))
