@@ -148,9 +148,9 @@ def test_motions_that_a_file_does_not_have_are_not_in_the_table(tmp_path):
 @pytest.mark.parametrize(
     "change, why",
     [
-        (lambda row: [*row[:4], -row[4], *row[5:]], "both are the same"),
+        (lambda row: [*row[:4], -row[4], *row[5:]], "both must be the same"),
         (lambda row: row[:5], "5 numbers"),
-        (lambda row: [8.0, 0.0, *row[2:]], "occurs twice"),
+        (lambda row: [8.0, 0.0, *row[2:]], "two lines for one wave"),
     ],
 )
 def test_a_file_that_contradicts_itself_is_refused(tmp_path, change, why):

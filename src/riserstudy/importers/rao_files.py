@@ -76,9 +76,14 @@ def from_wamit(path: Path, length: float) -> Operators:
     ]
     values = {(r.heading, r.period, r.mode): r.value for r in waves if r.mode <= 6}
     if not values:
-        raise InputError(path, "", "no motions", "allowed are the modes 1 to 6 at periods above 0")
+        raise InputError(
+            path,
+            "",
+            "no RAOs of a platform motion",
+            "the file needs the modes 1 to 6 at periods above 0",
+        )
     if len(values) < sum(row.mode <= 6 for row in waves):
-        raise InputError(path, "", "a line occurs twice", "allowed is one for each wave and mode")
+        raise InputError(path, "", "two lines for one wave and mode", "delete one of them")
     headings = sorted({heading for heading, _, _ in values})
     periods = sorted({period for _, period, _ in values})
     modes = sorted({mode for *_, mode in values})
@@ -89,7 +94,9 @@ def from_wamit(path: Path, length: float) -> Operators:
             for mode in modes:
                 if (heading, period, mode) not in values:
                     found = f"no mode {mode} at {heading:g} deg and {period:g} s"
-                    raise InputError(path, "", found, "allowed is a file with all of them")
+                    raise InputError(
+                        path, "", found, "each mode needs a line for every heading and period"
+                    )
                 value = values[heading, period, mode] / (length if mode > 3 else 1.0)
                 cells += [abs(value), math.degrees(cmath.phase(value))]
             table.append(cells)
@@ -118,7 +125,9 @@ def _rows_of_wamit(path: Path) -> list[Row]:
         value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
         if abs(value - polar) > ROUNDED * abs(value) + 1e-6:
             found = f"modulus and phase give {polar:.4g}, real and imaginary part {value:.4g}"
-            raise InputError(path, f"line {number}", found, "allowed is that both are the same")
+            raise InputError(
+                path, f"line {number}", found, "both must be the same; check the columns"
+            )
         rows.append(Row(cells[0], cells[1], int(cells[2]), value))
     return rows
 
@@ -137,7 +146,7 @@ def from_capytaine(path: Path) -> Operators:
         dataset = xr.load_dataset(path)
     except (OSError, ValueError) as error:
         raise InputError(
-            path, "", f"no netCDF ({error})"[:80], "allowed is a dataset of Capytaine"
+            path, "", f"is no netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
         ) from None
     if "RAO" not in dataset:
         allowed = "allowed is a dataset with capytaine.post_pro.rao(dataset) as its variable RAO"
@@ -146,7 +155,9 @@ def from_capytaine(path: Path) -> Operators:
     by = next((name for name in FREQUENCIES if name in rao.dims), None)
     if by is None or "radiating_dof" not in rao.dims:
         allowed = "allowed are radiating_dof, wave_direction and one of omega, freq, period"
-        raise InputError(path, "RAO", f"over {', '.join(map(str, rao.dims))}", allowed)
+        raise InputError(
+            path, "RAO", f"has the dimensions {', '.join(map(str, rao.dims))}", allowed
+        )
     dofs = _motions(path, [str(name) for name in rao["radiating_dof"].values])
     directed = "wave_direction" in rao.coords
     if "wave_direction" not in rao.dims:
@@ -154,7 +165,10 @@ def from_capytaine(path: Path) -> Operators:
     extra = set(rao.dims) - {"radiating_dof", "wave_direction", by}
     if extra:
         raise InputError(
-            path, "RAO", f"over {sorted(map(str, extra))[0]}, too", "allowed is one value"
+            path,
+            "RAO",
+            f"has several values along {sorted(map(str, extra))[0]}",
+            "select one value of it",
         )
     rao = rao.transpose("wave_direction", by, "radiating_dof")
     waves = rao[by].values
@@ -182,7 +196,9 @@ def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
         return rao.astype(complex)
     parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
     if sorted(parts) != ["im", "re"]:
-        raise InputError(path, "RAO", f"parts {parts}", "allowed are re and im along complex")
+        raise InputError(
+            path, "RAO", f"has the parts {parts}", "allowed are re and im along complex"
+        )
     return rao.sel(complex="re", drop=True) + 1j * rao.sel(complex="im", drop=True)
 
 
@@ -190,7 +206,12 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
     """Which motion each degree of freedom is, None for others; names may begin with that of one body."""
     bodies = {name.rpartition("__")[0] for name in names}
     if len(bodies) > 1:
-        raise InputError(path, "radiating_dof", f"{len(bodies)} bodies", "allowed is one")
+        raise InputError(
+            path,
+            "radiating_dof",
+            f"{len(bodies)} bodies",
+            "allowed is one body: select the degrees of freedom of the platform",
+        )
     short = {name: name.rpartition("__")[2].lower() for name in names}
     if not set(short.values()) & set(MOTIONS):
         raise InputError(
