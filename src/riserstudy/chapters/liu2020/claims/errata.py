@@ -29,6 +29,7 @@ def tensions(readings: xr.Dataset) -> dict[str, Any]:
     """Tonnes in the readings that the erratum names, and times the riser's weight in water."""
     every = constant_tension(readings).value.sel(gravity=9.81, pressures="absolute")
     tonnes = every.sel(mid_stroke="riser in equilibrium")
+    sevens = tonnes.sel(cylinders="seven", pistons="6050 kg each")
     six = every.sel(cylinders="six", pistons="6050 kg in all")
     once, other = (
         float(six.sel(mid_stroke=zero, inclination=0.0))
@@ -41,7 +42,8 @@ def tensions(readings: xr.Dataset) -> dict[str, Any]:
         "inclined": float(six.sel(mid_stroke="riser in equilibrium", inclination=11.3)),
         "ratio": 1e3 * once / (LENGTH * WET),
         "each": float(tonnes.sel(cylinders="six", pistons="6050 kg each", inclination=0.0)),
-        "seven": float(tonnes.sel(cylinders="seven", pistons="6050 kg each", inclination=9.5)),
+        "seven": float(sevens.sel(inclination=9.5)),
+        "upright": float(sevens.sel(inclination=0.0)),
         "leaning": float(tonnes.sel(cylinders="six", pistons="massless", inclination=12.8)),
     }
 
