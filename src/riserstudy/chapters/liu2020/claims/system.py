@@ -177,10 +177,13 @@ def lags(surge: xr.Dataset, later: Word) -> Found:
 
 
 def flexibility_makes_the_lag(surge: xr.Dataset, later: Word) -> Found:
-    """The riser lags more on gas than on a constant pull; value: least of four depths (degrees)."""
+    """The riser lags more with cylinders than without, below the same telescopic joint.
+
+    Value: least of four depths (degrees).
+    """
     lag = surge["displacement_lag"]
-    gas, constant = (lag.sel(tensioner_model=name, drop=True) for name in ("gas law", "constant"))
-    phase_lag = (gas - constant + np.pi) % (2.0 * np.pi) - np.pi
+    gas, without = (lag.sel(tensioner_model=name, drop=True) for name in ("gas law", WITHOUT[2]))
+    phase_lag = (gas - without + np.pi) % (2.0 * np.pi) - np.pi
     by_depth = Condition(phase_lag - later.bound, abs(phase_lag) < later.band)
     return judged(phase_lag.min("depth") * DEGREES, all_along(by_depth, "depth"))
 
