@@ -41,9 +41,9 @@ class Geometry:
         """What follows the label of a part: its remark in brackets, if it has one."""
         return f" ({self.remarks[path]})" if path in self.remarks else ""
 
-    def assumes(self, path: str) -> bool:
-        """Whether the scene assumes the value at a path, any within it, or what it is within."""
-        return _any_at(self.assumed, path)
+    def assumes(self, path: str, besides: str = "") -> bool:
+        """Whether the scene assumes the value at a path, any within it but one, or what it is within."""
+        return _any_at(self.assumed - {besides}, path)
 
     def mark(self, *paths: str) -> str:
         """What a label adds to the value at a path, or from several, that the scene assumes or calibrates."""

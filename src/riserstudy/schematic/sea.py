@@ -15,6 +15,7 @@ from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import WATER
 from riserstudy.schematic.view import View
 
+SURFACE_SPEED = "current.profile.surface_speed"
 ARROWS = 11  # of a current profile
 CURRENT_WIDTH = 0.3  # of the window, for the largest speed
 PLACES = 2000  # of a line of the surface
@@ -110,8 +111,12 @@ def current(view: View, geometry: Geometry) -> None:
     ]
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
-    profile = " (profile assumed)" if geometry.assumes("current.profile") else ""
-    text = f"current: up to {largest:.3g} m/s{profile}; arrows have a separate scale"
+    assumed = geometry.assumes("current.profile", besides=SURFACE_SPEED)
+    profile = " (profile assumed)" if assumed else ""
+    # a profile that is assumed as a whole may have a speed that is given
+    mark = geometry.mark(SURFACE_SPEED) if SURFACE_SPEED in geometry.assumed else ""
+    speed_of = f"{largest:.3g} m/s{mark}"
+    text = f"current: up to {speed_of}{profile}; arrows have a separate scale"
     if scene.current.turns:
         text += "; its direction changes with depth (drawn: part along x)"
     elif scene.current.towards:
