@@ -175,6 +175,21 @@ def test_the_depth_of_a_moment_counts_from_the_end_of_its_own_riser():
     assert facts["d_base"] == facts["d_lever"] == 0.0
 
 
+def test_the_moment_on_the_paper_s_elements_is_that_at_their_nodes():
+    """The nodes of other variants lie between those of 50 equal elements, and have a larger moment there."""
+    names = list(FILE.studies["variants"].axes["variant"])
+    s = np.linspace(0.0, 1800.0, 101)
+    at_a_node, between = s[98], s[97]  # every second is a node of the paper's
+    size = np.where(s == at_a_node, 2.0, np.where(s == between, 3.0, 1.0))
+    moment = np.broadcast_to(size, (2, len(names), s.size)).transpose(1, 0, 2)
+    dims = ("variant", "time", "s")
+    coords = {"variant": names, "time": [0.0, 130.0], "s": s}
+    runs = xr.Dataset({"bending_moment": (dims, 1e3 * moment), "x": (dims, moment)}, coords)
+    facts = variants(runs)
+    assert (facts["m_paper"], facts["d_paper"]) == pytest.approx((2.0, 1800.0 - at_a_node))
+    assert (facts["m_base"], facts["d_base"]) == pytest.approx((3.0, 1800.0 - between))
+
+
 def passing(start, rate, moment, heave):
     """Two LMRP masses over time: distances that grow at a rate, a moment that swings with the heave."""
     t = np.arange(100.0, 201.0)

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import xarray as xr
 
 from riserstudy.chapters.mao_hangoff.towed import displacement
 
 STATED = 130.0  # s, the time of Fig 9
+ELEMENTS = 50  # equal ones, of the paper
 PRINTED = ("x_heavy", "x_light", "moment")  # the three numbers that the paper prints
 
 
@@ -35,6 +37,15 @@ def largest(runs: xr.Dataset) -> xr.DataArray:
 def as_drawn(values: Any) -> Any:
     """Runs or values in the profile that Figs 11 and 12 draw first, where it is varied."""
     return values.isel(current_profile=0, drop=True) if "current_profile" in values.dims else values
+
+
+def at_nodes_of_paper(values: xr.DataArray) -> xr.DataArray:
+    """Values over s at the ends of the paper's equal elements.
+
+    A study lays its runs on the nodes of the finest; what it has between those of 50 elements exceeds both.
+    """
+    s = values["s"]
+    return values.interp(s=np.linspace(float(s[0]), float(s[-1]), ELEMENTS + 1))
 
 
 def with_printed_lmrp(values: xr.DataArray) -> xr.DataArray:

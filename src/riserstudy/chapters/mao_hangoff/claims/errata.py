@@ -16,6 +16,7 @@ from riserstudy.chapters.mao_hangoff.runs import (
     STATED,
     as_drawn,
     at_angle,
+    at_nodes_of_paper,
     distance,
     largest,
     misses_of_print,
@@ -144,6 +145,7 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
     for short, name in names.items():
         # its own nodes alone: a lever arm makes the riser of another variant longer
         one = over_s.sel(variant=name).dropna("s")
+        one = at_nodes_of_paper(one) if short == "paper" else one
         facts[f"x_{short}"] = float(x.sel(variant=name))
         facts[f"m_{short}"] = float(one.max()) / 1e3
         facts[f"d_{short}"] = float(one["s"][-1] - one.idxmax("s"))

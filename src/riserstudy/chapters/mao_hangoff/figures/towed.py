@@ -29,7 +29,7 @@ from riserstudy.chapters.mao_hangoff.figures.towed_shared import (
     down,
     name_upright,
 )
-from riserstudy.chapters.mao_hangoff.runs import STATED
+from riserstudy.chapters.mao_hangoff.runs import STATED, at_nodes_of_paper
 from riserstudy.chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_ends, label_line, legible
 from riserstudy.figures.insets import enlarge
@@ -257,7 +257,7 @@ def _moment_of_base(
     at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
     turn = _sign_of_largest(at_130)
     ours, depth = turn * at_130, float(base_runs["s"][-1]) - base_runs["s"]
-    theirs = own["bending_moment"].sel(time=STATED).dropna("s") / 1e3
+    theirs = at_nodes_of_paper(own["bending_moment"].sel(time=STATED).dropna("s")) / 1e3
     theirs = _sign_of_largest(theirs) * theirs
     ax.plot(ours, depth, color=OF_MESH[FINE_MESH])
     ax.axvline(moment, **PRINTED)
