@@ -32,9 +32,9 @@ class Body(Strict):
 
     Its submerged weight is given, or follows from mass, gravity and either the displaced volume or the
     density of the material. Weight, drag and added mass are zero if they are not given. Without
-    ``centre_below`` the body is a point at the riser's end. With it the body turns rigidly with the lower
-    end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the riser
-    through the centre. If it is absent, the rotary inertia is zero.
+    ``centre_below`` the body is a point at the riser's end. With ``centre_below`` the body turns rigidly with
+    the lower end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the
+    riser through the centre. If it is absent, the rotary inertia is zero.
     """
 
     name: str

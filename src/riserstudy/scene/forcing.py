@@ -113,7 +113,7 @@ P = TypeVar("P", bound=Instant)
 
 
 class TimeSeries(Strict, Generic[P]):
-    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins them."""
+    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points."""
 
     points: Annotated[list[P], Field(min_length=4)]
 

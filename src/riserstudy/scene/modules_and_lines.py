@@ -33,10 +33,10 @@ class Line(Strict):
     """Choke, kill, booster or hydraulic lines along the pipe: ``count`` equal lines, or one by default.
 
     The mass is given, or follows from the density of the wall. ``contents``: density of the fluid inside,
-    which moves with the line; without it the line is empty. Lines with a modulus bend together with the pipe,
-    each about its own axis. With ``tension: shared``, pipe and lines share the tension by their stiffnesses.
-    With ``tension: sliding``, the ends of the lines slide and the lines carry no tension. The effect of the
-    pressure in a line on the tension of the pipe is neglected.
+    which moves with the line; without ``contents`` the line is empty. Lines with a modulus bend together with
+    the pipe, each about its own axis. With ``tension: shared``, pipe and lines share the tension by their
+    stiffnesses. With ``tension: sliding``, the ends of the lines slide and the lines carry no tension. The
+    effect of the pressure in a line on the tension of the pipe is neglected.
     """
 
     name: str

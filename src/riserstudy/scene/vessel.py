@@ -62,11 +62,11 @@ class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded place x_c, which is measured from above the well.
 
     Gains refer to the directions of the hull in its initial position. By default the command is along x.
-    Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with it,
-    its magnitude is limited in all directions. Without ``rise`` the command acts suddenly; with it, the
-    command increases as 1 - exp(-t / rise). Without ``lag`` the thrust follows immediately; with it, the
-    thrust has this time constant. Without ``sway`` there is no thrust across the hull. Without ``yaw`` there
-    is no moment.
+    Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with
+    ``saturation``, the magnitude of the thrust is limited in all directions. Without ``rise`` the command
+    acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). Without ``lag`` the thrust
+    follows immediately; with ``lag``, the thrust follows with this time constant. Without ``sway`` there is
+    no thrust across the hull. Without ``yaw`` there is no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
