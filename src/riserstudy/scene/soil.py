@@ -112,7 +112,7 @@ class SoilDamping(DampingAtPeriod):
 
 
 class Soil(Strict):
-    """Soil around the lowest sections of the riser, below the flex joint of the riser, from the mudline down."""
+    """Soil around the lowest sections of the riser, below the flex joint, from the mudline down."""
 
     mudline: u.Length
     resistance: Matlock | Sand | ElasticSoil | TabulatedSoil
