@@ -8,6 +8,7 @@ import pytest
 import xarray as xr
 
 from riserstudy import load_scene, simulate
+from riserstudy.errors import InputError
 
 SCENE = "config/scenes/design/recoil.yaml"
 QUICK = {
@@ -50,15 +51,15 @@ def test_the_table_of_a_disconnect_is_what_its_histories_show(commands, tmp_path
         attributes = dict(of.attrs)
     value = {name: float(row["value"] or "nan") for name, row in rows.items()}
     assert value["overpull"] == pytest.approx(attributes["overpull"] / 1e3)
-    assert value["largest lift"] == pytest.approx(float(lift.max()))
+    fastest = 0.1 * value["largest upward speed"]  # m between two outputs
+    assert 0.0 <= value["largest lift"] - float(lift.max()) + 1e-9 < fastest
     assert value["largest upward speed"] == pytest.approx(attributes["lift_rate_max"])
     assert (rows["re-contact"]["note"] == "no") == bool(lift.min() > -1e-6)
     assert (code == 4) == bool(np.isnan(value["smallest clearance"]))
     if code == 0:
         then = float(rows["smallest clearance"]["time (s)"])
-        assert float(lift.sel(time=then, method="nearest")) == pytest.approx(
-            value["smallest clearance"]
-        )
+        near = float(lift.sel(time=then, method="nearest")) - value["smallest clearance"]
+        assert -1e-9 < near + 1e-9 < fastest
     for side, name in ((reach.min(), "shortest"), (reach.max(), "longest")):
         row = rows[f"{name} cylinder stroke"]
         assert abs(value[f"{name} cylinder stroke"]) >= abs(float(side)) - 1e-6
@@ -66,6 +67,29 @@ def test_the_table_of_a_disconnect_is_what_its_histories_show(commands, tmp_path
         out_of_it = abs(value[f"{name} cylinder stroke"]) > abs(end) + 1e-6
         assert row["note"].startswith("stroke-out") == out_of_it
     assert out.splitlines()[0].split()[0] == "quantity"
+
+
+@pytest.mark.parametrize("changed", list(cases()))
+def test_coarser_outputs_change_nothing_of_the_outcome(changed):
+    """Lift and clearance are those of all steps, however few of them are written."""
+    names = ("lift_max", "lift_rate_max", "clearance_min", "clearance_time", "recontact_time")
+    found = []
+    for interval in ("0.1 s", "0.7 s", "3 s"):
+        of = load_scene(SCENE, **QUICK, **changed, **{"analysis.output.interval": interval})
+        attributes = simulate(of, progress=False).attrs
+        found.append({name: attributes.get(name) for name in names})
+    assert found[0]["lift_max"] > 1.0
+    for other in found[1:]:
+        assert other == found[0]
+
+
+@pytest.mark.parametrize("late", [0.5, 8.0, 20.0])
+def test_outputs_that_begin_after_the_disconnect_are_refused(late):
+    """What they do not see of lift and clearance would be missing without a word."""
+    at = 12.0
+    load_scene(SCENE, **QUICK, **{"analysis.output.start": f"{at} s"}).resolved()
+    with pytest.raises(InputError, match=r"analysis\.output\.start: .*after the disconnect"):
+        load_scene(SCENE, **QUICK, **{"analysis.output.start": f"{at + late} s"}).resolved()
 
 
 def test_a_stored_run_and_its_scene_give_one_table(commands, tmp_path):

@@ -52,7 +52,8 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories. By default they begin at the start of the run and cover all nodes.
 
-    ``stress_in`` names a section whose largest stress at the outer fibre is output over time.
+    Extremes, and the limits that are checked against them, count from ``start`` on. ``stress_in`` names a
+    section whose largest stress at the outer fibre is output over time.
     """
 
     interval: Annotated[u.Time, POSITIVE]

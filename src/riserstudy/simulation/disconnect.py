@@ -63,7 +63,7 @@ def _overpull(model: Model) -> float:
 def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None:
     """Enter lift, clearance and re-contact into the facts, with a warning where the riser comes down.
 
-    ``arrays`` hold time (s), lift (m) and its rate (m/s), (times,).
+    ``arrays`` hold time (s), lift (m) and its rate (m/s), (times,), of all steps where they were recorded.
     """
     if scene.disconnect is None or "lift" not in arrays:
         return

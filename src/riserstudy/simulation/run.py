@@ -238,9 +238,9 @@ def in_motion(
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
     if judged:
         histories |= envelopes_of(record.value)
-    histories |= _peaks(scene, model, mesh, record, rest, histories, facts, judged)
-    enter_lift(scene, histories, facts)
-    return histories
+    seen_by_steps, more = _peaks(scene, model, mesh, record, rest, histories, facts, judged)
+    enter_lift(scene, seen_by_steps or histories, facts)
+    return histories | more
 
 
 def _by_method(
@@ -286,21 +286,23 @@ def _peaks(
     histories: outputs.Arrays,
     facts: RunFacts,
     judged: bool,
-) -> outputs.Arrays:
-    """Extremes over all steps, which the facts gain, and the envelopes that have to hold them.
+) -> tuple[outputs.Arrays, outputs.Arrays]:
+    """Values at all steps with their times, and histories that keep within their peaks; the facts gain these.
 
-    Of a run that is only compared (not ``judged``) those of the flex joints' angles.
+    Of a run that is only compared (not ``judged``) the peaks of the flex joints' angles. Nothing where not
+    all steps were recorded.
     """
     every_step = steps_of(record.value)
     if not every_step:
-        return {}
+        return {}, {}
     if not judged:
         angles = outputs.angles(scene, model, mesh, every_step)
         facts["peaks"] = peaks_of(every_step.time, angles)
-        return {}
+        return {}, {}
     series = outputs.over_time(scene, model, mesh, every_step, rest)
     facts["peaks"] = peaks_of(every_step.time, series)
-    return within(histories, facts["peaks"], ANGLES if len(model.s.dim) == 3 else ())
+    kept = within(histories, facts["peaks"], ANGLES if len(model.s.dim) == 3 else ())
+    return {"time": every_step.time, **series}, kept
 
 
 def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:

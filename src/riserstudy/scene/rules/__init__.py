@@ -45,6 +45,7 @@ RULES = (
     analysis.ends,
     analysis.starts_gently,
     analysis.stations,
+    analysis.sees_the_disconnect,
     geometry.names,
     geometry.reaches,
     geometry.filled,

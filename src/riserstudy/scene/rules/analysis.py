@@ -26,6 +26,18 @@ def stations(scene: Parts) -> Iterator[Misfit]:
             )
 
 
+def sees_the_disconnect(scene: Parts) -> Iterator[Misfit]:
+    """Lift and clearance are those from the release on: what is before the first output is not seen."""
+    release, output = scene.disconnect, scene.analysis.output
+    start = (output and output.start) or 0.0
+    if release and start > release.at:
+        found = (
+            f"{start:g} s is after the disconnect, and misses lift and clearance before that time"
+        )
+        remedy = f"allowed is up to {release.at:g} s"
+        yield Misfit("analysis.output.start", found, remedy, ("disconnect.at",))
+
+
 def gauge(scene: Parts) -> Iterator[Misfit]:
     """Stress needs a section with a wall."""
     section = scene.analysis.output and scene.analysis.output.stress_in
