@@ -1,7 +1,11 @@
 """Space-out of the telescopic joint: at mid-stroke with the riser in equilibrium, whatever pulls it."""
 
+import copy
+import math
+
 import numpy as np
 import pytest
+from random_rigs import LAWS, at_mid_stroke, rig, written
 
 from riserstudy import simulate
 from riserstudy.errors import InputError
@@ -122,3 +126,51 @@ def test_a_riser_that_hangs_has_no_space_out():
     change = {"bottom": {"hold": "free"}}
     with pytest.raises(InputError, match="needs a lower end that is held"):
         drawn(0, **change).resolved()
+
+
+def test_a_riser_that_hangs_has_no_cylinders_at_mid_stroke_in_equilibrium():
+    """Whatever hangs free of the well has one equilibrium for each pull: that of its weight."""
+    change = {"bottom": {"hold": "free"}, "top.telescopic_joint.mid_stroke": None}
+    with pytest.raises(InputError, match=r"top\.tensioners\.mid_stroke: needs a lower end"):
+        drawn(3, **change).resolved()
+
+
+@pytest.mark.parametrize("seed", range(16))
+def test_mid_stroke_is_that_of_a_plumb_riser_wherever_the_platform_is(seed):
+    """As with mid-stroke at the unstretched riser, by a line whose tension counts for the stretch."""
+    tree = rig(seed, spatial=seed % 4 == 0, conductor=False)
+    draw = np.random.default_rng((seed, 3))
+    depth = tree["water"]["surface"] - tree["water"]["seabed"]
+    tree["platform"]["position"]["surge"] = float(draw.uniform(-0.06, 0.06)) * depth
+    tree["analysis"] = {"mesh": {"elements": 60}}
+    of = tree["top"]["tensioners"]
+    pull = at_mid_stroke(of)
+    for name in LAWS:
+        of.pop(name, None)
+    place = of["arrangement"] if seed % 2 else of.pop("arrangement")
+    lean = place["deck_radius"] - place["ring_radius"]
+    constant = copy.deepcopy(tree)
+    constant["top"]["tension"] = of["count"] * pull
+    del constant["top"]["tensioners"], constant["current"], constant["platform"]["position"]
+    plumb = simulate(SceneFile("rig.yaml", written(constant)), progress=False)
+    length = sum(section["length"] for section in tree["riser"])
+    ring = float(np.interp(length, plumb["s"], plumb["z"]))
+    low = tree["bottom"]["elevation"] + length
+    lengths = [math.hypot(lean, place["deck_elevation"] - high) for high in (low, ring)]
+    shift = lengths[1] - lengths[0] if "arrangement" in of else low - ring
+    stiffness = 0.03 * pull
+    runs = []
+    for mid_stroke, tension in (
+        ("riser in equilibrium", pull),
+        ("riser unstretched", pull - stiffness * shift),
+    ):
+        of["mid_stroke"] = mid_stroke
+        of["linear"] = {"tension": tension, "stiffness": stiffness}
+        runs.append(simulate(SceneFile("rig.yaml", written(tree)), progress=False))
+    one, other = runs
+    assert abs(shift) > 1e-3
+    for name in ("x_static", "effective_tension_static", "tensioner_force_static"):
+        size = float(abs(one[name]).max())
+        np.testing.assert_allclose(other[name], one[name], atol=1e-6 * size)
+    strokes = other["tensioner_stroke_static"] - one["tensioner_stroke_static"]
+    np.testing.assert_allclose(strokes, shift, atol=1e-5)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
-import numpy as np
+from typing import NamedTuple
 
 from riserstudy.export import pipes, surroundings, topside
 from riserstudy.export.deck import Deck
-from riserstudy.model.tensioner_law import tension_at_mid_stroke
+from riserstudy.model.space_out import ring_at_mid_stroke
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.resolve import Resolved
 
 
 class Exported(NamedTuple):
@@ -36,8 +35,6 @@ def write_deck(file: SceneFile) -> Exported:
     ------
     InputError
         Where the deck would be that of another riser.
-    SimulationError
-        Where the riser at rest is needed, and there is none.
     """
     scene = file.resolved()
     deck = Deck(file, scene)
@@ -61,7 +58,7 @@ def write_deck(file: SceneFile) -> Exported:
     surroundings.vessel(deck)
     clay = surroundings.soil(deck)
     pipes.line_types(deck)
-    top, upper = topside.top(deck, _rest(file))
+    top, upper = topside.top(deck, _rest(scene))
     foot = ["Fixed", 0, 0, scene.bottom.elevation]
     deck.carried |= {"bottom.hold", "bottom.elevation", "bottom.rotation"}
     pipes.lines(deck, top, upper, foot, pipes.stiffness(scene.bottom.rotation))
@@ -70,27 +67,10 @@ def write_deck(file: SceneFile) -> Exported:
     return Exported(deck.text(), deck.left_out())
 
 
-def _rest(file: SceneFile) -> topside.Rest:
-    """Elevations of the riser's upper end, below a joint where there is one.
-
-    Cylinders are at mid-stroke where the riser rests under the constant pull that they have there.
-    """
-    scene = file.resolved()
+def _rest(scene: Resolved) -> topside.Rest:
+    """Elevations of the riser's upper end, below a joint where there is one."""
     unstretched = (scene.bottom.elevation or 0.0) + sum(s.total_length for s in scene.riser)
     rig = scene.top.tensioners
     if rig is None or rig.mid_stroke == "riser unstretched":
         return topside.Rest(unstretched, unstretched)
-    from riserstudy.simulation.simulate import simulate
-
-    each = tension_at_mid_stroke(rig, scene.gravity or 0.0)
-    pull: dict[str, Any] = {
-        "top.tensioners": None,
-        "top.tension": f"{rig.count * each!r} N",
-        "analysis": {},
-    }
-    # what happens later may need the tensioners that are taken out
-    pull |= {name: None for name in ("disconnect", "fatigue") if getattr(scene, name)}
-    run = simulate(file.with_values(pull, "export"), progress=False)
-    length = sum(section.total_length for section in scene.riser)
-    ring = np.interp(length, run["s"].to_numpy(), run["z"].to_numpy())
-    return topside.Rest(unstretched, float(ring))
+    return topside.Rest(unstretched, ring_at_mid_stroke(scene))

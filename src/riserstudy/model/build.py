@@ -41,8 +41,7 @@ def build(
 
     Parameters
     ----------
-    ring_elevation : elevation of the riser's top found by an earlier statics (m): where it is held, or
-        where tensioners are at mid-stroke.
+    ring_elevation : elevation of the riser's top found by an earlier statics (m): where it is held.
     d : directions, if more than the scene needs (modes, stability).
     """
     of = layout_of(scene, mesh, ring_elevation, d or directions(scene))

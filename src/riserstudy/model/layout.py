@@ -58,7 +58,6 @@ class Layout(NamedTuple):
     weight: FloatArray  # (n,) in water with contents (N/m)
     bottom: float  # elevation of the riser's lower end (m)
     top: float | None  # elevation of the upper end at rest (m); None: found by statics
-    ring: float | None  # elevation of the tension ring at rest (m); None: found by statics
     loose: int  # nodes beyond the riser's
 
     @property
@@ -127,7 +126,6 @@ def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int)
         weight=per_segment(scene, mesh, weight),
         bottom=bottom,
         top=top,
-        ring=top if ring_elevation is None and not mesh.joint else ring_elevation,
         loose=loose_nodes(scene, d),
     )
 

@@ -1,11 +1,11 @@
-r"""Space-out: the length that a telescopic joint has at mid-stroke, with the riser plumb and in equilibrium.
+r"""Space-out: where the ring is, and how long a telescopic joint, with the riser plumb and in equilibrium.
 
 A riser that is pulled by P at its ring stretches by
 
 .. math:: e = \sum_k \frac{L_k}{2 EA_k} (T_k^- + T_k^+),\qquad T(s) = P - \int_s^L w\,ds
 
 with the tensions at the ends of its sections; P depends on e by the law and the inclination of tensioners.
-The joint is then as long as what is left up to its top.
+The joint is then as long as what is left up to its top. Cylinders at mid-stroke pull by their own tension.
 
 References
 ----------
@@ -36,6 +36,18 @@ def joint_of(scene: Resolved) -> TelescopicJoint | None:
     ring = _unstretched(scene) + stretch(scene)
     length = (scene.top.elevation or 0.0) - ring
     return joint.model_copy(update={"length": length, "mid_stroke": None})
+
+
+def ring_at_mid_stroke(scene: Resolved) -> float:
+    """Elevation (m) of the ring with all cylinders at mid-stroke, the riser plumb in still water.
+
+    It is that of the rig, wherever its platform is and whatever flows: cylinders that start off the well,
+    or are brought there, have the same stroke.
+    """
+    rig = scene.top.tensioners
+    each = tension_at_mid_stroke(rig, scene.gravity or 0.0) if rig else 0.0
+    pull = _constant(scene) + (rig.count * each if rig else 0.0)
+    return _unstretched(scene) + _stretched_by(scene, pull)
 
 
 def stretch(scene: Resolved) -> float:
@@ -77,15 +89,14 @@ def _stretched_by(scene: Resolved, pull: float) -> float:
 
 def _pull(scene: Resolved) -> Callable[[float], float]:
     """What pulls the ring vertically (N), by the stretch of the riser (m)."""
-    top, joint, rig = scene.top, scene.top.telescopic_joint, scene.top.tensioners
-    constant = (top.tension or 0.0) + ((joint.tension if joint else None) or 0.0)
+    rig, constant = scene.top.tensioners, _constant(scene)
     if rig is None:
         return lambda _: constant
     count, gravity = sum(rig.working), scene.gravity or 0.0
+    law, place, ring = _law(rig, gravity), rig.arrangement, _unstretched(scene)
     zero = 0.0
     if rig.mid_stroke == "riser in equilibrium":
-        zero = _stretched_by(scene, rig.count * tension_at_mid_stroke(rig, gravity))
-    law, place, ring = _law(rig, gravity), rig.arrangement, _unstretched(scene)
+        zero = ring_at_mid_stroke(scene) - ring
     if place is None:
         return lambda e: constant + count * law(zero - e)
     aside = place.deck_radius - place.ring_radius
@@ -97,6 +108,12 @@ def _pull(scene: Resolved) -> Callable[[float], float]:
         return constant + count * law(reach) * up / length
 
     return inclined
+
+
+def _constant(scene: Resolved) -> float:
+    """What pulls the ring whatever its stroke (N)."""
+    joint = scene.top.telescopic_joint
+    return (scene.top.tension or 0.0) + ((joint.tension if joint else None) or 0.0)
 
 
 def _law(rig: Tensioners, gravity: float) -> Callable[[float], float]:

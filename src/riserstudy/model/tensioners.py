@@ -22,6 +22,7 @@ from riserstudy.model.bending import shared_flexibility
 from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect
 from riserstudy.model.platform_motion import centre
+from riserstudy.model.space_out import ring_at_mid_stroke
 from riserstudy.model.tensioner_law import linear_law, table_law
 from riserstudy.scene.disconnect import RecoilValve
 from riserstudy.scene.resolve import Resolved
@@ -39,8 +40,8 @@ def tensioners(of: Layout) -> Iterator[Effect]:
     yield from laws(rig, of.gravity, recoil_valve(rig, valve, of.scene) if valve else [])
     yield from pistons(rig, ring, of.d)
     elevation = of.bottom + of.mesh.riser_length
-    if rig.mid_stroke == "riser in equilibrium" and of.ring is not None:
-        elevation = of.ring
+    if rig.mid_stroke == "riser in equilibrium":
+        elevation = ring_at_mid_stroke(of.scene)
     if rig.arrangement is None:
         yield upright(rig, ring, elevation)
         return

@@ -9,7 +9,6 @@ from riserstudy.model.build import build
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.model import Model
-from riserstudy.model.tensioner_law import tension_at_mid_stroke
 from riserstudy.scene.ends import Top
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.continuation import Lost, by_parts, search
@@ -37,10 +36,6 @@ def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Eq
         free = Top(x=top.x, z="free", rotation=top.rotation)
         checked = {"offset": top.offset, "tension": top.held_at_tension, "body": top.body}
         before = free.model_copy(update=checked)
-    elif top.tensioners and top.tensioners.mid_stroke == "riser in equilibrium":
-        rig = top.tensioners
-        each = tension_at_mid_stroke(rig, scene.gravity or 0.0)
-        before = top.model_copy(update={"tensioners": None, "tension": rig.count * each})
     elif _turns_about_a_rising_end(scene):
         before = top
     if before is not None:

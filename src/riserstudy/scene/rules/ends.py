@@ -32,3 +32,7 @@ def held(scene: Parts) -> Iterator[Misfit]:
     if top.telescopic_joint and top.telescopic_joint.mid_stroke and bottom.hold == "free":
         found, remedy = "needs a lower end that is held", "give the joint's length alone"
         yield Misfit("top.telescopic_joint.mid_stroke", found, remedy, ("bottom.hold",))
+    rig = top.tensioners
+    if rig and rig.mid_stroke == "riser in equilibrium" and bottom.hold == "free":
+        found, remedy = "needs a lower end that is held", "write 'riser unstretched'"
+        yield Misfit("top.tensioners.mid_stroke", found, remedy, ("bottom.hold",))
