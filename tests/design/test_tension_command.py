@@ -109,6 +109,26 @@ def test_a_plumb_riser_on_cylinders_needs_by_the_engine_what_the_formula_gives(s
     assert ratio == pytest.approx(6 / (5 * 0.95))
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_the_weight_of_a_tension_ring_is_needed_at_every_point(seed):
+    """By formula and engine, with the tolerance on steel, and so it is in the setting."""
+    weight, steel = 4e4 * (seed + 1), 1.0 + 0.02 * seed
+    request = TensionRequest(Tolerances(steel, 0.96), Rig(6, 1, 0.95, 0.0), ceiling=(9e6, 0.9))
+    held = hung(seed)[seed % 2]
+    ring = {"name": "ring", "mass": f"{weight / 9.0} kg", "submerged_weight": f"{weight} N"}
+    bare, loaded = (
+        {row.quantity: row.tension for row in (*of.ends, *of.totals)}
+        for file in (held, held.with_values({"top.body": ring}, "test"))
+        for of in [tension_table(file.resolved(), request)]
+    )
+    more = steel * weight
+    for name in bare:
+        expected = {"ceiling": 0.0, "setting": more * 6 / (5 * 0.95)}.get(name, more)
+        expected = -more * 6 / (5 * 0.95) if name == "window" else expected
+        assert loaded[name] - bare[name] == pytest.approx(expected, rel=1e-5, abs=1.0), name
+    assert loaded["engine"] == pytest.approx(loaded["formula"], rel=1e-6)
+
+
 def test_tension_tells_formula_engine_and_setting(commands):
     code, out, _ = commands("tension", RISER, "--failed", 1, *ASKED)
     assert code == 0

@@ -13,6 +13,7 @@ from riserstudy.design.tension import (
     carrying_tension,
     columns_above,
     mud_above_the_riser,
+    weight_of_ring,
 )
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.resolve import Resolved
@@ -92,7 +93,7 @@ def with_tension(scene: Resolved, tension: float) -> Resolved:
 
 
 def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
-    """The scene with weights of steel and lifts of modules off by their tolerances."""
+    """The scene with weights of steel, the ring's too, and lifts of modules off by their tolerances."""
     of = columns_above(scene)
     steel, lift, water = (-np.diff(values) for values in (of.steel, of.lift, of.water))
     weights = carrying_tension(steel, lift, -water, tolerances)
@@ -100,4 +101,10 @@ def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
         section.model_copy(update={"submerged_weight": weight / section.total_length})
         for section, weight in zip(scene.riser, weights.tolist(), strict=True)
     ]
-    return scene.model_copy(update={"riser": sections})
+    changed: dict[str, Any] = {"riser": sections}
+    if body := scene.top.body:
+        weight = tolerances.weight * weight_of_ring(scene)
+        heavy = {"submerged_weight": weight, "density": None, "displaced_volume": None}
+        top = {"body": body.model_copy(update=heavy)}
+        changed["top"] = scene.top.model_copy(update=top)
+    return scene.model_copy(update=changed)

@@ -3,9 +3,9 @@ r"""Minimum tension of a drilling riser at all of its points, by the formula of 
 .. math:: T_{SRmin} = W_s f_{wt} - B_n f_{bt} + A_i (d_m H_m - d_w H_w),\quad
           T_{min} = \frac{T_{SRmin} N}{R_f \cos\varphi\,(N - n)}
 
-W_s is the weight in water of the steel above a point, B_n what buoyancy modules above it lift, A_i the bore,
-d and H unit weight and height of the columns of mud and sea above it, N the tensioner units and n those that
-failed. Where the bore changes, columns are counted section by section.
+W_s is the weight in water of the steel above a point, with that of a body at the tension ring, B_n what
+buoyancy modules above it lift, A_i the bore, d and H unit weight and height of the columns of mud and sea
+above it, N the tensioner units and n those that failed. Where the bore changes, columns are counted section by section.
 
 R_f has two conventions: the vertical tension over the setting, 0.90 to 0.95, and no fleet angle; or
 what friction leaves, with the fleet angle apart.
@@ -52,7 +52,7 @@ class Columns(NamedTuple):
     """What hangs above points of the riser, from the bottom up, each (points,)."""
 
     elevation: FloatArray  # m
-    steel: FloatArray  # weight in water (N)
+    steel: FloatArray  # weight in water, that of the body at the upper end included (N)
     lift: FloatArray  # of modules (N)
     mud: FloatArray  # weight (N)
     water: FloatArray  # weight of the sea's column in the bore (N)
@@ -112,11 +112,19 @@ def columns_above(scene: Resolved) -> Columns:
     above = mud_above_the_riser(scene)
     return Columns(
         elevation,
-        _from_above(net + lift + water),  # a told weight has the bore displace water
+        _from_above(net + lift + water)
+        + weight_of_ring(scene),  # a told weight has the bore displace water
         _from_above(lift),
         _from_above(mud) + above,
         _from_above(water),
     )
+
+
+def weight_of_ring(scene: Resolved) -> float:
+    """Weight in water (N) of the body at the riser's upper end, such as a tension ring; 0 without one."""
+    if scene.top.body is None:
+        return 0.0
+    return scene.top.body.weight(scene.gravity or 0.0, scene.water.density if scene.water else 0.0)
 
 
 def mud_above_the_riser(scene: Resolved) -> float:
