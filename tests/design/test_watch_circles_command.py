@@ -94,6 +94,17 @@ def test_first_order_motion_reaches_the_limit_and_circles_are_those_of_the_drift
             assert number(row, f"{column} circle (m)") == pytest.approx(radius, rel=2e-3, abs=0.05)
 
 
+@pytest.mark.parametrize("start", [1, 40, 200])
+def test_outputs_that_begin_late_are_refused(commands, tmp_path, start):
+    """A limit that is reached before them has a circle that is smaller than that of the first output."""
+    scene = scene_file(tmp_path, limits=[away(20.0)])
+    late = ["--set", f"analysis.output.start={start} s"]
+    times = ["--disconnect", "20 s", "--prepare", "10 s"]
+    code, out, said = commands("watch-circles", scene, *times, *late)
+    assert (code, out) == (2, "")
+    assert f"analysis.output.start: {start} s" in said
+
+
 @pytest.mark.parametrize("ramp, heading", [(None, 0.0), (30.0, 0.0), (30.0, 60.0)])
 def test_a_cruising_platform_has_the_circles_of_its_speed(commands, tmp_path, ramp, heading):
     cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | (

@@ -40,7 +40,7 @@ def moves_off(scene: Resolved) -> None:
     Raises
     ------
     InputError
-        When there is neither a vessel nor a cruising platform, or no time.
+        When there is neither a vessel nor a cruising platform, or no time, or outputs begin late.
     """
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
@@ -48,6 +48,10 @@ def moves_off(scene: Resolved) -> None:
         raise InputError("vessel", "", "absent: nothing leaves the well", allowed)
     if scene.analysis.duration is None:
         raise InputError("analysis.duration", "", "absent", "Give, for example, `300 s`")
+    if scene.analysis.output and scene.analysis.output.start:
+        found = f"{scene.analysis.output.start:g} s"
+        why = "a limit that is reached before it would be missed"
+        raise InputError("analysis.output.start", found, why, "Leave it out")
     if not scene.limits:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 9 deg, mode: disconnect}"
         raise InputError("limits", "", "missing", allowed)
