@@ -8,7 +8,10 @@ import pytest
 from platform_in_a_sea import RISER, in_a_sea, words
 
 from riserstudy import load_scene, simulate
+from riserstudy.design.envelope import with_current
 from riserstudy.design.sea_allowances import allowances
+from riserstudy.model.sea import surface_current
+from riserstudy.scene.load import SceneFile
 from riserstudy.study.in_sea import Sea, in_sea
 
 LIMITS = [
@@ -29,6 +32,53 @@ def envelope(commands, folder, *more):
     table = folder / "envelope.csv"
     code, out, _ = commands("envelope", RISER, "--reach", "240 m", *more, "--csv", table)
     return code, out, rows_of(table)
+
+
+def drawn_profile(seed):
+    """A table of a current in 800 m of water, as elevations and as the same speeds from there upwards."""
+    draw = np.random.default_rng(seed)
+    levels = [-800.0, *sorted(draw.uniform(-700.0, -50.0, 2).tolist()), 0.0]
+    speeds = draw.uniform(0.1, 1.5, 4).tolist()
+    headings = draw.uniform(0.0, 6.0, 4).tolist() if seed % 2 else [None] * 4
+    points = []
+    for z, speed, heading in zip(levels, speeds, headings, strict=True):
+        points.append({"elevation": f"{z!r} m", "speed": f"{speed!r} m/s"})
+        if heading is not None:
+            points[-1]["direction"] = f"{heading!r} rad"
+    return points, speeds[-1]
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_speed_at_the_surface_is_that_of_the_water_whatever_a_table_has_above_it(seed):
+    """Also of the hull of a vessel, which floats in the water below a jump at the surface."""
+    points, own = drawn_profile(seed)
+    air = {**points[-1], "speed": f"{0.0 if seed % 3 else 7.0} m/s"}
+    above = [{**air, "elevation": "40 m"}]
+    if seed % 3:  # a jump at the surface
+        above.insert(0, air)
+    tree = {
+        "title": "current",
+        "gravity": "9.81 m/s^2",
+        "water": {"density": "1025 kg/m^3", "surface": "0 m", "seabed": "-800 m"},
+        "riser": [
+            {"name": "string", "length": "790 m", "axial_stiffness": "1e9 N", "mass": "500 kg/m",
+             "submerged_weight": "100 N/m", "drag": {"coefficient": 1.0, "diameter": "1 m"}}
+        ],
+        "bottom": {"hold": "wellhead", "elevation": "-790 m"},
+        "top": {"x": "held", "z": "free", "tension": "1 MN"},
+        "analysis": {},
+    }  # fmt: skip
+    for profile in (points, points + above):
+        current = {"profile": profile, "beyond": "hold"}
+        scene = SceneFile("current.yaml", tree | {"current": current}).resolved()
+        assert np.hypot(*surface_current(scene.current, scene.water)) == pytest.approx(
+            own, rel=1e-6
+        )
+        same = with_current(scene, own).current.profile
+        twice = with_current(scene, 2.0 * own).current.profile
+        for k, point in enumerate(scene.current.profile):
+            assert same[k].speed == pytest.approx(point.speed, rel=1e-6)
+            assert twice[k].speed == pytest.approx(2.0 * point.speed, rel=1e-6)
 
 
 def test_at_each_end_of_an_envelope_a_check_uses_all_of_the_limit_that_governs(commands, tmp_path):

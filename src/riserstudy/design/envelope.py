@@ -15,6 +15,7 @@ from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
 from riserstudy.design.sea_allowances import allowances
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.model.sea import surface_current
 from riserstudy.scene.forcing import Shape
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -23,6 +24,7 @@ from riserstudy.study.in_sea import Sea
 COLUMNS = ["mode", "sea", "current", "from", "to", "limit at from", "limit at to", "note"]
 UNITS = ["", "", "m/s", "m", "m", "", "", ""]
 CALM = "calm"
+STILL = 1e-9  # share of the fastest current that is rounding
 
 
 class Envelope(NamedTuple):
@@ -124,8 +126,10 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     if isinstance(profile, Shape):
         changed: object = profile.model_copy(update={"surface_speed": speed})
     elif isinstance(profile, list):
-        own = max(profile, key=lambda point: -(point.depth or 0.0) + (point.elevation or 0.0)).speed
-        if own == 0.0:
+        x, y = surface_current(current, scene.water)  # which a table may reach above
+        turn = current.towards
+        own = math.hypot(x, y) if current.turns else x * math.cos(turn) + y * math.sin(turn)
+        if abs(own) <= STILL * max(abs(point.speed) for point in profile):
             raise InputError("current.profile", "0 m/s", "no current at the surface", allowed)
         changed = [
             point.model_copy(update={"speed": point.speed * speed / own}) for point in profile

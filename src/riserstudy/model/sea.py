@@ -13,6 +13,7 @@ from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDr
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # of a named current profile
 EDGE = 1e-6  # share of a profile over which it ends in still water
+BELOW = 1e-9  # share of a profile by which the water at the surface is below a jump there
 
 SHALLOW = 1e-12  # kd tanh kd below which tanh kd is kd to twelve digits, and kd too small to be searched for
 
@@ -37,6 +38,17 @@ def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray,
         if isinstance(part, WindDrift) and part.component == "both":
             velocity += _spiral(part, levels(part, water), z, current.towards)
     return _ended(current, z, velocity)
+
+
+def surface_current(current: Current, water: Water | None) -> FloatArray:
+    """Velocity of a current at the mean level along x and y (m/s), (2,), in the water where it jumps there.
+
+    Without a level it is that of the profile's upper end.
+    """
+    z, velocity = current_velocity(current, water)
+    level = float(z[-1]) if water is None or water.surface is None else water.surface
+    below = level - BELOW * (z[-1] - z[0])
+    return np.array([np.interp(below, z, part) for part in velocity])
 
 
 def fastest_current(current: Current, water: Water | None) -> float:

@@ -13,7 +13,7 @@ from riserstudy.effects.thrusters import Thrusters
 from riserstudy.effects.torsion import Torsion
 from riserstudy.effects.vessel import Vessel
 from riserstudy.model.model import Effect, Report
-from riserstudy.model.sea import current_velocity
+from riserstudy.model.sea import surface_current
 from riserstudy.scene import vessel as scenes
 from riserstudy.scene.resolve import Resolved
 
@@ -144,9 +144,7 @@ def _surface_current(scene: Resolved) -> FloatArray:
     """Velocity of the current at the surface (m/s)."""
     if not (scene.current and scene.water):
         return np.zeros(2)
-    z, velocity = current_velocity(scene.current, scene.water)
-    level = scene.water.surface if scene.water.surface is not None else float(z[-1])
-    return np.array([np.interp(level, z, part) for part in velocity])
+    return surface_current(scene.current, scene.water)
 
 
 def _towards(size: float, heading: float | None) -> FloatArray:
