@@ -5,6 +5,7 @@ import sys
 import numpy as np
 import pytest
 from drawn_decks import drawn, file_of, there_and_back
+from random_rigs import LAWS, at_mid_stroke, rig, written
 from ruamel.yaml import YAML
 
 from riserstudy import load_scene, simulate
@@ -12,6 +13,7 @@ from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.export.orcaflex import write_deck
 from riserstudy.importers.orcaflex import read_deck
+from riserstudy.scene.load import SceneFile
 
 MESH = {"analysis": {"mesh": {"elements": 40}}}
 
@@ -25,6 +27,40 @@ def test_a_deck_read_back_is_the_same_riser_at_rest(tmp_path, seed):
     for name in ("effective_tension", "bending_moment", "x", "z"):
         a, b = one[name].to_numpy(), other[name].to_numpy()
         assert np.abs(a - b).max() < 2e-4 * np.abs(a).max(), name
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_the_table_of_a_cylinder_has_each_length_once(tmp_path, seed):
+    """Mid-stroke or a row of a table may be a point of its even steps but for rounding."""
+    tree = rig(seed, spatial=False, conductor=False)
+    of = tree["top"]["tensioners"]
+    pull = at_mid_stroke(of)
+    for name in LAWS:
+        of.pop(name, None)
+    half = float(np.random.default_rng(seed).integers(20, 90)) / 10.0
+    if seed % 2:
+        of["gas"] = {
+            "area": 0.08,
+            "pressure": pull / 0.08,
+            "volume": 6.0,
+            "exponent": 1.1,
+        }
+        of["stroke"] = {"shortest": -half, "longest": half, "stop_stiffness": 5e6}
+    else:
+        reaches = np.round(np.linspace(-half, half, 6), 2).tolist()
+        of["table"] = [{"reach": x, "force": pull * (1.0 + 0.02 * x)} for x in reaches]
+    file = SceneFile(
+        "rig.yaml",
+        written(tree, unit_of={"shortest": "m", "longest": "m", "stop_stiffness": "N/m"}),
+    )
+    deck = tmp_path / "deck.yml"
+    deck.write_text(write_deck(file).text)
+    links = YAML(typ="safe").load(deck)["Links"]
+    assert links
+    for link in links:
+        rows = np.array(link["SpringLength, SpringTension"])
+        assert np.diff(rows[:, 0]).min() > 1e-3
+    read_deck(deck)
 
 
 @pytest.mark.parametrize("seed", range(5))

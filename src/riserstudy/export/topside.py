@@ -24,7 +24,7 @@ FloatArray = NDArray[np.float64]
 
 
 class Rest(NamedTuple):
-    """Elevations of the ring (m): before the riser stretches, and at rest."""
+    """Elevations of the ring (m): before the riser stretches, and with the cylinders at mid-stroke."""
 
     unstretched: float
     equilibrium: float
@@ -258,7 +258,7 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
         nodes = np.array([row.reach for row in rig.table])
         if rig.interpolation == "linear":
             return _rows(nodes + length, np.array([row.force for row in rig.table]))
-        reach = np.unique(np.concatenate([nodes, np.linspace(nodes[0], nodes[-1], POINTS)]))
+        reach = _with(nodes, np.linspace(nodes[0], nodes[-1], POINTS))
         force = table_law(rig.table)(reach)
     else:
         gas = rig.any_gas
@@ -268,13 +268,20 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
         longest = rig.stroke.longest if rig.stroke else REACH
         empty = rig.pulling.volume / rig.pulling.area if rig.pulling else math.inf
         reach = np.linspace(low, min(longest, 0.9 * empty), POINTS)
-        reach = np.unique(np.append(reach, 0.0))
+        reach = _with(np.zeros(1), reach)
         force = gas_force(gas, reach) - rig.piston_mass * gravity
         reach, force = reach[force >= 0.0], force[force >= 0.0]
     deck.otherwise[f"top.tensioners.{_named(rig)}"] = (
         f"the law is a table of {len(reach)} points from {reach[0]:.4g} m to {reach[-1]:.4g} m"
     )
     return _rows(reach + length, force)
+
+
+def _with(exact: FloatArray, others: FloatArray) -> FloatArray:
+    """Reaches (m) and others that are not, up to rounding, among them, rising: a table has each once."""
+    close = 1e-6 * (others[-1] - others[0])
+    apart = abs(others[:, None] - exact).min(axis=1) > close
+    return np.sort(np.concatenate([exact, others[apart]]))
 
 
 def _named(rig: Tensioners) -> str:
