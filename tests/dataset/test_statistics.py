@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 from scipy.stats import gumbel_r
 
-from riserstudy import sweep
+from riserstudy import load_scene, simulate, sweep
 from riserstudy.cli import main
 from riserstudy.dataset.statistics import gumbel, peaks, record_statistics
 
@@ -141,6 +141,18 @@ def test_extremes_of_a_long_exposure_say_that_they_rest_on_a_short_record(
     assert "are estimated from a record" not in capsys.readouterr().err
     table(monkeypatch, seeds, "-o", out, "--at", "seed=3", "--exposure", "1000 h")
     assert "extremes of 3.6e+06 s are estimated from a record" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("interval, coarse", [(0.5, False), (1.5, False), (2.0, True), (5.0, True)])
+def test_outputs_that_miss_peaks_are_warned_of(tmp_path, monkeypatch, capsys, interval, coarse):
+    """From a fifth of a peak period on, extremes of a record are too small by per cents."""
+    run, out = tmp_path / "run.nc", tmp_path / "out.csv"
+    scene = tmp_path / "followed.yaml"
+    output = {"analysis.output.interval": f"{interval} s"}
+    scene.write_text(json.dumps(FOLLOWED))
+    simulate(load_scene(scene, **output), progress=False).to_netcdf(run)
+    table(monkeypatch, run, "-o", out)
+    assert ("miss peaks" in capsys.readouterr().err) == coarse
 
 
 def test_a_riser_that_follows_a_sea_has_its_statistics(seeds, tmp_path, monkeypatch):

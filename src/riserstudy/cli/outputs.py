@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -24,6 +24,9 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 
 class PlotKind(StrEnum):
@@ -190,10 +193,13 @@ def statistics(
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
         made = statistics_tables.over_seeds(of_run.isel(index), over, begin)
+        _warn_of_coarse_outputs(of_run, index | {over: 0})
     else:
-        run = of_run.isel(place(of_run, place_of(at)))
+        index = place(of_run, place_of(at))
+        run = of_run.isel(index)
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
         _warn_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
+        _warn_of_coarse_outputs(of_run, index)
     tables.write_csv(tables.in_units(made, units), output)
     wrote(output)
 
@@ -207,5 +213,23 @@ def _warn_of_short_record(record: float, exposure: float | None) -> None:
         print(
             f"riserstudy: warning: extremes of {exposure:g} s are estimated from a record of {record:g} s, "
             f"{exposure / record:.0f} times shorter; simulate longer, or more seeds",
+            file=sys.stderr,
+        )
+
+
+IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer cut peaks off
+
+
+def _warn_of_coarse_outputs(dataset: xr.Dataset, index: dict[str, int]) -> None:
+    """Say that outputs miss peaks, so that extremes are too small and periods too long."""
+    from riserstudy.dataset.provenance import scene_of_point
+
+    scene = scene_of_point(dataset, index)
+    output, shortest = scene.analysis.output, scene.shortest_period
+    if output and shortest and output.interval > shortest / IN_A_PERIOD * (1.0 + 1e-9):
+        print(
+            f"riserstudy: warning: outputs {output.interval:g} s apart miss peaks: extremes are too small, "
+            "and periods too long; run the scene with analysis.output.interval of at most "
+            f"{shortest / IN_A_PERIOD:.3g} s",
             file=sys.stderr,
         )
