@@ -5,7 +5,8 @@ r"""Minimum tension of a drilling riser at all of its points, by the formula of 
 
 W_s is the weight in water of the steel above a point, with that of a body at the tension ring, B_n what
 buoyancy modules above it lift, A_i the bore, d and H unit weight and height of the columns of mud and sea
-above it, N the tensioner units and n those that failed. Where the bore changes, columns are counted section by section.
+above it, N the tensioner units and n those that failed. Where the bore changes, columns are counted section
+by section.
 
 R_f has two conventions: the vertical tension over the setting, 0.90 to 0.95, and no fleet angle; or
 what friction leaves, with the fleet angle apart.
