@@ -142,9 +142,9 @@ class TelescopicJoint(Strict):
     platform. The stops of the joint and the stops of the tensioners (``stroke``) are separate: a rig can have
     both.
 
-    Stroke and stops are measured from ``length``. With ``mid_stroke: riser in equilibrium`` they are measured
-    from the length of the joint when the riser is vertical in still water, carried by its tensioners (the
-    space-out).
+    The stroke is the extension from ``length``, and the positions of the stops are extensions from it, too.
+    With ``mid_stroke: riser in equilibrium``, both are measured from the length that the joint has when the
+    riser is vertical in still water, carried by its tensioners (the space-out).
     """
 
     length: Annotated[u.Length, POSITIVE]

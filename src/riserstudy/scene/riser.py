@@ -121,7 +121,7 @@ class VortexInducedVibration(Strict):
     published values are 0.11, 0.18 and 0.26. ``memory``: distance over which the mean squares of the motion
     are averaged. This distance is how far the water flows past the pipe, in diameters; for example 20.
     ``seed``: seed of the initial phases, which are smooth along the riser. ``ramp``: time over which the lift
-    increases; by default the time of ten vortices in the fastest current. ``in_line``: excitation along the
+    increases; by default ten shedding periods in the fastest current. ``in_line``: excitation along the
     flow; by default there is none.
     """
 

@@ -18,9 +18,10 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 class Chamber(Strict):
     """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
 
-    ``outside``: external pressure on the same area. By default it is atmospheric if the gas has a gauge
-    pressure. It is zero if the gas has an absolute pressure, as in tensioner laws that include only the
-    pressure of the gas.
+    ``pressure``: entered as a gauge pressure, it is converted to an absolute one. ``outside``: external
+    pressure on the same area. By default it is the atmospheric pressure if ``pressure`` is a gauge pressure.
+    If ``pressure`` is absolute, ``outside`` is zero by default, because some published tensioner laws
+    include the pressure of the gas alone.
     """
 
     area: Annotated[u.Area, POSITIVE]
