@@ -1,5 +1,7 @@
 """What is said of a figure to those who do not see it."""
 
+import numpy as np
+import pytest
 from matplotlib.figure import Figure
 
 from riserstudy.figures.drawn import table, words
@@ -28,3 +30,34 @@ def test_a_name_on_two_rows_is_one_name():
     ax = figure.subplots()
     ax.plot([0.0, 1.0], [0.0, 2.0], label="secant,\nright axis")
     assert table(figure).splitlines()[1].split(",", 3)[3].startswith('"secant, right axis",0,0')
+
+
+def rows_of(figure):
+    """Names and values of the series of a figure without commas in its words."""
+    rows = (line.split(",") for line in table(figure).splitlines()[1:])
+    return [(row[3], float(row[4]), float(row[5])) for row in rows]
+
+
+@pytest.mark.parametrize("ends", [(3.0, 1.0), (-2.0, 4.0)])
+def test_a_bar_is_told_by_the_end_that_its_value_sets(ends):
+    figure = Figure()
+    beside, upright = figure.subplots(1, 2)
+    beside.barh([0.0, 1.0], ends)
+    upright.bar([0.0, 1.0], ends)
+    lying = [("", end, row) for row, end in enumerate(ends)]
+    standing = [("", row, end) for row, end in enumerate(ends)]
+    assert rows_of(figure) == lying + standing
+
+
+def test_lines_of_one_value_and_steps_of_a_histogram_are_told():
+    figure = Figure()
+    left, right = figure.subplots(1, 2)
+    x, y = np.linspace(0.0, 1.0, 5), np.linspace(0.0, 2.0, 9)
+    left.contour(x, y, x + y[:, None], levels=[1.0]).set_label("sum of 1")
+    right.hist([0.5, 0.5, 1.5], [0.0, 1.0, 2.0], histtype="step", label="samples")
+    told = rows_of(figure)
+    line = [(a, b) for name, a, b in told if name == "sum of 1"]
+    assert len(line) > 4
+    np.testing.assert_allclose(np.sum(line, axis=1), 1.0)
+    steps = [(a, b) for name, a, b in told if name == "samples"]
+    assert {(0.0, 2.0), (1.0, 2.0), (1.0, 1.0), (2.0, 1.0)} <= set(steps)

@@ -9,8 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.collections import PathCollection, PolyCollection, QuadMesh
+from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.patches import Polygon
+from matplotlib.transforms import Bbox
 from numpy.typing import NDArray
 
 from riserstudy.csv_files import csv_text
@@ -105,8 +108,16 @@ def _series(ax: Axes) -> Iterator[Drawn]:
         label = " ".join(str(bars.get_label() or "").split())
         boxes = [patch.get_bbox() for patch in getattr(bars, "patches", [])]
         if boxes:
-            tops = np.array([(0.5 * (b.x0 + b.x1), b.y1, np.nan) for b in boxes])
-            yield Drawn("bars", "" if label.startswith("_") else label, tops)
+            across = getattr(bars, "orientation", None) == "horizontal"
+            ends = [_middle_of_end(box, across) for box in boxes]
+            yield Drawn("bars", "" if label.startswith("_") else label, np.array(ends))
+
+
+def _middle_of_end(bar: Bbox, across: bool) -> tuple[float, float, float]:
+    """The end of a bar that its value sets, in the middle of its width."""
+    if across:
+        return bar.x1, 0.5 * (bar.y0 + bar.y1), np.nan
+    return 0.5 * (bar.x0 + bar.x1), bar.y1, np.nan
 
 
 def _values(artist: Any) -> Array | None:
@@ -124,7 +135,9 @@ def _values(artist: Any) -> Array | None:
         array = artist.get_array()
         colour = array.ravel() if array is not None and array.size == len(places) else None
         return _columns(places[:, 0], places[:, 1], colour)
-    if isinstance(artist, PolyCollection):
+    if isinstance(artist, Polygon):
+        return _columns(*artist.get_xy().T)
+    if isinstance(artist, PolyCollection | ContourSet):
         corners = [path.vertices for path in artist.get_paths()]
         return _columns(*np.concatenate(corners).T) if corners else None
     return None

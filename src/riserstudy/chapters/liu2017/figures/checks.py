@@ -41,6 +41,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         style: dict[str, Any] = {"levels": [UFJ_LIMIT], "colors": [colour]}
         still_rising = largest - run["ufj_angle"].values < PASSED
         met = ax.contour(run["gain"], run["hull_drag"], largest.where(still_rising), **style)
+        met.set_label(f"riser's weight in water: {weight}")
         gain, drag = max(
             (tuple(end) for line in met.allsegs[0] for end in line), default=(0.0, 0.0)
         )
