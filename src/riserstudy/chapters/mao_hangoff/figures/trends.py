@@ -83,7 +83,7 @@ def _matters_most(inputs: set[str]) -> str:
     """To which inputs results are most sensitive, per cent of result for per cent of input."""
     names = sorted(in_words(axis) for axis in inputs)
     if len(names) == 1:
-        return f"Of the inputs varied in each profile, the {names[0]} has the largest effect"
+        return f"Per 1 % of input, {names[0]} has the largest effect in each profile"
     return f"Results are most sensitive to the {' or the '.join(names)}, depending on profile and result"
 
 
