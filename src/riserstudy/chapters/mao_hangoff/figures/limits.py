@@ -137,21 +137,21 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         axes[2:],
         Normalize(0.0, most),
         HEAVES,
-        "heave amplitude at loss of tension (m)\n(darker is worse)",
+        "amplitude at negative tension (m)\n(darker is worse)",
     )
     kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {
-        "(a, b) tension is kept": Patch(color=kept),
-        "(a, b) tension is lost": Patch(color=gone),
+        "(a, b) tension stays positive": Patch(color=kept),
+        "(a, b) tension becomes negative": Patch(color=gone),
     }
     legend_below(figure, [*key.values()], [*key], 2)
     papers = lost.isel(riser_length=-1, lmrp_mass=-1)
     on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
     headline(
         figure,
-        f"The locked riser loses tension {locked}, on tensioners {on_tensioners}"
+        f"Tension becomes negative, locked {locked}, on tensioners {on_tensioners}"
         if on_tensioners
-        else f"Only the locked riser loses tension, {locked}",
+        else f"Only the locked riser's tension becomes negative, {locked}",
     )
     return figure
 
@@ -164,11 +164,11 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: s
 
 
 def _loses(lost: xr.DataArray) -> str:
-    """From which heave on a riser loses tension, and in which period: the worst; "" where none does."""
+    """From which heave on a riser's tension is negative, and in which period: the worst; "" where none is."""
     if bool(lost.isnull().all()):
         return ""
     worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
-    return f"from {_two_digits(float(worst))} m of heave in {float(worst['heave_period']):g} s"
+    return f"from {_two_digits(float(worst))} m amplitude at {float(worst['heave_period']):g} s"
 
 
 def _two_digits(value: float) -> str:
