@@ -138,7 +138,7 @@ def _two_profiles(
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
     enlarge(axes[1], (0.45, 0.32, 0.37, 0.42), *UPPER)
-    axes[0].plot([], [], color=GREY, label=f"(a-d) {names[0]} (assumed)")
+    axes[0].plot([], [], color=GREY, label=f"(a–d) {names[0]} (assumed)")
     axes[0].plot([], [], "--", color=GREY, label=f"(a, b) {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
     return figure
