@@ -189,16 +189,7 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
         ax.axhline(0.0, color=GREY, linewidth=0.9)
         ax.set_xlabel(TIME)
         panel_title(ax, title)
-    drives = driveoff["riser_force_x"].sel(case="ref_0")
-    until = float(first_crossing(-drives, 0.0))
-    against = (
-        float(driveoff["riser_force_x"].sel(case="ref_180", time=slice(0.0, SHOWN)).max()) / 1e6
-    )
-    resists = "always resists" if against < 0.0 else "does not always resist"
-    set_title(
-        figure,
-        f"Along, the riser drives the platform for {until:.0f} s; against, it {resists}",
-    )
+    set_title(figure, _drives_and_resists(beginning["riser_force_x"]))
     axes[0].set_ylabel("force on the platform, positive\nin drive-off direction (MN)")
     axes[0].plot([], [], color=GREY, label="T sin θ as printed")
     axes[0].plot([], [], ":", color=GREY, label="exact reaction")
@@ -208,6 +199,15 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     label_ends(axes[1], [line for line in axes[1].lines if line.get_label() in HEADINGS.values()])
     axes[1].margins(x=0.05)  # as its neighbour
     return figure
+
+
+def _drives_and_resists(force: xr.DataArray) -> str:
+    """How long the riser drives the platform along the environment, and whether it always resists against it."""
+    until = [float(first_crossing(-force.sel(case=f"{kind}_0"), 0.0)) for kind in SETS]
+    against = max(float(force.sel(case=f"{kind}_180").max()) for kind in SETS)
+    resists = "always resists" if against < 0.0 else "does not always resist"
+    time = f" for {_range(until)} s" if np.isfinite(until).all() else ""
+    return f"Along, the riser drives the platform{time}; against, it {resists}"
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
