@@ -261,10 +261,10 @@ def fig14(riser_length: xr.Dataset) -> Figure:
 def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: float) -> str:
     """How the displacement changes along an axis in the two profiles that are drawn, in words."""
     profiles = [runs.isel(current_profile=k, drop=True) for k in (0, -1)]
-    low, high = sorted(round(changes(run, axis, first, last)["displacement"]) for run in profiles)
-    if low < 0 < high:
-        return f"A faster {quantity} changes the displacement by {low} or {high:+} %, depending on profile"
-    verb = "increases" if high > 0 else "decreases"
-    least, most = sorted((abs(low), abs(high)))
-    between = f"{least} or {most}" if least < most else f"{most}"
+    found = sorted(changes(run, axis, first, last)["displacement"] for run in profiles)
+    low, high = (f"{abs(change):{'.0f' if round(change) else '.1g'}}" for change in found)
+    if found[0] < 0.0 < found[1]:
+        return f"A faster {quantity} changes the displacement by −{low} or +{high} %, depending on profile"
+    verb, least, most = ("increases", low, high) if found[1] > 0.0 else ("decreases", high, low)
+    between = f"{least} or {most}" if least != most else most
     return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"
