@@ -189,7 +189,7 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
         ax.axhline(0.0, color=GREY, linewidth=0.9)
         ax.set_xlabel(TIME)
         panel_title(ax, title)
-    set_title(figure, _drives_and_resists(beginning["riser_force_x"]))
+    set_title(figure, _when_it_drives(beginning["riser_force_x"]))
     axes[0].set_ylabel("force on the platform, positive\nin drive-off direction (MN)")
     axes[0].plot([], [], color=GREY, label="T sin θ as printed")
     axes[0].plot([], [], ":", color=GREY, label="exact reaction")
@@ -201,13 +201,13 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     return figure
 
 
-def _drives_and_resists(force: xr.DataArray) -> str:
-    """How long the riser drives the platform along the environment, and whether it always resists against it."""
+def _when_it_drives(force: xr.DataArray) -> str:
+    """How long the riser drives the platform along the environment, and whether it ever does against it."""
     until = [float(first_crossing(-force.sel(case=f"{kind}_0"), 0.0)) for kind in SETS]
     against = max(float(force.sel(case=f"{kind}_180").max()) for kind in SETS)
-    resists = "always resists" if against < 0.0 else "does not always resist"
+    ever = "never" if against < 0.0 else "at times"
     time = f" for {_range(until)} s" if np.isfinite(until).all() else ""
-    return f"Along, the riser drives the platform{time}; against, it {resists}"
+    return f"Along, the riser drives the platform{time}; against, {ever}"
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
