@@ -105,7 +105,7 @@ def _reductions(ax: Axes, found: dict[str, float], printed: float) -> None:
     states = ", ".join(f"{100.0 * part:.0f} % ({name})" for name, part in found.items())
     ax.annotate(
         f"peak-to-peak range reduced by\n{states}; printed: about {100.0 * printed:.0f} %",
-        (0.5, 0.975), xycoords="axes fraction", ha="center", va="top", fontsize="x-small",
+        (0.5, 0.955), xycoords="axes fraction", ha="center", va="top", fontsize="x-small",
         bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
     )  # fmt: skip
 
