@@ -261,8 +261,9 @@ def _heights(ax: Axes, settled: xr.DataArray, rest: float, label: str) -> None:
         (float(settled.max()) - rest, "crests +"),
         (float(settled.min()) - rest, "troughs −"),
     ):
+        digits = 2 if abs(height) < 10.0 else 1
         ax.annotate(
-            f"{side}{abs(height):.2f} {unit}", (1.01, 0.5), xycoords="axes fraction",
+            f"{side}{abs(height):.{digits}f} {unit}", (1.01, 0.5), xycoords="axes fraction",
             xytext=(0, 2 if height > 0.0 else -2), textcoords="offset points", fontsize="small",
             va="bottom" if height > 0.0 else "top", color=legible(OF_STATE["steady"]),
         )  # fmt: skip
