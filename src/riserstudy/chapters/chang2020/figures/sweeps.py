@@ -210,7 +210,7 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     for name, value in reduced.items():
         ax.axhline(100.0 * value, zorder=0.5, **PRINTED)
         ax.annotate(
-            f"printed: {name}",
+            f"printed: about\n{100.0 * value:g} % ({name})",
             (1.0, 100.0 * value),
             xycoords=("axes fraction", "data"),
             xytext=(4, 0),
