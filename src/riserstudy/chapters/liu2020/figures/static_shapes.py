@@ -91,7 +91,9 @@ def _compare_largest(ax: Axes) -> None:
         k = near[np.argmax(abs(moments[near]))]
         of_models[model] = moments[k], depths[k]
     (vertical, depth), (tensioners, _) = of_models.values()
-    vertically, tensioned = (f"{m:.0f} kN m".replace("-", "−") for m in (vertical, tensioners))
+    vertically, tensioned = (
+        f"{float(f'{m:.3g}'):g} kN m".replace("-", "−") for m in (vertical, tensioners)
+    )
     text = (
         f"{SPEEDS[-1]:g} m/s: {vertically}, {vertical / tensioners:.0f} times\n"
         f"the {tensioned} on tensioners"
