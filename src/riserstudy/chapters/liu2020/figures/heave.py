@@ -118,6 +118,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     )
     key_below(figure, axes[0], 3)
     label_ends(axes[1])
+    axes[1].margins(x=0.02)  # so that marks are whole
     return figure
 
 

@@ -273,7 +273,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     ax.set_ylim(bottom=0.0)
     ax.set_ylim(top=1.08 * float(top.max()))
     periods = top["roll_period"]
-    ax.set_xlim(float(periods.min()), float(periods.max()) + 0.5)
+    ax.set_xlim(float(periods.min()) - 0.5, float(periods.max()) + 0.5)  # marks are whole
     falls = bool((np.diff(top.values[peaks]) < 0.0).all())
     count = COUNTS.get(len(peaks), str(len(peaks)))
     headline(
