@@ -59,7 +59,7 @@ def fig21(rao_table: xr.Dataset) -> Figure:
     ax.legend(handles=key, fontsize="small", loc="upper left")
     most = rao_table["rao_heave"].idxmax("wave_period")
     low, high = float(most.min()), float(most.max())
-    headline(figure, f"Generic units heave most in waves of {low:.1f} to {high:.1f} s")
+    headline(figure, f"Generic semi-submersibles heave most in waves of {low:.1f} to {high:.1f} s")
     return figure
 
 
@@ -76,7 +76,7 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     ax.legend(fontsize="small")
     most = rao_table["rao_pitch"].idxmax("wave_period")
     low, high = float(most.min()), float(most.max())
-    headline(figure, f"Generic units pitch most in waves of {low:.1f} to {high:.1f} s")
+    headline(figure, f"Generic semi-submersibles pitch most in waves of {low:.1f} to {high:.1f} s")
     return figure
 
 
