@@ -31,6 +31,7 @@ RESPONSES = {
     "stroke": ("stroke", "m", 1.0),
 }
 CALM = 14.0  # s, wave periods above which waves on the riser lower its stress
+SPACED = 1e4  # numbers from which on a space separates the thousands
 SHOWN = 300.0  # s, of a sea
 NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance, and multiples (Hz) at which spectra end
 ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
@@ -203,6 +204,8 @@ def sea(storm: xr.Dataset) -> Figure:
         low = density["frequency"] <= _highest(density)
         middle.plot(density["frequency"][low], scale**2 * density[low], color=ON_TENSIONERS)
         middle.set_ylabel(f"density (({unit})²/Hz)" if " " in unit else f"density ({unit}²/Hz)")
+        if middle.get_ylim()[1] >= SPACED:
+            middle.yaxis.set_major_formatter(_with_space)
         _exceeded(right, swing)
         right.set_ylabel("share of larger peaks")
         right.set_xlabel(f"|{label.split()[0]} − mean| ({unit})")
@@ -223,6 +226,11 @@ def sea(storm: xr.Dataset) -> Figure:
         f"Moment, tension and stroke peak at {least:.1f} to {most:.1f} standard deviations",
     )
     return figure
+
+
+def _with_space(value: float, _: float) -> str:
+    """A tick without digits after its point, with a space between thousands from five digits on."""
+    return f"{value:,.0f}".replace(",", "\N{NO-BREAK SPACE}" if abs(value) >= SPACED else "")
 
 
 def _highest(density: xr.DataArray) -> float:
