@@ -300,8 +300,9 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
 
 
 def settling(tides: xr.Dataset) -> dict[str, Any]:
-    """Swing back (share) and settling time (s) of mid-length under two weak tides and the chosen one."""
+    """Reversal (share), settling time (s) and last deflection (m) of mid-length under three tides."""
     back = reciprocates(tides, 0.0).value
+    last = averaged(middle(tides)).isel(time=-1)
     time = settling_time(tides, SETTLED)
     settled: dict[str, Any] = {}
     for name, tide in (("weakest", float(tides["tide"].min())), ("weak", 0.2), ("chosen", 0.75)):
@@ -310,6 +311,7 @@ def settling(tides: xr.Dataset) -> dict[str, Any]:
             f"{name}_tide": tide,
             f"{name}_back": float(back.sel(at)),
             f"{name}_time": float(time.sel(at)),
+            f"{name}_deflection": float(last.sel(at)),
         }
     return settled
 
