@@ -160,8 +160,8 @@ class Vessel(Strict):
     turn, and these degrees of freedom are removed. Without ``coupling``, platform and riser are solved as
     one system.
 
-    If the scene also has a ``platform``, this key gives first-order motions in waves, which are superposed on
-    the slow motion of the vessel. The riser's top, deck and tension ring move with the sum. Hull drag,
+    A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
+    motion of the vessel. The riser's top, deck and tension ring move with the sum. Hull drag,
     inertia and thrusters respond only to the slow motion, and so does the mean wave drift that is given here.
     The outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the slow motion, ``platform_surge`` and
     ``platform_sway`` the sum.
