@@ -176,7 +176,7 @@ def test_a_file_without_all_modes_everywhere_is_refused(tmp_path):
 def test_rotations_of_wamit_need_its_length(tmp_path, capsys):
     with pytest.raises(SystemExit):
         imported(wamit(tmp_path / "semi.4"))
-    assert "WAMIT divides rotations by this length" in capsys.readouterr().err
+    assert "WAMIT multiplies rotations by this length" in capsys.readouterr().err
 
 
 def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):

@@ -119,7 +119,9 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
         operators = rao_files.from_capytaine(source)
     elif length is None:
         allowed = "give ULEN of the .gdf file, for example --length '1 m'"
-        raise InputError("--length", "", "missing: WAMIT divides rotations by this length", allowed)
+        raise InputError(
+            "--length", "", "missing: WAMIT multiplies rotations by this length", allowed
+        )
     else:
         try:
             ulen = to_si(length, "m")
