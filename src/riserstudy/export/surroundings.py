@@ -143,7 +143,7 @@ def stages(deck: Deck) -> dict[str, Any]:
         if ramp != first:
             reason = "none" if ramp is None else f"{ramp:g} s"
             deck.otherwise[path] = (
-                f"{reason}; OrcaFlex builds up loads over its first stage, {first:g} s"
+                f"{reason}; the OrcaFlex model builds up over its first stage, {first:g} s"
             )
     made["StageDuration"] = [first, a.duration - first] if a.duration > first else [first]
     every = a.output.interval if a.output else 0.1
