@@ -2,7 +2,6 @@
 
 import base64
 import io
-import re
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -10,9 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from drawn_whole import assert_whole
-from matplotlib.backends.backend_agg import FigureCanvasAgg
+from figure_rules import assert_one_finding, assert_readable, assert_units
 from matplotlib.figure import Figure
-from matplotlib.text import Text
 from PIL import Image
 from ruamel.yaml import YAML
 
@@ -20,7 +18,6 @@ from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
 from riserstudy.figures import save
-from riserstudy.figures.drawn import headline
 from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import read_published
@@ -33,7 +30,6 @@ from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
 CONFIG = Path(__file__).parents[2] / "config"
-PAGE = 180.0  # mm, the width of a journal's page
 
 
 class Small(NamedTuple):
@@ -76,15 +72,10 @@ PAPERS = {
             "surge_case": {"analysis.output.interval": "0.5 s"},
         },
     ),
+    "fem_riser": Small({"sample": FEW}, {}),
 }
 GRADED = [paper for paper in PAPERS if (CONFIG / f"published/{paper}.yaml").exists()]
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
-UNITS = (
-    "m|mm|s|t|N|kN|MN|kN m|MN/m|m/s|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|°|°/m|m/m|1/year"
-)
-#: pure numbers have no unit: a label says what is counted, or which ratio it is
-PURE = r"number of |share of |ratio| / |index|factor|utilisation|ends of its range"
-UNIT = re.compile(rf"\(({UNITS})\)|{PURE}")
 
 
 def small(paper, name, model):
@@ -129,79 +120,20 @@ def datasets():
     return datasets_of("chang2020")
 
 
-def row_of(ax):
-    """The panels beside one, of which one may say what all show."""
-    if ax.get_label() == "<colorbar>":
-        return [ax]
-    rows = ax.get_subplotspec().rowspan
-    others = [other for other in ax.figure.axes if other.get_subplotspec()]
-    return [other for other in others if other.get_subplotspec().rowspan == rows]
-
-
-def said_by(ax):
-    """What is shown upwards; of a colour bar, along it."""
-    return ax.get_ylabel() or (ax.get_label() == "<colorbar>" and ax.get_xlabel())
-
-
 @pytest.mark.parametrize("paper, name", FIGURES)
 def test_every_panel_shows_something_with_units(paper, name):
-    figure = drawn(paper, name)
-    labels = [figure.get_supxlabel(), figure.get_supylabel()]
-    for ax in figure.axes:
-        assert ax.lines or ax.patches or ax.collections
-        assert figure.get_supylabel() or any(map(said_by, row_of(ax)))
-        labels += [ax.get_xlabel(), ax.get_ylabel()]
-    written = [label for label in labels if label]
-    assert written
-    for label in written:
-        assert UNIT.search(label), label
-
-
-def spoken(title):
-    """Words of a title without numbers, units and what is in brackets."""
-    plain = re.sub(r"\([^)]*\)|\$[^$]*\$", " ", title)
-    units = {
-        "%",
-        "°",
-        "s",
-        "m",
-        "km",
-        "mm",
-        "t",
-        "h",
-        "kn",
-        "kN",
-        "MN",
-        "kN m",
-        "MPa",
-        "m/s",
-        "kg/m³",
-        "×",
-    }
-    return [
-        word
-        for word in plain.split()
-        if word not in units and not re.fullmatch(r"[-+−±]?\d[\d.,]*[°%;:,]?", word)
-    ]
+    assert_units(drawn(paper, name))
 
 
 @pytest.mark.parametrize("paper, name", FIGURES)
 def test_a_title_states_one_finding_in_few_words(paper, name):
-    """A dozen words and two numbers: conditions belong to panels and captions."""
-    title = headline(drawn(paper, name))
     words, numbers = (12, 2) if paper in GRADED else (14, 5)
-    assert len(spoken(title)) <= words, title
-    assert len(re.findall(r"(?<![\w.])\d+(?:\.\d+)?", title)) <= numbers, title
+    assert_one_finding(drawn(paper, name), words, numbers)
 
 
 @pytest.mark.parametrize("paper, name", [(p, n) for p, n in FIGURES if p in GRADED])
 def test_text_is_not_below_6_points_on_a_page_of_180_mm(paper, name):
-    figure = drawn(paper, name)
-    FigureCanvasAgg(figure).draw()
-    shrunk = min(1.0, PAGE / (25.4 * figure.get_size_inches()[0]))
-    for text in figure.findobj(Text):
-        if text.get_visible() and text.get_text().strip():
-            assert shrunk * text.get_fontsize() >= 6.0, text.get_text()
+    assert_readable(drawn(paper, name))
 
 
 @pytest.mark.parametrize("paper, name", FIGURES)

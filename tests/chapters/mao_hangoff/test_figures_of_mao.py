@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 from colours_of_chapters import base_of
 from drawn_whole import assert_whole
+from figure_rules import assert_one_finding, assert_readable, assert_units
 from mao import CONFIG, FILE, PAPER, WEIGHTS, WORD
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
@@ -98,6 +99,15 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
     both = colours[0].keys() & colours[1].keys()
     assert both
     assert {name: colours[0][name] for name in both} == {name: colours[1][name] for name in both}
+
+
+@pytest.mark.parametrize("name", FILE.figures)
+def test_a_figure_has_units_a_short_title_and_readable_text(datasets, name):
+    figure = drawn(datasets, name)
+    if name != "fig08":  # of whose profiles few are simulated here, so that panels are empty
+        assert_units(figure)
+    assert_one_finding(figure)
+    assert_readable(figure)
 
 
 @pytest.mark.parametrize("name", FILE.figures)

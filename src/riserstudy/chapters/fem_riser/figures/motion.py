@@ -206,7 +206,7 @@ def tides(tides: xr.Dataset) -> Figure:
         1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"steady: within {100 * SETTLED:g} %"
     )
     axes[0].set_xlabel(TIME)
-    axes[0].set_ylabel("deflection at mid-length /\nits last mean")
+    axes[0].set_ylabel("ratio of the mid-length deflection\nto its last mean")
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
     axes[1].set_ylabel("reversal / last mean (%)")
     for ax, found in ((axes[1], back), (axes[2], time)):

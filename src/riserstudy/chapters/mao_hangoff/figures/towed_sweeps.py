@@ -234,7 +234,7 @@ def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
         return "Whether the LMRP is ahead of the platform depends on interpretation and track"
     if not (ahead and behind):
         return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
-    return f"The LMRP is ahead of the platform on tracks up to {max(ahead):g}°, astern at {min(behind):g}°"
+    return f"On tracks up to {max(ahead):g}° the LMRP is ahead, at {min(behind):g}° astern"
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:

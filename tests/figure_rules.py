@@ -1,0 +1,85 @@
+"""Rules that figures keep: units, short titles, readable text."""
+
+import re
+
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.text import Text
+
+from riserstudy.figures.drawn import headline
+
+PAGE = 180.0  # mm, the width of a journal's page
+UNITS = "m|cm|mm|s|t|N|kN|MN|kN m|MN/m|m/s|kn|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|°|°/m|m/m|1/year"
+#: pure numbers have no unit: a label says what is counted, or which ratio it is
+PURE = r"number of |share of |ratio| / |index|factor|utilisation|ends of its range"
+UNIT = re.compile(rf"\(({UNITS})\)|{PURE}")
+
+
+def row_of(ax):
+    """The panels beside one, of which one may say what all show."""
+    if ax.get_label() == "<colorbar>":
+        return [ax]
+    rows = ax.get_subplotspec().rowspan
+    others = [other for other in ax.figure.axes if other.get_subplotspec()]
+    return [other for other in others if other.get_subplotspec().rowspan == rows]
+
+
+def said_by(ax):
+    """What is shown upwards; of a colour bar, along it."""
+    return ax.get_ylabel() or (ax.get_label() == "<colorbar>" and ax.get_xlabel())
+
+
+def assert_units(figure):
+    """Every panel shows something, and every label has a unit or names a pure number."""
+    labels = [figure.get_supxlabel(), figure.get_supylabel()]
+    for ax in figure.axes:
+        assert ax.lines or ax.patches or ax.collections
+        assert figure.get_supylabel() or any(map(said_by, row_of(ax)))
+        labels += [ax.get_xlabel(), ax.get_ylabel()]
+    written = [label for label in labels if label]
+    assert written
+    for label in written:
+        assert UNIT.search(label), label
+
+
+def spoken(title):
+    """Words of a title without numbers, units and what is in brackets."""
+    plain = re.sub(r"\([^)]*\)|\$[^$]*\$", " ", title)
+    units = {
+        "%",
+        "°",
+        "s",
+        "m",
+        "km",
+        "mm",
+        "t",
+        "h",
+        "kn",
+        "kN",
+        "MN",
+        "kN m",
+        "MPa",
+        "m/s",
+        "kg/m³",
+        "×",
+    }
+    return [
+        word
+        for word in plain.split()
+        if word not in units and not re.fullmatch(r"[-+−±]?\d[\d.,]*[°%;:,]?", word)
+    ]
+
+
+def assert_one_finding(figure, words=12, numbers=2):
+    """A title has few words and numbers: conditions belong to panels and captions."""
+    title = headline(figure)
+    assert len(spoken(title)) <= words, title
+    assert len(re.findall(r"(?<![\w.])\d+(?:\.\d+)?", title)) <= numbers, title
+
+
+def assert_readable(figure):
+    """Text is not below 6 points where a figure is as wide as a page."""
+    FigureCanvasAgg(figure).draw()
+    shrunk = min(1.0, PAGE / (25.4 * figure.get_size_inches()[0]))
+    for text in figure.findobj(Text):
+        if text.get_visible() and text.get_text().strip():
+            assert shrunk * text.get_fontsize() >= 6.0, text.get_text()
