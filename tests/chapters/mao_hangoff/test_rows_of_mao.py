@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 from riserstudy.chapters.mao_hangoff.claims.errata import parts_of_samples
+from riserstudy.chapters.mao_hangoff.claims.further import upper_half_moves_faster
 from riserstudy.chapters.mao_hangoff.claims.towed import steep_near_the_surface
 from riserstudy.grading.words_file import read_words
 
@@ -67,3 +68,14 @@ def test_shares_of_samples_are_those_of_either_side():
         for name, true in (("C5", small), ("C10", farther)):
             assert facts[f"{name}_{side}_above"] == pytest.approx(true[drawn > edge].mean())
             assert facts[f"{name}_{side}_below"] == pytest.approx(true[drawn <= edge].mean())
+
+
+def test_halves_travel_between_the_times_of_fig_9c_however_often_a_record_has_outputs():
+    """The lower half swings between these times, which only a record with more outputs has."""
+    time, s = np.linspace(0.0, 130.0, 261), np.linspace(0.0, LENGTH, 37)
+    swing = np.sin(2.0 * np.pi * (time - 10.0) / 10.0)[:, None] * (s < 0.5 * LENGTH)
+    x = time[:, None] * (0.5 + 0.5 * s / LENGTH) + 5.0 * swing
+    often = xr.Dataset({"x": (("time", "s"), x)}, {"time": time, "s": s})
+    found = [upper_half_moves_faster(one, WORD("faster")) for one in (often, often.sel(time=TIMES))]
+    assert float(found[0].value) == pytest.approx(float(found[1].value), rel=1e-12)
+    assert all(bool(one.true) for one in found)
