@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
+ROUNDING = 1e-6  # of a limit: of numbers of four bytes, and of those that were in other units
+CLOSEST = 0.75  # of an interval, from which on two rows are one apart: a clock that was set
 _LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
 
 
@@ -38,9 +40,11 @@ class SeaLimit(NamedTuple):
         return f"{self.quantity.long_name} {sign} {self.value:g} {self.quantity.unit}"
 
     def met(self, record: xr.Dataset) -> NDArray[np.bool_]:
-        """Whether each row meets it; a row without a value does not."""
+        """Whether each row meets it, also by rounding; a row without a value does not."""
         values = record[self.quantity.name].values
-        return np.asarray(values <= self.value if self.largest else values >= self.value)
+        slack = ROUNDING * abs(self.value)
+        below, above = values <= self.value + slack, values >= self.value - slack
+        return np.asarray(below if self.largest else above)
 
 
 class Hours(NamedTuple):
@@ -207,7 +211,7 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
         workable,
         time,
         years,
-        apart < 1.001 * interval,
+        (apart > CLOSEST * interval) & (apart < 1.001 * interval),
     )
 
 

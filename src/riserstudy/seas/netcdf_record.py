@@ -89,6 +89,8 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     columns: dict[str, FloatArray] = {}
     for one, values, note in _columns(path, data, clock):
         if one.name in columns:
+            if not np.array_equal(columns[one.name], values, equal_nan=True):
+                notes.append(f"left out: a second variable of {one.name}")
             continue
         columns[one.name] = values
         notes += [note] if note else []
@@ -119,10 +121,12 @@ def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column,
     for name, every in PARTS.items():
         for east, north in every:
             if east in over and north in over:
-                unit = _written(str(over[east].attrs.get("units", "")))
-                factor = head(str(path), f"{name} ({unit})").factor
-                numbers = np.hypot(*(over[n].values.astype(float) for n in (east, north))) * factor
-                yield NAMES[name], numbers, f"{name} from {east} and {north}"
+                parts = []
+                for part in (over[east], over[north]):
+                    unit = _written(str(part.attrs.get("units", "")))
+                    factor = head(str(path), f"{name} ({unit})").factor
+                    parts.append(part.values.astype(float) * factor)
+                yield NAMES[name], np.hypot(*parts), f"{name} from {east} and {north}"
 
 
 def _by_standard(standard: str) -> Column | None:

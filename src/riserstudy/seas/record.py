@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import csv
 import io
+import re
 from collections.abc import Sequence
+from functools import reduce
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -22,7 +26,13 @@ if TYPE_CHECKING:
     import xarray as xr
 
 LARGEST_FILE = 500 * 10**6  # bytes
-MISSING = ("", "nan", "na", "n/a", "null", "-999", "-999.0", "999", "9999", "99.0", "99.00")
+MISSING = ("", "nan", "na", "n/a", "null")
+#: cells of NDBC and others without a value; a bearing of 99.0 deg or a height of 99.0 cm is one
+FILLS = ("-999", "-999.0", "999", "9999", "99.0", "99.00")
+CLOSER = 0.95  # of the interval between rows, below which rows are closer than others
+MOST_CLOSER = 0.01  # of rows: clocks are set now and then
+SHORTEST_DATE = len("20051231")
+ZONES = ("", "utc", "gmt", "z", "iso 8601", "iso8601")  # what a head may say of times in UTC
 #: of a JONSWAP spectrum, gamma to the powers 0 to 3: zero-upcrossing period over peak period
 PERIODS = (0.6673, 0.05037, -0.006230, 0.0003341)
 PATTERNS = (("YYYY", "%Y"), ("MM", "%m"), ("DD", "%d"), ("hh", "%H"), ("HH", "%H"), ("mm", "%M"))
@@ -160,9 +170,18 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
     text = read_text(path, LARGEST_FILE)
     first = text.partition("\n")[0]
     separator = max(";,\t", key=first.count)
-    cells = pd.read_csv(
-        io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
-    )
+    _check_head(path, text, separator)
+    try:
+        cells = pd.read_csv(
+            io.StringIO(text),
+            sep=separator,
+            dtype=str,
+            keep_default_na=False,
+            skipinitialspace=True,
+        )
+    except pd.errors.ParserError as error:
+        found = str(error).strip().rpartition(": ")[2] or str(error)
+        raise InputError(path, "", found, "allowed is a cell for each column") from None
     heads = [head(str(path), str(name)) for name in cells.columns]
     if {"u10", "v10"} <= {one.heading for one in heads}:
         allowed = "give their size as wind_speed"
@@ -188,13 +207,51 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
     notes += [
         f"wave_from_direction turned by 180 deg from {one.heading}" for one in heads if one.turned
     ]
+    notes += [note for k, one in enumerate(heads) if (note := _fills(cells.iloc[:, k], one))]
     notes += [f"left out: {', '.join(left)}"] if left else []
     return pd.DataFrame(columns).set_index("time"), "; ".join(notes)
+
+
+def _check_head(path: Path, text: str, separator: str) -> None:
+    """See that no heading is there twice, and that the first row has no more cells than the head.
+
+    Raises
+    ------
+    InputError
+        Where that is not so: columns would be lost or moved.
+    """
+    rows = list(islice(csv.reader(io.StringIO(text), delimiter=separator), 2))
+    heads = [cell.strip() for cell in rows[0]] if rows else []
+    if twice := next((cell for cell in heads if heads.count(cell) > 1), ""):
+        raise InputError(path, twice, "two columns", "allowed is one")
+    if len(rows) > 1 and len(rows[1]) > len(heads):
+        found = f"{len(rows[1])} cells and {len(heads)} columns"
+        raise InputError(f"{path}, row 2", "", found, "allowed is a cell for each column")
+
+
+def _check_clock(path: Path, pattern: str) -> None:
+    """See that what a head says of times is a pattern, or that they are in UTC.
+
+    Raises
+    ------
+    InputError
+        Where it is another zone, or a unit such as hours.
+    """
+    words = re.findall(
+        r"[A-Za-z]+", reduce(lambda rest, one: rest.replace(one[0], ""), PATTERNS, pattern)
+    )
+    known = all(word.lower() in ("t", *ZONES) for word in words)
+    if not (known if "YYYY" in pattern else pattern.strip().lower() in ZONES):
+        allowed = (
+            "allowed are times in UTC: 'time (UTC)', or a pattern such as 'time (YYYY-MM-DD-HH)'"
+        )
+        raise InputError(path, f"time ({pattern})", "is neither UTC nor a pattern", allowed)
 
 
 def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
     import pandas as pd
 
+    _check_clock(path, pattern)
     form = pattern
     for word, code in PATTERNS:
         form = form.replace(word, code, 1)
@@ -202,8 +259,9 @@ def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
     times = pd.to_datetime(
         cells.str.strip(), format=form if known else "ISO8601", errors="coerce", utc=True
     ).dt.tz_localize(None)
-    if times.isna().any():
-        row = int(times.isna().to_numpy().argmax())
+    bad = times.isna() | (cells.str.strip().str.len() < (0 if known else SHORTEST_DATE))
+    if bad.any():
+        row = int(bad.to_numpy().argmax())
         allowed = "allowed is as 2005-12-31 23:00, or a header such as 'time (YYYY-MM-DD-HH)'"
         raise InputError(f"{path}, row {row + 2}", "time", repr(cells.iloc[row]), allowed)
     return times
@@ -215,6 +273,8 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
     texts = cells.str.strip()
     absent = texts.str.lower().isin(MISSING)
     values = pd.to_numeric(texts.where(~absent), errors="coerce")
+    absent |= texts.isin(FILLS) & ~_possible(values, one)
+    values = values.where(~absent)
     bad = values.isna() & ~absent
     if bad.any():
         row = int(bad.to_numpy().argmax())
@@ -228,6 +288,44 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
         if one.turned
         else numbers
     )
+
+
+def _possible(values: pd.Series, one: Head) -> pd.Series:
+    """Whether numbers that others write for none can be values: bearings, or of a unit other than SI's."""
+    if one.quantity is None or (one.quantity.unit != "deg" and one.factor == 1.0):
+        return values.isna() & values.notna()
+    return (values * one.factor).between(one.quantity.least, one.quantity.most)
+
+
+def _fills(cells: pd.Series, one: Head) -> str:
+    """What is noted of numbers that others write for none, where they count as values; "" of none."""
+    import pandas as pd
+
+    texts = cells.str.strip()
+    some = texts.isin(FILLS)
+    if one.quantity is None or one.quantity.unit == "deg" or not some.any():
+        return ""
+    count = int(_possible(pd.to_numeric(texts[some]), one).sum())
+    said = ", ".join(sorted(set(texts[some])))
+    return f"{count} cells of {one.heading} with {said} {one.unit} are values" if count else ""
+
+
+def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64]) -> None:
+    """See that rows are hardly ever closer than most are: each counts as one interval.
+
+    Raises
+    ------
+    InputError
+        Where many are, as in a record that becomes hourly.
+    """
+    usual = 3600.0 * interval_hours(frame.index.to_numpy())
+    closer = steps < CLOSER * usual
+    if closer.mean() > MOST_CLOSER:
+        row = int(closer.argmax())
+        found = f"{steps[row] / 3600.0:g} h after the row before, most rows {usual / 3600.0:g} h"
+        raise InputError(
+            f"{path}, row {row + 3}", "time", found, "allowed are rows one interval apart, and gaps"
+        )
 
 
 def _check(path: Path, frame: pd.DataFrame) -> None:
@@ -246,6 +344,7 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
         raise InputError(
             f"{path}, row {row}", "time", "not after the row before", "allowed are rising times"
         )
+    _check_interval(path, frame, steps)
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
         found = "most are shorter than the zero-crossing periods of their rows"

@@ -1,0 +1,159 @@
+"""What a record says of its numbers, times and limits, against the numbers that it was written from."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from riserstudy.errors import InputError
+from riserstudy.seas.hours import hours, sea_limit
+from riserstudy.seas.record import read_record
+
+HEIGHTS, FROM = "significant_wave_height", "wave_from_direction"
+PER_METRE = {"m": 1, "cm": 100, "mm": 1000}
+
+
+def written(tmp_path, columns, head="time", times=None):
+    """A table of columns by heading, and its path."""
+    count = len(next(iter(columns.values())))
+    times = pd.date_range("2004-02-28", periods=count, freq="h") if times is None else times
+    path = tmp_path / "sea.csv"
+    pd.DataFrame({head: times} | columns).to_csv(path, index=False)
+    return path
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_values_that_others_write_for_none_are_values_where_they_can_be(tmp_path, seed):
+    """Bearings of 99.0 deg and heights of 99.0 and 999 cm count; 99.0 m, 99.0 s and 999 deg are none."""
+    draw = np.random.default_rng(seed)
+    bearing = draw.choice([98.0, 99.0, 100.0, 999.0], 60)
+    height = draw.choice([98.0, 99.0, 999.0], 60)
+    period = draw.choice([8.0, 99.0], 60)
+    columns = {
+        "hs (cm)": np.where(height == 999.0, "999", height.astype(str)),
+        "tp (s)": [f"{p:.2f}" for p in period],
+        "mwd (deg)": np.where(bearing == 999.0, "999", bearing.astype(str)),
+    }
+    record = read_record(written(tmp_path, columns))
+    np.testing.assert_allclose(record[HEIGHTS], height / 100.0, rtol=1e-12)
+    np.testing.assert_array_equal(record["peak_period"], np.where(period == 99.0, np.nan, period))
+    np.testing.assert_array_equal(record[FROM], np.where(bearing == 999.0, np.nan, bearing))
+    assert "cells of hs with" in record.attrs["conversions"]
+    in_metres = read_record(written(tmp_path, {"hs (m)": ["1.0", "99.00", "9.9"]}))
+    np.testing.assert_array_equal(in_metres[HEIGHTS], [1.0, np.nan, 9.9])
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("unit", ["m", "cm", "mm", "float32"])
+def test_a_limit_that_is_met_exactly_is_met_in_any_unit(tmp_path, seed, unit):
+    """Heights of whole centimetres, against counting in centimetres."""
+    draw = np.random.default_rng(seed)
+    limit = int(draw.integers(30, 900))
+    whole = draw.integers(limit - 3, limit + 4, 200)
+    if unit == "float32":
+        path = tmp_path / "sea.nc"
+        time = pd.date_range("2004-02-28", periods=200, freq="h")
+        values = (whole / 100.0).astype(np.float32)
+        xr.Dataset({"hs": ("time", values, {"units": "m"})}, {"time": time}).to_netcdf(path)
+    else:
+        texts = [f"{w * PER_METRE[unit] / 100.0:.10g}" for w in whole]
+        path = written(tmp_path, {f"hs ({unit})": texts})
+    record = read_record(path)
+    for text in (f"{limit / 100.0:.2f} m", f"{limit} cm"):
+        most, least = (hours(record, [sea_limit(f"hs {sign} {text}")]) for sign in ("<=", ">="))
+        assert most.share == pytest.approx((whole <= limit).mean())
+        assert least.share == pytest.approx((whole >= limit).mean())
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "UTC+1",
+        "UTC-05:00",
+        "CET",
+        "local",
+        "h",
+        "s",
+        "days since 2000",
+        "YYYY-MM-DD HH:mm CET",
+        "EST",
+    ],
+)
+def test_times_that_are_not_in_utc_are_refused(tmp_path, head):
+    with pytest.raises(InputError, match="neither UTC nor a pattern"):
+        read_record(written(tmp_path, {"hs (m)": [1, 2, 3]}, f"time ({head})"))
+
+
+@pytest.mark.parametrize("head", ["time", "time (UTC)", "time [GMT]", "time (ISO 8601)"])
+@pytest.mark.parametrize("hours_east", [0, 1, -5])
+def test_offsets_of_times_are_taken_out(tmp_path, head, hours_east):
+    zone = f"{hours_east:+03d}:00"
+    utc = pd.date_range("2004-02-28 12:00", periods=48, freq="h")
+    times = [f"{t:%Y-%m-%dT%H:%M}{zone}" for t in utc + pd.Timedelta(hours_east, "h")]
+    record = read_record(written(tmp_path, {"hs (m)": np.ones(48)}, head, times))
+    np.testing.assert_array_equal(record["time"].values, utc.values)
+
+
+@pytest.mark.parametrize("times", [["1000", "1001", "1002"], ["2001-01", "2001-02", "2001-03"]])
+def test_times_without_a_day_are_refused(tmp_path, times):
+    with pytest.raises(InputError, match="row 2: time"):
+        read_record(written(tmp_path, {"hs (m)": [1, 2, 3]}, times=times))
+
+
+@pytest.mark.parametrize(
+    "text, said",
+    [
+        ("time,hs (m),hs (m)\n2001-01-01 00:00,1,2\n2001-01-01 01:00,1,2\n", "two columns"),
+        ("time,hs (m)\n2001-01-01 00:00,1,8\n2001-01-01 01:00,1,8\n", "row 2: 3 cells"),
+        ("time,hs (m)\n2001-01-01 00:00,1\n2001-01-01 01:00,1,8\n", "line 3, saw 3"),
+    ],
+)
+def test_columns_are_neither_lost_nor_moved(tmp_path, text, said):
+    (tmp_path / "sea.csv").write_text(text)
+    with pytest.raises(InputError, match=said):
+        read_record(tmp_path / "sea.csv")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_rows_closer_than_others_are_refused_and_make_no_longer_windows(tmp_path, seed):
+    """A record of three hours that becomes hourly: an hour is no three of them."""
+    draw = np.random.default_rng(seed)
+    coarse, calm = int(draw.integers(200, 900)), int(draw.integers(4, 12))
+    many = int(draw.integers(0.05 * coarse, 0.9 * coarse))
+    steps = np.concatenate([np.full(coarse, 3), np.ones(many)]).astype("timedelta64[h]")
+    time = np.datetime64("2001-01-01T00", "ns") + np.cumsum(steps)
+    height = np.full(len(time), 5.0)
+    height[coarse : coarse + calm] = 1.0
+    with pytest.raises(InputError, match=f"row {coarse + 2}: time: 1 h after"):
+        read_record(written(tmp_path, {"hs (m)": height}, times=time))
+    sea = xr.Dataset({HEIGHTS: ("time", height)}, {"time": time}, {"interval_hours": 3.0})
+    found = hours(sea, [sea_limit("hs <= 2 m")])
+    assert found.of_windows(3.0 * (calm // 3 + 1)).number == 0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_clock_that_is_set_ends_no_window(tmp_path, seed):
+    draw = np.random.default_rng(seed)
+    first = pd.date_range("2001-01-01 00:50", periods=int(draw.integers(80, 200)), freq="h")
+    after = pd.date_range(first[-1] + pd.Timedelta("50min"), periods=150, freq="h")
+    record = read_record(
+        written(tmp_path, {"hs (m)": np.ones(len(first) + 150)}, times=first.append(after))
+    )
+    found = hours(record, [sea_limit("hs <= 2 m")])
+    assert (found.of_windows(200.0).number, found.share) == (1, 1.0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_parts_of_a_speed_have_units_of_their_own(tmp_path, seed):
+    draw = np.random.default_rng(seed)
+    east, north = draw.normal(0.0, 8.0, (2, 50))
+    parts = {"u10": (east, "m s-1"), "v10": (north * 100.0, "cm s-1")}
+    data = xr.Dataset(
+        {n: ("time", v, {"units": unit}) for n, (v, unit) in parts.items()}
+        | {"hs": ("time", np.ones(50), {"units": "m"}), "hm0": ("time", np.zeros(50), {"units": "m"})},
+        {"time": pd.date_range("2001", periods=50, freq="h")},
+    )  # fmt: skip
+    data.to_netcdf(tmp_path / "sea.nc")
+    record = read_record(tmp_path / "sea.nc")
+    np.testing.assert_allclose(record["wind_speed"], np.hypot(east, north))
+    assert f"left out: a second variable of {HEIGHTS}" in record.attrs["conversions"]
