@@ -159,6 +159,18 @@ def test_waits_that_are_cut_short_do_not_make_the_others_shorter():
     assert of.p90 == pytest.approx(10.0 * np.log(10.0), rel=0.03)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_mean_is_told_only_of_waits_that_the_record_sees_to_their_end(seed):
+    draw = np.random.default_rng(seed)
+    true, longest = draw.exponential(10.0, 4000), draw.uniform(5.0, 40.0)
+    of = statistics_of(waits_of(np.minimum(true, longest), true <= longest))
+    assert np.isnan(of.mean)
+    if not np.isnan(of.p50):
+        assert of.p50 == np.quantile(true, 0.5, method="inverted_cdf")
+    whole = statistics_of(waits_of(true, np.ones(4000, bool)))
+    assert whole.mean == pytest.approx(true.mean())
+
+
 def waits_of(values, known):
     """Waits by their values."""
     from riserstudy.seas.windows import Waits

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Flags = NDArray[np.bool_]
+MOST_LONGER = 0.01  # share of waits beyond the longest, with which their mean is told
 
 
 class Windows(NamedTuple):
@@ -77,7 +78,7 @@ def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
 def statistics_of(found: Waits) -> Wait:
     """Mean, median and 90 % of waits by the product-limit estimate, which counts what is known of open ones.
 
-    NaN where the record does not reach so far.
+    NaN where the record does not reach so far: of the mean, where more waits than a few last longer.
 
     References
     ----------
@@ -90,7 +91,8 @@ def statistics_of(found: Waits) -> Wait:
     still = ecdf(CensoredData.right_censored(found.hours, ~found.known)).sf
     hours, share = np.asarray(still.quantiles), np.asarray(still.probabilities)
     steps = np.diff(np.concatenate([[0.0], hours]))
-    mean = float((steps * np.concatenate([[1.0], share[:-1]])).sum())
+    whole = float((steps * np.concatenate([[1.0], share[:-1]])).sum())
+    mean = whole if share[-1] <= MOST_LONGER else np.nan
     p50, p90 = (
         float(hours[(share <= 1.0 - q + 1e-12).argmax()])
         if (share <= 1.0 - q + 1e-12).any()
