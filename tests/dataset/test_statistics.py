@@ -81,6 +81,21 @@ def test_gumbel_solves_the_equations_of_maximum_likelihood():
     assert found.mode == pytest.approx(-found.scale * math.log(weights.mean()))
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_a_regular_motion_has_its_own_period_and_extremes(seed):
+    """Whatever part of a period the record begins and ends with, and however long the exposure."""
+    draw = np.random.default_rng(seed)
+    period, size, mean = draw.uniform(5.0, 20.0), draw.uniform(0.1, 10.0), draw.normal(0.0, 5.0)
+    cycles, exposure = draw.uniform(3.0, 40.0), draw.uniform(1.0, 100.0) * 3600.0
+    time = np.arange(0.0, cycles * period, period / 200.0)
+    values = mean + size * np.sin(2.0 * math.pi * (time / period + draw.uniform()))
+    told = record_statistics(time, values, exposure)
+    assert told.period == pytest.approx(period, rel=0.02 / (cycles - 2.0))
+    for extreme, sign in ((told.most_probable_largest, 1.0), (told.most_probable_smallest, -1.0)):
+        if cycles > 13.0:
+            assert extreme == pytest.approx(mean + sign * size, abs=2e-3 * size)
+
+
 HEIGHT, PEAK = 6.0, 12.0
 #: a top that hangs on a constant tension, under a platform that follows the sea: stroke is the sea's surface
 FOLLOWED = {
@@ -184,6 +199,7 @@ def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
     "words",
     [
         ["--over", "height"],
+        ["--over", "time"],
         ["--over", "seed", "--exposure", "3 h"],
         ["--at", "seed=3", "--exposure", "3 m"],
         ["--at", "seed=3", "--start", "2 h"],
@@ -194,3 +210,15 @@ def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
 def test_what_cannot_be_told_is_refused(seeds, tmp_path, monkeypatch, words):
     assert table(monkeypatch, seeds, *words, "-o", tmp_path / "out.csv") == 2
     assert not (tmp_path / "out.csv").exists()
+
+
+def test_an_axis_that_sets_more_than_seeds_is_none_of_seeds(seeds, tmp_path, monkeypatch, capsys):
+    """Largest values at several heights are no sample of one distribution."""
+    with xr.open_dataset(seeds, decode_times=False) as found:
+        other = found.load().rename(seed="height")
+    sets = {str(v): {"platform.response.wave.significant_height": f"{v} m"} for v in range(1, 9)}
+    other["height"].attrs["sets"] = json.dumps(sets)
+    other.to_netcdf(tmp_path / "heights.nc")
+    out = tmp_path / "out.csv"
+    assert table(monkeypatch, tmp_path / "heights.nc", "--over", "height", "-o", out) == 2
+    assert "not only seeds" in capsys.readouterr().err

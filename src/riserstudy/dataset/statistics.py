@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 FloatArray = NDArray[np.float64]
 FEWEST_PEAKS = 10  # of a record, from which a distribution is fitted
 FEWEST_SEEDS = 5
+ALIKE = 1e-3  # deviation of peaks over their mean, below which a motion is regular
 NOT_EXCEEDED = 0.9  # share of seas whose extreme stays within the fractile that is told
 
 
@@ -53,7 +54,8 @@ def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> 
     """
     mean, deviation = float(values.mean()), float(values.std())
     upward = peaks(values - mean)
-    period = float((time[-1] - time[0]) / len(upward)) if len(upward) else math.nan
+    crossed = time[upcrossings(values - mean)]
+    period = float((crossed[-1] - crossed[0]) / len(upward)) if len(upward) else math.nan
     downward = peaks(mean - values)
     return Statistics(
         mean,
@@ -66,9 +68,14 @@ def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> 
     )
 
 
+def upcrossings(values: FloatArray) -> NDArray[np.int64]:
+    """Number (crossings,) of the first of some values, (n,) in any unit, after each upcrossing of zero."""
+    return np.asarray(np.flatnonzero((values[:-1] < 0.0) & (values[1:] >= 0.0)) + 1)
+
+
 def peaks(values: FloatArray) -> FloatArray:
     """Largest of some values, (n,), between each upcrossing of zero and the next, (peaks,), in their unit."""
-    starts = np.flatnonzero((values[:-1] < 0.0) & (values[1:] >= 0.0)) + 1
+    starts = upcrossings(values)
     if len(starts) < 2:
         return np.empty(0)
     return np.asarray(np.maximum.reduceat(values[: starts[-1]], starts[:-1]))
@@ -78,6 +85,8 @@ def _most_probable(found: FloatArray, count: float) -> float:
     """Most probable largest of so many peaks of the distribution that some peaks have."""
     if len(found) < FEWEST_PEAKS or not count > 1.0:
         return math.nan
+    if found.std() < ALIKE * found.mean():
+        return float(found.max())  # of a regular motion, for which no shape can be fitted
     from scipy.stats import weibull_min
 
     shape, _, scale = weibull_min.fit(found, floc=0.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
@@ -67,9 +68,15 @@ def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
     InputError
         When there is no such axis, or too few seeds on it.
     """
-    if axis not in grid.dims or axis in ("time", "s"):
-        allowed = f"allowed are {', '.join(map(str, grid['point_key'].dims))}"
+    axes = [str(dim) for dim in grid["point_key"].dims] if "point_key" in grid else []
+    if axis not in axes:
+        allowed = f"allowed are {', '.join(axes) or 'axes of a study'}"
         raise InputError("--over", axis, "no axis of the dataset", allowed)
+    sets = json.loads(grid[axis].attrs.get("sets", "{}"))
+    others = sorted({path for one in sets.values() for path in one if not path.endswith("seed")})
+    if others:
+        allowed = "allowed is an axis of seeds; select one of these values by --at"
+        raise InputError("--over", axis, f"sets {others[0]}, not only seeds", allowed)
     if (count := grid.sizes[axis]) < FEWEST_SEEDS:
         raise InputError("--over", axis, f"{count} seeds", f"allowed are {FEWEST_SEEDS} or more")
     rows: list[list[Cell]] = []
