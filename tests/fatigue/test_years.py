@@ -194,11 +194,55 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
         ("hs (m),tp (s),share (%)\n0.5,8,5\n", "--calm"),
         ("hs (m),tp (s),share (%)\n1,30,5\n", "outside of 5 to 17"),
         ("hs (m),tp (s),share (%)\n", "no rows"),
+        ("hs (m),wave_period (s),share (%)\n3,9.5,10\n", "ambiguous"),
+        ("hs (m),hm0 (m),tp (s),share (%)\n3,4,9.5,10\n", "a second column of significant_height"),
     ],
 )
 def test_a_table_that_cannot_be_meant_is_refused(text, said, tmp_path):
     with pytest.raises(InputError, match=said.replace("(", r"\(")):
         summed(study(), table(tmp_path, text))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_rows_that_never_occur_change_nothing(seed, tmp_path):
+    """Neither the damage nor its error, wherever they are."""
+    draw = np.random.default_rng(seed)
+    rows = [
+        f"{h},{p},5" for h, p in zip(draw.choice(HEIGHTS, 9), draw.choice(PERIODS, 9), strict=True)
+    ]
+    never = [f"{h},{p},0" for h, p in draw.uniform(0.1, 40.0, (9, 2)).tolist()]
+    mixed = list(draw.permutation(rows + never))
+    head = "hs (m),tp (s),share (%)"
+    plain, more = (
+        summed(study(), table(tmp_path, "\n".join([head, *of]) + "\n")) for of in (rows, mixed)
+    )
+    assert [w[:-1] for w in more.worst] == [
+        (*w[:3], pytest.approx(w.rate, rel=1e-12), *w[4:-1]) for w in plain.worst
+    ]
+    assert {sea.values for sea in more.seas} == {sea.values for sea in plain.seas}
+    assert more.notes == plain.notes
+
+
+@pytest.mark.parametrize("head", ["hs (m),tp (s)", "Hm0 (m),peak_period (s)"])
+def test_heights_of_seas_are_none_of_regular_waves(head, tmp_path):
+    """A column of waves is taken for them; H_s and T_p, of a table or a record, are not."""
+    of = study().isel(seed=0, drop=True)
+    names = {"significant_height": ("wave_height", "height", "m"),
+             "peak_period": ("wave_period", "period", "s")}  # fmt: skip
+    of = of.rename({old: name for old, (name, *_) in names.items()})
+    for name, key, unit in names.values():
+        values = {str(v): {f"wave.{key}": f"{v} {unit}"} for v in of[name].values.tolist()}
+        of[name].attrs["sets"] = json.dumps(values)
+    with pytest.raises(InputError, match="regular wave"):
+        summed(of, table(tmp_path, f"{head},share (%)\n3,9.5,50\n"))
+    sea = {"significant_wave_height": ("time", [3.0]), "peak_period": ("time", [9.5])}
+    with pytest.raises(InputError, match="regular wave"):
+        over_years(of, of_record(xr.Dataset(sea), axes_of(of)), {})
+    tree = json.loads(of.attrs["scene"])
+    tree["wave"] = {"height": "3 m", "period": "9 s", "above_mean_level": "none"}
+    of.attrs["scene"] = json.dumps(tree)
+    waves = table(tmp_path, "wave_height (m),wave_period (s),share (%)\n3,9.5,50\n")
+    assert summed(of, waves).worst[0].rate == pytest.approx(0.5 * rate(3.0, 9.5))
 
 
 def test_calmer_seas_count_as_the_calmest_when_it_is_said(tmp_path):

@@ -32,6 +32,9 @@ ALSO = (
     ("tp", "t_p", "peak_period", "wave_period"),
     ("current", "current_speed", "surface_current_speed"),
 )
+#: of these, names that say that a sea is irregular
+OF_SEAS = ("hs", "h_s", "hm0", "swh", "significant_height", "significant_wave_height",
+           "tp", "t_p", "peak_period")  # fmt: skip
 
 
 class Occurrence(NamedTuple):
@@ -40,6 +43,7 @@ class Occurrence(NamedTuple):
     values: dict[str, Array]
     shares: Array
     notes: tuple[str, ...]  # what was left out or added up, a line each
+    irregular: tuple[str, ...] = ()  # axes whose values are of irregular seas: H_s, T_p
 
 
 def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
@@ -57,28 +61,7 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
     rows = [row for row in rows if any(cell.strip() for cell in row)]
     if len(rows) < 2:
         raise InputError(path, "", "no rows", "allowed is a header and a row for each sea state")
-    weight, factors = None, {}
-    for k, text in enumerate(rows[0]):
-        name, unit = _head(path, text)
-        if name in WEIGHTS:
-            if weight is not None:
-                raise InputError(path, name, "a second column that states how often", "give one")
-            if unit != WEIGHTS[name]:
-                allowed = f"allowed is {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
-                raise InputError(path, name, f"unit {unit!r}", allowed)
-            weight = k
-        elif (axis := axis_of(name, axes)) is None:
-            allowed = f"allowed are {', '.join([*axes, *WEIGHTS])}"
-            raise InputError(path, text.strip(), "no axis of the study", allowed)
-        else:
-            factors[k] = axis, _factor(path, text, unit, study[axis].attrs.get("units", ""))
-    if weight is None:
-        raise InputError(
-            path,
-            "",
-            "does not state how often sea states occur",
-            "add share (%), time (h) or count",
-        )
+    weight, factors, irregular = _heads(path, rows[0], study, axes)
     columns: dict[str, list[float]] = {axis: [] for axis, _ in factors.values()}
     often = []
     for number, row in enumerate(rows[1:], start=2):
@@ -95,9 +78,52 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
             )
     name = _head(path, rows[0][weight])[0]
     shares = np.array(often) / {"share": 100.0, "time": HOURS, "count": sum(often) or 1.0}[name]
-    return Occurrence(
-        {axis: np.array(values) for axis, values in columns.items()}, shares, _summed(path, shares)
-    )
+    notes, some = _summed(path, shares), shares > 0.0
+    values = {axis: np.array(column)[some] for axis, column in columns.items()}
+    return Occurrence(values, shares[some], notes, tuple(irregular))
+
+
+def _heads(
+    path: Path, heads: list[str], study: xr.Dataset, axes: list[str]
+) -> tuple[int, dict[int, tuple[str, float]], list[str]]:
+    """Column that says how often, axes with their units by column, and axes of irregular seas.
+
+    Raises
+    ------
+    InputError
+        With the heading: no unit, no axis of the study, ambiguous, or there twice.
+    """
+    weight, irregular = None, list[str]()
+    factors: dict[int, tuple[str, float]] = {}
+    for k, text in enumerate(heads):
+        name, unit = _head(path, text)
+        if name in WEIGHTS:
+            if weight is not None:
+                raise InputError(path, name, "a second column that states how often", "give one")
+            if unit != WEIGHTS[name]:
+                allowed = f"allowed is {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
+                raise InputError(path, name, f"unit {unit!r}", allowed)
+            weight = k
+        elif (axis := axis_of(name, axes)) is None:
+            allowed = f"allowed are {', '.join([*axes, *WEIGHTS])}"
+            raise InputError(path, text.strip(), "no axis of the study", allowed)
+        else:
+            if name == "wave_period" != axis:
+                raise InputError(
+                    path, text.strip(), "is ambiguous", "say peak_period, if it is that"
+                )
+            if axis in (known for known, _ in factors.values()):
+                raise InputError(path, text.strip(), f"a second column of {axis}", "give one")
+            irregular += [axis] if name in OF_SEAS else []
+            factors[k] = axis, _factor(path, text, unit, study[axis].attrs.get("units", ""))
+    if weight is None:
+        raise InputError(
+            path,
+            "",
+            "does not state how often sea states occur",
+            "add share (%), time (h) or count",
+        )
+    return weight, factors, irregular
 
 
 def of_record(record: xr.Dataset, axes: list[str]) -> Occurrence:
@@ -122,9 +148,11 @@ def of_record(record: xr.Dataset, axes: list[str]) -> Occurrence:
     found, counts = np.unique(table[whole], axis=0, return_counts=True)
     lacking = int((~whole).sum())
     notes = (f"{lacking} rows of the record lack a value and do not count",) if lacking else ()
-    return Occurrence(
-        {axis: found[:, k] for k, axis in enumerate(columns)}, counts / counts.sum(), notes
+    values = {axis: found[:, k] for k, axis in enumerate(columns)}
+    irregular = tuple(
+        axis_of(str(n), axes) or "" for n in record.data_vars if str(n).lower() in OF_SEAS
     )
+    return Occurrence(values, counts / counts.sum(), notes, irregular)
 
 
 def axis_of(name: str, axes: list[str]) -> str | None:
@@ -219,4 +247,4 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
                 f"simulate more values of {axis}"
                 + ("" if above.any() else ", or treat calmer seas as the calmest by --calm"),
             )
-    return Occurrence(values, of.shares, tuple(notes))
+    return of._replace(values=values, notes=tuple(notes))

@@ -24,6 +24,8 @@ PLACES = ("detail", "wall_angle", "s_node")
 VIBRATION = "vortex-induced vibration"  # among the effects of a point
 HALF = 0.5
 
+OF_WAVES = ("height", "amplitude", "period")  # of a regular wave in a scene
+
 
 class Worst(NamedTuple):
     """A detail where its damage over the years is largest."""
@@ -123,6 +125,7 @@ def over_years(
         When an axis is left open, or sea states are outside of what is simulated.
     """
     axes = axes_of(study)
+    _check_seas(study, occurs)
     study = _at(study, axes, occurs, at)
     seeds = [axis for axis in axes if axis in study.dims and _is_seed(study, axis)]
     for axis in axes:
@@ -175,10 +178,33 @@ def _at(
     return study
 
 
+def _paths(study: xr.Dataset, axis: str) -> set[str]:
+    """What of the scene an axis sets."""
+    sets = json.loads(study[axis].attrs.get("sets", "{}"))
+    return {path for one in sets.values() for path in one}
+
+
+def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
+    """See that heights and periods of irregular seas are not taken for those of regular waves.
+
+    Raises
+    ------
+    InputError
+        Where they would be.
+    """
+    for axis in occurs.irregular:
+        paths = _paths(study, axis) if axis in study.dims else set()
+        if paths and all(path.rpartition(".")[2] in OF_WAVES for path in paths):
+            found = f"sets {', '.join(sorted(paths))} of a regular wave, not of an irregular sea"
+            allowed = (
+                f"allowed is a study of irregular seas, or a table of waves with a column {axis}"
+            )
+            raise InputError("sea states", axis, found, allowed)
+
+
 def _is_seed(study: xr.Dataset, axis: str) -> bool:
     """Whether an axis sets seeds of the sea or of vortices and nothing else."""
-    sets = json.loads(study[axis].attrs.get("sets", "{}"))
-    paths = {path for one in sets.values() for path in one}
+    paths = _paths(study, axis)
     return bool(paths) and all(path.endswith(".seed") for path in paths)
 
 
