@@ -111,7 +111,7 @@ class RunFacts(TypedDict, total=False):
     audit: Annotated[
         EnergyAudit,
         Column(
-            "energy residual as a share of the energy exchanged",
+            "energy residual as a share of the energy exchanged or stored",
             "1",
             name="unexplained_energy",
             part="unexplained_share",
