@@ -80,6 +80,22 @@ def test_wider_limits_leave_more_hours_and_limits_on_the_sea_fewer(file, record,
     assert less <= sea
 
 
+def test_rows_without_a_value_of_a_limit_on_the_sea_count_as_neither(file, record, found):
+    """Whether they are workable is not known; all other rows count as before."""
+    for seed in range(3):
+        draw = np.random.default_rng(seed)
+        wind = draw.uniform(0.0, 30.0, record.sizes["time"])
+        wind[draw.random(len(wind)) < 0.3] = np.nan
+        one = record.assign(wind_speed=("time", wind))
+        calm = [sea_limit("wind <= 15 m/s")]
+        windy = riser_downtime(file, one, calm, seeds=1, error=0.1, cores=1)
+        for mode, whole in zip(windy.hours.modes, found.hours.modes, strict=True):
+            expected = (whole.hours.workable & (wind <= 15.0))[np.isfinite(wind)]
+            np.testing.assert_array_equal(mode.hours.workable, expected)
+            assert mode.hours.lacking == np.isnan(wind).sum()
+        assert len(windy.demands.time) == len(wind)
+
+
 def test_what_each_limit_takes_adds_up(found):
     exceeded, alone = (np.array([row[k] for row in found.hours.limits.rows]) for k in (1, 2))
     assert (alone <= exceeded).all()

@@ -160,11 +160,7 @@ def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
     InputError
         When the record lacks a quantity that a limit names, or all of its values.
     """
-    check_limits(record, limits)
-    needed = [np.isfinite(record[one.quantity.name].values) for one in limits]
-    known = np.all(needed, axis=0)
-    if not known.any():
-        raise InputError("--limit", limits[0].quantity.name, "no values in the record", "")
+    known = rows_with_values(record, limits)
     workable = np.all([one.met(record) for one in limits], axis=0)[known]
     return hours_of(record, known, workable)
 
@@ -183,6 +179,24 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
             raise InputError(
                 "--limit", one.quantity.name, "not in the record", f"there are {there}"
             )
+
+
+def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
+    """Which rows have all quantities that limits name, (rows,).
+
+    Raises
+    ------
+    InputError
+        When the record lacks a quantity that a limit names, or no row has all of them.
+    """
+    check_limits(record, limits)
+    every = np.ones(record.sizes["time"], bool)
+    needed = [np.isfinite(record[one.quantity.name].values) for one in limits]
+    known = np.asarray(np.all([every, *needed], axis=0))
+    if not known.any():
+        names = ", ".join(one.quantity.name for one in limits)
+        raise InputError("--limit", names, "no values in the record", "give a record with values")
+    return known
 
 
 def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:

@@ -18,7 +18,7 @@ from riserstudy.seas.heading_parts import (
     riser_half_way,
     simulate,
 )
-from riserstudy.seas.hours import SeaLimit, met_by_rows
+from riserstudy.seas.hours import SeaLimit, met_by_rows, rows_with_values
 from riserstudy.seas.riser_hours import RiserHours, by_rows, met, response_of, riser_hours
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.riser_returns import Demands
@@ -111,9 +111,11 @@ def _counted(
     for middle in middles:
         rows = widened(rows, middle.rows[known], middle)
     found = met(rows, riser.limits)
-    sea = met_by_rows(record, limits)
+    sea, there = met_by_rows(record, limits), rows_with_values(record, limits)
     error = largest_errors(parts, middles)
-    hours = riser_hours(record, known, found, riser.limits, error, sea)
+    # of a row without a quantity of a limit on the sea it is not known whether it is workable
+    judged = found.among(there[known])
+    hours = riser_hours(record, known & there, judged, riser.limits, error, sea)
     lines = summarise(parts, middles, hours, record)
     time, interval = record["time"].values[known], float(record.attrs["interval_hours"])
     history = Demands(time, interval, riser.seeds, riser.limits, found)

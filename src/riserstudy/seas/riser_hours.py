@@ -68,6 +68,11 @@ class Met(NamedTuple):
     off: FloatArray
     scale: FloatArray
 
+    def among(self, rows: Flags) -> Met:
+        """The same of some rows, (n,), alone."""
+        limits = self.found[rows], self.worst[rows], self.best[rows]
+        return Met(*limits, self.demand[rows], self.off[rows], self.scale[rows])
+
 
 def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> FloatArray:
     """By how much demands, (n, limits), are beyond what is allowed, (limits,); below zero: within."""
