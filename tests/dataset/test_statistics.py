@@ -202,6 +202,8 @@ def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
         ["--over", "time"],
         ["--over", "seed", "--exposure", "3 h"],
         ["--at", "seed=3", "--exposure", "3 m"],
+        ["--at", "seed=3", "--exposure", "0 s"],
+        ["--at", "seed=3", "--exposure", "-3 h"],
         ["--at", "seed=3", "--start", "2 h"],
         [],
     ],

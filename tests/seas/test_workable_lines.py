@@ -1,9 +1,11 @@
 """What is printed of hours of which none is workable."""
 
 import numpy as np
+import pytest
 import xarray as xr
 
-from riserstudy.cli.downtime_lines import Ahead, show_hours
+from riserstudy.cli.downtime_lines import Ahead, held_back, show_hours
+from riserstudy.errors import InputError
 from riserstudy.seas.hours import hours, sea_limit
 
 
@@ -15,3 +17,30 @@ def test_a_wait_that_never_ends_is_a_dash(capsys):
     printed = capsys.readouterr().out
     assert "nan" not in printed
     assert "all           –       –       –  19200" in printed
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_an_hour_of_a_new_year_is_no_year_that_is_held_back(capsys, seed):
+    """A record to midnight of New Year has the prediction and outcome of its whole years."""
+    draw = np.random.default_rng(seed)
+    years, hold = 6, int(draw.integers(1, 5))
+    begin, end = np.datetime64("2001-01-01T00"), np.datetime64(f"{2001 + years}-01-01T00")
+    time = np.arange(begin, end + np.timedelta64(int(draw.integers(1, 500)), "h"))
+    height = (
+        draw.uniform(0.0, 4.0, len(time))
+        + 0.3 * draw.random(years + 1)[time.astype("datetime64[Y]").astype(int) - 31]
+    )
+    sea = xr.Dataset({"significant_wave_height": ("time", height)}, {"time": time})
+    sea.attrs["interval_hours"] = 1.0
+    limits = [sea_limit("hs <= 2 m")]
+    said = []
+    for one in (sea, sea.isel(time=time < end)):
+        held_back(one, limits, Ahead(hold, 0.66))
+        said.append(capsys.readouterr().out)
+    assert said[0] == said[1]
+    first = 2001 + years - hold
+    at = (time >= np.datetime64(str(first))) & (time < end)
+    assert f"held back from {first} on" in said[0]
+    assert f"observed {(height[at] <= 2.0).mean():.2%}" in said[0]
+    with pytest.raises(InputError, match="no earlier years"):
+        held_back(sea, limits, Ahead(years, 0.66))

@@ -68,18 +68,18 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
     """Predict the last years from those before, and print what came."""
     import numpy as np
 
-    from riserstudy.seas.hours import hours
+    from riserstudy.seas.hours import hours, whole
 
     year = sea["time"].values.astype("datetime64[Y]").astype(int) + 1970
-    first = int(year.max()) - last.years + 1
-    before = sea.isel(time=np.flatnonzero(year < first))
-    if before.sizes["time"] < 2:
+    recorded = [one.year for one in whole(hours(sea, limits).years)]
+    if len(recorded) <= last.years:
         raise InputError(
             "--hold-back",
             str(last.years),
             "no earlier years are left to predict from",
             "allowed are fewer years",
         )
+    first = recorded[-last.years]
     known, came = (
         hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
     )

@@ -189,6 +189,8 @@ def statistics(
         except ValueError as fault:
             raise InputError(option, str(text), str(fault), "allowed is such as 3 h") from None
     begin = times["--start"] or 0.0
+    if exposure and not (times["--exposure"] or 0.0) > 0.0:
+        raise InputError("--exposure", exposure, "no duration", "allowed is such as 3 h")
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
