@@ -7,7 +7,7 @@ import pytest
 
 from riserstudy import load_scene
 from riserstudy.errors import InputError
-from riserstudy.model.sea import current_table
+from riserstudy.model.sea import current_table, current_velocity
 
 SURGE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
 
@@ -73,6 +73,29 @@ def test_depths_and_elevations_tell_the_same_current(tmp_path):
         ).resolved()
         tables.append(np.array(current_table(scene.current, scene.water)))
     np.testing.assert_allclose(tables[1], tables[0], rtol=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_jump_by_depth_has_the_water_above_first_and_one_by_elevation_the_water_below(seed):
+    draw = np.random.default_rng(seed)
+    lower, upper = np.sort(draw.uniform(10.0, 500.0, 2)).tolist()
+    speeds = draw.uniform(0.1, 2.0, 6).tolist()
+    bearings = draw.uniform(0.0, 360.0, 6).tolist() if seed % 2 else [None] * 6
+    heights = [0.0, lower, lower, upper, upper, 533.0]
+    rising = [
+        {"speed": f"{speed!r} m/s"} | ({"direction": f"{bearing!r} deg"} if bearing else {})
+        for speed, bearing in zip(speeds, bearings, strict=True)
+    ]
+    by_elevation = [{"elevation": f"{z!r} m"} | p for z, p in zip(heights, rising, strict=True)]
+    by_depth = [{"depth": f"{533.0 - z!r} m"} | p for z, p in zip(heights, rising, strict=True)]
+    for profile in (by_elevation, by_depth[::-1]):
+        scene = load_scene(SURGE, **LEVELS, current={"profile": profile, "beyond": "hold"})
+        of = scene.resolved()
+        z, velocity = current_velocity(of.current, of.water)
+        speed = np.hypot(*velocity)
+        for level, below in ((lower, 1), (upper, 3)):
+            at = np.interp([level - 1e-6, level + 1e-6], z, speed)
+            np.testing.assert_allclose(at, speeds[below : below + 2], rtol=1e-5)
 
 
 @pytest.mark.parametrize(

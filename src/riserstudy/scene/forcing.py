@@ -224,7 +224,9 @@ class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
     Two points at the same elevation define a jump: first the speed just below this elevation, then the speed
-    just above. The default direction is the heading of the current.
+    just above. Two points at the same depth also define a jump, in the order of increasing depth: first the
+    speed just above this depth, then the speed just below. The default direction is the heading of the
+    current.
     """
 
     elevation: u.Length | None = None
