@@ -101,3 +101,29 @@ def test_outputs_between_long_steps_are_near_those_of_a_run_that_steps_there(see
         at_steps = abs(one[name] - other[name])[::2]
         # between steps no more than what the step itself is wrong, and a parabola's third-order error
         assert float(between.max()) < 2.0 * float(at_steps.max()) + 0.01 * size, name
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_times_of_extremes_along_the_riser_are_those_of_fine_outputs_or_absent(seed):
+    """In a beat of two motions the largest of sparse outputs may be far from the largest value."""
+    tree = moving(seed)
+    heave = tree["platform"]["heave"]
+    tree["analysis"]["duration"] *= 3.0
+    tree["platform"]["surge"]["period"] = 1.31 * heave["period"]
+    tree["analysis"]["output"]["interval"] = tree["analysis"]["step"]
+    fine = run_of(tree)
+    rows = json.loads(fine.attrs["extremes"])
+    told = [row for row in rows if row["output"] in ALONG and "largest_time" in row]
+    assert told
+    for every in (7, 23, 41):
+        tree["analysis"]["output"]["interval"] = every * tree["analysis"]["step"]
+        for row, sparse in zip(rows, json.loads(run_of(tree).attrs["extremes"]), strict=True):
+            for side in ("largest", "smallest"):
+                assert row[side] == sparse[side]
+                time = sparse.get(f"{side}_time")
+                if row["output"] not in ALONG or time is None:
+                    continue
+                history = fine[row["output"]].sel(s=row[f"{side}_s"], method="nearest")
+                then = float(np.interp(time, history["time"], history))
+                size = float(history.max() - history.min())
+                assert abs(then - row[side]) <= 0.021 * size + 1e-6 * abs(row[side])

@@ -151,6 +151,9 @@ def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
     for line in lines(rows, units):
         style = "bold red" if line.use > 1.0 else "yellow" if line.use > NEAR else None
         console.print(line.text, style=style)
+    start = float(dataset["time"][0]) if "time" in dataset.coords else 0.0
+    if start > 0.0:
+        console.print(f"counted from t = {start:g} s on, because of analysis.output.start")
 
 
 def _summary(dataset: Any) -> str:

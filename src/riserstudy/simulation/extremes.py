@@ -18,6 +18,8 @@ from riserstudy.simulation.wall_stress import nodes_of
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
+SHOWN = 0.02  # share of a range from its extreme, within which an output shows when it is
+ROUNDING = 1e-9  # share of a value
 OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
 
 
@@ -26,9 +28,9 @@ def extremes(
 ) -> list[dict[str, Any]]:
     """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
 
-    Values along the riser are those of envelopes at the nodes, which see every step; their times are those
-    of the outputs. Means are from the time on at which all ramps are over, where the run goes on after it. A
-    run at rest has no times, and its values are their own means.
+    Values along the riser are those of envelopes at the nodes, which see every step. Their times are those of
+    the outputs, and absent where no output is near the extreme. Means are from the time on at which all ramps
+    are over, where the run goes on after it. A run at rest has no times, and its values are their own means.
 
     Parameters
     ----------
@@ -96,9 +98,12 @@ def _along(
         row[side] = float(values[k])
         row[side + "_s"] = float(arrays["s_node"][nodes][k])
     if history is not None and history.shape[-1] == len(arrays["s_node"]):
-        times = arrays["time"]
-        row["largest_time"] = float(times[history[:, nodes][:, high].argmax()])
-        row["smallest_time"] = float(times[history[:, nodes][:, low].argmin()])
+        for side, k, which in (("largest", high, np.argmax), ("smallest", low, np.argmin)):
+            seen = history[:, nodes][:, k]
+            output = int(which(seen))
+            near = SHOWN * (most[k] - least[k]) + ROUNDING * abs(row[side])
+            if abs(seen[output] - row[side]) <= near:
+                row[side + "_time"] = float(arrays["time"][output])
         if nodes.stop - nodes.start == 1:
             row["mean"] = float(history[later][:, nodes].mean())
     elif not moving and nodes.stop - nodes.start == 1:
