@@ -1,4 +1,4 @@
-"""The command of watch circles: closed forms of drift and of a cruise, and what cannot be told."""
+"""Commands of watch circles and check: closed forms of drift and cruise, and what cannot be told."""
 
 import csv
 import json
@@ -92,6 +92,81 @@ def test_first_order_motion_reaches_the_limit_and_circles_are_those_of_the_drift
     for column, before, radius in zip(("red", "yellow"), (0.0, 15.0), circles, strict=True):
         if first > seconds + before:
             assert number(row, f"{column} circle (m)") == pytest.approx(radius, rel=2e-3, abs=0.05)
+
+
+def angled(limit):
+    """A limit on the angle of a straight thread of 1000 m at an offset (m), which the angle lags behind."""
+    angle = math.atan(limit / 1001.0)
+    return {"output": "lfj_angle", "largest": f"{angle!r} rad", "mode": "connected"}
+
+
+@pytest.mark.parametrize(
+    "speed, ramp, limit, seconds",
+    [(1.5, 40.0, 90.0, 20.0), (0.8, 120.0, 60.0, 45.0), (2.0, 10.0, 77.0, 31.0)],
+)
+def test_circles_of_a_cruise_do_not_depend_on_the_outputs(
+    commands, tmp_path, speed, ramp, limit, seconds
+):
+    cruise = {"speed": f"{speed} m/s", "ramp": f"{ramp} s"}
+    top = {"x": "platform", "z": "held", "elevation": "1001 m"}
+    scene = scene_file(
+        tmp_path, limits=[angled(limit)], vessel=None, top=top, platform={"cruise": cruise}
+    )
+    table, times = tmp_path / "out.csv", ["--disconnect", f"{seconds} s", "--prepare", "5 s"]
+
+    def way(time):
+        return speed * (0.5 * time**2 / ramp if time < ramp else time - 0.5 * ramp)
+
+    found = []
+    for interval in (1, 7, 50):
+        apart = ["--set", f"analysis.output.interval={interval} s", "--csv", table, "--force"]
+        assert commands("watch-circles", scene, *times, *apart)[0] == 0
+        found.append(rows_of(table)["connected: first of all"])
+    assert found[0] == found[1] == found[2]
+    first = number(found[0], "reached (s)")
+    assert number(found[0], "offset (m)") == pytest.approx(way(first), rel=1e-6)
+    assert number(found[0], "red circle (m)") == pytest.approx(way(first - seconds), rel=1e-6)
+    late = way(first - seconds - 5.0)
+    assert number(found[0], "yellow circle (m)") == pytest.approx(late, rel=1e-6)
+
+
+@pytest.mark.parametrize("force, current, limit, seconds", drawn()[:3])
+def test_circles_of_a_vessel_are_right_or_their_outputs_too_coarse(
+    commands, tmp_path, force, current, limit, seconds
+):
+    scene = scene_file(tmp_path, force, current, [away(limit), angled(limit)])
+    table, times = tmp_path / "out.csv", ["--disconnect", f"{seconds} s", "--prepare", "15 s"]
+
+    def way(time):
+        return float(drift(HULL, force, current, time).way)
+
+    right, by_angle = brentq(lambda t: way(t) - limit, 0.0, 2000.0), []
+    for interval in (1, 20, 50, 130):
+        apart = ["--set", f"analysis.output.interval={interval} s", "--csv", table, "--force"]
+        assert commands("watch-circles", scene, *times, *apart)[0] == 0
+        rows = rows_of(table)
+        by_angle.append(number(rows["connected: first of all"], "reached (s)"))
+        for row, first in (
+            (rows["disconnect: first of all"], right),
+            (rows["connected: first of all"], by_angle[0]),
+        ):
+            coarse = "outputs are too coarse" in row["note"]
+            assert not (coarse and interval == 1)
+            for column, before in (("red", seconds), ("yellow", seconds + 15.0)):
+                radius = number(row, f"{column} circle (m)")
+                if not coarse and first > before + 1.0:
+                    assert radius <= 1.015 * way(first - before) + 0.02
+    assert by_angle == pytest.approx(by_angle[:1] * 4, rel=1e-9, nan_ok=True)
+
+
+@pytest.mark.parametrize("start", [0, 30, 170])
+def test_a_check_says_from_when_its_values_are_counted(commands, tmp_path, start):
+    scene = scene_file(tmp_path, limits=[away(1e5)])
+    late = ["--set", f"analysis.output.start={start} s"]
+    code, out, _ = commands("check", scene, *late)
+    assert code == 0
+    assert ("counted from" in out) == (start > 0)
+    assert not start or f"counted from t = {start} s on" in out
 
 
 @pytest.mark.parametrize("start", [1, 40, 200])

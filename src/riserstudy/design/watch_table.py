@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -12,12 +12,14 @@ import xarray as xr
 
 from riserstudy.dataset.limits import EXCEEDED, label
 from riserstudy.dataset.table import Cell, Table
-from riserstudy.design.watch_circles import NEVER, TOO_LATE, watch_circle
 from riserstudy.errors import InputError
 from riserstudy.scene.resolve import Resolved
 
 COLUMNS = ["limit", "reached", "offset", "red circle", "yellow circle", "note"]
 UNITS = ["", "s", "m", "m", "m", ""]
+FOR_A_CUBIC = 4  # outputs
+COARSE = 0.01  # share of a circle's radius from which on an error by coarse outputs is told
+LEAST = 0.01  # m, below which it is not
 
 
 class Times(NamedTuple):
@@ -57,31 +59,56 @@ def moves_off(scene: Resolved) -> None:
         raise InputError("limits", "", "missing", allowed)
 
 
-def offset_of(scene: Resolved, dataset: xr.Dataset) -> xr.DataArray:
-    """Distance of the platform from the well over ``time`` (m), first-order motions left out."""
-    time = dataset["time"]
-    if scene.vessel:
-        kind = "low_frequency" if scene.platform else "platform"
-        x = (scene.top.offset or 0.0) + dataset[f"{kind}_surge"]
-        y = dataset[f"{kind}_sway"] if f"{kind}_sway" in dataset else 0.0 * x
-        return _distance(x, y)
+class Way(NamedTuple):
+    """Distance of the platform from the well at a time (m), and its estimated error between outputs (m)."""
+
+    at: Callable[[float], float]
+    error: Callable[[float], float]
+
+
+def way_of(scene: Resolved, dataset: xr.Dataset) -> Way:
+    """How far the platform is from the well over time, first-order motions left out.
+
+    That of a cruise is known at any time. That of a vessel is a cubic spline through the outputs; its error
+    is at most that of straight lines, whose deviation from the spline is given for it.
+    """
+    time = dataset["time"].values
+    if scene.vessel is None:
+        return Way(lambda t: float(_cruised(scene, min(t, float(time[-1])))), lambda _: 0.0)
+    kind = "low_frequency" if scene.platform else "platform"
+    x = (scene.top.offset or 0.0) + dataset[f"{kind}_surge"].values
+    place = np.array([x, dataset[f"{kind}_sway"].values if f"{kind}_sway" in dataset else 0.0 * x])
+
+    def straight(t: float) -> float:
+        return math.hypot(*(float(np.interp(t, time, part)) for part in place))
+
+    if len(time) < FOR_A_CUBIC:
+        longest = float(np.hypot(*np.diff(place)).max(initial=0.0))
+        return Way(straight, lambda _: longest)
+    from scipy.interpolate import CubicSpline  # which takes long to load
+
+    cubic = CubicSpline(time, place, axis=1)
+
+    def curved(t: float) -> float:
+        return math.hypot(*cubic(min(t, float(time[-1]))))
+
+    return Way(curved, lambda t: abs(curved(t) - straight(t)))
+
+
+def _cruised(scene: Resolved, time: float) -> float:
+    """Distance of a cruising platform from the well (m) at a time (s)."""
     platform = scene.platform
     if platform is None or platform.cruise is None:
         raise TypeError("nothing leaves the well")  # asked before
     cruise, at = platform.cruise, platform.position
     ramp = cruise.ramp or 0.0
-    late = (time - ramp).clip(min=0.0)
+    late = max(time - ramp, 0.0)
     early = time - late
     way = cruise.speed * (late + (0.5 * early**2 / ramp if ramp else 0.0))
     heading = cruise.heading or 0.0
     x = (scene.top.offset or 0.0) + ((at and at.surge) or 0.0) + way * math.cos(heading)
     y = ((at and at.sway) or 0.0) + way * math.sin(heading)
-    return _distance(x, y)
-
-
-def _distance(x: xr.DataArray, y: xr.DataArray) -> xr.DataArray:
-    """From the well (m)."""
-    return (x**2 + y**2) ** 0.5
+    return math.hypot(x, y)
 
 
 def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[str]) -> Circles:
@@ -91,28 +118,31 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
     ----------
     dataset : run of the scene.
     """
-    offset = offset_of(scene, dataset)
+    way = way_of(scene, dataset)
     reached = json.loads(dataset.attrs["limits_reached"])
+    errors = json.loads(dataset.attrs["limits_reached_error"])
     verdicts = json.loads(dataset.attrs["limits"])
     rows: list[list[Cell]] = []
     missing = False
     for mode in modes:
-        first, lost = math.inf, False
-        for limit, time, row in zip(scene.limits or [], reached, verdicts, strict=True):
+        first, earliest, lost = math.inf, math.inf, False
+        for limit, time, error, row in zip(
+            scene.limits or [], reached, errors, verdicts, strict=True
+        ):
             if limit.mode != mode:
                 continue
             why = _unknown(limit.side, time, row)
             lost = lost or bool(why)
             at = math.inf if isinstance(time, str) else float(time)
-            first = min(first, at)
+            first, earliest = min(first, at), min(earliest, at - error)
             rows.append(
                 [label(limit), None, None, None, None, f"not evaluated: {why}"]
                 if why
-                else _row(label(limit), at, offset, times)
+                else _row(label(limit), at, error, way, times)
             )
         missing = missing or lost
         named = f"{mode}: first of all" + (" that are evaluated" if lost else "")
-        rows.append(_row(named, first, offset, times))
+        rows.append(_row(named, first, first - earliest, way, times))
     return Circles(Table(COLUMNS, UNITS, rows), missing)
 
 
@@ -127,20 +157,28 @@ def _unknown(side: str, time: float | str, row: dict[str, object]) -> str:
     return ""
 
 
-def _row(name: str, first: float, offset: xr.DataArray, times: Times) -> list[Cell]:
-    """Time, offset and both circles of one first time (s)."""
+def _row(name: str, first: float, error: float, way: Way, times: Times) -> list[Cell]:
+    """Time, offset and both circles of one first time (s), known within an error (s)."""
     if math.isinf(first):
         return [name, None, None, None, None, "not reached within the run"]
-    there = float(np.interp(first, offset["time"], offset))
-    cells: list[Cell] = [name, first, there]
-    note = []
+    cells: list[Cell] = [name, first, way.at(first)]
+    note, doubt = [], 0.0
     for colour, before in (
         ("red", times.disconnect),
         ("yellow", times.disconnect + times.prepare),
     ):
-        circle = watch_circle(xr.DataArray(first), offset, before)
-        outcome = int(circle["circle_outcome"])
-        late = outcome in (NEVER, TOO_LATE)
-        cells.append(None if late else float(circle["circle_radius"]))
-        note += [f"{colour}: an alarm at the start is too late"] if late else []
+        latest = first - before
+        cells.append(way.at(latest) if latest > 0.0 else None)
+        if latest <= 0.0:
+            note.append(f"{colour}: an alarm at the start is too late")
+            continue
+        shifted = abs(way.at(latest) - way.at(max(latest - error, 0.0)))
+        unsure = way.error(latest) + shifted
+        if unsure > max(COARSE * way.at(latest), LEAST):
+            doubt = max(doubt, unsure)
+    if doubt:
+        note.append(
+            f"outputs are too coarse: circles may be {doubt:.2g} m too large. "
+            "Give a shorter analysis.output.interval"
+        )
     return [*cells, "; ".join(note)]

@@ -1,4 +1,4 @@
-"""Contact with stops, of tensioners and of a telescopic joint, as far as outputs tell of it."""
+"""Contact with stops, of tensioners and of a telescopic joint, at all steps or as far as outputs tell."""
 
 from __future__ import annotations
 
@@ -11,30 +11,37 @@ from riserstudy.scene.tensioners import Tensioners
 FloatArray = NDArray[np.float64]
 
 
-def stops_touched(rig: Tensioners, reach: FloatArray, time: FloatArray | None = None) -> list[str]:
+def stops_touched(
+    rig: Tensioners, reach: FloatArray, time: FloatArray | None = None, all_steps: bool = False
+) -> list[str]:
     """A warning when cylinders are at their end stops.
 
     Parameters
     ----------
     reach : of the cylinders, (c,) at rest or (k, c) over time (m).
-    time : (k,) of the outputs (s); contact between two of them is not seen.
+    time : (k,) of the outputs or steps (s); contact between two of them is not seen.
+    all_steps : whether these are all steps of the run.
     """
     if rig.stroke is None:
         return []
     beyond = np.maximum(reach - rig.stroke.longest, rig.stroke.shortest - reach)
     force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * np.array(rig.working)
-    return _forces_in_words("stroke", force, " a cylinder", time)
+    return _forces_in_words("stroke", force, " a cylinder", time, all_steps)
 
 
 def joint_stops_touched(
-    joint: TelescopicJoint, length: FloatArray, time: FloatArray | None = None
+    joint: TelescopicJoint,
+    length: FloatArray,
+    time: FloatArray | None = None,
+    all_steps: bool = False,
 ) -> list[str]:
     """Warnings when a telescopic joint is at a stop, one for each.
 
     Parameters
     ----------
     length : of the joint, (1,) at rest or (k, 1) over time (m).
-    time : (k,) of the outputs (s); contact between two of them is not seen.
+    time : (k,) of the outputs or steps (s); contact between two of them is not seen.
+    all_steps : whether these are all steps of the run.
     """
     if joint.stop is None:
         return []
@@ -44,20 +51,29 @@ def joint_stops_touched(
         sentence
         for how, over in beyond.items()
         for sentence in _forces_in_words(
-            f"telescopic joint {how}", joint.stop.stiffness * np.maximum(over, 0.0), "", time
+            f"telescopic joint {how}",
+            joint.stop.stiffness * np.maximum(over, 0.0),
+            "",
+            time,
+            all_steps,
         )
     ]
 
 
-def _forces_in_words(stop: str, force: FloatArray, each: str, time: FloatArray | None) -> list[str]:
+def _forces_in_words(
+    stop: str, force: FloatArray, each: str, time: FloatArray | None, all_steps: bool
+) -> list[str]:
     """A sentence on forces (N), the columns over time, where there is any."""
     if not force.any():
         return []
     if time is None:
         return [f"{stop}: touches its stop in static equilibrium, with {force.max():.3g} N{each}"]
     first = float(time[force.any(axis=1).argmax()])
+    after = f", from t = {time[0]:.6g} s on" if time[0] > 0.0 else ""
+    touch = f"{stop}: touches its stop, first at t = {first:.6g} s"
+    if all_steps:
+        return [f"{touch}, with at most {force.max():.3g} N{each}{after}"]
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
     return [
-        f"{stop}: touches its stop, first at t = {first:.6g} s, with at most {force.max():.3g} N{each}, "
-        f"as seen in outputs{apart} from t = {time[0]:.6g} s on"
+        f"{touch} or earlier, with at least {force.max():.3g} N{each}, as seen in outputs{apart}{after}"
     ]

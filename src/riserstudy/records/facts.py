@@ -200,9 +200,11 @@ class RunFacts(TypedDict, total=False):
     ended_by: str
     #: by output, over all steps; until extremes are made of them
     peaks: dict[str, Any]
+    every_step: dict[str, Any]  # time (s) and what has one value a time, until the run is finished
     #: rows, as `simulation.extremes` makes them; what the first of the limits to be reached is
     extremes: list[dict[str, Any]]
     limits_reached: list[float | str]
+    limits_reached_error: list[float]  # s, from outputs along the riser that are apart
     largest_stroke: float  # m
     # of a disconnect
     taken_by_the_release: float  # J

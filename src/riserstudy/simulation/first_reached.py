@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,31 +19,63 @@ from riserstudy.simulation.extremes import places
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
 NEVER, UNKNOWN = "never", "unknown"
+LEAST = 3  # outputs that curvature follows from
+
+
+class Reached(NamedTuple):
+    """Time (s) at which a limit is first reached, NEVER, or UNKNOWN where its history is missing."""
+
+    time: float | str
+    error: float  # s, estimated, since outputs are apart; 0 where all steps are known
 
 
 def first_reached(
-    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays
-) -> list[float | str]:
-    """Time (s) at which each limit is first reached, NEVER, or UNKNOWN where its history is missing.
+    scene: Resolved,
+    mesh: Mesh,
+    arrays: Arrays,
+    histories: Arrays,
+    every_step: Mapping[str, FloatArray],
+) -> list[Reached]:
+    """When each limit is first reached.
 
-    Straight between the outputs. A mean is reached at no time: UNKNOWN.
+    Straight between the steps, or between the outputs where steps are not known. A mean is reached at no
+    time: UNKNOWN.
 
     Parameters
     ----------
     histories : of outputs along the riser at all nodes, (time, n + 1), beside those among the arrays.
+    every_step : time (s) and what has one value a time, at all steps; empty where only outputs are known.
     """
-    found: list[float | str] = []
+    found = []
     for limit in scene.limits or []:
-        values = None
-        if limit.side != "mean" and "time" in arrays:
-            values = _demand(scene, mesh, limit, arrays, histories)
+        values, by_steps = None, limit.output in every_step
+        seen = {**arrays, **every_step} if by_steps else arrays
+        if limit.side != "mean" and "time" in seen:
+            values = _demand(scene, mesh, limit, seen, {} if by_steps else histories)
         if values is None:
-            found.append(UNKNOWN)
+            found.append(Reached(UNKNOWN, 0.0))
             continue
         sign = -1.0 if limit.side == "smallest" else 1.0
-        time = place_of_crossing(sign * values, sign * limit.allowable, arrays["time"])
-        found.append(UNKNOWN if math.isnan(time) else time if math.isfinite(time) else NEVER)
+        times = seen["time"]
+        time = place_of_crossing(sign * values, sign * limit.allowable, times)
+        word = UNKNOWN if math.isnan(time) else NEVER
+        error = 0.0 if by_steps else _error(times, values, time)
+        found.append(Reached(time if math.isfinite(time) else word, error))
     return found
+
+
+def _error(times: FloatArray, values: FloatArray, time: float) -> float:
+    """Estimated error of a time (s) between two outputs: a deviation from the line, over its slope.
+
+    It is that of a parabola with the larger curvature of both ends, at most the time between the outputs.
+    """
+    k = int(np.searchsorted(times, time))
+    if not 0 < k < len(times) or len(times) < LEAST:
+        return 0.0
+    step = float(times[k] - times[k - 1])
+    slope = abs(float(values[k] - values[k - 1]))
+    bends = abs(np.diff(values[max(k - 2, 0) : k + 2], 2))
+    return min(step, step * 0.125 * float(bends.max()) / slope) if slope > 0.0 else step
 
 
 def _demand(

@@ -255,29 +255,30 @@ def peaks(arrays: Arrays) -> RunFacts:
     return {"largest_bending_moment": peak[0], "largest_bending_moment_s": peak[1]}
 
 
-def of_tensioners(rig: Tensioners, arrays: Arrays) -> list[str]:
-    """What there is to tell of laws left and stops touched, at rest and over time."""
-    sentences = leaves_table(rig, _reaches(arrays))
-    sentences += stops_touched(rig, arrays["tensioner_stroke_static"])
-    if "tensioner_stroke" in arrays:
-        sentences += stops_touched(rig, arrays["tensioner_stroke"], arrays["time"])
+def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[str]:
+    """What there is to tell of laws left and stops touched, at rest and over time.
+
+    ``every_step``: time and strokes of all steps; empty where only outputs are known.
+    """
+    over_time, all_steps = every_step or arrays, bool(every_step)
+    moving = [over_time["tensioner_stroke"]] if "tensioner_stroke" in over_time else []
+    rest = arrays["tensioner_stroke_static"]
+    sentences = leaves_table(rig, np.concatenate([reach.ravel() for reach in (rest, *moving)]))
+    sentences += stops_touched(rig, rest)
+    for reach in moving:
+        sentences += stops_touched(rig, reach, over_time["time"], all_steps)
     return sentences
 
 
-def of_joint(joint: TelescopicJoint, arrays: Arrays) -> list[str]:
-    """What there is to tell of the stops of a telescopic joint that touch, at rest and over time."""
+def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list[str]:
+    """What there is to tell of the stops of a telescopic joint that touch, as `of_tensioners` does."""
     rest = joint.length + arrays["joint_stroke_static"]
     sentences = joint_stops_touched(joint, rest.reshape(1))
-    if "joint_stroke" in arrays:
-        length = joint.length + arrays["joint_stroke"][:, None]
-        sentences += joint_stops_touched(joint, length, arrays["time"])
+    over_time = every_step or arrays
+    if "joint_stroke" in over_time:
+        length = joint.length + over_time["joint_stroke"][:, None]
+        sentences += joint_stops_touched(joint, length, over_time["time"], bool(every_step))
     return sentences
-
-
-def _reaches(arrays: Arrays) -> FloatArray:
-    """Reach of all cylinders, at rest and whenever it was recorded."""
-    names = ("tensioner_stroke_static", "tensioner_stroke")
-    return np.concatenate([arrays[name].ravel() for name in names if name in arrays])
 
 
 def _end_direction(

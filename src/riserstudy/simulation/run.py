@@ -155,16 +155,17 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
     started = clock.perf_counter()
     arrays, facts = result.arrays, result.facts
+    every_step = facts.pop("every_step", {})
     if scene.fatigue:
         from riserstudy.simulation.damage import refuse_coarse
 
         refuse_coarse(scene, facts)
     if rig := scene.top.tensioners:
-        facts["warnings"] += outputs.of_tensioners(rig, arrays)
+        facts["warnings"] += outputs.of_tensioners(rig, arrays, every_step)
         if "tensioner_stroke" in arrays:
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
     if joint := joint_of(scene):
-        facts["warnings"] += outputs.of_joint(joint, arrays)
+        facts["warnings"] += outputs.of_joint(joint, arrays, every_step)
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)
     if scene.analysis.solver != "hermite":
@@ -173,7 +174,9 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
         facts["extremes"] = extremes(scene, mesh, arrays, histories_of, facts.pop("peaks", {}))
         facts["extremes"] += rows_of_limits(scene, facts)
         if scene.limits and "time" in arrays:
-            facts["limits_reached"] = first_reached(scene, mesh, arrays, histories_of)
+            found = first_reached(scene, mesh, arrays, histories_of, every_step)
+            facts["limits_reached"] = [one.time for one in found]
+            facts["limits_reached_error"] = [one.error for one in found]
     facts["solve_seconds"] += clock.perf_counter() - started
     return result
 
@@ -302,7 +305,8 @@ def _peaks(
     series = outputs.over_time(scene, model, mesh, every_step, rest)
     facts["peaks"] = peaks_of(every_step.time, series)
     kept = within(histories, facts["peaks"], ANGLES if len(model.s.dim) == 3 else ())
-    return {"time": every_step.time, **series}, kept
+    facts["every_step"] = {"time": every_step.time, **series}
+    return facts["every_step"], kept
 
 
 def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
