@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import sqlite3
 from collections import Counter
+from collections.abc import Iterator
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 from riserstudy.report.without_points import WithoutPoints, without_points
@@ -22,6 +24,7 @@ RELEVANT_ERRORS = {
     "tension": ("effective_tension", "largest_stress", "tensioner_force", "riser_reaction"),
 }
 ERRORS = ("displacement", *RELEVANT_ERRORS)
+LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))
 UNSAID = "one mesh and one step serve all points of a study"
 #: points with whether a mesh is prescribed, and the accuracy that each asks for: an axis may set it
 POINTS = f"""
@@ -103,10 +106,10 @@ class Missed(NamedTuple):
 
 def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:
     """A row a simulated dataset, in the order of the database."""
-    by_text: dict[str, list[dict[str, Any]]] = {}
+    tallies: dict[str, Tally] = {}
     for point in _points(db, files):
-        by_text.setdefault(point["study"], []).append(point)
-    return [_row(points) for points in by_text.values()]
+        tallies.setdefault(point["study"], Tally(point)).add(point)
+    return [tally.row() for tally in tallies.values()]
 
 
 def relevant_errors(keep: list[str] | None) -> list[str]:
@@ -121,19 +124,23 @@ def relevant_errors(keep: list[str] | None) -> list[str]:
     return [*(["displacement"] if others else []), *(error for error, of in names.items() if of)]
 
 
-def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[dict[str, Any]]:
-    """Points with the largest of the errors that count, and why it may be large."""
+def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dict[str, Any]]:
+    """Points with the largest of the errors that count, and why it may be large; there may be a million."""
     cursor = db.execute(POINTS)
     names = [column[0] for column in cursor.description]
-    points = [dict(zip(names, row, strict=True)) for row in cursor]
-    for point in points:
-        study = _study(files, point)
-        point["counts"] = relevant_errors(study.keep if study else None)
-        sentence = {name: point[f"error_{name}"] for name in point["counts"]}
-        point["told"] = any(error is not None for error in sentence.values())
-        point["error"] = max((error or 0.0 for error in sentence.values()), default=0.0)
-        point["because"] = study.error_because if study and study.error_because else UNSAID
-    return points
+    of_study: dict[str, dict[str, Any]] = {}
+    for row in cursor:
+        point = dict(zip(names, row, strict=True))
+        if point["study"] not in of_study:
+            study = _study(files, point)
+            because = study.error_because if study and study.error_because else UNSAID
+            counts = relevant_errors(study.keep if study else None)
+            of_study[point["study"]] = {"counts": counts, "because": because}
+        point |= of_study[point["study"]]
+        errors = [point[f"error_{name}"] for name in point["counts"]]
+        point["told"] = any(error is not None for error in errors)
+        point["error"] = max((error or 0.0 for error in errors), default=0.0)
+        yield point
 
 
 def _study(files: dict[str, StudyFile], point: dict[str, Any]) -> StudyModel | None:
@@ -150,27 +157,46 @@ def _largest(point: dict[str, Any]) -> str:
     return max(counts, key=lambda name: point[f"error_{name}"] or 0.0)
 
 
-def _row(points: list[dict[str, Any]]) -> Row:
-    first = points[0]
+@dataclass
+class Tally:
+    """What the points of a dataset have in all, taken in one by one."""
 
-    def largest(name: str) -> float:
-        return max((p[name] for p in points if p[name] is not None), default=0.0)
+    first: dict[str, Any]
+    points: int = 0
+    largest: dict[str, float] = field(default_factory=lambda: dict.fromkeys(LARGEST, 0.0))
+    off: int = 0
+    fixed: bool = True
+    warned: int = 0
+    total: float = 0.0
 
-    return Row(
-        paper=first["paper"],
-        name=first["name"],
-        about=first["caption"],
-        points=len(points),
-        energy=largest("unexplained_energy"),
-        errors={name: largest(f"error_{name}") for name in ERRORS},
-        counts=first["counts"],
-        because=first["because"] if first["because"] != UNSAID else "",
-        off=sum(map(_misses, points)),
-        fixed=all(p["fixed"] for p in points),
-        warned=sum(bool(p["warnings"]) for p in points),
-        total=sum(p["wall_seconds"] or 0.0 for p in points),
-        longest=largest("wall_seconds"),
-    )
+    def add(self, point: dict[str, Any]) -> None:
+        """Take in a point."""
+        self.points += 1
+        for name, most in self.largest.items():
+            self.largest[name] = max(most, point[name] or 0.0)
+        self.off += _misses(point)
+        self.fixed = self.fixed and bool(point["fixed"])
+        self.warned += bool(point["warnings"])
+        self.total += point["wall_seconds"] or 0.0
+
+    def row(self) -> Row:
+        """The dataset's row."""
+        first, largest = self.first, self.largest
+        return Row(
+            paper=first["paper"],
+            name=first["name"],
+            about=first["caption"],
+            points=self.points,
+            energy=largest["unexplained_energy"],
+            errors={name: largest[f"error_{name}"] for name in ERRORS},
+            counts=first["counts"],
+            because=first["because"] if first["because"] != UNSAID else "",
+            off=self.off,
+            fixed=self.fixed,
+            warned=self.warned,
+            total=self.total,
+            longest=largest["wall_seconds"],
+        )
 
 
 def warned(db: sqlite3.Connection) -> list[Warned]:
@@ -190,9 +216,16 @@ def warned(db: sqlite3.Connection) -> list[Warned]:
 
 def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
     """How many points miss the tolerance, why, and which verdicts rest on one."""
-    points = _points(db, files)
-    off = [p for p in points if _misses(p)]
-    requested = [p for p in points if not p["fixed"]]
+    off: list[dict[str, Any]] = []
+    count: Counter[str] = Counter()
+    for point in _points(db, files):
+        missing = _misses(point)
+        count["points"] += 1
+        count["requested"] += not point["fixed"]
+        count["missed by request"] += missing and not point["fixed"]
+        count["estimated"] += bool(point["fixed"] and point["told"])
+        if missing:
+            off.append(point)
     worst = max(off, key=lambda p: p["error"], default=None)
     studies = sorted({p["study"] for p in off})
     marks = ", ".join("?" * len(studies))
@@ -206,11 +239,11 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
     for point in off:
         numbers.setdefault(point["study"], []).append(point["point"])
     return Missed(
-        len(points),
+        count["points"],
         len(off),
-        len(requested),
-        sum(map(_misses, requested)),
-        sum(point["told"] for point in points if point["fixed"]),
+        count["requested"],
+        count["missed by request"],
+        count["estimated"],
         _reasons([point for point in off if point["fixed"]]),
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",
