@@ -2,13 +2,17 @@
 
 import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from riserstudy.errors import InputError
+from riserstudy.model.platform_motion import displacement
 from riserstudy.model.rao import harmonics, operator, slips
 from riserstudy.model.sea import components_of
+from riserstudy.scene.forcing import Platform
 from riserstudy.scene.rao import Operator, Response
 from riserstudy.scene.sea import RegularWave, Storm, Swell
 from semisubmersible import DENSITY, GRAVITY, heave, read_units, response
@@ -303,3 +307,30 @@ def test_radians_under_a_heading_of_degrees_are_told_by_their_phases():
 
 def test_an_operator_knows_its_motions():
     assert Operator.model_validate(ROWS[0]).motions == {"heave"}
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_in_the_wave_of_the_scene_a_platform_goes_with_the_water_at_its_position(seed):
+    draw = np.random.default_rng(seed)
+    x, y, offset = draw.uniform(-80.0, 80.0, 3).tolist()
+    period, phase, heading = draw.uniform((6.0, 0.0, 0.0), (15.0, 6.0, 6.0)).tolist()
+    rows = [{"period": f"{p} s", "heave": "1 m/m", "heave_phase": "0 deg"} for p in (4, 20)]
+    surface = {"amplitude": "2 m", "period": f"{period!r} s", "phase": f"{phase!r} rad"}
+    wave = {**surface, "heading": f"{heading!r} rad", "above_mean_level": "none"}
+    times = np.linspace(0.0, 40.0, 81)
+    k = brentq(
+        lambda k: 9.81 * k * math.tanh(533.0 * k) - (math.tau / period) ** 2, 1e-6, 1.0, xtol=1e-15
+    )
+    for own in (False, True):
+        response = {"operators": rows, "phases": "lead"} | ({"wave": surface} if own else {})
+        position = {"surge": f"{x!r} m", "sway": f"{y!r} m"}
+        scene = SimpleNamespace(
+            platform=Platform.model_validate({"position": position, "response": response}),
+            top=SimpleNamespace(offset=offset),
+            wave=None if own else RegularWave.model_validate(wave),
+            water=SimpleNamespace(surface=0.0, seabed=-533.0),
+            gravity=9.81,
+        )
+        along = 0.0 if own else (x + offset) * math.cos(heading) + y * math.sin(heading)
+        expected = 2.0 * np.cos(k * along - math.tau * times / period + phase)
+        np.testing.assert_allclose(displacement(scene, times)[:, 2], expected, atol=1e-8)

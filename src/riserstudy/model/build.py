@@ -77,8 +77,7 @@ def build(
 
 def effects_of(of: Layout, report: Report) -> Iterator[Effect]:
     """All effects of a scene, in the order in which they act."""
-    if of.scene.platform:
-        yield from motions(of.scene.platform, of.scene.wave)
+    yield from motions(of.scene)
     yield from supports(of)
     yield from first_order(of, report)
     yield from current(of)

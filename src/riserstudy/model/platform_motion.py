@@ -14,15 +14,20 @@ from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Serie
 from riserstudy.effects.registry import ROLES
 from riserstudy.model.model import Effect
 from riserstudy.model.rao import harmonics
+from riserstudy.model.sea import components_of, wave_number
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries
 from riserstudy.scene.rao import Response
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import Storm, Swell
 
 MOTIONS = (*TRANSLATIONS, *TILTS)
 
 
-def motions(platform: Platform, wave: Swell | Storm | None) -> Iterator[Effect]:
-    """What displaces and moves the platform, in the scene's wave if it has one."""
+def motions(scene: Resolved) -> Iterator[Effect]:
+    """What displaces and moves the platform of a scene, in the scene's wave if it has one."""
+    platform = scene.platform
+    if platform is None:
+        return
     if platform.position:
         away = np.array([getattr(platform.position, name) or 0.0 for name in MOTIONS])
         yield Effect("platform position", Position(away), "platform.position")
@@ -47,7 +52,7 @@ def motions(platform: Platform, wave: Swell | Storm | None) -> Iterator[Effect]:
         names = ", ".join(dict.fromkeys(f"platform.{name}" for name, _ in rows))
         yield Effect("platform motion", harmonic, names)
     if platform.response:
-        yield _response(platform.response, platform.response.wave or wave)
+        yield _response(scene, platform.response)
     if platform.cruise:
         cruise = platform.cruise
         heading = cruise.heading or 0.0
@@ -57,21 +62,34 @@ def motions(platform: Platform, wave: Swell | Storm | None) -> Iterator[Effect]:
                 yield Effect("platform motion", record, "platform.cruise")
 
 
-def _response(response: Response, wave: Swell | Storm | None) -> Effect:
+def _response(scene: Resolved, response: Response) -> Effect:
+    wave = response.wave or scene.wave
     if wave is None:
         raise TypeError("a response without wave")  # refused by the scene
-    parts = harmonics(response, wave)
+    parts = harmonics(response, wave, 0.0 if response.wave else _behind(scene, wave))
     ramp = np.full(len(parts.motion), response.ramp or 0.0)
     index = np.array([MOTIONS.index(name) for name in parts.motion])
     record = Harmonic(index, parts.amplitude, parts.frequency, parts.phase, ramp)
     return Effect("platform motion", record, "platform.response")
 
 
-def displacement(
-    platform: Platform, wave: Swell | Storm | None, times: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def _behind(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64] | float:
+    """Phase by which the scene's wave is later at the platform's position than at the origin (rad)."""
+    position, heading = scene.platform and scene.platform.position, getattr(wave, "heading", None)
+    x = (scene.top.offset or 0.0) + ((position and position.surge) or 0.0)
+    y = (position and position.sway) or 0.0
+    along = x * math.cos(heading or 0.0) + y * math.sin(heading or 0.0)
+    water = scene.water
+    if along == 0.0 or scene.gravity is None or water is None:
+        return 0.0
+    depth = (water.surface or 0.0) - (water.seabed or 0.0)
+    _, frequency, _ = components_of(wave)
+    return along * np.array([wave_number(w, depth, scene.gravity) for w in frequency])
+
+
+def displacement(scene: Resolved, times: NDArray[np.float64]) -> NDArray[np.float64]:
     """Surge, sway, heave (m), roll, pitch and yaw (rad) at times (s), shape (times, 6)."""
-    effects = list(motions(platform, wave))
+    effects = list(motions(scene))
     rows = []
     for time in times:
         state = SimpleNamespace(clock=np.array([time]), platform=np.zeros((3, 6)))

@@ -110,7 +110,7 @@ def _displaced(scene: Resolved, time: Array) -> Array | None:
     # Brings the kernels with it, which a report without a platform does not need.
     from riserstudy.model.platform_motion import displacement
 
-    return displacement(scene.platform, scene.wave, time)
+    return displacement(scene, time)
 
 
 def _some(count: int, most: int) -> NDArray[np.int64]:
