@@ -36,6 +36,7 @@ RULES = (
     pipe.gravity,
     pipe.mass,
     ends.held,
+    ends.followed,
     pipe.bending,
     vessel.moored,
     vessel.coupled,

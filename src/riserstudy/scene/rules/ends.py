@@ -36,3 +36,25 @@ def held(scene: Parts) -> Iterator[Misfit]:
     if rig and rig.mid_stroke == "riser in equilibrium" and bottom.hold == "free":
         found, remedy = "needs a lower end that is held", "write 'riser unstretched'"
         yield Misfit("top.tensioners.mid_stroke", found, remedy, ("bottom.hold",))
+
+
+def followed(scene: Parts) -> Iterator[Misfit]:
+    """What translates the platform moves the upper end or the tensioners: elsewhere it would do nothing."""
+    platform, top = scene.platform, scene.top
+    if platform is None:
+        return
+    rig = top.tensioners
+    across = top.x in ("platform", "vessel") or bool(rig and rig.arrangement)
+    up = top.z == "platform" or rig is not None
+    given = platform.response.motions if platform.response and platform.response.motions else []
+    for name, follows, end in (
+        ("surge", across, "x"), ("sway", across, "x"), ("cruise", across, "x"), ("heave", up, "z"),
+    ):  # fmt: skip
+        paths = {
+            f"platform.{name}": getattr(platform, name),
+            f"platform.position.{name}": getattr(platform.position, name, None),
+            "platform.response.motions": name in given,
+        }
+        for path in (path for path, value in paths.items() if value and not follows):
+            found = f"{name} of the platform moves nothing: neither the upper end nor a tensioner follows it"
+            yield Misfit(path, found, f"write 'top.{end}: platform'", (f"top.{end}",))

@@ -1,0 +1,84 @@
+"""A platform that is moved moves the riser, or the scene is refused."""
+
+import numpy as np
+import pytest
+from random_rigs import rig, written
+
+from riserstudy import simulate
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+
+OUTPUTS = ("x", "y", "z", "effective_tension", "ufj_angle")
+REFUSED = "moves nothing"
+
+
+def at_rest(tree):
+    """Outputs of a scene at rest."""
+    dataset = simulate(SceneFile("rig", written(tree), {}))
+    names = (f"{name}{end}" for name in OUTPUTS for end in ("_static", ""))
+    return {name: dataset[name].values for name in names if name in dataset}
+
+
+def drawn(seed):
+    """A random rig whose upper end is held or follows, on cylinders as drawn, upright ones, or none."""
+    draw = np.random.default_rng((seed, 7))
+    tree = rig(seed, conductor=False)
+    tree["analysis"] = {"mesh": {"elements": 60}}
+    top = tree["top"]
+    top["x"] = str(draw.choice(["held", "platform"]))
+    top["z"] = str(draw.choice(["held", "platform"]))
+    kind = str(draw.choice(["inclined", "upright", "constant"]))
+    if kind != "inclined":
+        top["tensioners"].pop("arrangement")
+    if kind == "constant":
+        top.pop("tensioners")
+        weight = sum(part["length"] * (part["submerged_weight"] + 4e3) for part in tree["riser"])
+        top["telescopic_joint"]["tension"] = 1.6 * weight
+    return tree
+
+
+@pytest.mark.parametrize("motion, shift", [("surge", 0.01), ("heave", 0.5)])
+def test_a_platform_that_is_moved_moves_the_riser_or_is_refused(motion, shift):
+    """Surge by a hundredth of the depth, heave by half a metre; rigs of all kinds, in plane and space."""
+    refused = moved = 0
+    for seed in range(16):
+        tree = drawn(seed)
+        tree["platform"]["position"] = {}
+        before = at_rest(tree)
+        depth = -tree["water"]["seabed"]
+        by = shift * (depth if motion == "surge" else 1.0)
+        tree["platform"]["position"] = {motion: f"{by!r} m"}
+        try:
+            after = at_rest(tree)
+        except InputError as error:
+            refused += 1
+            assert REFUSED in str(error)  # noqa: PT017
+            continue
+        apart = max(
+            float(np.abs(after[name] - values).max() / np.abs(values).max())
+            for name, values in before.items()
+            if np.abs(values).max() > 0.0
+        )
+        assert apart > 1e-6, f"seed {seed}"
+        moved += 1
+    assert refused >= 2
+    assert moved >= 5
+
+
+@pytest.mark.parametrize(
+    "platform, end",
+    [
+        ({"surge": {"amplitude": "2 m", "period": "10 s"}}, "top.x"),
+        ({"cruise": {"speed": "1 m/s"}}, "top.x"),
+        ({"heave": {"amplitude": "2 m", "period": "10 s"}}, "top.z"),
+        ({"position": {"sway": "3 m"}}, "top.x"),
+    ],
+)
+def test_a_motion_that_nothing_follows_is_refused_with_the_line_to_change(platform, end):
+    tree = written(drawn(0) | {"platform": {}})
+    tree["top"] |= {"x": "held", "z": "held"}
+    tree["top"].pop("tensioners", None)
+    tree["top"]["telescopic_joint"]["tension"] = "9 MN"
+    tree |= {"platform": platform, "analysis": {"duration": "10 s", "output": {"interval": "1 s"}}}
+    with pytest.raises(InputError, match=f"{REFUSED}.*'{end}: platform'"):
+        SceneFile("rig", tree, {}).resolved()
