@@ -119,7 +119,8 @@ def test_a_line_that_nobody_writes_cannot_go_missing(tmp_path, path):
     "change, said",
     [
         (
-            {"bottom": {"hold": "free"}, "top": {"x": "held", "z": "held", "elevation": "0 m"}},
+            {"bottom": {"hold": "free"}, "platform": None}
+            | {"top": {"x": "held", "z": "held", "elevation": "0 m"}},
             "bottom.hold",
         ),
         (

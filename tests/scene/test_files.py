@@ -61,14 +61,14 @@ def test_an_override_reaches_into_lists_makes_sections_and_takes_them_away():
         SURGE,
         **{
             "riser[0].mass": "2 t/m",
-            "platform.heave.amplitude": "1 m",
-            "platform.heave.period": "9 s",
+            "platform.cruise.speed": "1 m/s",
+            "platform.cruise.ramp": "9 s",
             "platform.surge": None,
         },
     )
     scene = file.resolved()
     assert scene.riser[0].mass == 2000.0
-    assert scene.platform.heave.period == 9.0
+    assert scene.platform.cruise.ramp == 9.0
     assert scene.platform.surge is None
 
 

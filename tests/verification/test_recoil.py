@@ -280,7 +280,7 @@ top:
   tensioners:
     count: 5
     linear: {tension: 160 kN, stiffness: 10 kN/m}
-    mid_stroke: riser in equilibrium
+    mid_stroke: riser unstretched
     failing: {at: 1 s, cylinders: [3]}
 platform: {heave: {amplitude: 1e-9 m, period: 10 s}}
 analysis: {duration: 2 s, output: {interval: 0.05 s}, mesh: {elements: 4}, step: 5 ms}
