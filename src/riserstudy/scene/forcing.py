@@ -160,9 +160,9 @@ class Platform(Strict):
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
     and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) are those of the
-    initial heading of the vessel. Phases are those of the wave above the well, however far the vessel drifts.
-    Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the initial place of the
-    vessel.
+    initial heading of the vessel. Phases are those of the wave at the initial place of the vessel, however
+    far it drifts. Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the
+    initial place of the vessel.
     """
 
     position: Position | None = None

@@ -104,7 +104,8 @@ def tensioners(view: View, geometry: Geometry) -> None:
         places = [0.0] if rig.count == 1 else [-ASIDE * view.symbol, ASIDE * view.symbol]
         feet = [(a, a) for a in places]
         high = deck(view, geometry) + (HULL[1] * view.symbol if geometry.standing else 0.0)
-        view.line([x + feet[0][0], x + feet[-1][0]], [z, z], linewidth=2.4, zorder=4)
+        reach = max(feet[-1][0], BARREL * view.symbol)  # of the ring: one cylinder has it, too
+        view.line([x - reach, x + reach], [z, z], linewidth=2.4, zorder=4)
     for (low_x, high_x), works in zip(feet, rig.working, strict=False):
         middle = (x + 0.5 * (low_x + high_x), 0.5 * (z + high))
         colour = PART if works else "0.75"

@@ -225,7 +225,7 @@ def tides(tides: xr.Dataset) -> Figure:
     near = values[abs(time.values / printed - 1.0) < NEAR]
     headline(
         figure,
-        f"Tides of {near[0]:g} and {near[-1]:g} m/s give nearly the printed time"
+        f"Tides of {near[0]:g} and {near[-1]:g} m/s give nearly the printed time to steady state"
         if len(near) == 2
         else "The tide determines the time to steady state",
     )

@@ -207,7 +207,7 @@ def _when_it_drives(force: xr.DataArray) -> str:
     against = max(float(force.sel(case=f"{kind}_180").max()) for kind in SETS)
     ever = "never" if against < 0.0 else "at times"
     time = f" for {_range(until)} s" if np.isfinite(until).all() else ""
-    return f"Along, the riser drives the platform{time}; against, {ever}"
+    return f"Along, the riser acts in drive-off direction{time}; against, {ever}"
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:

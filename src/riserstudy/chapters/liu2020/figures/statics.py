@@ -55,7 +55,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
         ax.set_xlabel("current speed (m/s)")
         panel_title(ax, title)
     axes[0].margins(x=0.08, y=0.12)
-    axes[0].set_ylabel(DEPTH)
+    axes[0].set_ylabel("depth below the water surface (m)")
     axes[0].invert_yaxis()
     two = [share.sel(current_profile=f"calibrated: {name}") for name in OF_CALIBRATION]
     shallow, deep = sorted(float(of["depth"][of >= 0.5].max()) for of in two)

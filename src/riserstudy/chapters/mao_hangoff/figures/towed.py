@@ -268,7 +268,8 @@ def _moment_of_base(
         f"at the joint:\n{at_joint:.1f} kN m".replace("-", "−"), (at_joint, 0.0), xytext=(2.0, -8.0),
         fontsize="small", textcoords="offset points", va="top", color=OF_MESH[FINE_MESH],
     )  # fmt: skip
-    inset = enlarge(ax, (0.46, 0.2, 0.5, 0.48), (0.45 * most, 1.1 * most), UPPER, 1.5)
+    inset = enlarge(ax, (0.42, 0.2, 0.46, 0.48), (0.45 * most, 1.1 * most), UPPER, 1.5)
+    inset.yaxis.tick_right()  # at the left, the curve would cross its labels
     cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
     band = inset.fill_betweenx(depth, cycle.min("time"), cycle.max("time"), color="0.8", lw=0.0)
     for values, of, place in (
