@@ -45,7 +45,8 @@ def followed(scene: Parts) -> Iterator[Misfit]:
         return
     rig = top.tensioners
     across = top.x in ("platform", "vessel") or bool(rig and rig.arrangement)
-    up = top.z == "platform" or rig is not None
+    # the stroke of a free end is measured from the platform
+    up = top.z != "held" or rig is not None
     given = platform.response.motions if platform.response and platform.response.motions else []
     for name, follows, end in (
         ("surge", across, "x"), ("sway", across, "x"), ("cruise", across, "x"), ("heave", up, "z"),
