@@ -5,11 +5,13 @@ Snakemake looks for jobs when one has ended: a limit of jobs a second would wake
 
 import os
 import re
+from pathlib import Path
 
 import pytest
 import short_study
 from planning import dry_run
 
+RULES = Path(__file__).parents[2] / "workflow/rules"
 HANDLER = """
 
 onstart:
@@ -42,3 +44,11 @@ def test_a_large_study_leaves_half_of_the_cores_to_another(tmp_path, cores):
     assert "simulate example/tension" in said
     claimed = max((int(n) for n in re.findall(r" --threads (\d+)", said)), default=1)
     assert claimed == max(1, cores // 2)
+
+
+def test_kernels_that_are_compiled_anew_make_no_job_run_again():
+    """Their marks, which another run may write, have times in them: no rule looks at their age."""
+    text = "".join(file.read_text() for file in RULES.glob("*.smk"))
+    uses = re.findall(r"(\w+)\(PLAN\.kernels(?:_of_seas)?\)", text)
+    assert len(uses) >= 5
+    assert set(uses) == {"of_any_age"}

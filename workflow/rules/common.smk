@@ -40,8 +40,9 @@ def code(question):
     ]
 
 
-def records(question):
-    """Records that a rule reads. Their content is in its digest, so their age does not count."""
+def of_any_age(question):
+    """Files whose age does not count: records, whose content is in a digest, and marks of compiled kernels,
+    which another run may write anew."""
     asked = of(question)
     return lambda wildcards: [ancient(file) for file in asked(wildcards)]
 

@@ -30,7 +30,7 @@ rule compiled:
 
 rule tune:
     input:
-        of(PLAN.kernels),
+        of_any_age(PLAN.kernels),
     output:
         "results/{paper}/{study}.settings.json",
     log:
@@ -50,7 +50,7 @@ rule tune:
 
 rule shard:
     input:
-        of(PLAN.kernels),
+        of_any_age(PLAN.kernels),
         of(PLAN.settings_files),
     output:
         "results/{paper}/{study}.shards/{shard}-of-{shards}",
@@ -77,7 +77,7 @@ rule shard:
 rule simulate:
     input:
         of(PLAN.shard_files),
-        of(PLAN.kernels),
+        of_any_age(PLAN.kernels),
         of(PLAN.settings_files),
     output:
         "results/{paper}/{study}.nc",
@@ -101,8 +101,8 @@ rule simulate:
 
 rule sea_states:
     input:
-        of(PLAN.kernels_of_seas),
-        record=records(PLAN.records_of_seas),
+        of_any_age(PLAN.kernels_of_seas),
+        record=of_any_age(PLAN.records_of_seas),
     output:
         "results/{paper}/{study}.seas/{part}-of-{parts}",
     log:
@@ -126,8 +126,8 @@ rule sea_states:
 rule hours:
     input:
         of(PLAN.parts_of_seas),
-        of(PLAN.kernels_of_seas),
-        record=records(PLAN.records_of_seas),
+        of_any_age(PLAN.kernels_of_seas),
+        record=of_any_age(PLAN.records_of_seas),
     output:
         "results/{paper}/{study}.nc",
     log:
