@@ -113,8 +113,8 @@ def columns_above(scene: Resolved) -> Columns:
     above = mud_above_the_riser(scene)
     return Columns(
         elevation,
-        _from_above(net + lift + water)
-        + weight_of_ring(scene),  # a told weight has the bore displace water
+        # a given weight has the bore displace water
+        _from_above(net + lift + water) + weight_of_ring(scene),
         _from_above(lift),
         _from_above(mud) + above,
         _from_above(water),

@@ -162,12 +162,12 @@ class Progress:
             return {}
         if point is None or not self.points:
             return {rule: step}
-        joined = self.first["a_point"]["join"]
+        joined, paces = self.first["a_point"]["join"], self._paces()
         times: dict[str, float] = {}
         for study, n in self.points.items():
             shards, message = self.shards[study], f"simulate {study}"
             if rule == "shard" and shards > 1:
-                seconds = step + self._paces().get(study, point) * n / shards
+                seconds = step + paces.get(study, point) * n / shards
                 times |= {f"{message}, part {k} of {shards}": seconds for k in range(shards)}
             elif rule == "simulate":
                 times[message] = step + (point if shards == 1 else joined) * n

@@ -22,7 +22,7 @@ from riserstudy.model.current_jump import spread
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
-from riserstudy.model.sea import components_of, current_table, current_velocity, wave_number
+from riserstudy.model.sea import components_of, current_table, current_velocity, wave_numbers
 from riserstudy.model.vortices import vortex_forces
 from riserstudy.scene.forcing import Water
 from riserstudy.scene.resolve import Resolved
@@ -179,7 +179,7 @@ def wave_of(
         raise TypeError("waves on water without levels")  # refused by the scene
     depth = water.surface - water.seabed
     amplitude, frequency, phase = components_of(sea)
-    number = np.array([wave_number(w, depth, gravity) for w in frequency])
+    number = wave_numbers(frequency, water, gravity)
     return Wave(
         amplitude, frequency, number, phase, heading,
         water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level], np.zeros((3, len(amplitude))),

@@ -14,7 +14,7 @@ from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Serie
 from riserstudy.effects.registry import ROLES
 from riserstudy.model.model import Effect
 from riserstudy.model.rao import harmonics
-from riserstudy.model.sea import components_of, wave_number
+from riserstudy.model.sea import components_of, wave_numbers
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Platform, TimeSeries
 from riserstudy.scene.rao import Response
 from riserstudy.scene.resolve import Resolved
@@ -66,14 +66,14 @@ def _response(scene: Resolved, response: Response) -> Effect:
     wave = response.wave or scene.wave
     if wave is None:
         raise TypeError("a response without wave")  # refused by the scene
-    parts = harmonics(response, wave, 0.0 if response.wave else _behind(scene, wave))
+    parts = harmonics(response, wave, 0.0 if response.wave else _phase_lag(scene, wave))
     ramp = np.full(len(parts.motion), response.ramp or 0.0)
     index = np.array([MOTIONS.index(name) for name in parts.motion])
     record = Harmonic(index, parts.amplitude, parts.frequency, parts.phase, ramp)
     return Effect("platform motion", record, "platform.response")
 
 
-def _behind(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64] | float:
+def _phase_lag(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64] | float:
     """Phase by which the scene's wave is later at the platform's position than at the origin (rad)."""
     position, heading = scene.platform and scene.platform.position, getattr(wave, "heading", None)
     x = (scene.top.offset or 0.0) + ((position and position.surge) or 0.0)
@@ -82,9 +82,8 @@ def _behind(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64] | float
     water = scene.water
     if along == 0.0 or scene.gravity is None or water is None:
         return 0.0
-    depth = (water.surface or 0.0) - (water.seabed or 0.0)
     _, frequency, _ = components_of(wave)
-    return along * np.array([wave_number(w, depth, scene.gravity) for w in frequency])
+    return along * wave_numbers(frequency, water, scene.gravity)
 
 
 def displacement(scene: Resolved, times: NDArray[np.float64]) -> NDArray[np.float64]:

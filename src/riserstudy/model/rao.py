@@ -164,14 +164,12 @@ def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray)
     )
 
 
-def harmonics(
-    response: Response, wave: Swell | Storm, behind: FloatArray | float = 0.0
-) -> Harmonics:
+def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float = 0.0) -> Harmonics:
     """Harmonic motions that a wave or sea gives the platform.
 
     Parameters
     ----------
-    behind : (components,) phase by which each is later at the platform than at the origin (rad).
+    lag : (components,) phase by which each is later at the platform than at the origin (rad).
 
     Raises
     ------
@@ -194,5 +192,5 @@ def harmonics(
         [name for name in operators for _ in frequency],
         np.concatenate([amplitude * np.abs(r) for r in operators.values()]),
         np.tile(frequency, len(operators)),
-        np.concatenate([np.angle(r) - phase - behind + 0.5 * math.pi for r in operators.values()]),
+        np.concatenate([np.angle(r) - phase - lag + 0.5 * math.pi for r in operators.values()]),
     )

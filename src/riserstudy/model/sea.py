@@ -150,6 +150,12 @@ def wave_number(frequency: float, depth: float, gravity: float) -> float:
     return float(brentq(lambda kd: kd * math.tanh(kd) - shape, 0.0, high, xtol=1e-14)) / depth
 
 
+def wave_numbers(frequency: FloatArray, water: Water, gravity: float) -> FloatArray:
+    """Wave numbers (rad/m) of components of a wave or sea, (components,), by their frequencies (rad/s)."""
+    depth = (water.surface or 0.0) - (water.seabed or 0.0)
+    return np.array([wave_number(w, depth, gravity) for w in frequency])
+
+
 def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: float) -> float:
     """Depth 1/k over which the shortest waves that matter fade (m)."""
     frequency = 2.0 * math.pi / sea.shortest_period

@@ -293,7 +293,7 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
 def _possible(values: pd.Series, one: Head) -> pd.Series:
     """Whether numbers that others write for none can be values: bearings, or of a unit other than SI's."""
     if one.quantity is None or (one.quantity.unit != "deg" and one.factor == 1.0):
-        return values.isna() & values.notna()
+        return values.map(lambda _: False).astype(bool)
     return (values * one.factor).between(one.quantity.least, one.quantity.most)
 
 
