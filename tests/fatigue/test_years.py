@@ -195,6 +195,7 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
         ("hs (m),tp (s),share (%)\n1,30,5\n", "outside of 5 to 17"),
         ("hs (m),tp (s),share (%)\n", "no rows"),
         ("hs (m),wave_period (s),share (%)\n3,9.5,10\n", "ambiguous"),
+        ("wave_height (m),tp (s),share (%)\n3,9.5,10\n", "ambiguous"),
         ("hs (m),hm0 (m),tp (s),share (%)\n3,4,9.5,10\n", "a second column of significant_height"),
     ],
 )

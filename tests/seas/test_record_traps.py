@@ -157,3 +157,15 @@ def test_parts_of_a_speed_have_units_of_their_own(tmp_path, seed):
     record = read_record(tmp_path / "sea.nc")
     np.testing.assert_allclose(record["wind_speed"], np.hypot(east, north))
     assert f"left out: a second variable of {HEIGHTS}" in record.attrs["conversions"]
+
+
+@pytest.mark.parametrize("name, noted", [("hs", False), ("wave_height", True)])
+def test_a_height_that_does_not_state_its_kind_is_noted(tmp_path, name, noted):
+    of_table = read_record(written(tmp_path, {f"{name} (m)": [1, 2, 3]}))
+    time = pd.date_range("2004", periods=3, freq="h")
+    made = xr.Dataset({name: ("time", [1.0, 2.0, 3.0], {"units": "m"})}, {"time": time})
+    made.to_netcdf(tmp_path / "sea.nc")
+    for record in (of_table, read_record(tmp_path / "sea.nc")):
+        said = "taken as the significant height" in record.attrs["conversions"]
+        assert said == noted
+        np.testing.assert_array_equal(record[HEIGHTS], [1.0, 2.0, 3.0])

@@ -36,6 +36,12 @@ ALSO = (
 OF_SEAS = ("hs", "h_s", "hm0", "swh", "significant_height", "significant_wave_height",
            "tp", "t_p", "peak_period")  # fmt: skip
 
+#: names that say neither which height or period of a sea it is, nor whether it is a regular wave's
+UNSURE = {
+    "wave_height": "significant_height, if it is that: largest waves of a sea are twice as high",
+    "wave_period": "peak_period, if it is that",
+}
+
 
 class Occurrence(NamedTuple):
     """Sea states and how often each occurs: values by axis, (n,) each, and shares of all time, (n,)."""
@@ -108,10 +114,8 @@ def _heads(
             allowed = f"allowed are {', '.join([*axes, *WEIGHTS])}"
             raise InputError(path, text.strip(), "no axis of the study", allowed)
         else:
-            if name == "wave_period" != axis:
-                raise InputError(
-                    path, text.strip(), "is ambiguous", "say peak_period, if it is that"
-                )
+            if name in UNSURE and name != axis:
+                raise InputError(path, text.strip(), "is ambiguous", f"say {UNSURE[name]}")
             if axis in (known for known, _ in factors.values()):
                 raise InputError(path, text.strip(), f"a second column of {axis}", "give one")
             irregular += [axis] if name in OF_SEAS else []

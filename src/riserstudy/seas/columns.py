@@ -80,6 +80,8 @@ UNSURE = {
     "wave_direction": "wave_from_direction or wave_to_direction",
     "dir": "wave_from_direction or wave_to_direction",
 }
+#: noted of records, which seldom hold other heights
+UNSURE_HEIGHT = "wave_height is taken as the significant height, not as that of the largest wave"
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*[(\[](?P<unit>[^)\]]*)[)\]]\s*")
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.seas.columns import COLUMNS, NAMES, Column, head, plain
+from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, head, plain
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -117,6 +117,8 @@ def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column,
             else:
                 factor = head(str(path), f"{one.name} ({unit})").factor
                 numbers, note = numbers * factor, f"{one.name} from {unit}" if factor != 1.0 else ""
+                if not by_standard and plain(name) == "wave_height":
+                    note = "; ".join(filter(None, (note, UNSURE_HEIGHT)))
             yield one, numbers, note
     for name, every in PARTS.items():
         for east, north in every:

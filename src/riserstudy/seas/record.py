@@ -18,7 +18,7 @@ from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import to_si
-from riserstudy.seas.columns import COLUMNS, Head, head, labels_of
+from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, head, labels_of
 from riserstudy.seas.netcdf_record import Place, read_netcdf
 
 if TYPE_CHECKING:
@@ -208,6 +208,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         f"wave_from_direction turned by 180 deg from {one.heading}" for one in heads if one.turned
     ]
     notes += [note for k, one in enumerate(heads) if (note := _fills(cells.iloc[:, k], one))]
+    notes += [UNSURE_HEIGHT for one in heads if one.quantity and one.heading == "wave_height"]
     notes += [f"left out: {', '.join(left)}"] if left else []
     return pd.DataFrame(columns).set_index("time"), "; ".join(notes)
 
