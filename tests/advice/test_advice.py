@@ -4,8 +4,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from fatigued_rigs import WELD, fatigued
+from random_rigs import moving, written
 
-from riserstudy.advice.ablation import Ablation, Changed, Peaks, ablate
+from riserstudy.advice.ablation import Ablation, Changed, Peaks, ablate, fixed
 from riserstudy.advice.changes import fitting
 from riserstudy.advice.effect_shares import priced
 from riserstudy.advice.recommendations import COULD_GO, MISSING, NEEDED, NO_GAIN, advice, row
@@ -53,6 +55,32 @@ def test_freedom_across_that_nothing_calls_for_changes_nothing(file):
     found = {one.change.label: one for one in base.changed}
     change = base.peaks.change_to(found["with motion out of the plane"].peaks)
     assert np.abs(change).max() < 1e-8
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_fatigue_of_a_scene_changes_nothing_of_what_is_compared(seed):
+    """Its cycles count from the end of all ramps on; a scene that is cut short may end before."""
+    welded = SceneFile("rig.yaml", written(fatigued(moving(seed), WELD)))
+    plain = welded.with_values({"fatigue": None}, "")
+    found = [ablate(file, 1, 2e3) for file in (plain, welded)]
+    without, of_welded = ({one.change.label: one.peaks for one in of.changed} for of in found)
+    assert found[0].peaks == found[1].peaks
+    assert without == of_welded
+    assert sum(peaks is not None for peaks in without.values()) > 5
+
+
+@pytest.mark.parametrize(
+    "scene, budget", [("design/recoil.yaml", 2e3), ("bench/vortices.yaml", 2e3)]
+)
+def test_what_comes_after_a_disconnect_or_ramps_is_not_cut_off(scene, budget):
+    file = read_scene(CONFIG / "scenes" / scene)
+    assert fixed(file, budget)[0].resolved().analysis.duration == file.resolved().analysis.duration
+
+
+def test_advice_on_a_scene_with_fatigue_tells_that_damage_is_not_compared():
+    file = SceneFile("rig.yaml", written(fatigued(moving(3), WELD)))
+    for scene, told in ((file, 1), (file.with_values({"fatigue": None}, ""), 0)):
+        assert sum("damage" in line for line in advice(scene).sentences) == told
 
 
 def test_shares_of_time_are_shares_and_absent_effects_have_none():

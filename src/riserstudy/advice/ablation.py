@@ -157,13 +157,8 @@ def ablate(
 
 
 def brief(scene: Resolved, step: float | None) -> Resolved:
-    """The first steps of a scene, which load its kernels; all of it where others are run later on.
-
-    All of a vibration of vortices, too, which is not run for less than its ramps.
-    """
-    if step is None or scene.analysis.output is None or scene.disconnect or scene.vessel:
-        return scene
-    if shedding(scene):
+    """The first steps of a scene, which load its kernels; all of it where others are run later on."""
+    if step is None or scene.analysis.output is None or is_whole(scene) or scene.vessel:
         return scene
     output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
     return scene.model_copy(
@@ -171,6 +166,11 @@ def brief(scene: Resolved, step: float | None) -> Resolved:
             "analysis": scene.analysis.model_copy(update={"duration": FEW * step, "output": output})
         }
     )
+
+
+def is_whole(scene: Resolved) -> bool:
+    """Whether a scene is not cut short: what it shows comes after a disconnect, or after ramps."""
+    return bool(scene.disconnect or shedding(scene))
 
 
 def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> None:
@@ -181,7 +181,7 @@ def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> No
 
 
 def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
-    """The scene with its mesh and step, short enough for a budget of node-steps.
+    """The scene with its mesh and step, short enough for a budget of node-steps, without fatigue.
 
     Without mesh and step of its own it gets plain ones, fine enough to see what an effect changes: that is
     the difference of two runs which share their errors.
@@ -190,13 +190,13 @@ def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
     a = scene.analysis
     segments = len(scene.riser) if massless(scene) else SEGMENTS
     mesh = even(scene, a.mesh.elements if a.mesh else segments)
-    values: dict[str, Any] = {"analysis.accuracy": None}
+    values: dict[str, Any] = {"analysis.accuracy": None, "fatigue": None}  # peaks are compared
     values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}
     if a.duration:
         step = a.step or period(scene) / STEPS_A_PERIOD
         values["analysis.step"] = f"{step!r} s"
         most = budget * step / len(mesh.s)
-        if a.duration > most:
+        if a.duration > most and not is_whole(scene):
             values["analysis.duration"] = f"{most!r} s"
             if a.output and a.output.start:
                 values["analysis.output.start"] = None

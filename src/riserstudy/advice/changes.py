@@ -33,7 +33,7 @@ def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
             continue
         values = dict(_expanded(change, file.tree, scene))
         if values:
-            yield change, file.with_values(values, change.label)
+            yield change, file.with_values(values, f"the change '{change.label}'")
 
 
 def suits(scene: Resolved, need: Need) -> bool:

@@ -13,6 +13,7 @@ from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 REPEATS = 5  # rounds of timed runs, of which the median counts
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
 COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
+DAMAGE = "Fatigue damage is not compared. An effect that leaves the peaks as they are may change the damage."
 MISSING, NOT_MISSED = "recommended", "not needed"
 
 
@@ -68,6 +69,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
             f"Recommended: {', '.join(missing) or 'none'}.",
             f"An effect is removable if the answer changes by at most {limit}.",
             probe,
+            *([DAMAGE] if file.resolved().fatigue else []),
         ],
     )
 
