@@ -5,6 +5,7 @@ Datasets hold both drive-off directions, ``heading`` along and against the envir
 
 from __future__ import annotations
 
+import json
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere, least
 from riserstudy.grading.word import Word
 from riserstudy.grading.yardstick import Condition, all_of, less, more, more_on_the_whole
+from riserstudy.scene.units import to_si
 
 TARGET = 100.0  # m, the false position
 TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, both printed; the latter read as the riser's, too
@@ -284,3 +286,34 @@ def lags(runs: xr.Dataset, begun: float) -> dict[str, Any]:
         "neither": dict.fromkeys(INERTIA, "without"),
     }
     return {name: float(lag.sel(case)) for name, case in cases.items()}
+
+
+def limit_over_phases(
+    runs: xr.Dataset, degrees: float, deadline: float, rounding: float
+) -> dict[str, Any]:
+    """When the upper flex joint reaches an angle, over phases of the wave; phases that no gain suits.
+
+    Parameters
+    ----------
+    degrees : angle of the joint.
+    deadline, rounding : time (s) that a gain is to give, and to how many seconds it is rounded. From one
+        gain to the next the time may jump past it.
+    """
+    times = first_crossing(abs(runs["ufj_angle"]), np.deg2rad(degrees)).sortby("gain")
+    base = times.sel(gain=gain_of(runs))
+    later, earlier = (
+        times.isel(gain=part).drop_vars("gain") for part in (slice(None, -1), slice(1, None))
+    )
+    passed = (later > deadline + 0.5 * rounding) & (earlier < deadline - 0.5 * rounding)
+    return {
+        "first": float(base.min()),
+        "last": float(base.max()),
+        "skipped": int(passed.any("gain").sum()),
+        "count": passed.sizes["wave_phase"],
+        "least": float((later - earlier).where(passed).min()),
+    }
+
+
+def gain_of(runs: xr.Dataset) -> float:
+    """Gain (kN/m) of the thrusters in the scene of some runs."""
+    return to_si(json.loads(runs.attrs["scene"])["vessel"]["thrusters"]["gain"], "kN/m")
