@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from engine import scene
+from random_rigs import rig, written
 from scipy.integrate import cumulative_trapezoid
 
 from riserstudy.errors import InputError
@@ -28,7 +29,7 @@ def string(points, **more):
         }],
         "bottom": {"hold": "wellhead", "elevation": "0 m"},
         "top": {"x": "held", "z": "free", "tension": "1e8 N"},
-        "current": {"profile": points}, "analysis": {}, **more,
+        "current": points if isinstance(points, dict) else {"profile": points}, "analysis": {}, **more,
     }  # fmt: skip
     return SceneFile("string.yaml", tree).resolved()
 
@@ -76,6 +77,37 @@ def test_the_error_of_a_jump_falls_by_the_square_of_the_segments(directions):
             errors[n] = max(errors[n], float(off))
     assert errors[80] < 1e-3
     assert math.log2(errors[10] / errors[80]) / 3.0 > 1.8, errors
+
+
+def test_the_error_of_a_current_that_ends_in_midwater_falls_by_the_square_of_the_segments():
+    errors = dict.fromkeys((10, 20, 40, 80), 0.0)
+    for seed in range(6):
+        level, speeds, angles, points = drawn(seed)
+        right = pulled_aside(level, [0.0, 0.0, *speeds[2:]], angles)
+        file = string({"profile": points[2:], "beyond": "zero"})
+        for n in errors:
+            found = single(file, even(file, n), None).arrays
+            s = found["s_node"]
+            off = np.abs(found["x_static"] - right(s)[0]).max() / np.abs(right(s)).max()
+            errors[n] = max(errors[n], float(off))
+    assert errors[80] < 2e-3
+    assert math.log2(errors[10] / errors[80]) / 3.0 > 1.8, errors
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_air_above_the_surface_takes_no_load_from_the_water_below(seed, spatial):
+    tree = written(rig(seed, spatial=spatial))
+    if spatial:
+        tree["current"]["heading"] = "40 deg"
+    found = []
+    for beyond in ("hold", "zero"):
+        tree["current"]["beyond"] = beyond
+        file = SceneFile("rig.yaml", tree).resolved()
+        found.append(single(file, even(file, 37), None).arrays)
+    for name in ("x_static", "bending_moment_static"):
+        scale = np.abs(found[0][name]).max()
+        assert found[1][name] == pytest.approx(found[0][name], abs=1e-6 * scale), name
 
 
 def test_a_jump_of_a_riser_that_bends_is_seen_by_the_error_estimate():

@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
+EDGE = 1e-6  # share of a segment over which a jump at an end of the riser, or beyond it, is spread
 SHARES = 0.5 - 0.5 * np.cos(
     np.linspace(0.0, np.pi, 33)
 )  # of the way over a jump, close at its ends
@@ -44,6 +45,33 @@ def spread(
     while len(jumps := np.flatnonzero(np.diff(z) == 0.0)):
         z, velocity = _one_spread(z, velocity, int(jumps[0]), width(float(z[jumps[0]])))
     return z, velocity
+
+
+def within(width: float, at: float, low: float, high: float) -> float:
+    """Length over which a jump at an elevation is spread, at most up to the riser's ends (m).
+
+    Beyond these there is no riser that the other part of its load could act on.
+    """
+    return max(min(width, 2.0 * (at - low), 2.0 * (high - at)), EDGE * width)
+
+
+def up_to_surface(
+    z: FloatArray, velocity: FloatArray, surface: float
+) -> tuple[FloatArray, FloatArray]:
+    """A table of the water below its surface at rest (m), whose velocity there holds above.
+
+    The loads of a segment that reaches through the surface are those of its wet share. A jump of the current
+    at the surface, spread over this segment, would reduce them once more. ``z``: (k,) elevations (m), rising;
+    ``velocity``: (parts, k) (m/s).
+    """
+    below = int(np.searchsorted(z, surface))
+    if below == len(z):
+        return z, velocity
+    if below == 0:
+        return z[:1], velocity[:, :1]
+    share = (surface - z[below - 1]) / (z[below] - z[below - 1])
+    there = (1.0 - share) * velocity[:, below - 1] + share * velocity[:, below]
+    return np.append(z[:below], surface), np.column_stack([velocity[:, :below], there])
 
 
 def _one_spread(

@@ -18,11 +18,17 @@ from riserstudy.effects.tangential_drag import TangentialDrag
 from riserstudy.effects.waterline import Waterline
 from riserstudy.effects.wave import CONSTANT, NONE, STRETCHED, Wave
 from riserstudy.effects.wave_force import WaveForce
-from riserstudy.model.current_jump import spread
+from riserstudy.model.current_jump import spread, up_to_surface
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
-from riserstudy.model.sea import components_of, current_table, current_velocity, wave_numbers
+from riserstudy.model.sea import (
+    components_of,
+    current_table,
+    current_velocity,
+    still_surface,
+    wave_numbers,
+)
 from riserstudy.model.vortices import vortex_forces
 from riserstudy.scene.forcing import Water
 from riserstudy.scene.resolve import Resolved
@@ -39,10 +45,15 @@ def current(of: Layout) -> Iterator[Effect]:
         return
     if not flow.turns:
         z, speed = current_table(flow, of.scene.water)
-        z, velocity = spread(z, speed[np.newaxis], of.segment_at)
+        velocity = speed[np.newaxis]
+    else:
+        z, velocity = current_velocity(flow, of.scene.water)
+    if (surface := still_surface(of.scene)) is not None:
+        z, velocity = up_to_surface(z, velocity, surface)
+    z, velocity = spread(z, velocity, of.width_at)
+    if not flow.turns:
         parts = [(flow.towards, velocity[0])]
     else:
-        z, velocity = spread(*current_velocity(flow, of.scene.water), of.segment_at)
         parts = list(zip((0.0, 0.5 * math.pi), velocity, strict=True))[: of.d - 1]
     for heading, speed in parts:
         near = np.zeros(of.last + 1, np.int64)

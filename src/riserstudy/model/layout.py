@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.model.current_jump import within
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vessel import loose_nodes
 from riserstudy.scene.ends import FlexJoint, Rotation
@@ -83,10 +84,11 @@ class Layout(NamedTuple):
         """Unit vector of a heading (rad) in the horizontal directions of the model, (d - 1,)."""
         return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
 
-    def segment_at(self, elevation: float) -> float:
-        """Length of the segment that is at an elevation with the riser upright, unstretched (m)."""
-        e = int(np.searchsorted(self.mesh.s[1:-1], elevation - self.bottom, side="right"))
-        return float(self.mesh.l0[e])
+    def width_at(self, elevation: float) -> float:
+        """Length over which a jump at an elevation is spread: of its segment, the riser upright (m)."""
+        s = self.mesh.s
+        e = int(np.searchsorted(s[1:-1], elevation - self.bottom, side="right"))
+        return within(float(self.mesh.l0[e]), elevation - self.bottom, 0.0, float(s[-1]))
 
     @property
     def cornered(self) -> list[int]:

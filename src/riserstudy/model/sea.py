@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.scene.forcing import Current, Shape, Water
+from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
 
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # of a named current profile
-EDGE = 1e-6  # share of a profile over which it ends in still water
 BELOW = 1e-9  # share of a profile by which the water at the surface is below a jump there
 
 SHALLOW = 1e-12  # kd tanh kd below which tanh kd is kd to twelve digits, and kd too small to be searched for
@@ -51,6 +51,11 @@ def surface_current(current: Current, water: Water | None) -> FloatArray:
     return np.array([np.interp(below, z, part) for part in velocity])
 
 
+def still_surface(scene: Resolved) -> float | None:
+    """Elevation of a surface without waves (m); None where there are waves, or the scene has no surface."""
+    return scene.water.surface if scene.water and not scene.wave else None
+
+
 def fastest_current(current: Current, water: Water | None) -> float:
     """Largest speed of a current at any elevation (m/s)."""
     _, velocity = current_velocity(current, water)
@@ -62,12 +67,12 @@ def _unit(heading: float | FloatArray) -> FloatArray:
 
 
 def _ended(current: Current, z: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The same, going to nothing where the water beyond is still."""
+    """The same, with jumps to nothing where the water beyond is still."""
     if current.beyond != "zero":
         return z, values
-    step = EDGE * (z[-1] - z[0])
-    still = [(0, 0)] * (values.ndim - 1) + [(1, 1)]
-    return np.concatenate([[z[0] - step], z, [z[-1] + step]]), np.pad(values, still)
+    low, high = (int(np.any(values[..., end] != 0.0)) for end in (0, -1))
+    still = [(0, 0)] * (values.ndim - 1) + [(low, high)]
+    return np.pad(z, (low, high), "edge"), np.pad(values, still)
 
 
 def _as_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:

@@ -17,11 +17,11 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model import rao
 from riserstudy.model.build import build
-from riserstudy.model.current_jump import spread
+from riserstudy.model.current_jump import spread, up_to_surface, within
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.model.sea import current_velocity
+from riserstudy.model.sea import current_velocity, still_surface
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
@@ -184,6 +184,13 @@ def _wet_share(scene: Resolved, mesh: Mesh) -> FloatArray:
     return np.clip(below / mesh.l0, 0.0, 1.0)
 
 
+def _width(elevation: FloatArray, at: float) -> float:
+    """Length over which a jump of the current is spread on nodes at elevations (m)."""
+    middle = 0.5 * (elevation[1:] + elevation[:-1])
+    width = float(np.interp(at, middle, np.diff(elevation)))
+    return within(width, at, float(elevation[0]), float(elevation[-1]))
+
+
 def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
     """The beam in its water, which it meets at the heights of its rest."""
     elevation = (scene.bottom.elevation or 0.0) + np.append(
@@ -191,12 +198,10 @@ def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) ->
     )
     beam = dry
     if scene.current:
-        level = 0.5 * (elevation[1:] + elevation[:-1])
-        lengths = np.diff(elevation)
-        z, (along, _) = spread(
-            *current_velocity(scene.current, scene.water),
-            lambda at: float(np.interp(at, level, lengths)),
-        )
+        z, velocity = current_velocity(scene.current, scene.water)
+        if (surface := still_surface(scene)) is not None:
+            z, velocity = up_to_surface(z, velocity, surface)
+        z, (along, _) = spread(z, velocity, lambda at: _width(elevation, at))
         beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, along))
     if scene.wave is None or scene.water is None:
         return beam
