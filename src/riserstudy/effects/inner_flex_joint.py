@@ -23,7 +23,7 @@ class InnerFlexJoint(NamedTuple):
 
     node: int
     flex: float  # 1/K (rad/(N m))
-    probe: int
+    probe: int  # of the angle; in space its rotation about x, y and z follows
 
 
 @inner
@@ -49,9 +49,12 @@ def energy(joint, s):
 
 @inner
 def probe(joint, s):
-    """Report the angle, in a plane towards +x, in space its size (rad)."""
+    """Report the angle, in a plane towards +x, in space its size and the rotation (rad)."""
     moment = s.moment[0, joint.node] if len(s.dim) == 2 else sqrt(_square(joint, s))
     s.probe[joint.probe] = joint.flex * moment
+    if len(s.dim) == 3:
+        for u in range(len(s.dof) - len(s.dim)):
+            s.probe[joint.probe + 1 + u] = joint.flex * s.moment[u, joint.node]
     return 0.0
 
 

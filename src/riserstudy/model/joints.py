@@ -16,6 +16,9 @@ from riserstudy.model.space_out import joint_of
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.riser import Section
 
+#: what an inner flex joint in space reports after its angle: its rotation about x, y and z
+TURNS = tuple(f"lfj_angle about {axis}" for axis in "xyz")
+
 
 def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
     """Flex joints below sections."""
@@ -24,7 +27,8 @@ def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
         if joint is None:
             continue
         flexibility = 1.0 / joint.stiffness
-        record = InnerFlexJoint(of.mesh.foot(k), flexibility, report("lfj_angle"))
+        names = ["lfj_angle", *(TURNS if of.d == 3 else ())]
+        record = InnerFlexJoint(of.mesh.foot(k), flexibility, report(*names))
         yield Effect("inner flex joint", record, f"{section.line}.flex_joint_below")
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,19 +23,32 @@ ROUNDING = 1e-9  # share of a value
 OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
 
 
+class Seen(NamedTuple):
+    """What is known of a run beside its arrays.
+
+    Attributes
+    ----------
+    peaks : of values over time, by all steps; where there is none those of the outputs are taken.
+    rotations : of flex joints in space, (time, 3) rad.
+    """
+
+    peaks: Mapping[str, Peak]
+    rotations: Mapping[str, FloatArray]
+
+
 def extremes(
-    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays, peaks: Mapping[str, Peak]
+    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays, of: Seen
 ) -> list[dict[str, Any]]:
     """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
 
     Values along the riser are those of envelopes at the nodes, which see every step. Their times are those of
     the outputs, and absent where no output is near the extreme. Means are from the time on at which all ramps
     are over, where the run goes on after it. A run at rest has no times, and its values are their own means.
+    The mean of an angle in space is the size of the mean rotation, as in a plane it has its sign.
 
     Parameters
     ----------
     histories : of outputs along the riser, (time, n + 1), beside those among the arrays.
-    peaks : of values over time, by all steps; where there is none those of the outputs are taken.
     """
     rows = []
     time = arrays.get("time", np.zeros(0))
@@ -46,7 +59,10 @@ def extremes(
                 rows.append(row)
     for name in OVER_TIME:
         if row := _over_time(name, arrays, later):
-            rows.append(row | _seen_by_steps(scene, mesh, name, arrays, peaks))
+            row |= _seen_by_steps(scene, mesh, name, arrays, of.peaks)
+            if name in of.rotations:
+                row["mean"] = float(np.linalg.norm(of.rotations[name][later].mean(axis=0)))
+            rows.append(row)
     return rows
 
 

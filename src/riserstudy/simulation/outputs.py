@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
 from riserstudy.model.bending import flexibility
+from riserstudy.model.joints import TURNS
 from riserstudy.model.layout import AXES, corners, layout_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
@@ -194,7 +195,8 @@ def over_time(scene: Resolved, model: Model, mesh: Mesh, record: Record, rest: A
         series["stroke"] = record.end[:, 1, -1] - rest.joint
         series["joint_stroke"] = record.end[:, 1, -1] - joint.length
     for name, k in model.probes.items():
-        series[name] = record.probe[:, k]
+        if name not in TURNS:
+            series[name] = record.probe[:, k]
     if scene.vessel:
         series |= _of_vessel(scene, len(model.s.dim) == 3, record, series)
     return series
@@ -203,12 +205,37 @@ def over_time(scene: Resolved, model: Model, mesh: Mesh, record: Record, rest: A
 def angles(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arrays:
     """Angles of flex joints (rad): of the tangents against the lower stack and the platform's vertical."""
     d = len(model.s.dim)
+    ends = _ends(scene, model, mesh, record)
+    arrays = {name: _lean(t, upright, d) for name, (t, upright) in ends.items()}
+    of_joints = {name: k for name, k in model.probes.items() if name in ANGLES}
+    return arrays | {name: record.probe[:, k] for name, k in of_joints.items()}
+
+
+def rotations(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arrays:
+    """Angles of flex joints in space with their directions: rotations about x, y and z, (time, 3) rad."""
     arrays: Arrays = {}
+    for name, (t, upright) in _ends(scene, model, mesh, record).items():
+        across = np.cross(np.broadcast_to(upright, t.shape), t)
+        sine = np.linalg.norm(across, axis=1, keepdims=True)
+        angle = np.arctan2(sine, (t * upright).sum(axis=1, keepdims=True))
+        arrays[name] = across * np.divide(angle, sine, out=np.ones_like(sine), where=sine > 0.0)
+    if TURNS[0] in model.probes:
+        first = model.probes[TURNS[0]]
+        arrays["lfj_angle"] = record.probe[:, first : first + len(TURNS)]
+    return arrays
+
+
+def _ends(
+    scene: Resolved, model: Model, mesh: Mesh, record: Record
+) -> dict[str, tuple[FloatArray, FloatArray]]:
+    """Directions of the riser at ends whose angle is an output, (time, 3), and what it is measured from."""
+    d = len(model.s.dim)
+    found: dict[str, tuple[FloatArray, FloatArray]] = {}
     if d == 1:
-        return arrays
+        return found
     upwards = np.array([0.0, 0.0, 1.0])
     if scene.bottom.hold == "wellhead":
-        arrays["lfj_angle"] = _lean(_end_direction(scene, model, mesh, record, 0), upwards, d)
+        found["lfj_angle"] = (_end_direction(scene, model, mesh, record, 0), upwards)
     on_vessel = scene.vessel and len(model.s.dof) > d
     on_platform = scene.platform and scene.top.x == "platform"
     if on_vessel or on_platform or scene.top.x == "held":
@@ -217,9 +244,8 @@ def angles(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arrays:
             from scipy.spatial.transform import Rotation
 
             upright = Rotation.from_euler("xyz", turned).apply(upwards)
-        arrays["ufj_angle"] = _lean(_end_direction(scene, model, mesh, record, -1), upright, d)
-    of_joints = {name: k for name, k in model.probes.items() if name in ANGLES}
-    return arrays | {name: record.probe[:, k] for name, k in of_joints.items()}
+        found["ufj_angle"] = (_end_direction(scene, model, mesh, record, -1), upright)
+    return found
 
 
 def _of_vessel(scene: Resolved, turns_aside: bool, record: Record, reported: Arrays) -> Arrays:

@@ -25,7 +25,7 @@ from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
-from riserstudy.simulation.extremes import extremes
+from riserstudy.simulation.extremes import Seen, extremes
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.rest import Rest
@@ -171,7 +171,8 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     if scene.analysis.solver != "hermite":
         forces, histories_of = derived(scene, mesh, arrays, arrays.pop("mesh_moment_static", None))
         arrays |= forces
-        facts["extremes"] = extremes(scene, mesh, arrays, histories_of, facts.pop("peaks", {}))
+        seen = Seen(facts.pop("peaks", {}), facts.pop("rotations", {}))
+        facts["extremes"] = extremes(scene, mesh, arrays, histories_of, seen)
         facts["extremes"] += rows_of_limits(scene, facts)
         if scene.limits and "time" in arrays:
             found = first_reached(scene, mesh, arrays, histories_of, every_step)
@@ -241,6 +242,8 @@ def in_motion(
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
     if judged:
         histories |= envelopes_of(record.value)
+        if len(model.s.dim) == 3:
+            facts["rotations"] = outputs.rotations(scene, model, mesh, record.value)
     seen_by_steps, more = _peaks(scene, model, mesh, record, rest, histories, facts, judged)
     enter_lift(scene, seen_by_steps or histories, facts)
     return histories | more

@@ -14,6 +14,8 @@ def inner_flex_joint(record, s):
         s.moment[0, record.node] if len(s.dim) == 2 else np.linalg.norm(s.moment[:, record.node])
     )
     out[record.probe] = record.flex * moment
+    if len(s.dim) == 3:
+        out[record.probe + 1 : record.probe + 4] = record.flex * s.moment[:, record.node]
     return {"probe": out}
 
 
