@@ -110,7 +110,7 @@ def compared(
 
 
 def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column: Column) -> Pair:
-    title, (name, place, unit, size) = column.title, column.heading
+    title, (name, place, unit, size, cylinder) = column.title, column.heading
     if name in OTHERWISE:
         raise InputError(path, title, "is defined differently in a run", OTHERWISE[name])
     wall = name.startswith(WALL)
@@ -120,9 +120,12 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
     if place is not None:
         ours, between = _at(path, title, ours, place)
         notes += [f"the run is interpolated {between}"] if between else []
+    if cylinder is not None:
+        ours = _of_cylinder(path, title, ours, cylinder)
     if ours.ndim != 1:
         found = f"{name} is over {', '.join(map(str, ours.dims))}"
-        raise InputError(path, title, found, f"give the place: `{name} at 300 m ({unit})`")
+        where = "cylinder 0" if "cylinder" in ours.dims else "300 m"
+        raise InputError(path, title, found, f"give the place: `{name} at {where} ({unit})`")
     stored = str(run[name].attrs.get("units", "1"))
     along, theirs = column.along, in_si(path, title, column.values, unit, stored)
     inside, known = _inside(along, run[dim].values.astype(float), notes, axis)
@@ -141,6 +144,7 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
         why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
         raise InputError(path, title, found, f"at least {FEWEST} are needed{why}")
     where = "" if place is None else f" at {place:g} m"
+    where = where if cylinder is None else f" at cylinder {cylinder}"
     return Pair(title, name + where, axis, stored, along[there], theirs[there], mine[there], notes)
 
 
@@ -228,6 +232,16 @@ def _at(path: Path, title: str, values: xr.DataArray, place: float) -> tuple[xr.
         return values.isel({dim: nearest}, drop=True), ""
     below, above = stations[stations < place][-1], stations[stations > place][0]
     return values.interp({dim: place}).drop_vars(dim), f"between {below:g} and {above:g} m"
+
+
+def _of_cylinder(path: Path, title: str, values: xr.DataArray, cylinder: int) -> xr.DataArray:
+    """Values of one of the tensioners' cylinders."""
+    if "cylinder" not in values.dims:
+        raise InputError(path, title, "is not of a cylinder", "leave `at cylinder ...` out")
+    if cylinder not in values["cylinder"]:
+        allowed = f"allowed is 0 to {values.sizes['cylinder'] - 1}"
+        raise InputError(path, title, f"there is no cylinder {cylinder}", allowed)
+    return values.sel(cylinder=cylinder, drop=True)
 
 
 def difference(pair: Pair) -> Difference:

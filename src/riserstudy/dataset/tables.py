@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,8 @@ from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:
     import xarray as xr
+
+_STATION = re.compile(r" at (\S+) m$")
 
 
 def extremes(dataset: xr.Dataset) -> Table:
@@ -55,12 +58,17 @@ def time_series(dataset: xr.Dataset) -> Table:
         across = [dim for dim in history.dims if dim != "time"]
         for k in range(history.sizes[across[0]] if across else 1):
             at = history.isel({across[0]: k}) if across else history
-            place = f" at {across[0]} = {float(dataset[across[0]][k]):g}" if across else ""
+            place = _place(str(across[0]), dataset[across[0]][k].item()) if across else ""
             columns.append(f"{name}{place}")
             units.append(unit)
             values.append(at.values)
     rows: list[list[Cell]] = [[float(v) for v in row] for row in zip(*values, strict=True)]
     return Table(columns, units, rows)
+
+
+def _place(dim: str, value: float) -> str:
+    """Where a history is, in a heading that `compare` reads: a station (m), or a cylinder."""
+    return f" at {value:.8g} m" if dim == "s" else f" at {dim} {value:g}"
 
 
 def limits(dataset: xr.Dataset) -> Table:
@@ -74,7 +82,15 @@ def limits(dataset: xr.Dataset) -> Table:
 
 
 def in_units(table: Table, system: UnitSystem) -> Table:
-    """A table with its values in the units of a system, which its heads and its column ``unit`` name."""
+    """A table with its values in the units of a system, which its heads and its column ``unit`` name.
+
+    Places in heads are in the unit of a length, too.
+    """
+    length = read_in("m", system)
+    columns = [
+        _STATION.sub(lambda at: f" at {length.factor * float(at[1]):.8g} {length.unit}", name)
+        for name in table.columns
+    ]
     whole = [read_in(unit, system) for unit in table.units]
     own = table.columns.index("unit") if "unit" in table.columns else None
 
@@ -94,7 +110,7 @@ def in_units(table: Table, system: UnitSystem) -> Table:
     units = [
         unit if unit == OF_ROW else one.unit for unit, one in zip(table.units, whole, strict=True)
     ]
-    return Table(table.columns, units, [converted(row) for row in table.rows])
+    return Table(columns, units, [converted(row) for row in table.rows])
 
 
 def in_columns(table: Table) -> list[str]:

@@ -19,8 +19,10 @@ from riserstudy.scene.units import factor
 
 FloatArray = NDArray[np.float64]
 _NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
+_LENGTHS = {"m": 1.0, "ft": 0.3048}
+_PLACE = rf"(?P<place>{_NUMBER}(?:e[+-]?\d+)?) (?P<length>{'|'.join(_LENGTHS)})|cylinder (?P<cylinder>\d+)"
 _HEADING = re.compile(
-    rf"(?P<name>\w+)(?: at (?P<place>{_NUMBER}) m)?\s*(?:\((?P<unit>[^()]+)\)|\[(?P<other>[^][]+)\])",
+    rf"(?P<name>\w+)(?: at (?:{_PLACE}))?\s*(?:\((?P<unit>[^()]+)\)|\[(?P<other>[^][]+)\])",
     re.ASCII,
 )
 SI = {stored: written for written, stored in AS_STORED.items()} | {"Pa": "N/m^2"}
@@ -33,12 +35,14 @@ class Heading(NamedTuple):
     Attributes
     ----------
     size : whether the column is the size of a quantity that a run has with its sign.
+    cylinder : which of the tensioners, from 0, or None.
     """
 
     name: str
     place: float | None
     unit: str
     size: bool = False
+    cylinder: int | None = None
 
 
 class Column(NamedTuple):
@@ -81,8 +85,10 @@ def heading_of(path: Path, text: str) -> Heading:
     found = _HEADING.fullmatch(text.strip())
     if not found:
         raise InputError(path, text, "is no heading with a unit", EXAMPLE)
-    place = None if found["place"] is None else float(found["place"])
-    return Heading(found["name"], place, (found["unit"] or found["other"]).strip())
+    place = None if found["place"] is None else float(found["place"]) * _LENGTHS[found["length"]]
+    cylinder = None if found["cylinder"] is None else int(found["cylinder"])
+    unit = (found["unit"] or found["other"]).strip()
+    return Heading(found["name"], place, unit, cylinder=cylinder)
 
 
 def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) -> FloatArray:
@@ -135,9 +141,10 @@ def only_once(path: Path, columns: list[Column]) -> list[Column]:
     InputError
         When two are the same variable at the same place.
     """
-    seen: dict[tuple[str, float | None], str] = {}
+    seen: dict[tuple[str, float | None, int | None], str] = {}
     for column in columns:
-        key = (column.heading.name, column.heading.place)
+        heading = column.heading
+        key = (heading.name, heading.place, heading.cylinder)
         if key in seen:
             found = f"is the same variable and place as {seen[key]!r}"
             raise InputError(path, column.title, found, "leave one of them out")
