@@ -233,6 +233,8 @@ def of_the_sea(
         held_back(sea, limits, Ahead(hold_back, ahead.persistence))
     found = hours(sea, limits)
     print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} further rows lack a value")
+    for line in found.notes:
+        print(line)
     mean = banded(found.mean_year(ahead.persistence))
     print(f"workable: {found.share:.2%} of all rows; {mean} in a mean year")
     show_hours(found, lengths, ahead)

@@ -127,6 +127,7 @@ def described(record: xr.Dataset) -> list[str]:
     import numpy as np
 
     from riserstudy.seas.record import gaps
+    from riserstudy.study.months import uneven_months
 
     time = record["time"].values
     holes = gaps(record)
@@ -144,6 +145,8 @@ def described(record: xr.Dataset) -> list[str]:
         lines.append(
             f"  {(gap.after - gap.before) / np.timedelta64(1, 'h'):.0f} h: {' to '.join(ends)}"
         )
+    if note := uneven_months(time):
+        lines.append(note)
     if record.attrs["conversions"]:
         lines.append(f"converted: {record.attrs['conversions']}")
     lines.append(f"{'':28}    mean    99 %  largest  missing")

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import to_si
+from riserstudy.study.months import uneven_months
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -151,12 +152,21 @@ def of_record(record: xr.Dataset, axes: list[str]) -> Occurrence:
     whole = np.isfinite(table).all(axis=1)
     found, counts = np.unique(table[whole], axis=0, return_counts=True)
     lacking = int((~whole).sum())
-    notes = (f"{lacking} rows of the record lack a value and do not count",) if lacking else ()
+    notes = [f"{lacking} rows of the record lack a value and do not count"] if lacking else []
+    notes += _of_year(record["time"].values[whole])
     values = {axis: found[:, k] for k, axis in enumerate(columns)}
     irregular = tuple(
         axis_of(str(n), axes) or "" for n in record.data_vars if str(n).lower() in OF_SEAS
     )
-    return Occurrence(values, counts / counts.sum(), notes, irregular)
+    return Occurrence(values, counts / counts.sum(), tuple(notes), irregular)
+
+
+def _of_year(time: NDArray[np.generic]) -> list[str]:
+    """What is noted of rows that are no whole number of years; times without a date are unknown."""
+    if not np.issubdtype(time.dtype, np.datetime64):
+        return []
+    note = uneven_months(time.astype("datetime64[s]"))
+    return [note] if note else []
 
 
 def axis_of(name: str, axes: list[str]) -> str | None:

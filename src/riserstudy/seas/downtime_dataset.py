@@ -72,7 +72,7 @@ def summarise(
         lines.append(
             f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable"
         )
-    return lines
+    return [*lines, *hours.modes[0].hours.notes]
 
 
 def dataset_of(file: SceneFile, parts: Sequence[Part], middles: Sequence[Middle]) -> xr.Dataset:

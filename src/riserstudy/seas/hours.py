@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, NamedTuple
@@ -17,13 +18,14 @@ from riserstudy.seas.record import rows_of
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
 from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
+from riserstudy.study.months import MONTHS, hours_of_month, month_of, uneven_months
 from riserstudy.study.persistence import PERSISTENCE
 
 if TYPE_CHECKING:
     import xarray as xr
 
-MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 ROUNDING = 1e-6  # of a limit: of numbers of four bytes, and of those that were in other units
+NAMED = 6  # months that a line lists at most
 CLOSEST = 0.75  # of an interval, from which on two rows are one apart: a clock that was set
 _LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
 
@@ -87,7 +89,7 @@ class Hours(NamedTuple):
             When that is no whole number of the record's intervals.
         """
         every = waits(self.workable, self.joined, rows_of(hours, self.interval), self.interval)
-        month = self.time.astype("datetime64[M]").astype(int) % 12
+        month = month_of(self.time)
         of = [("all", np.ones(len(month), bool))]
         of += [(MONTHS[k], month == k) for k in range(12) if (month == k).any()]
         return [
@@ -118,18 +120,54 @@ class Hours(NamedTuple):
         return band_of_next(whole(self.years), count, persistence)
 
     def by_month(self) -> Table:
-        """Share of workable hours by month and year, in per cent; empty where none is recorded."""
-        year = self.time.astype("datetime64[Y]").astype(int) + 1970
-        month = self.time.astype("datetime64[M]").astype(int) % 12
+        """Share of workable hours by month and year, in per cent; empty where a month is not nearly whole."""
         rows: list[list[Cell]] = []
         for one in self.years:
-            cells: list[Cell] = [str(one.year)]
-            for k in range(12):
-                of = self.workable[(year == one.year) & (month == k)]
-                cells.append(round(100.0 * float(of.mean()), 1) if len(of) else "")
-            rows.append([*cells, round(100.0 * one.share, 1), round(100.0 * one.recorded, 1)])
+            months = [self._of_month(one.year, k) for k in range(12)]
+            cells: list[Cell] = [
+                round(100.0 * float(of.mean()), 1) if self._whole(of, one.year, k) else ""
+                for k, of in enumerate(months)
+            ]
+            total = [round(100.0 * one.share, 1), round(100.0 * one.recorded, 1)]
+            rows.append([str(one.year), *cells, *total])
         units = ["", *["%"] * 14]
         return Table(["year", *MONTHS, "workable", "recorded"], units, rows)
+
+    def of_months(self) -> list[float]:
+        """Share of workable hours of each month of the year; NaN where no year has it nearly whole."""
+        month = month_of(self.time)
+        years = [one.year for one in self.years]
+        whole_ones = [
+            any(self._whole(self._of_month(year, k), year, k) for year in years) for k in range(12)
+        ]
+        return [
+            float(self.workable[month == k].mean()) if there else math.nan
+            for k, there in enumerate(whole_ones)
+        ]
+
+    @property
+    def notes(self) -> list[str]:
+        """What shares and months do not state: months that are not nearly whole, and uneven ones."""
+        partial = [
+            f"{MONTHS[k]} {one.year}"
+            for one in self.years
+            for k in range(12)
+            if len(of := self._of_month(one.year, k)) and not self._whole(of, one.year, k)
+        ]
+        more = f" and {len(partial) - NAMED} more" if len(partial) > NAMED else ""
+        named = f"less than {WHOLE:.0%} recorded, and empty by month: {', '.join(partial[:NAMED])}"
+        return [
+            line for line in (uneven_months(self.time), f"{named}{more}" if partial else "") if line
+        ]
+
+    def _of_month(self, year: int, month: int) -> NDArray[np.bool_]:
+        """Whether each row of a month, 0 of January, is workable."""
+        at = self.time.astype("datetime64[M]") == np.datetime64(f"{year}-{month + 1:02d}")
+        return np.asarray(self.workable[at])
+
+    def _whole(self, rows: NDArray[np.bool_], year: int, month: int) -> bool:
+        """Whether rows are nearly a whole month, 0 of January."""
+        return len(rows) * self.interval >= WHOLE * hours_of_month(year, month)
 
 
 def sea_limit(text: str) -> SeaLimit:

@@ -17,13 +17,14 @@ from riserstudy.digests import engine_digest
 from riserstudy.scene.units import to_si
 from riserstudy.seas.directions import Directions
 from riserstudy.seas.heading_parts import Effort, headings, riser_half_way, simulate
-from riserstudy.seas.hours import MONTHS, sea_limit
+from riserstudy.seas.hours import sea_limit, whole
 from riserstudy.seas.record import read_record
 from riserstudy.seas.riser_downtime import Downtime, Notify, riser_downtime
 from riserstudy.seas.riser_hours import MODES, OfMode
 from riserstudy.seas.riser_returns import returned
 from riserstudy.seas.synthetic import synthetic
 from riserstudy.study.axes import Numbers
+from riserstudy.study.months import MONTHS
 from riserstudy.study.seas_model import SeasModel, SyntheticModel
 from riserstudy.study.seas_study import SeasStudy
 
@@ -161,11 +162,7 @@ def _of_mode(one: OfMode, windows: Sequence[float], model: SeasModel) -> xr.Data
     hours = one.hours
     band = hours.mean_year(model.persistence)
     ahead_of = hours.next_years(model.next_years, model.persistence)
-    month = hours.time.astype("datetime64[M]").astype(int) % 12
-    by_month = [
-        float(hours.workable[month == k].mean()) if (month == k).any() else math.nan
-        for k in range(12)
-    ]
+    counted = whole(hours.years)
     dataset = xr.Dataset(
         {
             "workable": hours.share,
@@ -176,8 +173,11 @@ def _of_mode(one: OfMode, windows: Sequence[float], model: SeasModel) -> xr.Data
             "mean_year_high": band.high,
             "next_years_low": ahead_of.low,
             "next_years_high": ahead_of.high,
-            "workable_by_month": ("month", by_month),
-            "workable_by_year": ("year", [year.share for year in hours.years]),
+            "workable_by_month": ("month", hours.of_months()),
+            "workable_by_year": (
+                "year",
+                [year.share if year in counted else math.nan for year in hours.years],
+            ),
         },
         {"month": list(MONTHS), "year": [year.year for year in hours.years]},
     )

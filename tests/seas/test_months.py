@@ -1,0 +1,91 @@
+"""Months of a record that are not whole, and years of which seasons are missing, against counting by hand."""
+
+import math
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+
+from riserstudy.cli.seas import described
+from riserstudy.fatigue.occurrence import of_record
+from riserstudy.seas.hours import hours, sea_limit
+from riserstudy.study.months import MONTHS
+
+HEIGHT = "significant_wave_height"
+CALM = [sea_limit("hs <= 2 m")]
+
+
+def record(time, height=None):
+    """Sea states over times."""
+    values = np.ones(len(time)) if height is None else height
+    sea = {HEIGHT: ("time", values, {"units": "m"})}
+    return xr.Dataset(sea, {"time": time}, {"interval_hours": 3.0, "conversions": ""})
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_month_of_which_little_is_recorded_has_no_share(seed):
+    """Parts of months cut out at random: shares of the others, empty cells and the line that names them."""
+    draw = np.random.default_rng(seed)
+    time = pd.date_range("2003-01-01", "2005-12-31 21:00", freq="3h")
+    part = {k: draw.uniform(0.02, 0.98) for k in draw.choice(36, 5, replace=False)}
+    number = 12 * (time.year - 2003) + time.month - 1
+    through = (time.day - 1 + time.hour / 24) / time.days_in_month
+    keep = np.array([t < part.get(n, 1.0) for n, t in zip(number, through, strict=True)])
+    time, number = time[keep], number[keep]
+    of = record(time, draw.choice([1.0, 3.0], len(time)))
+    found = hours(of, CALM)
+    calm = of[HEIGHT].values <= 2.0
+    cells = [cell for row in found.by_month().rows for cell in row[1:13]]
+    lacking = []
+    for k, cell in enumerate(cells):
+        at = number == k
+        days = pd.Timestamp(2003 + k // 12, k % 12 + 1, 1).days_in_month
+        if at.sum() < 0.8 * 8 * days:
+            lacking.append(f"{MONTHS[k % 12]} {2003 + k // 12}")
+            assert cell == ""
+        else:
+            assert cell == pytest.approx(100.0 * calm[at].mean(), abs=0.05)
+    named = [line for line in found.notes if "empty by month" in line]
+    assert named == (
+        [f"less than 80% recorded, and empty by month: {', '.join(lacking)}"] * bool(lacking)
+    )
+    for k, share in enumerate(found.of_months()):
+        assert share == pytest.approx(calm[number % 12 == k].mean())
+
+
+def test_a_month_that_no_year_has_whole_has_no_share():
+    found = hours(record(pd.date_range("2003-01-01", "2003-03-10", freq="3h")), CALM)
+    assert [math.isnan(share) for share in found.of_months()] == [False] * 2 + [True] * 10
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("years", [1, 2, 3, 7])
+def test_whole_years_are_even_and_parts_of_years_are_noted(seed, years):
+    """From any day on, whole years are not noted; half a year more is, of up to four years."""
+    draw = np.random.default_rng(seed)
+    first = pd.Timestamp("2003-01-01") + pd.Timedelta(int(draw.integers(0, 365)), "D")
+    for more, noted in ((0, False), (6, years < 5)):
+        last = first + pd.DateOffset(years=years, months=more)
+        of = record(pd.date_range(first, last, freq="3h", inclusive="left"))
+        occurs = of_record(of, [HEIGHT])
+        ways = described(of), hours(of, CALM).notes, occurs.notes
+        said = [[line for line in lines if "unevenly" in line] for lines in ways]
+        assert said[0] == said[1] == said[2]
+        assert len(said[0]) == noted
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_uneven_months_are_listed_by_their_hours(seed):
+    """Months dropped at random from three years, against their days."""
+    draw = np.random.default_rng(seed)
+    time = pd.date_range("2001-01-01", "2003-12-31 21:00", freq="3h")
+    lost = draw.choice(12, 3, replace=False)
+    time = time[~np.isin(time.month - 1, lost)]
+    (line,) = (line for line in hours(record(time), CALM).notes if "unevenly" in line)
+    shares = dict(part.split(" ") for part in line.rpartition(": ")[2].split(", "))
+    days = {m: 0 if k in lost else (time.month == k + 1).sum() / 24 for k, m in enumerate(MONTHS)}
+    whole = dict(zip(MONTHS, (31, 28.25, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31), strict=True))
+    for name, of in shares.items():
+        even = sum(days.values()) * whole[name] / 365.25
+        assert float(of.rstrip("%")) == pytest.approx(100 * days[name] / even, abs=0.5)
