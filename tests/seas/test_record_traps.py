@@ -7,7 +7,7 @@ import xarray as xr
 
 from riserstudy.errors import InputError
 from riserstudy.seas.hours import hours, sea_limit
-from riserstudy.seas.record import read_record
+from riserstudy.seas.record import FILLS, read_record
 
 HEIGHTS, FROM = "significant_wave_height", "wave_from_direction"
 PER_METRE = {"m": 1, "cm": 100, "mm": 1000}
@@ -24,10 +24,11 @@ def written(tmp_path, columns, head="time", times=None):
 
 @pytest.mark.parametrize("seed", range(8))
 def test_values_that_others_write_for_none_are_values_where_they_can_be(tmp_path, seed):
-    """Bearings of 99.0 deg and heights of 99.0 and 999 cm count; 99.0 m, 99.0 s and 999 deg are none."""
+    """Bearings of 99.0 deg, and 99.0 and 999 cm beside such heights; 99.0 m, 99.0 s and 999 deg are none."""
     draw = np.random.default_rng(seed)
     bearing = draw.choice([98.0, 99.0, 100.0, 999.0], 60)
-    height = draw.choice([98.0, 99.0, 999.0], 60)
+    steps = [98.0, 99.0, 150.0, 250.0, 450.0, 800.0, 998.0, 999.0]
+    height = np.sort([*steps, *draw.choice(steps, 52)])
     period = draw.choice([8.0, 99.0], 60)
     columns = {
         "hs (cm)": np.where(height == 999.0, "999", height.astype(str)),
@@ -169,3 +170,36 @@ def test_a_height_that_does_not_state_its_kind_is_noted(tmp_path, name, noted):
         said = "taken as the significant height" in record.attrs["conversions"]
         assert said == noted
         np.testing.assert_array_equal(record[HEIGHTS], [1.0, 2.0, 3.0])
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("fill", [99, 999, 9999])
+@pytest.mark.parametrize("unit", ["cm", "mm", "ft", "netCDF"])
+def test_a_fill_far_from_the_values_beside_it_is_neither_a_value_nor_none(
+    tmp_path, unit, fill, seed
+):
+    """Heights that wander, far below or above what is written for none: refused where it can be a height."""
+    draw = np.random.default_rng(seed)
+    factor = {"cm": 0.01, "mm": 0.001, "ft": 0.3048, "netCDF": 0.01}[unit]
+    ways = [far for far in (0.2 * fill, 3.0 * fill) if far * factor < 25.0] or [10.0 / factor]
+    far = float(draw.choice(ways))
+    values = np.round(far * np.exp(0.05 * draw.normal(size=50)), 2)
+    count = int(draw.integers(1, 6))
+    first = int(draw.integers(0, 50 - count))
+    values[first : first + count] = fill
+    if unit == "netCDF":
+        time = pd.date_range("2004", periods=50, freq="h")
+        path = tmp_path / "sea.nc"
+        xr.Dataset({"hs": ("time", values, {"units": "cm"})}, {"time": time}).to_netcdf(path)
+    else:
+        text = draw.choice([f"{fill}", f"{fill}.0", f"{fill}.00"])
+        path = written(tmp_path, {f"hs ({unit})": [text if v == fill else str(v) for v in values]})
+    if fill * factor > 35.0 and unit != "netCDF" and text in FILLS:
+        values = read_record(path)[HEIGHTS].values
+        assert np.flatnonzero(np.isnan(values)).tolist() == [*range(first, first + count)]
+    elif fill * factor <= 35.0:
+        with pytest.raises(InputError, match=f"row {first + 2}: hs: {fill} .* missing value"):
+            read_record(path)
+    else:
+        with pytest.raises(InputError, match="allowed is 0 to 35 m"):
+            read_record(path)

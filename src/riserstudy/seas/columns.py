@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import re
+from pathlib import Path
 from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.scene.units import to_si
@@ -80,6 +85,8 @@ UNSURE = {
     "wave_direction": "wave_from_direction or wave_to_direction",
     "dir": "wave_from_direction or wave_to_direction",
 }
+WRITTEN_FOR_NONE = (99.0, 999.0, 9999.0)
+JUMP = 2.0  # factor between rows beside each other, beyond which such a number is hardly a value
 #: noted of records, which seldom hold other heights
 UNSURE_HEIGHT = "wave_height is taken as the significant height, not as that of the largest wave"
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*[(\[](?P<unit>[^)\]]*)[)\]]\s*")
@@ -138,3 +145,40 @@ def head(where: str, text: str) -> Head:
         return Head(quantity, key, to_si(f"1 {unit}", quantity.unit), unit)
     except ValueError as error:
         raise InputError(where, text.strip(), str(error), f"as in {quantity.unit}") from None
+
+
+def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
+    """See that 99, 999 and 9999, which others write for none, are near the values beside them.
+
+    Parameters
+    ----------
+    values : (rows,) in the unit of the file; NaN where there is none.
+
+    Raises
+    ------
+    InputError
+        At the first that is possible, and neither half nor twice a value beside it or between.
+    """
+    quantity = one.quantity
+    if quantity is None or quantity.unit == "deg":
+        return
+    possible = (values * one.factor >= quantity.least) & (values * one.factor <= quantity.most)
+    some = np.isin(values, WRITTEN_FOR_NONE) & possible
+    others = np.flatnonzero(np.isfinite(values) & ~some)
+    if not some.any():
+        return
+    after = np.searchsorted(others, np.arange(len(values)))
+    known = np.append(values[others], math.nan)
+    beside = known[after], known[np.where(after > 0, after - 1, len(others))]
+    near = np.any([(of >= values / JUMP) & (of <= values * JUMP) for of in beside], axis=0)
+    if (some & ~near).any():
+        row = int((some & ~near).argmax())
+        found = f"{values[row]:g} {one.unit} is possible, and also written for a missing value"
+        allowed = f"leave missing cells empty, or give the column in {_other(one)}"
+        raise InputError(f"{path}, row {row + 2}", one.heading, found, allowed)
+
+
+def _other(one: Head) -> str:
+    """A unit in which no number of the column looks like one that is missing."""
+    unit = one.quantity.unit if one.quantity else ""
+    return {"m/s": "km/h"}.get(unit, unit) if one.factor == 1.0 else unit

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, head, plain
+from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, check_fills, head, plain
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -115,8 +115,10 @@ def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column,
             elif one.unit == "deg":
                 numbers, note = _from_where(path, name, numbers, unit, standard)
             else:
-                factor = head(str(path), f"{one.name} ({unit})").factor
-                numbers, note = numbers * factor, f"{one.name} from {unit}" if factor != 1.0 else ""
+                of = head(str(path), f"{one.name} ({unit})")
+                check_fills(path, numbers, of._replace(heading=name))
+                note = f"{one.name} from {unit}" if of.factor != 1.0 else ""
+                numbers = numbers * of.factor
                 if not by_standard and plain(name) == "wave_height":
                     note = "; ".join(filter(None, (note, UNSURE_HEIGHT)))
             yield one, numbers, note

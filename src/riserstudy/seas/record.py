@@ -18,7 +18,7 @@ from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import to_si
-from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, head, labels_of
+from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, check_fills, head, labels_of
 from riserstudy.seas.netcdf_record import Place, read_netcdf
 
 if TYPE_CHECKING:
@@ -282,6 +282,7 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
         raise InputError(
             f"{path}, row {row + 2}", one.heading, repr(cells.iloc[row]), "allowed is a number"
         )
+    check_fills(path, values.to_numpy(), one)
     numbers = values.astype(float) * one.factor
     # what is no bearing stays as it is, for its row to be named
     return (
