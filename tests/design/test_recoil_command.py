@@ -6,6 +6,7 @@ import json
 import numpy as np
 import pytest
 import xarray as xr
+from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
@@ -90,6 +91,36 @@ def test_outputs_that_begin_after_the_disconnect_are_refused(late):
     load_scene(SCENE, **QUICK, **{"analysis.output.start": f"{at} s"}).resolved()
     with pytest.raises(InputError, match=r"analysis\.output\.start: .*after the disconnect"):
         load_scene(SCENE, **QUICK, **{"analysis.output.start": f"{at + late} s"}).resolved()
+
+
+def level_of_the_mud(lift):
+    """Lowest height (m) of the mud above the riser's end, of the scene with a lower end that is higher."""
+    length, depth, bore, mud, sea, gravity = 1500.0, 1482.0, 19.25 * 0.0254, 1440.0, 1025.0, 9.80665
+
+    def rates(_, y):
+        friction = (0.02 * y[0] / bore + 1.5) * y[1] * abs(y[1]) / 2.0
+        return [-y[1], gravity * (1.0 - sea * (depth - lift) / (mud * y[0])) - friction / y[0]]
+
+    def turns(_, y):
+        return y[1] - 1e-12
+
+    turns.terminal, turns.direction = True, -1.0
+    start, settings = [length - lift, 1e-6], {"rtol": 1e-9, "atol": 1e-9, "max_step": 0.1}
+    until_the_end = (0.0, 20.0)
+    return solve_ivp(rates, until_the_end, start, events=turns, **settings).y[0, -1]
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_the_lowest_level_of_the_mud_is_named_by_what_it_is_measured_from(commands, tmp_path, seed):
+    """A riser that is shorter by some metres below the same sea and flow line."""
+    lift = float(np.random.default_rng(seed).uniform(0.0, 30.0))
+    table = tmp_path / "recoil.csv"
+    raised = {"bottom.elevation": f"{18.0 + lift} m", "riser[0].length": f"{91.44 - lift} m"}
+    commands("recoil", SCENE, *words(QUICK | raised), "--csv", table)
+    rows = {row["quantity"]: row for row in csv.DictReader(table.open())}
+    row = rows["lowest level of the mud"]
+    assert row["note"] == "above the lower end"
+    assert float(row["value"]) == pytest.approx(level_of_the_mud(lift), abs=0.1)
 
 
 def test_a_stored_run_and_its_scene_give_one_table(commands, tmp_path):

@@ -43,7 +43,8 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
         rows.append(["smallest effective tension", of["smallest_tension"] / 1e3, "kN", None, ""])
     if "contents_speed_max" in of:
         rows.append(["largest speed of the mud", of["contents_speed_max"], "m/s", None, ""])
-        rows.append(["lowest level of the mud", of["contents_top_min"], "m", None, "elevation"])
+        lowest = of["contents_top_min"]
+        rows.append(["lowest level of the mud", lowest, "m", None, "above the lower end"])
     return Table(["quantity", "value", "unit", "time", "note"], ["", "", "", "s", ""], rows)
 
 

@@ -34,12 +34,12 @@ class Isolation(Strict):
 
 
 class RecoilValve(Strict):
-    """A valve in the oil between each cylinder and its gas, which throttles the oil after the release.
+    """A valve in the oil between each cylinder and its gas, which closes after the release.
 
-    ``opening``: area of the open valve. ``discharge``: discharge coefficient of the valve. The valve closes
-    to the fraction ``residual`` of the opening, smoothly within ``over``, starting ``delay`` after the
-    release. The valves of ``failed`` cylinders, counted from 0, stay open. By default there is no delay.
-    Without ``isolation`` all gas stays in use.
+    ``opening``: area of the open valve, which also throttles the oil before the release. ``discharge``:
+    discharge coefficient of the valve. The valve closes to the fraction ``residual`` of the opening,
+    smoothly within ``over``, starting ``delay`` after the release. The valves of ``failed`` cylinders,
+    counted from 0, stay open. By default there is no delay. Without ``isolation`` all gas stays in use.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
