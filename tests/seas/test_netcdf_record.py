@@ -241,3 +241,74 @@ def test_directions_of_a_table_that_waves_go_to_are_turned(tmp_path):
     path.write_text(head + "".join(lines[:-1]) + f"{TIME[-1]},1,8,700\n")
     with pytest.raises(InputError, match="row 7: wave_from_direction: 700"):
         read_record(path)
+
+
+def at_a_clock(tmp_path, of_time=None, of_file=None, units="hours since 2001-01-01 00:00"):
+    """A file with attributes of its times and of itself."""
+    path = tmp_path / "source.nc"
+    made = xr.Dataset(
+        {"hs": ("time", HEIGHT, {"units": "m"})},
+        {"time": ("time", np.arange(ROWS), {"units": units} | (of_time or {}))},
+        of_file or {},
+    )
+    made.to_netcdf(path)
+    return path
+
+
+LOCAL = {
+    "time_zone": ["UTC-6", "America/Chicago", "local", "CET", "+01:00", "GMT +3"],
+    "utc_offset": [-6, "5.5 hours", "-03:00"],
+    "comment": [
+        "local time",
+        "time in UTC+1",
+        "times are in CST",
+        "Local standard time at the rig",
+    ],
+}
+
+
+@pytest.mark.parametrize("name, value", [(n, v) for n, values in LOCAL.items() for v in values])
+def test_local_times_are_refused_wherever_they_are_stated(tmp_path, name, value):
+    for where in ("of_time", "of_file"):
+        with pytest.raises(InputError, match=f"{name}: .* is not UTC"):
+            read_record(at_a_clock(tmp_path, **{where: {name: value}}))
+
+
+@pytest.mark.parametrize(
+    "about",
+    [
+        {"time_zone": "UTC"},
+        {"timezone": "GMT"},
+        {"tz": "Z"},
+        {"utc_offset": 0},
+        {"utc_offset": "+00:00"},
+        {"comment": "times in UTC, local time is UTC-6"},
+        {"title": "WAVES OFF THE WEST COAST, locally generated, of all times"},
+    ],
+)
+def test_times_in_utc_are_not(tmp_path, about):
+    for where in ("of_time", "of_file"):
+        record = read_record(at_a_clock(tmp_path, **{where: about}))
+        assert record["time"].values[0] == np.datetime64("2001-01-01T00")
+
+
+@pytest.mark.parametrize("hours", [-11, -6, 0, 5, 12])
+def test_an_offset_in_units_is_taken_out_and_a_name_of_a_zone_is_refused(tmp_path, hours):
+    since = "hours since 2001-01-01 00:00:00"
+    record = read_record(at_a_clock(tmp_path, units=f"{since} {hours:+d}:00"))
+    first = np.datetime64("2001-01-01T00") - np.timedelta64(hours, "h")
+    assert record["time"].values[0] == first
+    with pytest.raises(InputError, match="is not UTC"):
+        read_record(at_a_clock(tmp_path, units=f"{since} CET"))
+
+
+@pytest.mark.parametrize("zone, fits", [("UTC", True), ("CST", False), ("-06:00", False)])
+def test_a_column_of_zones_counts(tmp_path, zone, fits):
+    path = tmp_path / "sea.csv"
+    rows = [f"2001-01-01 {k:02d}:00,{'UTC' if k < 3 else zone},1.5" for k in range(6)]
+    path.write_text("\n".join(["time,timezone,hs (m)", *rows]) + "\n")
+    if fits:
+        assert "left out: timezone" in read_record(path).attrs["conversions"]
+    else:
+        with pytest.raises(InputError, match="row 5: timezone"):
+            read_record(path)

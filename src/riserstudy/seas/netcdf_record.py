@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, check_fills, head, plain
+from riserstudy.seas.zones import check_zone
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -86,6 +87,7 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
         raise InputError(
             path, "time", "the file has no times", "give it a coordinate 'time' as in CF"
         )
+    check_zone(path, data[clock], clock, data.attrs)
     columns: dict[str, FloatArray] = {}
     for one, values, note in _columns(path, data, clock):
         if one.name in columns:

@@ -20,6 +20,7 @@ from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, check_fills, head, labels_of
 from riserstudy.seas.netcdf_record import Place, read_netcdf
+from riserstudy.seas.zones import check_zone_of_table
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -192,6 +193,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
     columns = {"time": _times(path, cells.iloc[:, at], heads[at].unit)}
     for k, one in enumerate(heads):
         if one.quantity is None:
+            check_zone_of_table(path, one.heading, cells.iloc[:, k])
             continue
         if one.quantity.name in columns:
             raise InputError(path, one.quantity.name, "two columns", "allowed is one")
