@@ -163,11 +163,14 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
     )
     heights[7] = np.nan
     record = xr.Dataset(
-        {"significant_wave_height": ("time", heights), "peak_period": ("time", periods)},
+        {
+            "significant_wave_height": ("time", heights, {"units": "m"}),
+            "peak_period": ("time", periods, {"units": "s"}),
+        },
         {"time": np.arange(hours)},
     )
     of = study()
-    occurs = of_record(record, axes_of(of))
+    occurs = of_record(record, of, axes_of(of))
     whole = ~np.isnan(heights)
     rows = "".join(f"{h},{p},1\n" for h, p in zip(heights[whole], periods[whole], strict=True))
     expected = summed(of, table(tmp_path, "hs (m),tp (s),count\n" + rows))
@@ -236,9 +239,14 @@ def test_heights_of_seas_are_none_of_regular_waves(head, tmp_path):
         of[name].attrs["sets"] = json.dumps(values)
     with pytest.raises(InputError, match="regular wave"):
         summed(of, table(tmp_path, f"{head},share (%)\n3,9.5,50\n"))
-    sea = {"significant_wave_height": ("time", [3.0]), "peak_period": ("time", [9.5])}
+    metres, seconds = {"units": "m"}, {"units": "s"}
+    sea = {
+        "significant_wave_height": ("time", [3.0], metres),
+        "peak_period": ("time", [9.5], seconds),
+        "time": ("time", [0]),
+    }
     with pytest.raises(InputError, match="regular wave"):
-        over_years(of, of_record(xr.Dataset(sea), axes_of(of)), {})
+        over_years(of, of_record(xr.Dataset(sea), of, axes_of(of)), {})
     tree = json.loads(of.attrs["scene"])
     tree["wave"] = {"height": "3 m", "period": "9 s", "above_mean_level": "none"}
     of.attrs["scene"] = json.dumps(tree)

@@ -68,7 +68,7 @@ def test_whole_years_are_even_and_parts_of_years_are_noted(seed, years):
     for more, noted in ((0, False), (6, years < 5)):
         last = first + pd.DateOffset(years=years, months=more)
         of = record(pd.date_range(first, last, freq="3h", inclusive="left"))
-        occurs = of_record(of, [HEIGHT])
+        occurs = of_record(of, of.assign_coords({HEIGHT: ("x", [1.0], {"units": "m"})}), [HEIGHT])
         ways = described(of), hours(of, CALM).notes, occurs.notes
         said = [[line for line in lines if "unevenly" in line] for lines in ways]
         assert said[0] == said[1] == said[2]

@@ -38,11 +38,12 @@ SeasOption = Annotated[
     typer.Option(help="record of sea states, instead of a scatter table", metavar="RECORD"),
 ]
 GammaOption = Annotated[
-    float,
+    float | None,
     typer.Option(
         min=1.0,
         max=7.0,
-        help="JONSWAP gamma that converts zero-crossing periods of a record to peak periods",
+        help="JONSWAP gamma that converts zero-crossing periods of a record to peak periods; "
+        "default: that of the study",
     ),
 ]
 CalmOption = Annotated[
@@ -74,7 +75,7 @@ def fatigue(
     study: StudyArgument,
     scatter: ScatterOption = None,
     seas: SeasOption = None,
-    gamma: GammaOption = 3.3,
+    gamma: GammaOption = None,
     calm: CalmOption = False,
     at: AtOption = None,
     without: WithoutOption = None,
@@ -131,7 +132,7 @@ def _summed(
     path: Path,
     scatter: Path | None,
     seas: Path | None,
-    gamma: float,
+    gamma: float | None,
     at: list[str] | None,
     calm: bool,
 ) -> Years:
@@ -139,7 +140,7 @@ def _summed(
 
     from riserstudy.dataset.diff import opened
     from riserstudy.fatigue.occurrence import Occurrence, of_record, of_table
-    from riserstudy.fatigue.years import axes_of, over_years
+    from riserstudy.fatigue.years import axes_of, gamma_of, over_years
 
     dataset = opened(path)
     axes = axes_of(dataset)
@@ -148,7 +149,8 @@ def _summed(
     elif seas:
         from riserstudy.seas.record import read_record, with_peak_period
 
-        occurs = of_record(with_peak_period(read_record(seas), gamma), axes)
+        record = with_peak_period(read_record(seas), gamma or gamma_of(dataset))
+        occurs = of_record(record, dataset, axes)
     elif axes:
         raise InputError("--scatter", "", "not given", "allowed is a table, or --seas RECORD")
     else:

@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 LARGEST_TABLE = 10**7  # bytes
 HOURS = 8766.0  # of a year of 365.25 days
+PEAK = "peak_period"
 WHOLE = 0.005  # by which shares of a table may exceed one: they are rounded
 WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns that say how often, with their units
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*")
@@ -131,42 +132,56 @@ def _heads(
     return weight, factors, irregular
 
 
-def of_record(record: xr.Dataset, axes: list[str]) -> Occurrence:
+def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurrence:
     """Sea states of a record, hour by hour, each its part of all hours that have every quantity.
 
     Raises
     ------
     InputError
-        When nothing of the record is an axis of the study.
+        When nothing of the record is an axis of the study, has no unit of it, or no row has every quantity.
     """
-    columns = {}
-    for name in record.data_vars:
-        if axis := axis_of(str(name), axes):
-            columns[axis] = record[name].values
+    columns, irregular = {}, []
+    for name in map(str, record.data_vars):
+        if axis := axis_of(name, axes):
+            unit = _plain(str(record[name].attrs.get("units", "")))
+            factor = _factor("--seas", name, unit, study[axis].attrs.get("units", ""))
+            columns[axis] = factor * record[name].values
+            irregular += [axis] if name.lower() in OF_SEAS else []
     if not columns:
         allowed = (
             f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
         )
         raise InputError("--seas", "", "nothing of the record is an axis of the study", allowed)
     table = np.stack(list(columns.values()), axis=1)
-    whole = np.isfinite(table).all(axis=1)
-    found, counts = np.unique(table[whole], axis=0, return_counts=True)
-    lacking = int((~whole).sum())
-    notes = [f"{lacking} rows of the record lack a value and do not count"] if lacking else []
-    notes += _of_year(record["time"].values[whole])
-    values = {axis: found[:, k] for k, axis in enumerate(columns)}
-    irregular = tuple(
-        axis_of(str(n), axes) or "" for n in record.data_vars if str(n).lower() in OF_SEAS
+    whole = np.asarray(np.isfinite(table).all(axis=1))
+    if not whole.any():
+        found = f"no row has {' and '.join(columns)}"
+        raise InputError("--seas", "", found, "give a record with values")
+    found_states, counts = np.unique(table[whole], axis=0, return_counts=True)
+    values = {axis: found_states[:, k] for k, axis in enumerate(columns)}
+    notes = _notes(record, axes, whole)
+    return Occurrence(values, counts / counts.sum(), notes, tuple(irregular))
+
+
+def _notes(record: xr.Dataset, axes: list[str], whole: NDArray[np.bool_]) -> tuple[str, ...]:
+    """What was converted or is not used of a record, and what its rows, (rows,), with values do not cover."""
+    names = [str(name) for name in record.data_vars]
+    used = [name for name in names if axis_of(name, axes)]
+    unused = [name for name in names if name not in used]
+    if PEAK in used:  # which a zero-upcrossing period is another statement of
+        unused = [name for name in unused if name != "zero_crossing_period"]
+    comments = (f"{n}: {record[n].attrs['comment']}" for n in used if "comment" in record[n].attrs)
+    converted = record.attrs.get("conversions", "")
+    lacking, time = int((~whole).sum()), record["time"].values[whole]
+    dated = np.issubdtype(time.dtype, np.datetime64)
+    lines = (
+        f"converted: {converted}" if converted else "",
+        *comments,
+        f"not used, as the study has no such axis: {', '.join(unused)}" if unused else "",
+        f"{lacking} rows of the record lack a value and do not count" if lacking else "",
+        uneven_months(time.astype("datetime64[s]")) if dated else "",
     )
-    return Occurrence(values, counts / counts.sum(), tuple(notes), irregular)
-
-
-def _of_year(time: NDArray[np.generic]) -> list[str]:
-    """What is noted of rows that are no whole number of years; times without a date are unknown."""
-    if not np.issubdtype(time.dtype, np.datetime64):
-        return []
-    note = uneven_months(time.astype("datetime64[s]"))
-    return [note] if note else []
+    return tuple(line for line in lines if line)
 
 
 def axis_of(name: str, axes: list[str]) -> str | None:
@@ -187,7 +202,7 @@ def _head(path: Path, text: str) -> tuple[str, str]:
     return match["name"].strip().lower().replace(" ", "_"), (match["unit"] or "").strip()
 
 
-def _factor(path: Path, text: str, unit: str, of_axis: str) -> float:
+def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
     """What one of a column's unit is in that of an axis, which is CF's."""
     if not unit:
         allowed = f"allowed is a unit after the name, as in '{text.strip()} ({of_axis})'"

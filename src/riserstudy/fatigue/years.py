@@ -19,10 +19,13 @@ from riserstudy.fatigue.response import ORDER, Response, in_parts
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.scene.resolve import Resolved
+
 Array = NDArray[np.float64]
 PLACES = ("detail", "wall_angle", "s_node")
 VIBRATION = "vortex-induced vibration"  # among the effects of a point
 HALF = 0.5
+USUAL_GAMMA = 3.3
 
 OF_WAVES = ("height", "amplitude", "period")  # of a regular wave in a scene
 
@@ -262,10 +265,25 @@ def _between(here: Response, occurs: Occurrence, rate: float) -> float:
     return error
 
 
+def _first_scene(study: xr.Dataset) -> Resolved:
+    """The scene of a run, or of the first point of a study."""
+    index = {str(axis): 0 for axis in study["point_key"].dims} if "point_key" in study else {}
+    return scene_of_point(study, index)
+
+
+def gamma_of(study: xr.Dataset) -> float:
+    """Peak enhancement (1) of the irregular sea that a study simulates; of regular waves, that of most."""
+    scene = _first_scene(study)
+    response = scene.platform and scene.platform.response
+    for sea in (response and response.wave, scene.wave):
+        if found := getattr(sea, "peak_enhancement", None):
+            return float(found)
+    return USUAL_GAMMA
+
+
 def _safety_factors(study: xr.Dataset) -> list[float]:
     """Of the details of the scene behind a study."""
-    index = {str(axis): 0 for axis in study["point_key"].dims} if "point_key" in study else {}
-    fatigue = scene_of_point(study, index).fatigue
+    fatigue = _first_scene(study).fatigue
     if fatigue is None:
         raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
     return [detail.safety_factor for detail in fatigue.details]
