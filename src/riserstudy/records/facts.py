@@ -198,11 +198,6 @@ class RunFacts(TypedDict, total=False):
     #: what each run of a refinement cost, and what broke it off
     refinements: list[dict[str, Any]]
     ended_by: str
-    #: by output, over all steps; until extremes are made of them
-    peaks: dict[str, Any]
-    #: of flex joints in space, (time, 3) rad; until extremes are made of them
-    rotations: dict[str, Any]
-    every_step: dict[str, Any]  # time (s) and what has one value a time, until the run is finished
     #: rows, as `simulation.extremes` makes them; what the first of the limits to be reached is
     extremes: list[dict[str, Any]]
     limits_reached: list[float | str]

@@ -193,7 +193,7 @@ def _angles(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
 
 def _extremes(run: Result, name: str) -> Array | None:
     """Smallest and largest value of an output by all steps; None of a run that was only to be compared."""
-    if peak := run.facts.get("peaks", {}).get(name):
+    if peak := run.seen.peaks.get(name):
         return np.array([peak.smallest, peak.largest])
     rows = [row for row in run.facts.get("extremes", []) if row["output"] == name]
     return np.array([rows[0]["smallest"], rows[0]["largest"]]) if rows else None

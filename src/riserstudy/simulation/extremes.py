@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.seen import Peak, Seen
 from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.section_forces import riser_foot
-from riserstudy.simulation.step_peaks import Peak
 from riserstudy.simulation.wall_stress import nodes_of
 
 FloatArray = NDArray[np.float64]
@@ -21,19 +21,6 @@ Arrays = dict[str, FloatArray]
 SHOWN = 0.02  # share of a range from its extreme, within which an output shows when it is
 ROUNDING = 1e-9  # share of a value
 OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
-
-
-class Seen(NamedTuple):
-    """What is known of a run beside its arrays.
-
-    Attributes
-    ----------
-    peaks : of values over time, by all steps; where there is none those of the outputs are taken.
-    rotations : of flex joints in space, (time, 3) rad.
-    """
-
-    peaks: Mapping[str, Peak]
-    rotations: Mapping[str, FloatArray]
 
 
 def extremes(

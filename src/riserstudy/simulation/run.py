@@ -14,6 +14,7 @@ from riserstudy.model import rao
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
+from riserstudy.records.seen import Seen
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
@@ -25,7 +26,7 @@ from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.events import march_through
-from riserstudy.simulation.extremes import Seen, extremes
+from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.rest import Rest
@@ -112,15 +113,16 @@ def march(
 
         damage.since(scene)
     rest = rest or Rest(scene, mesh)
-    model, arrays = rest.model, dict(rest.arrays)
+    model, arrays, seen = rest.model, dict(rest.arrays), Seen()
     facts = _facts_at_rest(scene, mesh, rest)
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
         whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
         if scene.fatigue and not whole:
             raise damage.too_large()
-        arrays |= in_motion(
+        histories, seen = in_motion(
             scene, model, mesh, step, whole, arrays, facts, watch or Watch(), extremes
         )
+        arrays |= histories
         vibration.enter(scene, step, arrays, facts)
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
@@ -129,7 +131,7 @@ def march(
     if len(model.s.dof) - len(model.s.dim) == 3:
         arrays["mesh_moment_static"] = rest.moment
     facts["solve_seconds"] = clock.perf_counter() - started
-    return Result(arrays, facts)
+    return Result(arrays, facts, seen)
 
 
 def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
@@ -154,31 +156,30 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
 def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
     started = clock.perf_counter()
-    arrays, facts = result.arrays, result.facts
-    every_step = facts.pop("every_step", {})
+    arrays, facts, seen = result.arrays, result.facts, result.seen
     if scene.fatigue:
         from riserstudy.simulation.damage import refuse_coarse
 
         refuse_coarse(scene, facts)
     if rig := scene.top.tensioners:
-        facts["warnings"] += outputs.of_tensioners(rig, arrays, every_step)
+        facts["warnings"] += outputs.of_tensioners(rig, arrays, seen.steps)
         if "tensioner_stroke" in arrays:
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
     if joint := joint_of(scene):
-        facts["warnings"] += outputs.of_joint(joint, arrays, every_step)
+        facts["warnings"] += outputs.of_joint(joint, arrays, seen.steps)
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)
     if scene.analysis.solver != "hermite":
         forces, histories_of = derived(scene, mesh, arrays, arrays.pop("mesh_moment_static", None))
         arrays |= forces
-        seen = Seen(facts.pop("peaks", {}), facts.pop("rotations", {}))
         facts["extremes"] = extremes(scene, mesh, arrays, histories_of, seen)
         facts["extremes"] += rows_of_limits(scene, facts)
         if scene.limits and "time" in arrays:
-            found = first_reached(scene, mesh, arrays, histories_of, every_step)
+            found = first_reached(scene, mesh, arrays, histories_of, seen.steps)
             facts["limits_reached"] = [one.time for one in found]
             facts["limits_reached_error"] = [one.error for one in found]
     facts["solve_seconds"] += clock.perf_counter() - started
+    result.seen = Seen()
     return result
 
 
@@ -197,8 +198,10 @@ def in_motion(
     facts: RunFacts,
     watch: Watch,
     judged: bool,
-) -> outputs.Arrays:
-    """Histories and envelopes of a model at rest that is set in motion; the facts gain the audit.
+) -> tuple[outputs.Arrays, Seen]:
+    """Histories and envelopes of a model at rest that is set in motion, and what all steps tell.
+
+    The facts gain the audit.
 
     ``whole``: histories at all nodes, else what the stations need. ``judged``: extremes of all outputs.
     ``step`` is in s; of a scene in turns, a whole part of a turn is taken.
@@ -225,8 +228,8 @@ def in_motion(
     rest = outputs.positions(model)
     begin(scene, model, mesh)
     section = section_of(scene, mesh, arrays) if judged else NO_SECTION
-    seen = (judged or len(model.s.dim) > 1) and a.method != "explicit"
-    room = room_for_steps(model, a.duration, step) if seen else 0
+    recorded = (judged or len(model.s.dim) > 1) and a.method != "explicit"
+    room = room_for_steps(model, a.duration, step) if recorded else 0
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
     before = sum(energies(model.programs, model.state))
     with watch.over(record.value, sums):
@@ -240,13 +243,12 @@ def in_motion(
         audit.exchange(facts, coupling)
     histories = outputs.histories(arrays, model, record.value, of)
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
+    seen = _seen(scene, model, mesh, record, rest, judged)
     if judged:
         histories |= envelopes_of(record.value)
-        if len(model.s.dim) == 3:
-            facts["rotations"] = outputs.rotations(scene, model, mesh, record.value)
-    seen_by_steps, more = _peaks(scene, model, mesh, record, rest, histories, facts, judged)
-    enter_lift(scene, seen_by_steps or histories, facts)
-    return histories | more
+        histories |= within(histories, seen.peaks, ANGLES if len(model.s.dim) == 3 else ())
+    enter_lift(scene, seen.steps or histories, facts)
+    return histories, seen
 
 
 def _by_method(
@@ -283,33 +285,32 @@ def _by_method(
     return march_through(scene, model, mesh, step, record, sums, facts)
 
 
-def _peaks(
+def _seen(
     scene: Resolved,
     model: Model,
     mesh: Mesh,
     record: Frozen,
     rest: outputs.AtRest,
-    histories: outputs.Arrays,
-    facts: RunFacts,
     judged: bool,
-) -> tuple[outputs.Arrays, outputs.Arrays]:
-    """Values at all steps with their times, and histories that keep within their peaks; the facts gain these.
+) -> Seen:
+    """Values at all steps, and their peaks; nothing where not all steps were recorded.
 
-    Of a run that is only compared (not ``judged``) the peaks of the flex joints' angles. Nothing where not
-    all steps were recorded.
+    Of a run that is only compared (not ``judged``) the peaks of the flex joints' angles alone.
     """
+    seen = Seen()
+    if judged and len(model.s.dim) == 3:
+        seen.rotations = outputs.rotations(scene, model, mesh, record.value)
     every_step = steps_of(record.value)
     if not every_step:
-        return {}, {}
+        return seen
     if not judged:
         angles = outputs.angles(scene, model, mesh, every_step)
-        facts["peaks"] = peaks_of(every_step.time, angles)
-        return {}, {}
+        seen.peaks = peaks_of(every_step.time, angles)
+        return seen
     series = outputs.over_time(scene, model, mesh, every_step, rest)
-    facts["peaks"] = peaks_of(every_step.time, series)
-    kept = within(histories, facts["peaks"], ANGLES if len(model.s.dim) == 3 else ())
-    facts["every_step"] = {"time": every_step.time, **series}
-    return facts["every_step"], kept
+    seen.peaks = peaks_of(every_step.time, series)
+    seen.steps = {"time": every_step.time, **series}
+    return seen
 
 
 def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:

@@ -4,27 +4,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.model.model import Model
+from riserstudy.records.seen import Peak
 from riserstudy.solve.record import Record
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
 HALVED = 2.0  # times the steps of a march, where some are halved
 MOST = 20_000_000  # values of all steps: 160 MB
-
-
-class Peak(NamedTuple):
-    """Largest and smallest value over a run, of all cylinders together, with their times (s)."""
-
-    largest: float
-    largest_time: float
-    smallest: float
-    smallest_time: float
 
 
 def room_for_steps(model: Model, duration: float, step: float) -> int:

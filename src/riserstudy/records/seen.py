@@ -1,0 +1,35 @@
+"""What a run knows of all its steps, until extremes, limits and warnings are made of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, NamedTuple
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+
+class Peak(NamedTuple):
+    """Largest and smallest value over a run, of all cylinders together, with their times (s)."""
+
+    largest: float
+    largest_time: float
+    smallest: float
+    smallest_time: float
+
+
+@dataclass
+class Seen:
+    """Values at all steps of a run; nothing where only its outputs are known.
+
+    Attributes
+    ----------
+    steps : time (s) and what has one value a time, (steps,) or (steps, cylinders), by name.
+    peaks : of these values, by name.
+    rotations : of flex joints in space, at the outputs, (time, 3) rad, by name.
+    """
+
+    steps: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    peaks: dict[str, Peak] = field(default_factory=dict)
+    rotations: dict[str, NDArray[np.float64]] = field(default_factory=dict)
