@@ -174,9 +174,14 @@ def _at_places(
 
 
 def keep_stations(result: Result, stations: list[float] | None) -> None:
-    """Keep histories only at the stations (m) that are asked for; None: at all nodes."""
+    """Keep histories only at the stations (m) that are asked for; None: at all nodes.
+
+    Those at all nodes are laid on other nodes by the components of the moment, which stay with them.
+    """
     arrays = result.arrays
-    if stations is not None and "s" in arrays:
+    if stations is None:
+        return
+    if "s" in arrays:
         arrays |= at_stations(arrays, np.array(stations, float))
     arrays.pop("mesh_moment", None)
 

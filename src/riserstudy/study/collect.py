@@ -232,11 +232,17 @@ def _on_common_nodes(results: list[Result]) -> list[Result]:
 
 
 def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
-    """A run's values over its nodes at other places (m, shape (n,)), not a number above its top."""
+    """A run's values over its nodes at other places (m, shape (n,)), not a number above its top.
+
+    At its own nodes they are its values, whatever is next to them: a wall may end there.
+    """
     own = result.arrays
     curve = curve_of(own)
     there = nodes <= own["s_node"][-1] + 10.0**-NODE_DIGITS
     places = np.minimum(nodes[there], own["s_node"][-1])
+    nearest = np.searchsorted(0.5 * (own["s_node"][1:] + own["s_node"][:-1]), places)
+    at_node = abs(own["s_node"][nearest] - places) <= 10.0**-NODE_DIGITS
+    places = np.where(at_node, own["s_node"][nearest], places)
     everywhere = "time" in own and len(own["s"]) == len(own["s_node"])
     laid = at_stations(own, places) if everywhere and HISTORIES.intersection(own) else {}
     for name, values in own.items():
@@ -247,6 +253,8 @@ def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
         else:
             between = curve.straight if name.startswith("effective_tension") else curve.cubic
             laid[name] = between(values, places)
+    for name in set(laid) - {"s"}:
+        laid[name][..., at_node] = own[name][..., nearest[at_node]]
     whole = {}
     for name, values in laid.items():
         whole[name] = np.full((*values.shape[:-1], len(nodes)), np.nan)

@@ -7,8 +7,9 @@ from collections.abc import Collection, Mapping, Sequence
 #: coordinates, and what tells corners and cylinders
 ALWAYS = frozenset(("time", "s", "s_node", "mesh_corner", "tensioner_force_static"))
 PLACES = frozenset("xyz")
-#: what lays positions on other nodes, since a segment bends by its moments
-BENDS = PLACES | {"bending_moment", "mesh_flexibility"}
+#: what lays moments on other nodes, and positions, since a segment bends by its moments
+MOMENTS = frozenset(("bending_moment", "mesh_moment"))
+BENDS = PLACES | MOMENTS | {"mesh_flexibility"}
 
 
 def needed(shapes: Mapping[str, Sequence[int]], keep: Collection[str] | None) -> frozenset[str]:
@@ -26,6 +27,8 @@ def needed(shapes: Mapping[str, Sequence[int]], keep: Collection[str] | None) ->
     at_nodes = "time" in shapes and shapes["s"] == shapes["s_node"]
     if at_nodes and PLACES.intersection(keep):
         wanted |= BENDS
+    if at_nodes and MOMENTS.intersection(keep):
+        wanted |= MOMENTS
     return wanted.intersection(shapes)
 
 
