@@ -51,6 +51,40 @@ def test_the_most_probable_maximum_of_a_narrow_band_is_rayleighs(narrow, hours):
     assert MEAN - told.most_probable_smallest == pytest.approx(expected, rel=0.06)
 
 
+def in_a_sea(draw, duration):
+    """A Gaussian process of deviation 1 with a JONSWAP spectrum up to five times its peak, and its times."""
+    peak = 0.7
+    w = np.linspace(0.3, 5.0 * peak, 600)
+    width = np.where(w <= peak, 0.07, 0.09) * peak
+    spectrum = (
+        w**-5 * np.exp(-1.25 * (w / peak) ** -4) * 3.3 ** np.exp(-(((w - peak) / width) ** 2) / 2)
+    )
+    w = w + (w[1] - w[0]) * draw.uniform(-0.5, 0.5, len(w))
+    size = np.sqrt(spectrum / (spectrum.sum() / 2.0)) * np.exp(
+        2j * math.pi * draw.uniform(size=len(w))
+    )
+    time = np.arange(0.0, duration, 0.5)
+    values = np.zeros(len(time))
+    for a, b in zip(size, w, strict=True):
+        values += (a * np.exp(1j * b * time)).real / math.sqrt(2.0)
+    return time, values / values.std()
+
+
+@pytest.mark.parametrize("duration", [1800.0, 10800.0])
+@pytest.mark.parametrize("power, allowed", [(1.0, 0.03), (2.0, 0.06)])
+def test_small_peaks_of_a_sea_do_not_move_the_most_probable_maximum(duration, power, allowed):
+    """Of a broad band, and of a drag that grows with its square: by Rayleigh's, on the mean of 12 seas."""
+    draw = np.random.default_rng(3)
+    ratios = []
+    for _ in range(12):
+        time, sea = in_a_sea(draw, duration)
+        told = record_statistics(time, sea * np.abs(sea) ** (power - 1.0), 10800.0)
+        expected = (2.0 * math.log(10800.0 / told.period)) ** (0.5 * power)
+        ratios += [told.most_probable_largest / expected, -told.most_probable_smallest / expected]
+    chance = np.std(ratios) / math.sqrt(len(ratios))
+    assert np.mean(ratios) == pytest.approx(1.0, abs=allowed + 2.0 * chance)
+
+
 def test_a_record_without_peaks_enough_tells_no_extreme(narrow):
     few = record_statistics(TIME[:200], narrow[:200], 3600.0)
     assert math.isnan(few.most_probable_largest)

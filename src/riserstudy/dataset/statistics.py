@@ -10,6 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
 FEWEST_PEAKS = 10  # of a record, from which a distribution is fitted
+LOWER = 0.5  # share of peaks, the smallest, that the fit leaves out
+GRINGORTEN = 0.44  # of his plotting positions
 FEWEST_SEEDS = 5
 ALIKE = 1e-3  # deviation of peaks over their mean, below which a motion is regular
 NOT_EXCEEDED = 0.9  # share of seas whose extreme stays within the fractile that is told
@@ -39,9 +41,10 @@ class Gumbel(NamedTuple):
 def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> Statistics:
     """Statistics of a record, and the most probable extremes in a time of exposure.
 
-    Peaks, one between each upcrossing of the mean and the next, follow a Weibull distribution of which shape
-    and scale are fitted; of a narrow-banded Gaussian process that is Rayleigh's, of shape 2. Among N peaks
-    the most probable largest is mean + scale (ln N)^(1 / shape).
+    Peaks are one between each upcrossing of the mean and the next. Their higher half follows a Weibull
+    distribution of which shape and scale are fitted; of a Gaussian process that is nearly Rayleigh's, of
+    shape 2. Among N peaks the most probable largest is mean + scale (ln N)^(1 / shape). The lower half is
+    left out: small peaks, of which a sea of a broad band has many, say little of the largest.
 
     Parameters
     ----------
@@ -50,7 +53,8 @@ def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> 
 
     References
     ----------
-    Ochi 1998, Ocean Waves: The Stochastic Approach, chapters 3 and 6.
+    Ochi 1998, Ocean Waves: The Stochastic Approach, chapters 3 and 6. Gringorten 1963, J. Geophys. Res. 68,
+    for the chances of ordered values.
     """
     mean, deviation = float(values.mean()), float(values.std())
     upward = peaks(values - mean)
@@ -85,12 +89,15 @@ def _most_probable(found: FloatArray, count: float) -> float:
     """Most probable largest of so many peaks of the distribution that some peaks have."""
     if len(found) < FEWEST_PEAKS or not count > 1.0:
         return math.nan
-    if found.std() < ALIKE * found.mean():
+    if found.std() <= ALIKE * found.mean():
         return float(found.max())  # of a regular motion, for which no shape can be fitted
-    from scipy.stats import weibull_min
-
-    shape, _, scale = weibull_min.fit(found, floc=0.0)
-    return float(scale * math.log(count) ** (1.0 / shape))
+    higher = np.sort(found)
+    not_exceeded = (np.arange(len(higher)) + 1.0 - GRINGORTEN) / (
+        len(higher) + 1.0 - 2.0 * GRINGORTEN
+    )
+    some = (not_exceeded > LOWER) & (higher > 0.0)
+    slope, log_scale = np.polyfit(np.log(-np.log1p(-not_exceeded[some])), np.log(higher[some]), 1)
+    return float(np.exp(log_scale) * math.log(count) ** slope)
 
 
 def gumbel(largest: ArrayLike) -> Gumbel:
