@@ -150,5 +150,11 @@ def test_the_command_prints_a_table_and_draws(tmp_path, capsys):
     app(["viv", str(scene), "--csv", str(table), "--plot", str(picture)], standalone_mode=False)
     lines = table.read_text().splitlines()
     assert lines[0].startswith("mode,natural_frequency (Hz)")
-    assert len(lines) + 2 == len(capsys.readouterr().out.splitlines())  # two files are named
+    said = capsys.readouterr().out.splitlines()
+    assert len(lines) + 3 == len(said)  # two files are named, and frequencies of shedding
     assert picture.stat().st_size > 10_000
+    (shed,) = (line for line in said if "Strouhal" in line)
+    app(["viv", str(scene), "--strouhal", "0.1"], standalone_mode=False)
+    (half,) = (line for line in capsys.readouterr().out.splitlines() if "Strouhal" in line)
+    frequencies = [[float(word) for word in line.split()[4:7:2]] for line in (shed, half)]
+    np.testing.assert_allclose(frequencies[0], 2.0 * np.array(frequencies[1]), rtol=0.01)

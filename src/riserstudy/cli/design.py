@@ -211,7 +211,13 @@ def envelope(
 
 def viv(
     scene: SceneArgument,
-    strouhal: Annotated[float, typer.Option(help="Strouhal number f D / U; 0.17 to 0.25")] = 0.2,
+    strouhal: Annotated[
+        float,
+        typer.Option(
+            help="Strouhal number f D / U of the shedding frequencies that are printed and plotted; "
+            "0.17 to 0.25"
+        ),
+    ] = 0.2,
     slowest: Annotated[
         float, typer.Option(help="lowest reduced velocity U / (f D) of lock-in; 3 to 5")
     ] = 4.0,
@@ -236,7 +242,7 @@ def viv(
 
     The screening uses only the modes about the static equilibrium and reduced velocities, without a
     simulation over time. It computes the amplitude of each mode as if that mode vibrated alone: the power of
-    lift equals the power of drag.
+    lift equals the power of drag. The Strouhal number changes neither.
     """
     from riserstudy.dataset.table import Cell, Table
 
@@ -255,6 +261,11 @@ def viv(
         show(Table(["mode", *ABOUT], ["", *units], rows), csv)
     else:
         print("no mode may lock in")
+    shed = found["shedding_frequency"].values
+    print(
+        f"vortices are shed at {shed.min():.3g} to {shed.max():.3g} Hz, by a Strouhal number of "
+        f"{strouhal:g}; the table depends on reduced velocities, not on this number"
+    )
     if plot is not None:
         from riserstudy.figures.vortex_frequencies import vortex_frequencies
 

@@ -22,7 +22,7 @@ EXAMPLES = {
     ),
     "operability": "riserstudy operability riser.yaml --reach '100 m' --allowance lfj_angle='0.5 deg'",
     "envelope": "riserstudy envelope riser.yaml --reach '100 m' --current '0.5 m/s' --sea '4 m, 10 s'",
-    "viv": "riserstudy viv riser.yaml --strouhal 0.2",
+    "viv": "riserstudy viv riser.yaml --lift 0.8",
     "watch-circles": "riserstudy watch-circles drift.yaml --disconnect '60 s' --prepare '120 s'",
     "recoil": "riserstudy recoil disconnect.yaml --csv recoil.csv",
     "seas": "riserstudy seas hindcast.csv -o seas.nc",
