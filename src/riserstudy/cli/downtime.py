@@ -44,6 +44,8 @@ if TYPE_CHECKING:
     from riserstudy.seas.riser_downtime import Downtime
 
 
+SEEDS, ERROR, MOST = 5, 0.05, 400  # runs, tolerance and sea states where none is given
+
 RecordArgument = Annotated[
     Path, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
 ]
@@ -99,16 +101,21 @@ XTowardsOption = Annotated[
     str | None,
     typer.Option(help="compass bearing of the x axis of the scene: '90 deg'", metavar="ANGLE"),
 ]
-SeedsOption = Annotated[int, typer.Option(min=1, help="number of runs of each sea state")]
+SeedsOption = Annotated[
+    int | None, typer.Option(min=1, help="number of runs of each sea state; default: 5")
+]
 ErrorOption = Annotated[
-    float,
+    float | None,
     typer.Option(
         min=0.001,
         max=0.5,
-        help="tolerance on the interpolated response, as a fraction of the allowable",
+        help="tolerance on the interpolated response, as a fraction of the allowable; default: 0.05",
     ),
 ]
-MostOption = Annotated[int, typer.Option(min=20, help="largest number of sea states to simulate")]
+MostOption = Annotated[
+    int | None,
+    typer.Option(min=20, help="largest number of sea states to simulate; default: 400"),
+]
 CoresOption = Annotated[
     int | None, typer.Option(min=1, help="number of processes; default: number of cores")
 ]
@@ -134,9 +141,9 @@ def downtime(
     period: ReturnOption = None,
     sectors: SectorsOption = None,
     x_towards: XTowardsOption = None,
-    seeds: SeedsOption = 5,
-    error: ErrorOption = 0.05,
-    most: MostOption = 400,
+    seeds: SeedsOption = None,
+    error: ErrorOption = None,
+    most: MostOption = None,
     cores: CoresOption = None,
     output: ResponsesOption = None,
     csv: CsvOption = None,
@@ -154,11 +161,12 @@ def downtime(
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {
         "-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary,
-        "--return-period": period,
+        "--return-period": period, "--set": settings, "--seeds": seeds,
+        "--error": error, "--most": most, "--cores": cores,
     }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
-    if vary and (output or plot or period):
-        allowed = "leave out --output, --plot and --return-period; --csv is possible"
+    if vary and (output or plot or period or window):
+        allowed = "leave out --output, --plot, --return-period and --window; --csv is possible"
         raise InputError("downtime", "--vary", vary[0], allowed)
     from riserstudy.seas.hours import sea_limit
     from riserstudy.seas.record import read_record
@@ -166,12 +174,14 @@ def downtime(
     limits = [sea_limit(one) for one in limit or []]
     lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = read_record(record), Ahead(ahead, persistence)
+    if sea.attrs["conversions"]:
+        print(f"converted: {sea.attrs['conversions']}")
     if not scene:
         return of_the_sea(sea, limits, lengths, years, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)
     simulated = partial(
         riser_downtime, sea=sea, limits=limits, directions=directions,
-        seeds=seeds, error=error, most=most, cores=cores,
+        seeds=seeds or SEEDS, error=error or ERROR, most=most or MOST, cores=cores,
     )  # fmt: skip
     if vary:
         return show(varied(scene, settings or [], vary, simulated, years), csv)

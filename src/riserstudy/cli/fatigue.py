@@ -98,6 +98,8 @@ def fatigue(
             check_output(path, ("table",), reads, force, option)
     if scatter and seas:
         raise InputError("--seas", str(seas), "with --scatter", "give only one of the two")
+    if gamma and not seas:
+        raise InputError("fatigue", "--gamma", f"{gamma:g}", "allowed only with --seas")
     from riserstudy.fatigue import tables
 
     years = _summed(study, scatter, seas, gamma, at, calm)
@@ -147,9 +149,12 @@ def _summed(
     if scatter:
         occurs = of_table(scatter, dataset, axes)
     elif seas:
+        from riserstudy.cli.seas import check_gamma
         from riserstudy.seas.record import read_record, with_peak_period
 
-        record = with_peak_period(read_record(seas), gamma or gamma_of(dataset))
+        record = read_record(seas)
+        check_gamma("fatigue", gamma, record)
+        record = with_peak_period(record, gamma or gamma_of(dataset))
         occurs = of_record(record, dataset, axes)
     elif axes:
         raise InputError("--scatter", "", "not given", "allowed is a table, or --seas RECORD")

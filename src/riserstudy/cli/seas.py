@@ -19,6 +19,8 @@ if TYPE_CHECKING:
     from riserstudy.seas.netcdf_record import Place
 
 
+USUAL_GAMMA = 3.3
+
 RecordArgument = Annotated[
     Path | None,
     typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv"),
@@ -28,9 +30,11 @@ SyntheticOption = Annotated[
     typer.Option(min=1, max=100, help="make a synthetic record of this number of years instead"),
 ]
 GammaOption = Annotated[
-    float,
+    float | None,
     typer.Option(
-        min=1.0, max=7.0, help="JONSWAP gamma that converts zero-crossing to peak periods"
+        min=1.0,
+        max=7.0,
+        help="JONSWAP gamma that converts zero-crossing to peak periods; default: 3.3",
     ),
 ]
 NearOption = Annotated[
@@ -58,8 +62,10 @@ OutputOption = Annotated[
 def seas(
     record: RecordArgument = None,
     synthetic: SyntheticOption = None,
-    seed: Annotated[int, typer.Option(min=0, help="seed of the synthetic record")] = 1,
-    gamma: GammaOption = 3.3,
+    seed: Annotated[
+        int | None, typer.Option(min=0, help="seed of the synthetic record; default: 1")
+    ] = None,
+    gamma: GammaOption = None,
     near: NearOption = None,
     period: ReturnOption = None,
     contour: ContourOption = None,
@@ -84,9 +90,16 @@ def seas(
 
     if record is None and near is not None:
         raise InputError("seas", "--near", near, "allowed only with the file of a record")
+    if record is not None and seed is not None:
+        raise InputError("seas", "--seed", str(seed), "allowed only with --synthetic")
     place = _place(near) if near else None
-    found = made(synthetic or 1, seed) if record is None else read_record(record, place)
-    found = with_peak_period(found, gamma)
+    found = (
+        made(synthetic or 1, 1 if seed is None else seed)
+        if record is None
+        else read_record(record, place)
+    )
+    check_gamma("seas", gamma, found)
+    found = with_peak_period(found, gamma or USUAL_GAMMA)
     for line in described(found):
         print(line)
     if period:
@@ -98,6 +111,24 @@ def seas(
     if output is not None:
         write_record(found, output)
         wrote(output)
+
+
+def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
+    """See that a gamma (1), if it is given, converts periods of a record.
+
+    Raises
+    ------
+    InputError
+        Where it would do nothing.
+    """
+    if gamma is None or ("peak_period" not in record and "zero_crossing_period" in record):
+        return
+    found = (
+        "the record has peak periods" if "peak_period" in record else "the record has no periods"
+    )
+    raise InputError(
+        command, "--gamma", f"{gamma:g}", f"{found}, which it does not convert; omit it"
+    )
 
 
 def _place(text: str) -> Place:

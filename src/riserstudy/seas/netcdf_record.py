@@ -120,6 +120,7 @@ def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column,
                 of = head(str(path), f"{one.name} ({unit})")
                 check_fills(path, numbers, of._replace(heading=name))
                 note = f"{one.name} from {unit}" if of.factor != 1.0 else ""
+                note = "; ".join(filter(None, (note, str(values.attrs.get("comment", "")))))
                 numbers = numbers * of.factor
                 if not by_standard and plain(name) == "wave_height":
                     note = "; ".join(filter(None, (note, UNSURE_HEIGHT)))
@@ -204,8 +205,10 @@ def _at_one_place(path: Path, data: xr.Dataset, near: Place | None) -> tuple[xr.
         for names in (("latitude", "lat"), ("longitude", "lon"))
     )
     dims = {d for n in (lat, lon) if n for d in data[n].dims if d not in CLOCKS}
-    if not dims:
+    if not dims and near is None:
         return data, []
+    if not (lat and lon):
+        raise InputError(path, "--near", "the file gives no latitude and longitude", "omit it")
     if near is None:
         many = ", ".join(f"{data.sizes[d]} of {d}" for d in sorted(map(str, dims)))
         raise InputError(

@@ -70,6 +70,8 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     """
     import xarray as xr
 
+    if near is not None and path.suffix != ".nc":
+        raise InputError(path, "--near", "a table has one place", "omit it")
     frame, notes = read_netcdf(path, near) if path.suffix == ".nc" else _from_csv(path)
     if "significant_wave_height" not in frame:
         allowed = "allowed is a column such as 'significant_wave_height (m)'"
