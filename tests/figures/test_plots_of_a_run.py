@@ -9,7 +9,7 @@ from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.cli import main
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, SimulationError
 from riserstudy.figures.drawn import headline
 from riserstudy.figures.run import draw
 
@@ -140,3 +140,47 @@ def test_the_command_draws_a_point_of_a_study(tmp_path, monkeypatch, capsys):
     assert "allowed are 1.0, 5.0" in capsys.readouterr().err
     assert status("-o", str(tmp_path / "out.doc"), "--at", "heave=5") == 2
     assert not (tmp_path / "out.doc").exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        ["plot", "--kind", "range"],
+        ["plot", "--kind", "time-series"],
+        ["plot", "--kind", "shape"],
+        ["statistics"],
+        ["compare"],
+    ],
+)
+def test_of_a_point_that_failed_nothing_is_made(words, tmp_path, monkeypatch, capsys):
+    grid = run().expand_dims(at=["well", "lost"]).assign(point_key=("at", ["a", "b"]))
+    failed = grid.where(grid["at"] == "well").assign(point_key=("at", ["a", "b"]))
+    why = "no static equilibrium found"
+    failed.assign(failure=("at", ["", why])).to_netcdf(tmp_path / "grid.nc")
+    (tmp_path / "other.csv").write_text("time (s), x at 0 m (m)\n0, 0\n1, 1\n2, 0\n3, 1\n")
+    other = [str(tmp_path / "other.csv")] if words == ["compare"] else []
+    target = tmp_path / ("made.csv" if words == ["statistics"] else "made.png")
+    call = [words[0], str(tmp_path / "grid.nc"), *other, *words[1:], "--at", "at=lost"]
+    monkeypatch.setattr("sys.argv", ["riserstudy", *call, "-o", str(target)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == SimulationError.exit_code
+    assert f"this point has no results: {why}" in capsys.readouterr().err
+    assert not target.exists()
+
+
+def test_a_range_graph_of_magnitudes_alone_says_so():
+    moment = run()["bending_moment_max"]
+    only = xr.Dataset({"bending_moment_absmax": abs(moment), "ufj_angle": ("time", TIME)})
+    (ax,) = draw("range", only.assign_coords(run().coords)).axes
+    assert "at rest" not in ax.figure.get_suptitle()
+    assert draw("time-series", only.assign_coords(run().coords)).axes
+    assert f"largest {1e-3 * float(abs(moment).max()):.4g}" in ax.get_title()
+
+
+@pytest.mark.parametrize(
+    "of", [["bending_moment", "von_mises_stress"], ["bending_moment", "x", "x", "x", "x"]]
+)
+def test_a_range_graph_leaves_out_nothing_that_is_asked_for(of):
+    with pytest.raises(InputError, match=r"von_mises_stress|5 quantities"):
+        draw("range", run(), of)

@@ -69,7 +69,7 @@ def compare(
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.diff import opened
-    from riserstudy.dataset.place import place
+    from riserstudy.dataset.place import complete, place
     from riserstudy.figures import save
     from riserstudy.figures.comparison import MOST, comparison
     from riserstudy.figures.style import as_written
@@ -78,7 +78,7 @@ def compare(
     check_output(output, ("figure",), [dataset, other], force)
     index = place(of_run, place_of(at))
     found, notes = compared(
-        of_run.isel(index),
+        complete(of_run.isel(index)),
         other,
         scene=_scene(of_run, index),
         called=_called(column),

@@ -51,14 +51,15 @@ def plot(
 ) -> None:
     """Plot one run: ranges along the riser with its limits, time series, or its shape."""
     from riserstudy.dataset.diff import opened
-    from riserstudy.dataset.place import place
+    from riserstudy.dataset.place import complete, place
     from riserstudy.figures import save
     from riserstudy.figures.run import draw
 
     of_run = opened(dataset)
     check_output(output, ("figure",), [dataset], force)
     with reading_in(units):
-        save(draw(kind.value, of_run.isel(place(of_run, place_of(at))), of), output)
+        run = complete(of_run.isel(place(of_run, place_of(at))))
+        save(draw(kind.value, run, of), output)
     wrote(output)
 
 
@@ -174,7 +175,7 @@ def statistics(
     """Compute statistics in an irregular sea: mean, deviation, most probable extremes, Gumbel over seeds."""
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.diff import opened
-    from riserstudy.dataset.place import place
+    from riserstudy.dataset.place import complete, place
     from riserstudy.scene.units import to_si
 
     of_run = opened(dataset)
@@ -194,11 +195,11 @@ def statistics(
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
-        made = statistics_tables.over_seeds(of_run.isel(index), over, begin)
+        made = statistics_tables.over_seeds(complete(of_run.isel(index)), over, begin)
         _warn_of_coarse_outputs(of_run, index | {over: 0})
     else:
         index = place(of_run, place_of(at))
-        run = of_run.isel(index)
+        run = complete(of_run.isel(index))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
         _warn_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
         _warn_of_coarse_outputs(of_run, index)

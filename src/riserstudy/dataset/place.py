@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -34,6 +34,27 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
             raise InputError("--at", axis, "not given", allowed)
         index[axis] = value_of(dataset, axis, at.get(axis, str(values[0])))
     return index
+
+
+def complete(run: xr.Dataset) -> xr.Dataset:
+    """One point of a dataset, or points along an axis, as they are.
+
+    Raises
+    ------
+    SimulationError
+        When one of them failed, so that it has no results.
+    """
+    if "failure" not in run:
+        return run
+    reasons = run["failure"].values.reshape(-1).tolist()
+    if failed := [reason for reason in reasons if reason]:
+        which = (
+            "this point has"
+            if len(reasons) == 1
+            else f"{len(failed)} of {len(reasons)} points have"
+        )
+        raise SimulationError(f"{which} no results: {failed[0]}")
+    return run
 
 
 def value_of(dataset: xr.Dataset, axis: str, wanted: str) -> int:

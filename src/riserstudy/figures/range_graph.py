@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
-from riserstudy.figures.grid import ENDINGS, key, label, present, read
+from riserstudy.errors import InputError
+from riserstudy.figures.grid import ENDINGS, SIZE, absent, key, label, present, read
 from riserstudy.figures.style import COLOURS, headline, panels
 
 QUANTITIES = ("effective_tension", "bending_moment", "von_mises_stress", "x", "y")
@@ -30,15 +31,31 @@ def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Fig
     InputError
         When the run has none of the quantities along the riser.
     """
-    names = present(run, of or QUANTITIES)[:PANELS]
+    along = [name for name in of or present(run, QUANTITIES) if _has(run, name)]
+    if missing := [name for name in of or () if name not in along]:
+        raise absent(run, missing[0])
+    if not along:
+        found = "the study keeps no extremes along the riser"
+        raise InputError(title, "keep", found, "add such as bending_moment_max to `keep`")
+    if of and len(of) > PANELS:
+        found = f"{len(of)} quantities"
+        raise InputError("--of", of[-1], found, f"a figure shows {PANELS}; draw another one")
+    names = along[:PANELS]
     figure, axes = panels(1, len(names), 4.6, sharey=True)
     for ax, name in zip(axes, names, strict=True):
         _panel(ax, run, name)
     axes[0].set_ylabel(label(xr.DataArray(0.0, name="s")))
-    moving = any(name + end in run for name in names for end in ENDINGS)
+    moving = any(name + end in run for name in names for end in (*ENDINGS, SIZE))
     headline(figure, f"{title}: {'ranges over time' if moving else 'at rest'}, along the riser")
     _key(figure, axes)
     return figure
+
+
+def _has(run: xr.Dataset, name: str) -> bool:
+    """Whether a run has extremes of a quantity along the riser, or its state at rest."""
+    there = [name + end for end in ("_static", *ENDINGS, SIZE) if name + end in run]
+    there += [name] if name in run and "time" not in run[name].dims else []
+    return any({"s", "s_node"}.intersection(run[one].dims) for one in there)
 
 
 def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
@@ -61,6 +78,10 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
         ax.axvline(allowable, color=RED, linestyle="--", linewidth=1.0, label="limit")
     ax.set_xlabel(label(xr.DataArray(0.0, name=name)))
     ax.locator_params(axis="x", nbins=4)
+    if not sides and name + SIZE in run:
+        sides = [run[name + SIZE]]
+        largest = _selected(sides[0])
+        ax.plot(largest, _along(largest), color=COLOURS[0], label="largest magnitude over time")
     ax.set_title(_largest(sides or [static], name), fontsize="small")
 
 

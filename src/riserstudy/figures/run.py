@@ -8,11 +8,18 @@ from riserstudy.errors import InputError
 from riserstudy.figures.range_graph import range_graph
 from riserstudy.figures.shape import shape
 from riserstudy.figures.style import as_written, headline
-from riserstudy.figures.time_series import time_series
+from riserstudy.figures.time_series import PANELS, time_series
+from riserstudy.study.plots import USUAL
 
 if TYPE_CHECKING:
     import xarray as xr
     from matplotlib.figure import Figure
+
+
+def _usual(run: xr.Dataset) -> list[str] | None:
+    """Histories of a run that keeps none of the usual ones; None where it has those."""
+    there = [str(name) for name, values in run.items() if "time" in values.dims]
+    return None if set(USUAL["time series"]).intersection(there) else there[:PANELS] or None
 
 
 def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
@@ -34,6 +41,6 @@ def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
             return range_graph(run, title, of)
         if kind == "shape":
             return shape(run, title)
-        figure = time_series(run, of)
+        figure = time_series(run, of or _usual(run))
         headline(figure, f"{title}: over time, where each varies most")
     return figure
