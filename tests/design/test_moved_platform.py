@@ -84,6 +84,35 @@ def test_offsets_count_from_the_well_wherever_the_platform_stands_in_the_file(se
     np.testing.assert_allclose([o[:2] for o in third], [o[:2] for o in one], atol=0.1)
 
 
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("kind", ["harmonic", "sea"])
+def test_a_motion_of_the_platform_does_not_move_the_offsets_of_a_riser_at_rest(seed, kind):
+    """Without a ramp a run begins anywhere in the motion; offsets and allowances count from rest."""
+    draw = np.random.default_rng(seed)
+    tree = rig(seed, spatial=seed % 2 == 1)
+    platform = copy.deepcopy(tree["platform"])
+    centre = {"elevation": 0.0}
+    if kind == "harmonic":
+        heave, surge = draw.uniform(1.0, 4.0, 2).tolist()
+        platform["heave"] = {"amplitude": heave, "period": 12.0, "phase": 1.5}
+        platform["surge"] = {"amplitude": surge, "period": 12.0, "phase": 0.8}
+    else:
+        wave = {"significant_height": "8 m", "peak_period": "13 s", "peak_enhancement": 2}
+        moves = {"surge": "0.5 m/m", "surge_phase": "1.5 rad"}
+        moves |= {"heave": "0.6 m/m", "heave_phase": "0.2 rad"}
+        platform["response"] = {
+            "operators": [{"period": period, **moves} for period in (1.0, 40.0)],
+            "phases": "lead",
+            "wave": wave | {"components": 20, "seed": seed},
+        }
+    platform.setdefault("centre_of_rotation", centre)
+    moving = tree | {"platform": platform}
+    limits = [*LIMITS[:2], LIMITS[3] | {"largest": "1 m"}]
+    still, found = (offsets(file_of(t, limits=limits).resolved(), 40.0, {}) for t in (tree, moving))
+    assert any(math.isfinite(end) for one in still for end in one[:2])
+    np.testing.assert_allclose([o[:2] for o in found], [o[:2] for o in still], atol=1e-9)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_an_offset_of_the_top_and_a_surge_of_the_platform_are_the_same_move(seed):
     by_surge, by_offset = rig(seed), rig(seed)

@@ -21,7 +21,7 @@ from scipy.optimize import brentq, minimize_scalar
 from riserstudy.dataset.limits import demand_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
-from riserstudy.scene.forcing import Position
+from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.resolve import Resolved
@@ -115,15 +115,23 @@ class AtRest:
         return self.rows[offset]
 
 
+def without_motion(scene: Resolved) -> Resolved:
+    """The scene with its platform where it is in calm water, whatever its motion begins with."""
+    if scene.platform is None:
+        return scene
+    none = dict.fromkeys((*TRANSLATIONS, *TILTS, "cruise", "response"))
+    return scene.model_copy(update={"platform": scene.platform.model_copy(update=none)})
+
+
 def moved(scene: Resolved, offset: float) -> Resolved:
-    """The scene with the riser's top, and all that it hangs from, at an offset from the well (m).
+    """The scene at rest, with the riser's top, and all that it hangs from, at an offset from the well (m).
 
     Raises
     ------
     InputError
         When nothing holds the top aside.
     """
-    top = scene.top
+    scene, top = without_motion(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
         position = position.model_copy(update={"surge": offset - (top.offset or 0.0)})

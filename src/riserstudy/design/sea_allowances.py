@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of
+from riserstudy.design.operability import without_motion
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -55,9 +56,11 @@ def allowance(added: FloatArray) -> float:
 
 
 def at_rest(scene: Resolved) -> Resolved:
-    """The scene without time."""
+    """The scene without time and motion."""
     still = {"duration": None, "output": None, "step": None, "start": None}
-    return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=still)})
+    return without_motion(scene).model_copy(
+        update={"analysis": scene.analysis.model_copy(update=still)}
+    )
 
 
 def _extremes(scene: Resolved) -> list[dict[str, Any]]:
