@@ -1,5 +1,7 @@
 """Plots that fit any grid: what they show, of datasets with known numbers."""
 
+import csv
+import io
 import json
 import re
 
@@ -12,6 +14,7 @@ from matplotlib.collections import QuadMesh
 
 from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
+from riserstudy.figures.drawn import table
 from riserstudy.study.figures import NEEDS, FigureModel
 from riserstudy.study.models import StudyModel
 from riserstudy.study.read import default_figures
@@ -227,3 +230,31 @@ def test_a_heat_map_marks_where_its_limit_is():
 
     assert set(np.round(marks(inside), 9)) == {-2.0, 2.0}
     assert marks(beyond) == []
+
+
+def cells_of(figure):
+    """Values of heat maps by panel and place, as the table of the figure has them."""
+    rows = list(csv.DictReader(io.StringIO(table(figure))))
+    cells = [row for row in rows if row["colour_value"]]
+    return {(r["panel"], r["x_value"], r["y_value"]): r["colour_value"] for r in cells}
+
+
+@pytest.mark.parametrize("plot", ["heat map", "utilisation"])
+@pytest.mark.parametrize("seed", range(6))
+def test_a_map_does_not_depend_on_the_order_of_its_axes(seed, plot):
+    draw = np.random.default_rng(seed)
+    ordered = grid("heave_amplitude", "tug")
+    axes = ("heave_amplitude", "tug")
+    uneven = {axis: draw.uniform(-5.0, 9.0, ordered.sizes[axis]).round(2) for axis in axes}
+    ordered = ordered.assign_coords(
+        {axis: (axis, np.sort(values), ordered[axis].attrs) for axis, values in uneven.items()}
+    )
+    mixed = ordered
+    for axis in uneven:
+        mixed = mixed.isel({axis: draw.permutation(ordered.sizes[axis])})
+    of = ["bending_moment"] if plot == "heat map" else None
+    cells, again = cells_of(drawn(plot, ordered, of)), cells_of(drawn(plot, mixed, of))
+    assert cells == again
+    assert {(x, y) for _, x, y in cells} == {
+        (f"{x:g}", f"{y:g}") for x in uneven["heave_amplitude"] for y in uneven["tug"]
+    }

@@ -26,8 +26,13 @@ def module_of_plot(plot: str) -> str:
 
 
 def draw_plot(model: FigureModel, dataset: xr.Dataset) -> Figure:
-    """A figure that names a plot for any grid."""
+    """A figure that names a plot for any grid, with the numbers of its axes in rising order."""
+    from riserstudy.figures.grid import axes_of
     from riserstudy.figures.style import as_written
+
+    for axis in axes_of(dataset):
+        if axis in dataset.coords and dataset[axis].dtype.kind in "fiu":
+            dataset = dataset.sortby(axis)
 
     module = import_module(module_of_plot(str(model.plot)))
     with as_written():

@@ -128,7 +128,7 @@ def _values(artist: Any) -> Array | None:
         if array is None:
             return None
         if array.size != grid[..., 0].size:  # a value a cell, not a corner
-            grid = 0.25 * (grid[1:, 1:] + grid[:-1, 1:] + grid[1:, :-1] + grid[:-1, :-1])
+            grid = _places(_places(grid).swapaxes(0, 1)).swapaxes(0, 1)
         return _columns(grid[..., 0].ravel(), grid[..., 1].ravel(), array.ravel())
     if isinstance(artist, PathCollection):
         places = np.ma.getdata(artist.get_offsets())
@@ -141,6 +141,16 @@ def _values(artist: Any) -> Array | None:
         corners = [path.vertices for path in artist.get_paths()]
         return _columns(*np.concatenate(corners).T) if corners else None
     return None
+
+
+def _places(edges: Array) -> Array:
+    """Places halfway between which cells have their edges (n + 1, ...); middles of other cells."""
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    places = middle.copy()
+    for k in range(1, len(places)):
+        places[k] = 2.0 * edges[k] - places[k - 1]
+    halfway = np.allclose(places[-1], middle[-1], rtol=1e-6, atol=1e-6 * np.ptp(edges))
+    return places if halfway else middle
 
 
 def _columns(x: Any, y: Any, colour: Any = None) -> Array:
