@@ -192,6 +192,34 @@ def test_extremes_of_a_long_exposure_say_that_they_rest_on_a_short_record(
     assert "extremes of 3.6e+06 s are estimated from a record" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("seed", range(3))
+@pytest.mark.parametrize(
+    "ramp, start, output, warned",
+    [
+        (None, 0, 0, False),
+        (600, 0, 0, True),
+        (600, 599, 0, True),
+        (600, 600, 0, False),
+        (600, 0, 700, False),
+    ],
+)
+def test_times_in_ramps_are_warned_of(
+    tmp_path, monkeypatch, capsys, ramp, start, output, warned, seed
+):
+    """With all of a ramp of half of the record, the deviation is some 20 % too small."""
+    scene, run, out = (tmp_path / name for name in ("followed.yaml", "run.nc", "out.csv"))
+    scene.write_text(json.dumps(FOLLOWED))
+    changed = {"analysis.duration": "1200 s", "platform.response.wave.seed": seed}
+    changed |= {"platform.response.ramp": f"{ramp} s"} if ramp else {}
+    changed |= {"analysis.output.start": f"{output} s"} if output else {}
+    simulate(load_scene(scene, **changed), progress=False).to_netcdf(run)
+    rows = table(monkeypatch, run, "-o", out, "--start", f"{start} s")
+    row = next(row for row in rows if row["output"] == "stroke")
+    assert ("ramps end at 600 s" in capsys.readouterr().err) == warned
+    if warned and start == 0:
+        assert float(row["standard deviation"]) < 0.93 * HEIGHT / 4.0
+
+
 @pytest.mark.parametrize("interval, coarse", [(0.5, False), (1.5, False), (2.0, True), (5.0, True)])
 def test_outputs_that_miss_peaks_are_warned_of(tmp_path, monkeypatch, capsys, interval, coarse):
     """From a fifth of a peak period on, extremes of a record are too small by per cents."""

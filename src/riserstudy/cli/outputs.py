@@ -196,13 +196,14 @@ def statistics(
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
         made = statistics_tables.over_seeds(complete(of_run.isel(index)), over, begin)
-        _warn_of_coarse_outputs(of_run, index | {over: 0})
+        index |= {over: 0}
     else:
         index = place(of_run, place_of(at))
         run = complete(of_run.isel(index))
         made = statistics_tables.of_a_run(run, begin, times["--exposure"])
         _warn_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
-        _warn_of_coarse_outputs(of_run, index)
+    _warn_of_ramps(of_run, index, begin)
+    _warn_of_coarse_outputs(of_run, index)
     tables.write_csv(tables.in_units(made, units), output)
     wrote(output)
 
@@ -216,6 +217,20 @@ def _warn_of_short_record(record: float, exposure: float | None) -> None:
         print(
             f"riserstudy: warning: extremes of {exposure:g} s are estimated from a record of {record:g} s, "
             f"{exposure / record:.0f} times shorter; simulate longer, or more seeds",
+            file=sys.stderr,
+        )
+
+
+def _warn_of_ramps(dataset: xr.Dataset, index: dict[str, int], begin: float) -> None:
+    """Say that times count in which motions still grow, so that deviations are too small."""
+    from riserstudy.dataset.provenance import scene_of_point
+
+    scene = scene_of_point(dataset, index)
+    output = scene.analysis.output
+    if max(begin, (output and output.start) or 0.0) < scene.built_up * (1.0 - 1e-9):
+        print(
+            f"riserstudy: warning: ramps end at {scene.built_up:.4g} s, and the statistics include earlier "
+            f"times; leave these out by --start '{scene.built_up:.4g} s'",
             file=sys.stderr,
         )
 
