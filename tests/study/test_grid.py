@@ -171,8 +171,9 @@ def test_labels_may_set_what_numbers_are_within_before_them_and_what_is_beside(a
     StudyModel.model_validate(OF_SURGE | {"axes": axes})
 
 
-def test_steps_never_pass_their_stop():
-    assert Steps(start=0.0, stop=1.0, step=0.6).values == [0.0, 0.6]
+def test_steps_reach_their_stop_or_are_refused():
+    with pytest.raises(ValidationError, match=r"allowed is 0\.6, 1\.2, or another step"):
+        Steps(start=0.0, stop=1.0, step=0.6)
     assert Steps(start=0.0, stop=0.3, step=0.1).values == [0.0, 0.1, 0.2, 0.3]
 
 
@@ -185,6 +186,15 @@ def test_steps_are_counted_in_the_digits_that_they_are_written_in(seed):
     start, stop, by = (float(f"{whole}e{power}") for whole in (first, first + count * step, step))
     found = Steps(start=start, stop=stop, step=by).values
     assert found == [float(f"{first + k * step}e{power}") for k in range(count + 1)]
+    short = float(f"{first + count * step + rng.randint(1, 9) / 10 * step}e{power}")
+    with pytest.raises(ValidationError, match="no whole number of steps"):
+        Steps(start=start, stop=short, step=by)
+
+
+def test_an_axis_whose_factor_is_nothing_is_refused():
+    axis = {"path": "platform.surge.amplitude", "unit": "m", "factor": 0, "values": [1, 2]}
+    with pytest.raises(ValidationError, match="sets every value of the axis to the same"):
+        StudyModel.model_validate(OF_SURGE | {"axes": {"a": axis}})
 
 
 def test_all_that_runs_return_can_be_kept():

@@ -29,14 +29,24 @@ class Steps(Strict):
     def _fits(self) -> Self:
         if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
             raise ValueError(f"stop must be above start, by at most {MOST_VALUES} steps")
+        last = self._at(self._count)
+        if abs(self.stop - last) > 1e-6 * self.step + 1e-15 * abs(self.stop):
+            found = f"{self.stop:g} is no whole number of steps from start"
+            allowed = f"allowed is {last:g}, {self._at(self._count + 1):g}, or another step"
+            raise Misfit("stop", found, allowed)
         return self
 
     @property
     def values(self) -> list[float]:
         """The values in the axis's unit, added up as they are written: in decimals, without rounding."""
-        count = math.floor((self.stop - self.start) / self.step + 1e-9)
-        start, step = Decimal(repr(self.start)), Decimal(repr(self.step))
-        return [float(start + k * step) for k in range(count + 1)]
+        return [self._at(k) for k in range(self._count + 1)]
+
+    @property
+    def _count(self) -> int:
+        return math.floor((self.stop - self.start) / self.step + 1e-9)
+
+    def _at(self, k: int) -> float:
+        return float(Decimal(repr(self.start)) + k * Decimal(repr(self.step)))
 
 
 class Numbers(Strict):
@@ -55,6 +65,8 @@ class Numbers(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
+        if self.factor == 0.0:
+            raise Misfit("factor", "0 sets every value of the axis to the same", "leave it out")
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
             raise Misfit(
