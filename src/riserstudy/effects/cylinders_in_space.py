@@ -10,8 +10,10 @@ The deck moves with a platform of prescribed motion, or horizontally with a free
 second case, the vessel is the top node of the riser, and carries the horizontal component of the pulls.
 The prescribed motion of a platform is added to the motion of the vessel.
 
-The derivative of the moment m is omitted from the stiffness, because it is small compared with the
-stiffness of the riser.
+The derivative of the moment m is omitted from the static stiffness, because it is small compared with the
+stiffness of the riser. In motion it is not: over a step h, dampers c at a radius a resist a rotation of the
+ring like a spring of about c a^2 / h. The derivative with respect to the direction of the riser below the
+ring is then included, except for its effect at the upper end of the joint.
 
 References
 ----------
@@ -29,7 +31,7 @@ from riserstudy.effects.attitude import turned
 from riserstudy.effects.cylinder import probe
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
-from riserstudy.solve.state import SUPPLIED
+from riserstudy.solve.state import SUPPLIED, VELOCITY
 
 
 class CylindersInSpace(NamedTuple):
@@ -234,7 +236,41 @@ def tangent(cylinders, s):
                         s.k_low[i, p * d + q] -= stiff
                     if p < d - 1 and q < d - 1:
                         s.k_node[vessel, p * d + q] += stiff
+    if len(s.dof) > d and 0 < i < s.length.shape[0] and s.rate[VELOCITY] > 0.0:
+        for c in range(cylinders.length.shape[0]):
+            _turning(cylinders, s, c)
     return 0.0
+
+
+@inner
+def _turning(cylinders, s, c):
+    """Derivative of the moment of a cylinder by the chord of the segment below the ring."""
+    d, i, w, arm, line = len(s.dim), cylinders.node, cylinders.work, s.arm, s.line
+    m = len(s.dof) - d
+    _lay(s, s.tangent, i - 1, w[0])
+    tx, ty, tz = w[0, 0], w[0, 1], w[0, 2]
+    gx = arm[1, c] * line[2, c] - arm[2, c] * line[1, c]
+    gy = arm[2, c] * line[0, c] - arm[0, c] * line[2, c]
+    gz = arm[0, c] * line[1, c] - arm[1, c] * line[0, c]
+    torque = tx * gx + ty * gy + tz * gz if m == 3 else 0.0
+    gx, gy, gz = gx - torque * tx, gy - torque * ty, gz - torque * tz
+    stiff = -s.k_pull[c] * s.inverse_length[i - 1]
+    w[1, 0], w[1, 1], w[1, 2] = gx, gy, gz
+    w[2, 0], w[2, 1], w[2, 2] = gy * tz - gz * ty, gz * tx - gx * tz, gx * ty - gy * tx
+    for u in range(m):
+        about = w[1, u] if m == 3 else w[1, 1]
+        for p in range(d):
+            by = w[2, 2 if p == d - 1 else p]
+            s.turn_up[i - 1, p * m + u] += cylinders.above[0] * stiff * about * by
+    _lay(s, s.tangent, i, w[0])
+    tx, ty, tz = w[0, 0], w[0, 1], w[0, 2]
+    w[1, 0], w[1, 1], w[1, 2] = gy * tz - gz * ty, gz * tx - gx * tz, gx * ty - gy * tx
+    for p in range(d):
+        for q in range(d):
+            by = stiff * w[2, 2 if q == d - 1 else q]
+            part = s.inverse_length[i] * w[1, 2 if p == d - 1 else p] * by
+            s.k_node[i, p * d + q] += part
+            s.k_low[i - 1, p * d + q] -= part
 
 
 @inner
