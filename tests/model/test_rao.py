@@ -309,8 +309,9 @@ def test_an_operator_knows_its_motions():
     assert Operator.model_validate(ROWS[0]).motions == {"heave"}
 
 
+@pytest.mark.parametrize("sails", [False, True])
 @pytest.mark.parametrize("seed", range(6))
-def test_in_the_wave_of_the_scene_a_platform_goes_with_the_water_at_its_position(seed):
+def test_in_the_wave_of_the_scene_a_platform_goes_with_the_water_at_its_position(seed, sails):
     draw = np.random.default_rng(seed)
     x, y, offset = draw.uniform(-80.0, 80.0, 3).tolist()
     period, phase, heading = draw.uniform((6.0, 0.0, 0.0), (15.0, 6.0, 6.0)).tolist()
@@ -321,16 +322,22 @@ def test_in_the_wave_of_the_scene_a_platform_goes_with_the_water_at_its_position
     k = brentq(
         lambda k: 9.81 * k * math.tanh(533.0 * k) - (math.tau / period) ** 2, 1e-6, 1.0, xtol=1e-15
     )
+    speed, course, ramp = draw.uniform((-2.0, 0.0, 5.0), (2.0, 6.0, 20.0)).tolist()
+    cruise = {"speed": f"{speed!r} m/s", "heading": f"{course!r} rad", "ramp": f"{ramp!r} s"}
+    sailed = np.where(times < ramp, 0.5 * times**2 / ramp, times - 0.5 * ramp)
+    sailed *= sails * speed * math.cos(course - heading)  # with the wave
     for own in (False, True):
         response = {"operators": rows, "phases": "lead"} | ({"wave": surface} if own else {})
         position = {"surge": f"{x!r} m", "sway": f"{y!r} m"}
+        platform = {"position": position, "response": response}
+        platform |= {"cruise": cruise} if sails else {}
         scene = SimpleNamespace(
-            platform=Platform.model_validate({"position": position, "response": response}),
+            platform=Platform.model_validate(platform),
             top=SimpleNamespace(offset=offset),
             wave=None if own else RegularWave.model_validate(wave),
             water=SimpleNamespace(surface=0.0, seabed=-533.0),
             gravity=9.81,
         )
-        along = 0.0 if own else (x + offset) * math.cos(heading) + y * math.sin(heading)
+        along = 0.0 if own else (x + offset) * math.cos(heading) + y * math.sin(heading) + sailed
         expected = 2.0 * np.cos(k * along - math.tau * times / period + phase)
         np.testing.assert_allclose(displacement(scene, times)[:, 2], expected, atol=1e-8)

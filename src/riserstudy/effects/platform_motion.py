@@ -4,6 +4,10 @@ Over the ramp P, harmonic motion increases by :math:`r(t) = \tfrac12 (1 - \cos \
 its speed linearly over its ramp. A time series is interpolated by a cubic spline; its derivatives give
 velocity and acceleration.
 
+The motions of a cruising platform in waves follow the wave where the platform has sailed to: with the
+distance x(t) of the cruise, the phase of a component is :math:`\omega t - \kappa x(t) + \varphi`, where
+:math:`\kappa` is the wave number along the cruise.
+
 References
 ----------
 Elementary: kinematics of a point.
@@ -18,7 +22,7 @@ import numpy as np
 
 from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.solve.elementary import sine_and_cosine
-from riserstudy.solve.jit import inner
+from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.state import ENDED
 
 
@@ -36,6 +40,19 @@ class Harmonic(NamedTuple):
     frequency: np.ndarray  # (k,) (rad/s)
     phase: np.ndarray  # (k,) motion is amplitude sin(frequency t + phase) (rad)
     ramp: np.ndarray  # (k,) (s), 0 for none
+
+
+class Encountered(NamedTuple):
+    """Sum of motions of a cruising platform, in waves that it meets on its way."""
+
+    motion: np.ndarray  # (k,) as in `Harmonic`
+    amplitude: np.ndarray  # (k,) (m or rad)
+    frequency: np.ndarray  # (k,) of the wave at a fixed place (rad/s)
+    phase: np.ndarray  # (k,) at the start of the cruise (rad)
+    ramp: np.ndarray  # (k,) of the motions (s), 0 for none
+    delay: np.ndarray  # (k,) wave number along the cruise (rad/m)
+    speed: float  # of the cruise (m/s)
+    over: float  # ramp of the cruise (s), 0 for none
 
 
 class Cruise(NamedTuple):
@@ -94,17 +111,47 @@ def drive_harmonic(harmonic, s):
     return 0.0
 
 
+@kernel
+def _sailed(speed, ramp, t):
+    """Distance sailed (m), speed and acceleration; also called from plain Python."""
+    if t < ENDED * ramp:
+        return 0.5 * speed * t * t / ramp, speed * t / ramp, speed / ramp
+    if t > 0.0:
+        return speed * (t - 0.5 * ramp), speed, 0.0
+    return 0.0, 0.0, 0.0
+
+
+@inner
+def drive_encountered(met, s):
+    """Add displacement, velocity, acceleration of the motions in waves that the cruise meets."""
+    t = s.clock[0]
+    way, fast, gain = _sailed(met.speed, met.over, t)
+    for k in range(met.motion.shape[0]):
+        rate = met.frequency[k] - met.delay[k] * fast
+        sine, cosine = sine_and_cosine(met.frequency[k] * t + met.phase[k] - met.delay[k] * way)
+        place = met.amplitude[k] * sine
+        speed = met.amplitude[k] * rate * cosine
+        bend = -met.amplitude[k] * (rate * rate * sine + met.delay[k] * gain * cosine)
+        grown, growth, turn = 1.0, 0.0, 0.0
+        if t < ENDED * met.ramp[k]:
+            p = pi / met.ramp[k]
+            grown = 0.5 * (1.0 - cos(p * t))
+            growth, turn = 0.5 * p * sin(p * t), 0.5 * p * p * cos(p * t)
+        m = met.motion[k]
+        s.platform[0, m] += place * grown
+        s.platform[1, m] += speed * grown + place * growth
+        s.platform[2, m] += bend * grown + 2.0 * speed * growth + place * turn
+    return 0.0
+
+
 @inner
 def drive_cruise(cruise, s):
     """Add the distance sailed."""
-    t, m = s.clock[0], cruise.motion
-    if t < ENDED * cruise.ramp:
-        s.platform[0, m] += 0.5 * cruise.speed * t * t / cruise.ramp
-        s.platform[1, m] += cruise.speed * t / cruise.ramp
-        s.platform[2, m] += cruise.speed / cruise.ramp
-    elif t > 0.0:
-        s.platform[0, m] += cruise.speed * (t - 0.5 * cruise.ramp)
-        s.platform[1, m] += cruise.speed
+    m = cruise.motion
+    way, speed, gain = _sailed(cruise.speed, cruise.ramp, s.clock[0])
+    s.platform[0, m] += way
+    s.platform[1, m] += speed
+    s.platform[2, m] += gain
     return 0.0
 
 
@@ -140,5 +187,6 @@ register(
     ),
     motion=drive_harmonic,
 )
+register(Encountered, "platform motion", motion=drive_encountered)
 register(Cruise, "platform motion", motion=drive_cruise)
 register(Series, "platform motion", motion=drive_series)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+from riserstudy.effects.platform_motion import Cruise, Encountered, Harmonic, Position, Series
 from riserstudy.effects.registry import ROLES
 from riserstudy.model.model import Effect
 from riserstudy.model.rao import harmonics
@@ -69,8 +69,23 @@ def _response(scene: Resolved, response: Response) -> Effect:
     parts = harmonics(response, wave, 0.0 if response.wave else _phase_lag(scene, wave))
     ramp = np.full(len(parts.motion), response.ramp or 0.0)
     index = np.array([MOTIONS.index(name) for name in parts.motion])
-    record = Harmonic(index, parts.amplitude, parts.frequency, parts.phase, ramp)
-    return Effect("platform motion", record, "platform.response")
+    rows = (index, parts.amplitude, parts.frequency, parts.phase, ramp)
+    cruise = scene.platform and scene.platform.cruise
+    if cruise and not response.wave:
+        apart = (cruise.heading or 0.0) - (getattr(wave, "heading", None) or 0.0)
+        per_metre = math.cos(apart) * _wave_numbers(scene, wave)
+        delay = np.tile(per_metre, len(parts.motion) // len(per_metre))
+        met = Encountered(*rows, delay, cruise.speed, cruise.ramp or 0.0)
+        return Effect("platform motion", met, "platform.response")
+    return Effect("platform motion", Harmonic(*rows), "platform.response")
+
+
+def _wave_numbers(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64]:
+    """Wave number of each component of the scene's wave (rad/m); zero without water or gravity."""
+    _, frequency, _ = components_of(wave)
+    if scene.gravity is None or scene.water is None:
+        return np.zeros(len(frequency))
+    return wave_numbers(frequency, scene.water, scene.gravity)
 
 
 def _phase_lag(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64] | float:
@@ -79,11 +94,7 @@ def _phase_lag(scene: Resolved, wave: Swell | Storm) -> NDArray[np.float64] | fl
     x = (scene.top.offset or 0.0) + ((position and position.surge) or 0.0)
     y = (position and position.sway) or 0.0
     along = x * math.cos(heading or 0.0) + y * math.sin(heading or 0.0)
-    water = scene.water
-    if along == 0.0 or scene.gravity is None or water is None:
-        return 0.0
-    _, frequency, _ = components_of(wave)
-    return along * wave_numbers(frequency, water, scene.gravity)
+    return along * _wave_numbers(scene, wave) if along else 0.0
 
 
 def displacement(scene: Resolved, times: NDArray[np.float64]) -> NDArray[np.float64]:

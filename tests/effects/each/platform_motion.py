@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from surroundings import Case
 
-from riserstudy.effects.platform_motion import Cruise, Harmonic, Position, Series
+from riserstudy.effects.platform_motion import Cruise, Encountered, Harmonic, Position, Series
 
 
 def splines(d: int) -> Series:
@@ -26,10 +26,19 @@ def harmonic(record, t):
     return out
 
 
+def sailed(ramp, t):
+    """Distance for a speed of 1 m/s."""
+    return 0.5 * t**2 / ramp if t < ramp else t - 0.5 * ramp
+
+
+def encountered(record, t):
+    late = record.phase - record.delay * record.speed * sailed(record.over, t)
+    return harmonic(record._replace(phase=late), t)
+
+
 def cruise(record, t):
     out = np.zeros(6)
-    sailed = 0.5 * t**2 / record.ramp if t < record.ramp else t - 0.5 * record.ramp
-    out[record.motion] = record.speed * sailed
+    out[record.motion] = record.speed * sailed(record.ramp, t)
     return out
 
 
@@ -52,6 +61,18 @@ CASES = {
             np.array([15.0, 0.0, 3.0]),
         )
     ),
+    Encountered: Case(
+        lambda d: Encountered(
+            np.array([0, 2, 0]),
+            np.array([2.0, 1.0, 0.5]),
+            np.array([0.4, 0.6, 1.1]),
+            np.array([0.3, 0.0, -1.0]),
+            np.array([15.0, 0.0, 3.0]),
+            np.array([0.02, -0.04, 0.12]),
+            1.5,
+            12.0,
+        )
+    ),
     Cruise: Case(lambda d: Cruise(0, 1.5, 12.0)),
     Series: Case(splines),
 }
@@ -59,6 +80,7 @@ CASES = {
 MOTIONS = {
     Position: position,
     Harmonic: harmonic,
+    Encountered: encountered,
     Cruise: cruise,
     Series: series,
 }
