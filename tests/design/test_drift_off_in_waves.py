@@ -10,6 +10,7 @@ from random_rigs import rig, timed, written
 from riserstudy import simulate
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.phase_of_drift import lost_phase
 
 MASS = 4.5e7 + 9e6  # kg
 OUTPUTS = (
@@ -190,3 +191,47 @@ def test_what_does_not_go_with_a_vessel_in_waves_is_refused_by_name(name):
     file = SceneFile("rig.yaml", written(adrift(0)))
     with pytest.raises(InputError, match=name):
         file.with_values(ASKED[name], "test").resolved()
+
+
+@pytest.mark.parametrize("push", [2e5, 5e6])
+@pytest.mark.parametrize("seed, spatial", KINDS)
+def test_a_drift_over_a_tenth_of_the_wavelength_is_told(seed, spatial, push):
+    """Motions in waves keep the phase of the initial place, the wave loads on the riser do not."""
+    tree = adrift(seed, spatial, push=push)
+    heading = 0.6 if spatial else 0.0
+    tree["wave"] = {"amplitude": 0.5, "period": 7.0, "ramp": 7.0, "heading": f"{heading} rad"}
+    tree["wave"]["above_mean_level"] = "none"
+    tree["analysis"]["output"]["interval"] = 0.25
+    found = run(tree)
+    sway = found.get("low_frequency_sway", np.zeros(1))
+    away = np.cos(heading) * found["low_frequency_surge"] + np.sin(heading) * sway
+    far = float(abs(away).max()) > 0.1 * 9.80665 * 7.0**2 / (2.0 * np.pi)  # in deep water
+    assert far == (push > 1e6)
+    said = [text for text in json.loads(found.attrs["warnings"]) if "phase of its initial" in text]
+    assert bool(said) == far
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_platform_led_over_a_tenth_of_the_wavelength_is_told(seed):
+    """Its surge is a time series, its heave follows the RAOs; a heave that is given has any phase."""
+    draw = np.random.default_rng(seed)
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    period, heading = float(draw.uniform(6.0, 12.0)), float(draw.uniform(-0.5, 0.5))
+    length = 9.80665 * period**2 / (2.0 * np.pi)  # in deep water
+    tree["wave"] = {"amplitude": 1.0, "period": period, "heading": f"{heading!r} rad"}
+    tree["wave"]["above_mean_level"] = "none"
+    answer = {"heave": "0.5 m/m", "heave_phase": "0 deg"}
+    operators = [{"period": f"{other} s", **answer} for other in (4, 20)]
+    del tree["platform"]["position"]
+    for share in (0.09, 0.11, 0.3):
+        values = (0.5 * k * share * length for k in range(3))
+        points = [
+            {"time": f"{30 * k} s", "value": f"{x!r} m"} for k, x in enumerate((0.0, *values))
+        ]
+        tree["platform"]["surge"] = {"points": points}
+        for response in (None, {"operators": operators, "phases": "lead"}):
+            tree["platform"].pop("response", None)
+            tree["platform"] |= {"response": response} if response else {}
+            scene = SceneFile("rig.yaml", written(tree)).resolved()
+            far = share * np.cos(heading) > 0.1
+            assert bool(lost_phase(scene, {})) == bool(response and far)

@@ -161,7 +161,8 @@ class Platform(Strict):
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
     and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) are those of the
     initial heading of the vessel. Phases are those of the wave at the initial place of the vessel, however
-    far it drifts. Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the
+    far it drifts; a run warns if the vessel drifts along the waves of the scene by more than a tenth of
+    their length. Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the
     initial place of the vessel.
     """
 

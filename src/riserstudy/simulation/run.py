@@ -29,6 +29,7 @@ from riserstudy.simulation.events import march_through
 from riserstudy.simulation.extremes import extremes
 from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
+from riserstudy.simulation.phase_of_drift import lost_phase
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
@@ -167,6 +168,7 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
             facts["largest_stroke"] = float(abs(arrays["tensioner_stroke"]).max())
     if joint := joint_of(scene):
         facts["warnings"] += outputs.of_joint(joint, arrays, seen.steps)
+    facts["warnings"] += lost_phase(scene, arrays)
     facts |= outputs.peaks(arrays)
     arrays |= outputs.sizes(arrays)
     if scene.analysis.solver != "hermite":

@@ -1,0 +1,61 @@
+"""A warning where a platform moves so far that the phase of its motions in waves no longer fits the wave."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from riserstudy.model.sea import components_of, wave_numbers
+from riserstudy.scene.forcing import TimeSeries
+from riserstudy.scene.resolve import Resolved
+
+FAR = 0.1  # share of a wavelength
+
+
+def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[str]:
+    """What to tell of a vessel, or a surge or sway by points, that moves along the waves of the scene.
+
+    Motions in waves keep the phase of the initial place, and loads on the riser have that of its place.
+
+    Parameters
+    ----------
+    arrays : outputs of the run, of which low-frequency surge and sway are used, (time,) each (m).
+    """
+    wave, platform = scene.wave, scene.platform
+    if wave is None or platform is None or scene.water is None or scene.gravity is None:
+        return []
+    if scene.vessel:
+        away = [arrays.get(f"low_frequency_{name}", np.zeros(1)) for name in ("surge", "sway")]
+        path = "vessel"
+    elif platform.response and not platform.response.wave:
+        away = [_by_points(getattr(platform, name)) for name in ("surge", "sway")]
+        path = "platform"
+    else:
+        return []
+    heading = wave.heading or 0.0
+    far = abs(math.cos(heading)) * _farthest(away[0]) + abs(math.sin(heading)) * _farthest(away[1])
+    if scene.vessel and len(away[0]) == len(away[1]):
+        far = _farthest(math.cos(heading) * away[0] + math.sin(heading) * away[1])
+    amplitude, frequency, _ = components_of(wave)
+    middle = (amplitude**2 * frequency).sum() / (amplitude**2).sum()
+    length = math.tau / float(wave_numbers(np.array([middle]), scene.water, scene.gravity)[0])
+    if far <= FAR * length:
+        return []
+    return [
+        f"{path}: moves {far:.3g} m along waves with a length of {length:.3g} m, but its motions in waves "
+        f"keep the phase of its initial place. After {FAR * length:.2g} m, do not use the phase between "
+        "these motions and the wave loads on the riser"
+    ]
+
+
+def _by_points(motion: object) -> NDArray[np.float64]:
+    """Distances (m) from where the platform rests; a motion that is no time series is first-order."""
+    if not isinstance(motion, TimeSeries):
+        return np.zeros(1)
+    return np.array([point.value for point in motion.points])
+
+
+def _farthest(away: NDArray[np.float64]) -> float:
+    return float(abs(away).max())
