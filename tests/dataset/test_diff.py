@@ -100,6 +100,30 @@ def test_of_unequal_grids_the_points_are_compared_that_both_have(tmp_path):
     assert all(one.why.startswith("shape") for one in rest)
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_points_are_compared_with_themselves_in_whatever_order_their_axes_are(tmp_path, seed):
+    draw = np.random.default_rng(seed)
+    sizes = {"offset": int(draw.integers(2, 6)), "current": int(draw.integers(2, 5))}
+    axes = {
+        "offset": draw.permutation(np.arange(-9.0, 9.0))[: sizes["offset"]],
+        "current": draw.permutation(["none", "half", "whole", "loop"])[: sizes["current"]],
+    }
+    moment = (("offset", "current", "s"), draw.normal(size=(*sizes.values(), 4)))
+    old = xr.Dataset({"moment": moment}, axes)
+    new = old.isel({axis: draw.permutation(size) for axis, size in sizes.items()})
+    changed = bool(seed % 2)
+    if changed:
+        new["moment"].loc[{"offset": axes["offset"][0], "current": axes["current"][1]}] += 0.5
+    old.to_netcdf(tmp_path / "old.nc")
+    new.to_netcdf(tmp_path / "new.nc")
+    found = changes(tmp_path / "old.nc", tmp_path / "new.nc")
+    size = max(float(abs(one["moment"]).max()) for one in (old, new))
+    told = {one.variable: (one.change, one.why) for one in found.varied}
+    other = {axis for axis in axes if not np.array_equal(old[axis], new[axis])}
+    assert {axis for axis, of in told.items() if of == (0.0, "other order")} == other
+    assert told.get("moment", (0.0, ""))[0] == pytest.approx(0.5 / size if changed else 0.0)
+
+
 def test_where_there_is_nothing_to_compare_diff_says_so(tmp_path):
     (tmp_path / "a").mkdir()
     (tmp_path / "bad.nc").write_bytes(b"nothing")

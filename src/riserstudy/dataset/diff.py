@@ -122,8 +122,8 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
         return
     before, after = opened(old), opened(new)
     for axis in sorted({*map(str, before.indexes)} & {*map(str, after.indexes)}):
-        places = [before[axis].values, after[axis].values]
-        if set(places[0].tolist()) != set(places[1].tolist()):
+        places = [before[axis].values.tolist(), after[axis].values.tolist()]
+        if set(places[0]) != set(places[1]):
             before, after, common = _at_common_points(axis, before, after)
             yield Varied(
                 name,
@@ -131,6 +131,9 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
                 float("inf"),
                 f"{len(places[0])} values, now {len(places[1])}; {common} in both",
             )
+        elif places[0] != places[1] and len(set(places[0])) == len(places[0]) == len(places[1]):
+            before, after, _ = _at_common_points(axis, before, after)
+            yield Varied(name, axis, 0.0, "other order")
     for variable in sorted({*map(str, before.variables), *map(str, after.variables)}):
         if _LEFT_OUT.search(variable):
             continue
