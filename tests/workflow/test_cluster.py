@@ -106,3 +106,57 @@ def test_whole_papers_through_slurm_give_the_numbers_of_a_local_run(fresh, slurm
 def untimed(path):
     """The rows of a table but the one erratum that tells how long a step takes."""
     return [line for line in path.read_text().splitlines() if " ms a step are " not in line]
+
+
+STRING = """\
+title: a string at rest
+water: {density: 1025 kg/m^3, seabed: 0 m, surface: 1000 m}
+riser:
+  - name: string
+    length: 990 m
+    outer_diameter: 0.5334 m
+    axial_stiffness: 1e12 N
+    mass: 500 kg/m
+    submerged_weight: 2 kN/m
+    drag: {coefficient: 1.0, diameter: 0.5334 m}
+bottom: {hold: wellhead, elevation: 0 m}
+top: {x: held, z: free, tension: 4 MN}
+analysis: {mesh: {elements: 4}}
+"""
+GRID = """\
+paper: grids
+studies:
+  strings:
+    scene: scenes/string.yaml
+    caption: strings at rest
+    keep: [effective_tension]
+    axes:
+      tension: {path: top.tension, unit: kN, values: {start: 4000, stop: 4990, step: 10}}
+      mass: {path: "riser[0].mass", unit: kg/m, values: {start: 501, stop: MOST, step: 1}}
+      weight: {path: "riser[0].submerged_weight", unit: N/m, values: {start: 2000, stop: 2990, step: 10}}
+"""
+SHARDS = 20
+PLANE = 10_000  # points for one mass
+
+
+def test_many_short_points_in_twenty_shards(fresh, slurm):
+    """RISERSTUDY_CLUSTER_POINTS says how many strings, in ten thousands."""
+    masses = int(os.environ.get("RISERSTUDY_CLUSTER_POINTS", PLANE)) // PLANE
+    (fresh / "config/scenes/string.yaml").write_text(STRING)
+    (fresh / "config/studies/grids.yaml").write_text(GRID.replace("MOST", str(500 + masses)))
+    part = masses * PLANE // SHARDS
+    settings = (
+        f"papers: [grids]\ntier: standard\ntiers: {{standard: {{}}}}\npoints_per_job: {part}\n"
+    )
+    (fresh / "config/config.yaml").write_text(settings)
+    run = start(fresh, slurm, "grids", "--config", f"points_per_job={part}")
+    assert run.wait(10_000) == 0, (fresh / "said").read_text()
+    assert len([*(fresh / "logs/grids").glob("strings.*-of-*")]) == SHARDS
+    found = xr.load_dataset(fresh / "results/grids/strings.nc")
+    upper, lower = (found["effective_tension"].isel(s=k) for k in (-1, 0))
+    assert upper.size == masses * PLANE
+    pull, hung = 1e3 * found["tension"], 990.0 * found["weight"]
+    assert float(abs(upper / pull - 1.0).max()) < 1e-9
+    assert float(abs(lower / (pull - hung) - 1.0).max()) < 1e-9
+    assert len([path for path in (fresh / ".cache/points").rglob("*") if path.is_file()]) < 2000
+    assert fresh.planned("grids") == set()
