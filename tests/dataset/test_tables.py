@@ -2,13 +2,16 @@
 
 import csv
 import json
+import math
+import random
 from itertools import chain
 
 import pytest
 
 from riserstudy import simulate
 from riserstudy.cli import main
-from riserstudy.dataset.tables import stack_up
+from riserstudy.dataset.table import Table
+from riserstudy.dataset.tables import in_columns, stack_up
 from riserstudy.scene.load import SceneFile
 
 #: two sections with mud, a ring above and a stack below, pulled by 3 MN
@@ -158,3 +161,17 @@ def test_a_body_of_some_mass_that_weighs_nothing_is_told_of():
         "top.body: 'ring' has a mass of 20000 kg, but its weight in water is not given"
     )
     assert json.loads(simulate(SceneFile("pulled.yaml", PULLED)).attrs["warnings"]) == []
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_columns_print_no_value_as_nothing_and_numbers_below_one_another(seed):
+    draw = random.Random(seed)
+    cells = [None, math.nan, 1.5, -20.25, 3]
+    rows = [[f"row {k}", *(draw.choice(cells) for _ in range(3))] for k in range(6)]
+    rows.append(["last", 1.5, 1.5, 1.5])
+    heading, *lines = in_columns(Table(["name", "a", "b", "c"], ["", "m", "m", ""], rows))
+    assert not any(word in line for line in lines for word in ("None", "nan"))
+    for line, row in zip(lines, rows, strict=True):
+        known = [value for value in row[1:] if value is not None and value == value]
+        assert [float(word) for word in line.split()[len(row[0].split()) :]] == known
+    assert len(lines[-1]) == len(heading)

@@ -114,9 +114,12 @@ def in_units(table: Table, system: UnitSystem) -> Table:
 
 
 def in_columns(table: Table) -> list[str]:
-    """A table as aligned lines: names with their units, then the rows, numbers to five digits."""
+    """A table as aligned lines: names with their units, then the rows, numbers to five digits.
+
+    Where there is no value, nothing is printed.
+    """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
-    texts = [[f"{c:.5g}" if isinstance(c, float) else str(_text(c)) for c in r] for r in table.rows]
+    texts = [[_shown(cell) for cell in row] for row in table.rows]
     widths = [max(map(len, column)) for column in zip(heads, *texts, strict=True)]
     numeric = [
         not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)
@@ -140,6 +143,13 @@ def write_csv(table: Table, target: Path) -> None:
         When it cannot be written, as on a full disk.
     """
     write_whole(target, heads(table), ([_text(cell) for cell in row] for row in table.rows))
+
+
+def _shown(cell: Cell) -> str:
+    """A cell in columns; "" where there is no value."""
+    if cell is None or cell != cell:  # not a number
+        return ""
+    return f"{cell:.5g}" if isinstance(cell, float) else str(cell)
 
 
 def _text(cell: Cell) -> Cell:
