@@ -125,6 +125,7 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
         ("axes.statistic: the name of a variable", {"axes": {"statistic": AMPLITUDE}}),
         ("axes.elements: the name of a variable", {"axes": {"elements": AMPLITUDE}}),
         ("axes.warnings: the name of a variable", {"axes": {"warnings": AMPLITUDE}}),
+        ("axes.failure: the name of a variable", {"axes": {"failure": AMPLITUDE}}),
         ("axes.assumed_mass: samples have", {"axes": {"assumed_mass": AMPLITUDE}}),
         (
             "axes.b.calm: sets 'platform.surge.amplitude', where axis 'a' has its numbers",

@@ -53,7 +53,7 @@ def of_points(name: str) -> bool:
 
 def about_points() -> frozenset[str]:
     """Names of everything that studies may hold of each of their points."""
-    return frozenset(("point_key", *(column.name for column in point_columns())))
+    return frozenset(("point_key", "failure", *(column.name for column in point_columns())))
 
 
 def of_runs(name: str) -> bool:

@@ -22,12 +22,12 @@ def shape(run: xr.Dataset, title: str) -> Figure:
     Raises
     ------
     InputError
-        When the riser moves along itself alone.
+        When there are no positions across: not kept, or the riser moves along itself alone.
     """
     names = [name for name in "xy" if {name, f"{name}_static"} & set(run)]
     if not names:
-        found = "no position across: the riser moves along itself alone"
-        raise InputError(title, "x", found, "allowed are range and time-series")
+        found = "no position across: it was not kept, or the riser moves along itself alone"
+        raise InputError(title, "x", found, "keep x and x_static, or plot range or time-series")
     figure, axes = panels(1, len(names), 5.0, sharey=True)
     for ax, name in zip(axes, names, strict=True):
         _panel(ax, run, name)
