@@ -203,10 +203,8 @@ def in_motion(
 ) -> tuple[outputs.Arrays, Seen]:
     """Histories and envelopes of a model at rest that is set in motion, and what all steps tell.
 
-    The facts gain the audit.
-
-    ``whole``: histories at all nodes, else what the stations need. ``judged``: extremes of all outputs.
-    ``step`` is in s; of a scene in turns, a whole part of a turn is taken.
+    The facts gain the audit. ``whole``: histories at all nodes, else what the stations need. ``judged``:
+    extremes of all outputs. ``step`` is in s; of a scene in turns, a whole part of a turn is taken.
 
     Raises
     ------
