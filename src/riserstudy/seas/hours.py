@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 
 ROUNDING = 1e-6  # of a limit: of numbers of four bytes, and of those that were in other units
 NAMED = 6  # months that a line lists at most
+NONE = np.zeros(0, bool)  # rows of a month that is not recorded
 CLOSEST = 0.75  # of an interval, from which on two rows are one apart: a clock that was set
 _LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
 
@@ -121,12 +122,13 @@ class Hours(NamedTuple):
 
     def by_month(self) -> Table:
         """Share of workable hours by month and year, in per cent; empty where a month is not nearly whole."""
+        months = self._months
         rows: list[list[Cell]] = []
         for one in self.years:
-            months = [self._of_month(one.year, k) for k in range(12)]
             cells: list[Cell] = [
                 round(100.0 * float(of.mean()), 1) if self._whole(of, one.year, k) else ""
-                for k, of in enumerate(months)
+                for k in range(12)
+                for of in [months.get((one.year, k), NONE)]
             ]
             total = [round(100.0 * one.share, 1), round(100.0 * one.recorded, 1)]
             rows.append([str(one.year), *cells, *total])
@@ -136,23 +138,18 @@ class Hours(NamedTuple):
     def of_months(self) -> list[float]:
         """Share of workable hours of each month of the year; NaN where no year has it nearly whole."""
         month = month_of(self.time)
-        years = [one.year for one in self.years]
-        whole_ones = [
-            any(self._whole(self._of_month(year, k), year, k) for year in years) for k in range(12)
-        ]
+        there = {k for (year, k), of in self._months.items() if self._whole(of, year, k)}
         return [
-            float(self.workable[month == k].mean()) if there else math.nan
-            for k, there in enumerate(whole_ones)
+            float(self.workable[month == k].mean()) if k in there else math.nan for k in range(12)
         ]
 
     @property
     def notes(self) -> list[str]:
         """What shares and months do not state: months that are not nearly whole, and uneven ones."""
         partial = [
-            f"{MONTHS[k]} {one.year}"
-            for one in self.years
-            for k in range(12)
-            if len(of := self._of_month(one.year, k)) and not self._whole(of, one.year, k)
+            f"{MONTHS[k]} {year}"
+            for (year, k), of in self._months.items()
+            if not self._whole(of, year, k)
         ]
         more = f" and {len(partial) - NAMED} more" if len(partial) > NAMED else ""
         named = f"less than {WHOLE:.0%} recorded, and empty by month: {', '.join(partial[:NAMED])}"
@@ -160,10 +157,14 @@ class Hours(NamedTuple):
             line for line in (uneven_months(self.time), f"{named}{more}" if partial else "") if line
         ]
 
-    def _of_month(self, year: int, month: int) -> NDArray[np.bool_]:
-        """Whether each row of a month, 0 of January, is workable."""
-        at = self.time.astype("datetime64[M]") == np.datetime64(f"{year}-{month + 1:02d}")
-        return np.asarray(self.workable[at])
+    @property
+    def _months(self) -> dict[tuple[int, int], NDArray[np.bool_]]:
+        """Whether each row is workable, by year and month, 0 of January, that have rows."""
+        month = self.time.astype("datetime64[M]").astype(int)
+        order = np.argsort(month, kind="stable")
+        found, first = np.unique(month[order], return_index=True)
+        parts = np.split(self.workable[order], first)[1:]
+        return {(1970 + int(k) // 12, int(k) % 12): of for k, of in zip(found, parts, strict=True)}
 
     def _whole(self, rows: NDArray[np.bool_], year: int, month: int) -> bool:
         """Whether rows are nearly a whole month, 0 of January."""
