@@ -149,12 +149,12 @@ def _summed(
     if scatter:
         occurs = of_table(scatter, dataset, axes)
     elif seas:
-        from riserstudy.cli.seas import check_gamma
+        from riserstudy.cli.seas import USUAL_GAMMA, check_gamma
         from riserstudy.seas.record import read_record, with_peak_period
 
         record = read_record(seas)
         check_gamma("fatigue", gamma, record)
-        record = with_peak_period(record, gamma or gamma_of(dataset))
+        record = with_peak_period(record, gamma or gamma_of(dataset) or USUAL_GAMMA)
         occurs = of_record(record, dataset, axes)
     elif axes:
         raise InputError("--scatter", "", "not given", "allowed is a table, or --seas RECORD")

@@ -119,7 +119,7 @@ def in_columns(table: Table) -> list[str]:
     Where there is no value, nothing is printed.
     """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
-    texts = [[_shown(cell) for cell in row] for row in table.rows]
+    texts = [[_cell_text(cell) for cell in row] for row in table.rows]
     widths = [max(map(len, column)) for column in zip(heads, *texts, strict=True)]
     numeric = [
         not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)
@@ -145,7 +145,7 @@ def write_csv(table: Table, target: Path) -> None:
     write_whole(target, heads(table), ([_text(cell) for cell in row] for row in table.rows))
 
 
-def _shown(cell: Cell) -> str:
+def _cell_text(cell: Cell) -> str:
     """A cell in columns; "" where there is no value."""
     if cell is None or cell != cell:  # not a number
         return ""

@@ -25,7 +25,6 @@ Array = NDArray[np.float64]
 PLACES = ("detail", "wall_angle", "s_node")
 VIBRATION = "vortex-induced vibration"  # among the effects of a point
 HALF = 0.5
-USUAL_GAMMA = 3.3
 
 OF_WAVES = ("height", "amplitude", "period")  # of a regular wave in a scene
 
@@ -271,14 +270,14 @@ def _first_scene(study: xr.Dataset) -> Resolved:
     return scene_of_point(study, index)
 
 
-def gamma_of(study: xr.Dataset) -> float:
-    """Peak enhancement (1) of the irregular sea that a study simulates; of regular waves, that of most."""
+def gamma_of(study: xr.Dataset) -> float | None:
+    """Peak enhancement (1) of the irregular sea that a study simulates; None for regular waves."""
     scene = _first_scene(study)
     response = scene.platform and scene.platform.response
     for sea in (response and response.wave, scene.wave):
         if found := getattr(sea, "peak_enhancement", None):
             return float(found)
-    return USUAL_GAMMA
+    return None
 
 
 def _safety_factors(study: xr.Dataset) -> list[float]:

@@ -50,7 +50,7 @@ def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, A
     InputError
         With the attribute that says so.
     """
-    for said, value in _said(clock, name, about):
+    for said, value in _other_zones(clock, name, about):
         allowed = "convert the times to UTC, or correct the attribute"
         raise InputError(path, said, f"{value!r} is not UTC", allowed)
 
@@ -71,7 +71,9 @@ def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
             raise InputError(f"{path}, row {row}", heading, f"{cell!r} is not UTC", allowed)
 
 
-def _said(clock: xr.DataArray, name: str, about: Mapping[Any, Any]) -> Iterator[tuple[str, str]]:
+def _other_zones(
+    clock: xr.DataArray, name: str, about: Mapping[Any, Any]
+) -> Iterator[tuple[str, str]]:
     """Attributes that give another zone than UTC, with their values."""
     units = str(clock.encoding.get("units", ""))
     if OF_TIMES.search(units):  # which would be ignored
