@@ -7,7 +7,7 @@ import xarray as xr
 
 from riserstudy.errors import InputError
 from riserstudy.seas.hours import hours, sea_limit
-from riserstudy.seas.record import FILLS, read_record
+from riserstudy.seas.record import FILLS, gaps, read_record
 
 HEIGHTS, FROM = "significant_wave_height", "wave_from_direction"
 PER_METRE = {"m": 1, "cm": 100, "mm": 1000}
@@ -203,3 +203,28 @@ def test_a_fill_far_from_the_values_beside_it_is_neither_a_value_nor_none(
     else:
         with pytest.raises(InputError, match="allowed is 0 to 35 m"):
             read_record(path)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_rows_some_minutes_early_or_late_are_next_to_each_other(tmp_path, seed):
+    """Rows of a buoy some minutes beside the hour have its gaps, windows and waits, and no others."""
+    draw = np.random.default_rng(seed)
+    interval = int(draw.choice([1, 3, 6]))
+    times = pd.date_range("2003-11-30", periods=1500, freq=f"{interval}h")
+    kept = np.ones(1500, bool)
+    for first in draw.integers(5, 1480, 6):
+        kept[first : first + int(draw.integers(1, 9))] = False
+    phase = np.arange(1500) * interval / draw.uniform(20.0, 60.0)
+    height = (2.0 + np.sin(phase) + draw.normal(0.0, 0.1, 1500))[kept]
+    late = pd.to_timedelta(np.where(draw.random(1500) < 0.1, draw.integers(0, 7, 1500), 0), "min")
+    found = []
+    for clock in (times, times + late):
+        record = read_record(written(tmp_path, {"hs (m)": height}, times=clock[kept]))
+        of = hours(record, [sea_limit("hs <= 2.2 m")])
+        assert of.interval == interval
+        found.append(
+            [len(gaps(record)), of.of_windows(4.0 * interval), of.of_waits(4.0 * interval)]
+        )
+    np.testing.assert_equal(found[1], found[0])
+    assert found[0][0] > 0
+    assert found[0][1].number > 3

@@ -14,7 +14,7 @@ from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
-from riserstudy.seas.record import rows_of
+from riserstudy.seas.record import next_to_each_other, rows_of
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
 from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 ROUNDING = 1e-6  # of a limit: of numbers of four bytes, and of those that were in other units
 NAMED = 6  # months that a line lists at most
 NONE = np.zeros(0, bool)  # rows of a month that is not recorded
-CLOSEST = 0.75  # of an interval, from which on two rows are one apart: a clock that was set
 _LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
 
 
@@ -255,7 +254,6 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
     """The same by which rows of a record, (rows,), are known, and which of those, (known,), are workable."""
     time = record["time"].values[known]
     interval = float(record.attrs["interval_hours"])
-    apart = np.diff(time) / np.timedelta64(1, "s") / 3600.0
     years = by_year(time, workable, interval)
     return Hours(
         len(time),
@@ -264,7 +262,7 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
         workable,
         time,
         years,
-        (apart > CLOSEST * interval) & (apart < 1.001 * interval),
+        next_to_each_other(time, interval),
     )
 
 

@@ -32,6 +32,7 @@ MISSING = ("", "nan", "na", "n/a", "null")
 FILLS = ("-999", "-999.0", "999", "9999", "99.0", "99.00")
 CLOSER = 0.95  # of the interval between rows, below which rows are closer than others
 MOST_CLOSER = 0.01  # of rows: clocks are set now and then
+NEXT = (0.75, 1.25)  # intervals from a row to the next: some are minutes early or late
 SHORTEST_DATE = len("20051231")
 ZONES = ("", "utc", "gmt", "z", "iso 8601", "iso8601")  # what a head may say of times in UTC
 #: of a JONSWAP spectrum, gamma to the powers 0 to 3: zero-upcrossing period over peak period
@@ -113,11 +114,21 @@ def interval_hours(time: NDArray[np.datetime64]) -> float:
 
 
 def gaps(record: xr.Dataset) -> list[Gap]:
-    """Where rows are further apart than they are most often."""
+    """Where rows are further apart than they are most often, by more than some minutes of a clock."""
     time = record["time"].values
-    hours = np.diff(time) / np.timedelta64(1, "s") / 3600.0
-    wide = np.flatnonzero(hours > 1.001 * record.attrs["interval_hours"])
+    wide = np.flatnonzero(_intervals(time, record.attrs["interval_hours"]) > NEXT[1])
     return [Gap(time[k], time[k + 1]) for k in wide]
+
+
+def next_to_each_other(time: NDArray[np.datetime64], interval: float) -> NDArray[np.bool_]:
+    """Whether each row (n,) and the next are one interval (h) apart, (n - 1,): no gap lies between."""
+    apart = _intervals(time, interval)
+    return (apart > NEXT[0]) & (apart < NEXT[1])
+
+
+def _intervals(time: NDArray[np.datetime64], interval: float) -> NDArray[np.float64]:
+    """Times between rows, in intervals (h)."""
+    return np.asarray(np.diff(time) / np.timedelta64(1, "s") / 3600.0 / interval)
 
 
 def check_windows(record: xr.Dataset, windows: Sequence[str]) -> None:
