@@ -36,7 +36,19 @@ class Quantity:
 
 
 def wall_lacks(scene: Parts, section: Section) -> list[str]:
-    """What the stress of a section's wall lacks, by the fields of the scene; empty where it is known."""
+    """What the stress of a section's wall lacks, by the fields of the scene; empty where it is known.
+
+    Contents are one column: below a section without contents, their pressure is not known.
+    """
+    names = [one.name for one in scene.riser]
+    filled = [k for k, one in enumerate(scene.riser) if one.contents]
+    between = range(names.index(section.name) + 1, max(filled, default=-1))
+    gaps = [names[k] for k in between if k not in filled]
+    return range_lacks(scene, section) + [f"contents of section {name!r}" for name in gaps]
+
+
+def range_lacks(scene: Parts, section: Section) -> list[str]:
+    """What the range of a wall's stress over time lacks, to which a constant pressure adds nothing."""
     lacks = [
         f"{name} of section {section.name!r}"
         for name in ("outer_diameter", "inner_diameter")

@@ -151,7 +151,8 @@ class Contents(Strict):
     If ``contents`` are absent, no weight of contents is added. For a bore that is open to the sea, give sea
     water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by
     default to the upper end of the highest section with contents. The gauge pressure of the contents on the
-    wall is that of this column at rest.
+    wall is that of this column at rest. If a section between two sections with contents has none, the
+    pressure below this section is not known. The von Mises stress there is not computed.
     """
 
     density: Annotated[u.Density, POSITIVE]

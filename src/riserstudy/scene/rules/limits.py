@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.fatigue import A_PERIOD
-from riserstudy.scene.outputs import wall_lacks
+from riserstudy.scene.outputs import range_lacks
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -72,6 +72,6 @@ def _detail(scene: Parts, detail: Detail) -> Iterator[Misfit]:
     except Misfit as fault:
         yield fault.below("at")
         return
-    lacking = [lack for s in scene.riser if s.name in names for lack in wall_lacks(scene, s)]
+    lacking = [lack for s in scene.riser if s.name in names for lack in range_lacks(scene, s)]
     if detail.face is not None and lacking:
         yield Misfit("face", f"the wall stress cannot be computed without {lacking[0]}", "give it")
