@@ -22,6 +22,7 @@ MARKED = {
     "water.seabed": "seabed, 0 m*",
     SPEED: "up to 1 m/s*",
     "current.profile": "(profile assumed)",
+    "top.offset": "5 m* from above the lower end",
     "top.telescopic_joint.length": "telescopic joint: 24 m*",
     "top.tensioners.count": "6 cylinders*",
     "top.tensioners.arrangement.ring_radius": "ring, radius 1 m*",
@@ -53,7 +54,8 @@ def test_a_label_is_marked_where_its_value_is_assumed(seed):
     draw = random.Random(seed)
     assumed = frozenset(path for path in MARKED if draw.random() < 0.5)
     pitching = {"platform.pitch": {"amplitude": "4 deg", "period": "10 s"}}
-    scene = load_scene(SYSTEM, **{"current.profile": PROFILE, **pitching}).resolved()
+    values = {"current.profile": PROFILE, "top.offset": "5 m", **pitching}
+    scene = load_scene(SYSTEM, **values).resolved()
     said = words(schematic(scene, assumed=assumed))
     for path, text in MARKED.items():
         assert (text in said) == (path in assumed), path

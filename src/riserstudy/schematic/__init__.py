@@ -18,7 +18,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.above import above, has_plan, radius
 from riserstudy.schematic.facts import freedom_text
 from riserstudy.schematic.geometry import ASSUMED, CALIBRATED, Geometry
-from riserstudy.schematic.labels import KEY, SIZE, Label
+from riserstudy.schematic.labels import KEY, SIZE, Label, place_in_column
 from riserstudy.schematic.not_shown import parts_left_out
 from riserstudy.schematic.riser import ends, riser
 from riserstudy.schematic.sea import sea
@@ -100,8 +100,8 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         if not _to_scale(scene):
             views[3].ax.set(xticks=[], yticks=[], xlabel="x", ylabel="y")
         above(views[3], geometry)
-    for view in views:
-        view.labels.place(view.ax)
+    for column in (views[:1], views[1:]):
+        place_in_column([(view.labels, view.ax) for view in column])
     if not (scene.lateral or plan):
         for view in views:
             view.ax.set_xlabel(AXES[0])

@@ -159,14 +159,15 @@ def body_text(body: Body, geometry: Geometry, path: str) -> str:
     return f"{body.name}: " + sentence([massive, heavy if weight and density else ""])
 
 
-def top_text(scene: Resolved, remark: str = "") -> str:
-    """What the upper end may do; ``remark`` follows its name."""
-    top = scene.top
+def top_text(geometry: Geometry) -> str:
+    """What the upper end may do; its remark follows its name."""
+    scene, top, remark = geometry.scene, geometry.scene.top, geometry.remark("top")
     ways = {"platform": "follows the platform", "held": "held", "free": "free"}
     x = {"vessel": "surges with the platform"}.get(top.x or "", ways.get(top.x or "", ""))
     if not scene.lateral:
         return f"upper end{remark}: {ways[top.z]}"
-    away = f"{top.offset:.4g} m from above the lower end" if top.offset else ""
+    mark = geometry.mark("top.offset")
+    away = f"{top.offset:.4g} m{mark} from above the lower end" if top.offset else ""
     on_it = "x, y and z follow the platform" if scene.spatial else "x and z follow the platform"
     both = on_it if top.x == top.z == "platform" else ""
     apart = "" if both else f"x {x}, z {ways[top.z]}"

@@ -73,7 +73,10 @@ class Geometry:
 
     @cached_property
     def line(self) -> tuple[NDArray[np.float64], ...]:
-        """Arclength, x and z of points along the riser: straight, or sagging where it is slack."""
+        """Arclength, x and z of points along the riser: straight, or sagging where it is slack.
+
+        Stack and conductor stand upright. A telescopic joint fills what the riser leaves up to its top.
+        """
         scene = self.scene
         s = np.linspace(0.0, self.length, LINE_POINTS)
         s = np.unique(np.concatenate([s, [end for *_, end in self.sections]]))
@@ -82,14 +85,27 @@ class Geometry:
             foot = (scene.top.elevation or 0.0) - self.length
         offset = scene.top.offset or 0.0
         rise = self.length if scene.top.elevation is None else scene.top.elevation - foot
-        if offset and math.hypot(offset, rise) < self.length:
-            x, z = sagging(s, offset, rise)
+        upright = self._upright if offset else 0.0
+        length, rise = self.length - upright, rise - upright
+        chord, hung = math.hypot(offset, rise), self.riser_length - upright
+        above = np.maximum(s - upright, 0.0)
+        if scene.top.telescopic_joint and hung < chord:
+            share = np.interp(above, [0.0, hung, length], [0.0, hung / chord, 1.0])
+            x, z = offset * share, rise * share
+        elif offset and chord < length:
+            x, z = sagging(above, offset, rise)
         else:
             # Where only one of the ends knows its elevation, the riser keeps its length.
-            if scene.top.elevation is None and abs(offset) < self.length:
-                rise = math.sqrt(self.length**2 - offset**2)
-            x, z = offset * s / self.length, rise * s / self.length
-        return s, x, z + foot
+            if scene.top.elevation is None and abs(offset) < length:
+                rise = math.sqrt(length**2 - offset**2)
+            x, z = offset * above / length, rise * above / length
+        return s, x, z + np.minimum(s, upright) + foot
+
+    @property
+    def _upright(self) -> float:
+        """Length of stack and conductor, above which the riser leans."""
+        lowest = self.scene.lowest_riser_section or int(self.scene.soil is not None)
+        return self.sections[lowest][1] if lowest < len(self.sections) else 0.0
 
     def at(self, s: float) -> Point:
         """Point of the riser at an arclength."""

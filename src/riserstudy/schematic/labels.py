@@ -48,14 +48,20 @@ class Labels:
         wrapped = "\n".join(textwrap.wrap(tied(text), CHARACTERS, break_long_words=False))
         self.rows.append(Label(wrapped, *point, colour, lift))
 
-    def place(self, ax: Axes) -> None:
-        """Write all labels to the right of the axes, ordered from top to bottom as their points are."""
+    def heights(self) -> list[float]:
+        """Heights of the labels from the top down (inches)."""
+        return [(row.text.count("\n") + 1) * LINE for row in self._falling]
+
+    def wanted(self, ax: Axes) -> list[float]:
+        """Heights above the floor of the axes at which the labels' points lie, falling (inches)."""
+        (low, high), (_, height) = ax.get_ylim(), _inches(ax)
+        return [(row.z - low) / (high - low) * height + row.lift for row in self._falling]
+
+    def place(self, ax: Axes, middles: list[float], size: float = SIZE) -> None:
+        """Write all labels to the right of the axes, with their middles so many inches above its floor."""
         (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
         width, height = _inches(ax)
-        rows = sorted(self.rows, key=lambda row: -row.z)
-        wanted = [(row.z - low) / (high - low) * height + row.lift for row in rows]
-        heights = [(row.text.count("\n") + 1) * LINE for row in rows]
-        for row, y in zip(rows, spread(wanted, heights, height), strict=True):
+        for row, y in zip(self._falling, middles, strict=True):
             corner = (min(max(row.x, left), right), min(max(row.z, low), high))
             ax.annotate(
                 row.text,
@@ -64,7 +70,7 @@ class Labels:
                 xycoords="data",
                 textcoords="axes fraction",
                 va="center",
-                fontsize=SIZE,
+                fontsize=size,
                 color=row.colour,
                 arrowprops={
                     "arrowstyle": "-",
@@ -77,6 +83,42 @@ class Labels:
                 },
                 annotation_clip=False,
             )
+
+    @property
+    def _falling(self) -> list[Label]:
+        return sorted(self.rows, key=lambda row: -row.z)
+
+
+def place_in_column(panels: list[tuple[Labels, Axes]]) -> None:
+    """Write the labels of panels one above the other: each beside its panel, if they fit there.
+
+    If those of a panel do not fit beside it, the labels of all panels share the height of the column; letters
+    become smaller only if that is not enough, either.
+    """
+    rooms = [_inches(ax)[1] for _, ax in panels]
+    if all(
+        _needed(labels.heights()) <= room for (labels, _), room in zip(panels, rooms, strict=True)
+    ):
+        for (labels, ax), room in zip(panels, rooms, strict=True):
+            labels.place(ax, spread(labels.wanted(ax), labels.heights(), room))
+        return
+    floors = [_floor(ax) - _floor(panels[-1][1]) for _, ax in panels]
+    heights = [height for labels, _ in panels for height in labels.heights()]
+    wanted = [
+        floor + y
+        for (labels, ax), floor in zip(panels, floors, strict=True)
+        for y in labels.wanted(ax)
+    ]
+    room = floors[0] + rooms[0]
+    smaller = min(1.0, room / _needed(heights))
+    places = spread([y / smaller for y in wanted], heights, room / smaller)
+    middles = iter(smaller * y for y in places)
+    for (labels, ax), floor in zip(panels, floors, strict=True):
+        labels.place(ax, [next(middles) - floor for _ in labels.rows], SIZE * smaller)
+
+
+def _needed(heights: list[float]) -> float:
+    return sum(heights) + GAP * max(len(heights) - 1, 0)
 
 
 def tied(text: str) -> str:
@@ -106,6 +148,10 @@ def spread(wanted: list[float], heights: list[float], room: float) -> list[float
         places[k] = max(places[k], least + 0.5 * heights[k])
         least = places[k] + 0.5 * heights[k] + GAP
     return places
+
+
+def _floor(ax: Axes) -> float:
+    return float(ax.get_position().y0 * ax.get_figure(root=True).get_size_inches()[1])  # type: ignore[union-attr]
 
 
 def _inches(ax: Axes) -> tuple[float, float]:

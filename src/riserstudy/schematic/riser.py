@@ -131,7 +131,7 @@ def ends(view: View, geometry: Geometry) -> None:
         body(view, geometry, top.body, geometry.ring, below=False)
     if scene.lateral:
         end_joint(view, geometry.top, top.rotation)
-    view.name(top_text(scene, geometry.remark("top")), geometry.top, FREEDOM, lift=AWAY)
+    view.name(top_text(geometry), geometry.top, FREEDOM, lift=AWAY)
     for name, end, place in (("upper", top, geometry.top), ("lower", bottom, geometry.bottom)):
         if scene.lateral and isinstance(end.rotation, FlexJoint):
             mark = geometry.mark(f"{'top' if end is top else 'bottom'}.rotation.stiffness")
