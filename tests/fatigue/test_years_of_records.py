@@ -72,6 +72,20 @@ def test_what_is_converted_and_what_is_not_used_is_noted(seed):
     assert not summed(study(), seas(seed)).notes
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_bearings_of_a_record_are_no_headings_of_a_study(seed):
+    """Not even for an axis that has their name: bearings count from north, headings from the x axis."""
+    name = "wave_from_direction"
+    record = seas(
+        seed, **{name: (np.random.default_rng(seed).uniform(0, 180, len(TIME)), "degree")}
+    )
+    sets = json.dumps({str(angle): {"wave.heading": f"{angle} deg"} for angle in (0.0, 180.0)})
+    both = xr.concat([study(), study()], dim=name, data_vars=["damage_rate"])
+    of = both.assign_coords({name: (name, [0.0, 180.0], {"units": "degree", "sets": sets})})
+    with pytest.raises(InputError, match="bearings from north that waves come from"):
+        summed(of, record)
+
+
 @pytest.mark.parametrize("gamma", [None, 2.0, 4.5])
 def test_zero_crossing_periods_become_peak_periods_by_the_sea_of_the_study(
     tmp_path, commands, monkeypatch, gamma

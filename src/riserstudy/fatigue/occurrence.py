@@ -25,6 +25,7 @@ Array = NDArray[np.float64]
 LARGEST_TABLE = 10**7  # bytes
 HOURS = 8766.0  # of a year of 365.25 days
 PEAK = "peak_period"
+FROM = "wave_from_direction"
 WHOLE = 0.005  # by which shares of a table may exceed one: they are rounded
 WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns that say how often, with their units
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*")
@@ -139,10 +140,15 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     ------
     InputError
         When nothing of the record is an axis of the study, has no unit of it, or no row has every quantity.
+        When an axis has the name of the record's bearings, which are no headings of a scene.
     """
     columns, irregular = {}, []
     for name in map(str, record.data_vars):
         if axis := axis_of(name, axes):
+            if name == FROM:
+                found = "bearings from north that waves come from, not angles from the x axis"
+                allowed = "give a scatter table with the headings of the study"
+                raise InputError("--seas", name, found, allowed)
             unit = _plain(str(record[name].attrs.get("units", "")))
             factor = _factor("--seas", name, unit, study[axis].attrs.get("units", ""))
             columns[axis] = factor * record[name].values
