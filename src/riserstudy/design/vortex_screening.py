@@ -36,6 +36,8 @@ FloatArray = NDArray[np.float64]
 PHASES = 64  # of a cycle over which power is averaged
 LARGEST = 10.0  # amplitude over diameter beyond which no balance is looked for
 FIRST = 20  # modes computed at first; as many more as currents can excite
+TWINS = 1e-3  # by which frequencies of two modes differ that may swing in any two directions
+LEAST_ACROSS = 0.1  # of a mode's motion where it may lock in, that lift has to find across the flow
 
 
 class Coefficients(NamedTuple):
@@ -57,6 +59,7 @@ class Flow(NamedTuple):
     speed: FloatArray  # of the water across the riser (m/s)
     diameter: FloatArray  # m
     drag: FloatArray  # coefficient
+    across: FloatArray | None = None  # (3, n) unit vectors across riser and flow; None: in a plane
 
 
 def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.Dataset:
@@ -137,7 +140,11 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
             diameter[e] = size or math.nan
             drag[e] = given.drag or _coefficient(section, float(z[e]))
     bare = np.isnan(diameter)  # nothing to shed from
-    return Flow(z, mesh.l0, np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter), drag)
+    sideways = None
+    if d == len("xyz"):
+        sideways = np.cross(tangent, across, axis=0) / np.where(speed > 0.0, speed, np.inf)
+    speed, diameter = np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter)
+    return Flow(z, mesh.l0, speed, diameter, drag, sideways)
 
 
 def _coefficient(section: Section, z: float) -> float:
@@ -162,7 +169,12 @@ def _checked(given: Coefficients) -> Coefficients:
 
 
 def amplitude_of(
-    flow: Flow, shape: FloatArray, excited: NDArray[np.bool_], frequency: float, lift: float
+    flow: Flow,
+    shape: FloatArray,
+    excited: NDArray[np.bool_],
+    frequency: float,
+    lift: float,
+    across: FloatArray | None = None,
 ) -> float:
     """Amplitude (m) at which a mode takes as much power from the flow as drag takes from it.
 
@@ -171,9 +183,10 @@ def amplitude_of(
 
     Parameters
     ----------
-    shape : (n,) size of the mode across the flow at the segments' middles, of which the largest is 1.
+    shape : (n,) size of the mode across the riser at the segments' middles, of which the largest is 1.
     excited : (n,) where lift acts.
     frequency : Hz.
+    across : (n,) the part of the shape that lift works on, across the flow; absent: all of it.
 
     Returns
     -------
@@ -181,15 +194,17 @@ def amplitude_of(
     """
     from scipy.optimize import brentq
 
-    if not (excited & (shape > 0.0)).any():
+    across = shape if across is None else across
+    if not (excited & (across > 0.0)).any():
         return 0.0
     cosine = np.cos(2.0 * math.pi * (np.arange(PHASES) + 0.5) / PHASES)[:, np.newaxis]
     push = np.where(excited, lift, 0.0) * flow.speed
 
     def gained(amplitude: float) -> float:
-        v = 2.0 * math.pi * frequency * amplitude * shape * cosine
+        fastest = 2.0 * math.pi * frequency * amplitude * cosine
+        v = fastest * shape
         both = np.hypot(v, flow.speed)
-        power = flow.diameter * both * (push * cosine - flow.drag * v) * v
+        power = flow.diameter * both * (push * cosine * fastest * across - flow.drag * v * v)
         return float((power.mean(axis=0) * flow.length).sum()) / amplitude
 
     largest = LARGEST * float(flow.diameter.max())
@@ -198,14 +213,40 @@ def amplitude_of(
     return float(brentq(gained, 1e-9 * largest, largest, xtol=1e-12 * largest))
 
 
+def _shapes(flow: Flow, found: xr.Dataset) -> tuple[FloatArray, FloatArray]:
+    """Size of modes across the riser, (modes, n), and of the part of it that is across the flow.
+
+    In a plane these are the same: its modes stand for those across it. In space two modes of one frequency
+    may swing in any two directions; they are turned so that one of them takes the most power.
+    """
+    nodes = np.stack([found[name].values for name in "xyz" if name in found], axis=1)
+    middles = 0.5 * (nodes[:, :, :-1] + nodes[:, :, 1:])
+    if flow.across is None:
+        size = np.sqrt(np.square(middles[:, :-1]).sum(axis=1))
+        return size, size
+    frequency, weight = found["frequency"].values, flow.length * flow.diameter * flow.speed**2
+    k = 0
+    while k < len(middles) - 1:
+        pair = middles[k : k + 2]
+        if frequency[k] > 0.0 and frequency[k + 1] <= (1.0 + TWINS) * frequency[k]:
+            part = (pair * flow.across).sum(axis=1)
+            _, turned = np.linalg.eigh((part * weight) @ part.T)
+            if abs(turned[0, 0]) < abs(turned[1, 0]):
+                turned = turned[:, ::-1]
+            middles[k : k + 2] = np.einsum("ij,ikn->jkn", turned, pair)
+            k += 1
+        k += 1
+    across = np.abs((middles * flow.across).sum(axis=1))
+    return np.sqrt(np.square(middles[:, :-1]).sum(axis=1)), across
+
+
 def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients) -> xr.Dataset:
     """Modes that lie within the bounds anywhere."""
     import xarray as xr
 
     from riserstudy.dataset.describe import label_variables
 
-    across = [found[name].values for name in "xy" if name in found]
-    size = np.sqrt(sum(np.square(0.5 * (one[:, :-1] + one[:, 1:])) for one in across))
+    size, across = _shapes(flow, found)
     wet = flow.diameter[flow.speed > 0.0]
     rows = []
     for k, frequency in enumerate(found["frequency"].values):
@@ -213,10 +254,11 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
             continue
         reduced = flow.speed / (frequency * flow.diameter)
         excited = (reduced >= given.slowest) & (reduced <= given.fastest)
-        if not excited.any():
+        lifted, moved = across[k, excited].max(initial=0.0), size[k, excited].max(initial=0.0)
+        if not excited.any() or lifted < LEAST_ACROSS * moved:
             continue
-        shape = size[k] / size[k].max()
-        amplitude = amplitude_of(flow, shape, excited, frequency, given.lift)
+        shape, part = size[k] / size[k].max(), across[k] / size[k].max()
+        amplitude = amplitude_of(flow, shape, excited, frequency, given.lift, part)
         relative = amplitude * shape / flow.diameter
         with np.errstate(divide="ignore"):  # without drag there is no limit
             limit = given.lift * reduced[excited] / (2.0 * math.pi * flow.drag[excited])
