@@ -1,5 +1,6 @@
 """Which points count as off: by errors of what their study keeps, with the reason that the study gives."""
 
+import random
 import sqlite3
 from types import SimpleNamespace
 
@@ -66,7 +67,8 @@ def database(rows):
 def kept(**studies):
     """A study file: what each study keeps, and why it may err."""
     models = {
-        name: SimpleNamespace(keep=keep, error_because=why) for name, (keep, why) in studies.items()
+        name: SimpleNamespace(keep=keep, error_because=why, settings=None)
+        for name, (keep, why) in studies.items()
     }
     return {"paper": SimpleNamespace(studies=models)}
 
@@ -112,6 +114,28 @@ def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
 def test_where_nothing_misses_that_is_all_that_is_said():
     db = database([("fine", True, None, 0.001, 0.002, None)])
     assert missed(db, kept(fine=(None, None))).sentences.startswith("All 1 points")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_no_point_without_an_estimate_is_said_to_be_within_its_tolerance(seed):
+    draw = random.Random(seed)
+    rows = [
+        (f"s{k}", draw.random() < 0.5, 0.02, *([draw.choice([None, 0.001])] * 3))
+        for k in range(draw.randint(1, 9))
+    ]
+    told = sum(row[-1] is not None for row in rows)
+    of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
+    assert of.sentences.startswith(f"All {told} points")
+    silent = len(rows) - told
+    assert (f"For the other {silent}, the error was not estimated" in of.sentences) == (silent > 0)
+
+
+def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
+    rows = [("blow", True, None, 0.03, 0.03, None), ("asked", False, 0.02, 0.001, None, None)]
+    rows += [(f"tuned{k}", False, 0.02, None, None, None) for k in range(3)]
+    said = missed(database(rows), kept(**{row[0]: (None, None) for row in rows})).sentences
+    assert said.startswith("All 1 points with a tolerance meet it")
+    assert "For 3 more, in tuned studies, the error was not estimated" in said
 
 
 @pytest.mark.parametrize(

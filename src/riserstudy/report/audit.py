@@ -48,7 +48,7 @@ class Row(NamedTuple):
     counts: list[str]  # errors of what is kept
     because: str  # why they may be large
     off: int  # points whose error is above the tolerance
-    fixed: bool  # mesh and step prescribed
+    mesh: str  # fixed, tuned or refined
     warned: int
     total: float  # s of all its points
     longest: float
@@ -75,6 +75,7 @@ class Missed(NamedTuple):
     requested: int  # points that ask for an accuracy
     missed_by_request: int
     estimated: int  # points with mesh and step prescribed that tell an error
+    untold: int  # others that tell none, in tuned studies
     reasons: list[tuple[str, int, list[str]]]  # why of those that miss: points and datasets
     worst: float
     where: str
@@ -84,14 +85,25 @@ class Missed(NamedTuple):
     @property
     def sentences(self) -> str:
         """In words."""
-        if not self.off:
-            return f"All {spaced(self.points)} points have estimated errors within their tolerance."
-        requested = (
-            f"{spaced(self.missed_by_request)} of {spaced(self.requested)} points with a tolerance miss it"
-            if self.missed_by_request
-            else f"All {spaced(self.requested)} points with a tolerance meet it, by their estimated error"
-        )
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
+        if not self.off:
+            silent = self.untold + prescribed - self.estimated
+            if not silent:
+                return f"All {spaced(self.points)} points have estimated errors within their tolerance."
+            return (
+                f"All {spaced(self.points - silent)} points with an estimated error are within their "
+                f"tolerance. For the other {spaced(silent)}, the error was not estimated."
+            )
+        told = spaced(self.requested - self.untold)
+        requested = (
+            f"{spaced(self.missed_by_request)} of {told} points with a tolerance miss it"
+            if self.missed_by_request
+            else f"All {told} points with a tolerance meet it, by their estimated error"
+        )
+        if self.untold:
+            requested += (
+                f". For {spaced(self.untold)} more, in tuned studies, the error was not estimated"
+            )
         sentence = (
             f"The other {spaced(prescribed)} use a fixed mesh and time step; "
             f"their error was estimated for {self.estimated} of them"
@@ -135,10 +147,11 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dic
             study = _study(files, point)
             because = study.error_because if study and study.error_because else UNSAID
             counts = relevant_errors(study.keep if study else None)
-            of_study[point["study"]] = {"counts": counts, "because": because}
+            tuned = bool(study and study.settings)
+            of_study[point["study"]] = {"counts": counts, "because": because, "tuned": tuned}
         point |= of_study[point["study"]]
         errors = [point[f"error_{name}"] for name in point["counts"]]
-        point["told"] = any(error is not None for error in errors)
+        point["told"] = any(point[f"error_{name}"] is not None for name in ERRORS)
         point["error"] = max((error or 0.0 for error in errors), default=0.0)
         yield point
 
@@ -192,7 +205,7 @@ class Tally:
             counts=first["counts"],
             because=first["because"] if first["because"] != UNSAID else "",
             off=self.off,
-            fixed=self.fixed,
+            mesh="fixed" if self.fixed else "tuned" if first["tuned"] else "refined",
             warned=self.warned,
             total=self.total,
             longest=largest["wall_seconds"],
@@ -224,6 +237,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         count["requested"] += not point["fixed"]
         count["missed by request"] += missing and not point["fixed"]
         count["estimated"] += bool(point["fixed"] and point["told"])
+        count["untold"] += not point["fixed"] and not point["told"]
         if missing:
             off.append(point)
     worst = max(off, key=lambda p: p["error"], default=None)
@@ -244,6 +258,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         count["requested"],
         count["missed by request"],
         count["estimated"],
+        count["untold"],
         _reasons([point for point in off if point["fixed"]]),
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",
