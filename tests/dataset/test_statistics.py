@@ -7,11 +7,14 @@ import math
 import numpy as np
 import pytest
 import xarray as xr
+from random_rigs import moving, written
 from scipy.stats import gumbel_r
 
 from riserstudy import load_scene, simulate, sweep
 from riserstudy.cli import main
 from riserstudy.dataset.statistics import gumbel, peaks, record_statistics
+from riserstudy.dataset.statistics_tables import _sizes
+from riserstudy.scene.load import SceneFile
 
 TIME = np.arange(0.0, 200_000.0, 0.5)
 PERIOD, DEVIATION, MEAN = 10.0, 2.0, 5.0
@@ -255,6 +258,25 @@ def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
     expected = HEIGHT / 4.0 * math.sqrt(2.0 * math.log(count))
     allowed = 3.0 * float(row["its standard error"])
     assert float(row["most probable largest"]) == pytest.approx(expected, abs=allowed)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_magnitudes_in_space_are_not_below_zero(tmp_path, monkeypatch, seed):
+    """Angles and moments of a rig in space; of one in a plane they have signs, and so their extremes."""
+    smallest = {}
+    for spatial in (False, True):
+        tree = moving(seed, spatial=spatial)
+        tree["analysis"]["duration"] *= 12.0
+        scene = SceneFile("rig.yaml", written(tree))
+        run, out = tmp_path / f"{spatial}.nc", tmp_path / f"{spatial}.csv"
+        simulate(scene, progress=False).to_netcdf(run)
+        sums = sweep(scene, {"platform.heave.phase": [0.0]}, keep=["ufj_angle"], progress=False)
+        assert _sizes(sums) == _sizes(xr.open_dataset(run))
+        rows = table(monkeypatch, run, "-o", out, "--exposure", "3 h")
+        of = [r for r in rows if r["output"] in ("bending_moment", "ufj_angle", "lfj_angle")]
+        smallest[spatial] = np.array([float(r["most probable smallest"] or "nan") for r in of])
+    assert np.nanmin(smallest[False]) < 0.0
+    assert np.nanmin(smallest[True]) >= 0.0
 
 
 @pytest.mark.parametrize(

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from riserstudy.dataset.limits import SIGNED
+from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.dataset.statistics import (
     FEWEST_SEEDS,
     NOT_EXCEEDED,
@@ -51,10 +53,12 @@ def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
         When nothing varies with time after the start, or at uneven intervals.
     """
     rows: list[list[Cell]] = []
+    sizes = _sizes(run)
     for name, s, unit, history in _histories(run, start):
         time = history["time"].values
         record = record_statistics(time, history.values, exposure or float(time[-1] - time[0]))
-        rows.append([name, s, unit, *record])
+        smallest = _least(record.most_probable_smallest, name in sizes)
+        rows.append([name, s, unit, *record._replace(most_probable_smallest=smallest)])
     return Table(["output", "s", "unit", *OF_A_RECORD], ["", "m", "", *OF_A_RECORD.values()], rows)
 
 
@@ -80,18 +84,32 @@ def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
     if (count := grid.sizes[axis]) < FEWEST_SEEDS:
         raise InputError("--over", axis, f"{count} seeds", f"allowed are {FEWEST_SEEDS} or more")
     rows: list[list[Cell]] = []
+    sizes = _sizes(grid)
     for name, s, unit, history in _histories(grid, start):
-        values = history.transpose(axis, "time").values
+        values, size = history.transpose(axis, "time").values, name in sizes
         high, low = gumbel(values.max(axis=1)), gumbel(-values.min(axis=1))
         rows.append(
             [
                 name, s, unit, count,
                 float(values.mean()), math.sqrt(float(values.var(axis=1).mean())),
                 float(values.max()), high.mode, high.mode_error, high.scale, high.fractile,
-                float(values.min()), -low.mode, low.mode_error, low.scale, -low.fractile,
+                float(values.min()), _least(-low.mode, size), low.mode_error, low.scale,
+                _least(-low.fractile, size),
             ]
         )  # fmt: skip
     return Table(["output", "s", "unit", *OF_SEEDS], ["", "m", "", *OF_SEEDS.values()], rows)
+
+
+def _sizes(run: xr.Dataset) -> tuple[str, ...]:
+    """Outputs that are magnitudes: in space, those whose sign in a plane is a convention."""
+    index = {str(axis): 0 for axis in run["point_key"].dims} if "point_key" in run else {}
+    in_space = scene_of_point(run, index).spatial
+    return tuple(name for name in SIGNED if name not in "xy") if in_space else ()
+
+
+def _least(value: float, size: bool) -> float:
+    """A most probable smallest value, of a magnitude at least zero; not a number stays that."""
+    return float(np.maximum(value, 0.0)) if size else value
 
 
 def _histories(
