@@ -25,6 +25,8 @@ WITHIN_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")
 MOST = 7  # curves or panels that a figure shows apart
 ENDINGS = ("_max", "_min")
 SIZE = "_absmax"  # the largest, whatever its sign
+#: extremes of the riser alone, as its limits have them: without stack, conductor and telescopic joint
+OF_THE_RISER = {"effective_tension_min": "smallest_tension"}
 CHARACTERS = 14.0  # of a legend, in an inch
 WRAPPED = 36  # characters, beyond which a label goes on below
 LINE = 0.2  # inches, of a legend
@@ -75,6 +77,8 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
     InputError
         When the dataset holds nothing of that name.
     """
+    if (alone := OF_THE_RISER.get(name)) in dataset:
+        return dataset[alone].rename(name).assign_attrs(attributes(str(alone)))
     ending = next((e for e in (*ENDINGS, SIZE) if name.endswith(e)), "")
     of, statistic = name.removesuffix(ending), ending.removeprefix("_") or "max"
     own = largest_size(dataset, of) if ending == SIZE else statistic_of(dataset, of, statistic)
