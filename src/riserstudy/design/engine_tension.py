@@ -16,9 +16,10 @@ from riserstudy.design.tension import (
     weight_of_ring,
 )
 from riserstudy.model.mesh import prescribed
+from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation import outputs
 from riserstudy.simulation.equilibrium import settle
-from riserstudy.simulation.outputs import at_rest
 from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 
@@ -78,9 +79,9 @@ def along(scene: Resolved) -> tuple[FloatArray, FloatArray]:
     """
     elements = scene.analysis.mesh and scene.analysis.mesh.elements
     mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)
-    model, _ = settle(scene, mesh)
+    model, _ = settle(at_rest(scene), mesh)
     first = riser_foot(scene, mesh)
-    return mesh.s[first:], at_rest(scene, model, mesh)["effective_tension_static"][first:]
+    return mesh.s[first:], outputs.at_rest(scene, model, mesh)["effective_tension_static"][first:]
 
 
 def with_tension(scene: Resolved, tension: float) -> Resolved:

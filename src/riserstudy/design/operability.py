@@ -21,7 +21,8 @@ from scipy.optimize import brentq, minimize_scalar
 from riserstudy.dataset.limits import demand_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
-from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Position
+from riserstudy.scene.at_rest import at_rest
+from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.resolve import Resolved
@@ -115,14 +116,6 @@ class AtRest:
         return self.rows[offset]
 
 
-def without_motion(scene: Resolved) -> Resolved:
-    """The scene with its platform where it is in calm water, whatever its motion begins with."""
-    if scene.platform is None:
-        return scene
-    none = dict.fromkeys((*TRANSLATIONS, *TILTS, "cruise", "response"))
-    return scene.model_copy(update={"platform": scene.platform.model_copy(update=none)})
-
-
 def moved(scene: Resolved, offset: float) -> Resolved:
     """The scene at rest, with the riser's top, and all that it hangs from, at an offset from the well (m).
 
@@ -131,7 +124,7 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     InputError
         When nothing holds the top aside.
     """
-    scene, top = without_motion(scene), scene.top
+    scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
         position = position.model_copy(update={"surge": offset - (top.offset or 0.0)})

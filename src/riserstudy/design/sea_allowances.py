@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of
-from riserstudy.design.operability import without_motion
+from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -41,7 +41,7 @@ def allowances(
     """
     scene = file.resolved()
     limits = scene.limits or []
-    rest = _extremes(at_rest(scene))
+    rest = _extremes(_still(scene))
     added = np.zeros((seeds, len(limits)))
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
@@ -55,12 +55,10 @@ def allowance(added: FloatArray) -> float:
     return max(demand(added, "largest", 1.0).value, 0.0)
 
 
-def at_rest(scene: Resolved) -> Resolved:
-    """The scene without time and motion."""
+def _still(scene: Resolved) -> Resolved:
+    """The scene at rest, without time."""
     still = {"duration": None, "output": None, "step": None, "start": None}
-    return without_motion(scene).model_copy(
-        update={"analysis": scene.analysis.model_copy(update=still)}
-    )
+    return at_rest(scene).model_copy(update={"analysis": scene.analysis.model_copy(update=still)})
 
 
 def _extremes(scene: Resolved) -> list[dict[str, Any]]:

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES
+from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
@@ -116,11 +117,8 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     SimulationError
         When there is no equilibrium.
     """
-    at_full = scene.model_copy(
-        update={"current": scene.current.model_copy(update={"ramp": None})}  # type: ignore[union-attr]
-    )
-    mesh, d = mesh_of_modes(at_full)
-    model, _ = settle(at_full, mesh, d)
+    mesh, d = mesh_of_modes(scene)
+    model, _ = settle(at_rest(scene), mesh, d)
     shape_of(model.programs, model.state)
     n = len(mesh.l0)
     water, tangent = np.zeros((3, n)), np.zeros((3, n))

@@ -71,9 +71,10 @@ class Output(Strict):
 class Analysis(Strict):
     """Settings of the computation.
 
-    Without ``duration`` only the static equilibrium is computed. By default the run starts from equilibrium;
-    ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both are chosen
-    for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
+    Without ``duration`` only the static equilibrium is computed, with the platform at its position and the
+    whole current: motions and the ramp of the current have no effect. By default the run starts from
+    equilibrium; ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both
+    are chosen for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
     generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a
     beam with small slopes. ``newton_tolerance``: correction at which Newton's iteration ends, in riser
     lengths; by default 1e-9.

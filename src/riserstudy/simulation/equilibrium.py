@@ -9,6 +9,7 @@ from riserstudy.model.build import build
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.model import Model
+from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.ends import Top
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.continuation import Lost, by_parts, search
@@ -24,11 +25,14 @@ BUCKLING = 20  # segments, at least, on which buckling is looked for
 def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Equilibrium]:
     """Model at static equilibrium, in ``d`` directions if more than the scene needs.
 
+    That of a run is the one it begins with; a scene without time is at rest.
+
     Raises
     ------
     SimulationError
         When there is none to be found.
     """
+    scene = scene if scene.analysis.duration else at_rest(scene)
     top = scene.top
     elevation = None
     before = None

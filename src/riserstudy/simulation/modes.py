@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
 from riserstudy.model.mesh import Mesh, prescribed
+from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
@@ -72,7 +73,7 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
     """
     import xarray as xr
 
-    scene = _without_lag(scene)
+    scene = at_rest(_without_lag(scene))
     mesh, d = mesh_of_modes(scene)
     model, _ = settle(scene, mesh, d)
     try:
