@@ -98,16 +98,18 @@ def _lines(study: Study, found: Tuned) -> list[str]:
         f"analysis.mesh: {{elements: {setting.elements}{graded}}}",
         f"analysis.step: {setting.analysis['step']}",
         f"analysis.method: {method}",
-        f"accuracy {found.accuracy}; largest error {found.error:.2f} of it at {len(found.points)} points "
-        f"that were tuned on, {found.held_out:.2f} at {len(found.checked)} others, of {len(study.grid)}",
-        f"work {found.work:.2g} of requesting the accuracy at each point",
+        f"tolerance {found.accuracy}; largest error divided by the tolerance: {found.error:.2f} at "
+        f"{len(found.points)} selected points, {found.held_out:.2f} at {len(found.checked)} checked points, "
+        f"of {len(study.grid)}",
+        f"work: {found.work:.2g} of the work of runs with the tolerance at each point",
     ]
     if found.own:
         _, error, work = found.own
         same = found.own[0] == setting
         lines.append(
-            "the study has this setting already"
+            "the study file already contains this setting"
             if same
-            else f"the study's own setting: work {work:.2g}, largest error {error:.2f}"
+            else f"present setting in the study file: work {work:.2g}, largest error divided by the "
+            f"tolerance {error:.2f}"
         )
     return lines
