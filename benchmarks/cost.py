@@ -65,7 +65,7 @@ def time_read_scenes():
 
 
 def time_plan_a_study():
-    """Plan a chapter: check and name each of its simulations."""
+    """Plan a chapter: check each of its simulations and compute its key."""
     Workplan.read(ROOT / "config", {"tier": "preview", "papers": ["liu2017"]})
 
 
@@ -116,7 +116,7 @@ def time_deck():
 
 
 def time_grade_claims():
-    """Four claims about a cooling fin over 128 samples."""
+    """Grade four claims about a cooling fin with 128 samples."""
     sys.path.insert(0, str(ROOT / "examples/grading"))
     from heat_fin import CHECKS, FILE
 
