@@ -15,13 +15,13 @@ def printable(value: object) -> str:
 
 
 class RiserStudyError(Exception):
-    """Base of all errors this package raises on purpose; ``exit_code`` is that of the command."""
+    """Base class of the errors of this package. ``exit_code`` is the exit status of the command."""
 
     exit_code = 1
 
 
 class InputError(RiserStudyError):
-    """A scene, study, table or command line that cannot be meant.
+    """A scene, study, table or command line is invalid.
 
     Parameters
     ----------
@@ -30,11 +30,11 @@ class InputError(RiserStudyError):
     field : str
         Dotted path of the field, "" for the whole file.
     found : str
-        What stands there.
+        The invalid value, or the fault.
     allowed : str
-        What may stand there, or what to do.
+        The allowed values, or the remedy.
     also : tuple of str
-        Dotted paths of what the fault is about besides; no part of the message.
+        Dotted paths of other fields that the fault concerns. They are not part of the message.
     """
 
     exit_code = 2
@@ -76,7 +76,7 @@ class InputErrors(InputError):
 
 
 class SimulationError(RiserStudyError):
-    """A simulation that cannot be completed: when, where, why, and what may help."""
+    """A simulation cannot be completed. The message gives cause and remedy, if they are known."""
 
     exit_code = 3
 

@@ -138,26 +138,26 @@ def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
 
 
 def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE) -> pd.DataFrame:
-    """What a statement finds in the results database.
+    """Run an SQL query on the results database.
 
     Parameters
     ----------
     sql : str
-        One statement that reads, with a ``?`` for each of ``values``.
+        One SQL statement that only reads, with a ``?`` for each of ``values``.
     values : sequence
-        What stands for the question marks, in their order.
+        Values that replace the question marks, in their order.
     database : str or Path
-        The database's file.
+        File of the results database.
 
     Returns
     -------
     pandas.DataFrame
-        A column for each that the statement selects, a row for each that it finds.
+        The selected columns and rows.
 
     Raises
     ------
     InputError
-        When there is no database, or the statement cannot be meant or does more than read.
+        When the database does not exist, or the statement is invalid, does not only read, or finds too much.
     """
     import pandas as pd
 

@@ -18,16 +18,17 @@ if TYPE_CHECKING:
 
 
 def open_point(key: str, whole: bool = False) -> xr.Dataset:
-    """The run of a point from the store, labelled as ``simulate`` does.
+    """Open the stored run of a point, as a dataset with the names and units of ``simulate``.
 
-    The store holds what the studies of the point keep. The attribute ``left_out`` names the rest, in JSON.
+    The store contains only the variables that the studies of the point keep. The attribute ``left_out``
+    lists the other variables, as JSON text.
 
     Parameters
     ----------
     key : str
         Key of the point; ``select key from points where ...`` finds it.
     whole : bool
-        With the rest, for which the scene of the point is simulated anew where the store has it not.
+        Return all variables. If the store does not contain them, the scene of the point is simulated again.
 
     Returns
     -------
@@ -37,8 +38,8 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
     Raises
     ------
     InputError
-        When the store has no such point, or not as it was written; when the whole of it is asked for, and its
-        scene is no longer what was simulated.
+        When the store does not contain the point, or its stored file is damaged; with ``whole``, also when
+        the engine or a table of the scene has changed since the point was simulated.
     """
     from riserstudy.dataset.label import to_dataset
     from riserstudy.model.absent_effects import absent
@@ -78,17 +79,17 @@ def _anew(key: str, file: SceneFile, stored: Result) -> Result:
 
 
 def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dataset:
-    """What studies keep of a selection of points, along the dimension ``point``.
+    """Join the stored variables of selected points into one dataset, along the dimension ``point``.
 
-    Points of studies with different nodes or times stand over those of all, without a number where a study
-    has none; nothing is interpolated.
+    If the studies of the points have different nodes or times, the dataset contains the nodes and times of
+    all these studies. Where a study has no value, the dataset contains NaN. Nothing is interpolated.
 
     Parameters
     ----------
     points : iterable of int
         Numbers of points, as in ``query("select point from ...")["point"]``.
     database : str or Path
-        The results database; the datasets are found from its folder.
+        File of the results database. The datasets are in the folder of this file.
 
     Returns
     -------
@@ -98,7 +99,7 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     Raises
     ------
     InputError
-        When there is no such point, or a dataset is not where the database says.
+        When a point does not exist, or the dataset file that the database names is missing.
     """
     import xarray as xr
 

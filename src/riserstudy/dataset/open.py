@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def open_results(folder: str | Path = "results") -> xr.DataTree:
-    """All datasets as a tree: ``tree["chang2020/asymmetry"]``.
+    """Open all datasets of a results folder as a tree, for example ``tree["chang2020/asymmetry"]``.
 
     Parameters
     ----------
@@ -22,12 +22,12 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
     Returns
     -------
     xarray.DataTree
-        A node for each dataset ``<paper>/<name>.nc``; arrays are read when they are used.
+        One node for each dataset ``<paper>/<name>.nc``. Arrays are read from the file on first use.
 
     Raises
     ------
     InputError
-        When the folder holds no dataset.
+        When the folder contains no dataset.
     """
     import xarray as xr
 

@@ -28,27 +28,28 @@ EQUAL = 1e-6  # by which displacements of one mode may differ and count as the s
 
 
 def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
-    """Natural modes of a scene about its static equilibrium, the lowest ones.
+    """Compute the natural modes with the lowest frequencies, about the static equilibrium of a scene.
 
     Parameters
     ----------
     scene : SceneFile or str or Path
         A scene from :func:`riserstudy.load_scene`, or the path of its file.
     count : int
-        How many.
+        Number of modes.
 
     Returns
     -------
     xarray.Dataset
-        Over ``mode``: ``frequency`` (Hz, negative for an unstable direction), ``natural_period`` (s, not a
-        number for one) and ``motion``, the direction that moves most: lateral, axial, or yaw, that of a
-        vessel. Shapes ``x``, ``y``, ``z``, those that exist, over ``mode`` and ``s`` (m, unstretched
-        arclength from the bottom): the largest displacement is 1.
+        With the dimension ``mode``: ``frequency`` (Hz), ``natural_period`` (s) and ``motion``, the direction
+        of the largest motion: lateral, axial, or yaw of the vessel. For an unstable direction, the frequency
+        is negative and the period is NaN. With the dimensions ``mode`` and ``s`` (m, unstretched arclength
+        from the lower end): the mode shapes ``x``, ``y``, ``z``, scaled to a largest displacement of 1. Only
+        the directions of the model are included.
 
     Raises
     ------
     InputError
-        When the scene cannot be meant, or no mode is asked for.
+        When the scene is invalid, or ``count`` is below 1.
     SimulationError
         When there is no equilibrium, or a node that moves has no mass.
     """

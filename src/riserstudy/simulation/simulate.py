@@ -30,28 +30,31 @@ def simulate(
     scene : SceneFile or str or Path
         A scene from :func:`riserstudy.load_scene`, or the path of its file.
     accuracy : float, optional
-        Relative accuracy of displacement and moment requested in place of the scene's mesh, step or accuracy.
+        Tolerance of displacement, moment and tension, as a fraction of 1. It replaces mesh, time step and
+        accuracy of the scene.
     patience : float or str, optional
-        Time after which the best result so far is returned, with its estimated error: seconds, or text
-        such as ``"10 min"``. The attribute ``ended_by`` and a warning then say so. A scene with a mesh of
-        its own has no coarser result to return, and is refused instead. Absent: without end.
+        Time limit: a number of seconds, or text such as ``"10 min"``. After this time, the result is the
+        finest completed run with its estimated error; the attribute ``ended_by`` and a warning state this.
+        A scene with a prescribed mesh and time step has no coarser result, so the time limit then ends the
+        simulation without a result. By default there is no time limit.
     progress : bool
-        Show on a terminal or in a notebook what is run, how far it is and what is left to do.
+        Show the current run, its progress and the approximate time left, on a terminal or in a notebook.
 
     Returns
     -------
     xarray.Dataset
-        ``x``, ``z`` (m, those that exist), ``effective_tension`` (N) and ``bending_moment`` (N m) over
-        ``time`` (s) and ``s`` (m, unstretched arclength from the bottom); without ``time`` for statics.
-        Envelopes (``_max``, ``_min``) and the state at rest (``_static``) over ``s_node``, at all nodes.
-        Attributes hold effects, audit, error estimate and provenance as JSON text.
+        Positions ``x``, ``y``, ``z`` (m; only the directions that the scene includes),
+        ``effective_tension`` (N) and ``bending_moment`` (N m), with the dimensions ``time`` (s) and ``s``
+        (m, unstretched arclength from the lower end). A static run has no ``time``. Envelopes (names with
+        ``_max``, ``_min``) and the static equilibrium (``_static``) have the dimension ``s_node``: all nodes.
+        Attributes contain effects, audit, error estimate and provenance as JSON text.
 
     Raises
     ------
     InputError
-        When the scene, or the patience, cannot be meant.
+        When the scene or the time limit is invalid.
     SimulationError
-        When it cannot be completed, or no run ends within the patience.
+        When the simulation cannot be completed, or no run ends within the time limit.
     """
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation.progress_line import progress_line

@@ -77,42 +77,44 @@ def sweep(
     cores: int | None = None,
     progress: bool = True,
 ) -> xr.Dataset:
-    """Simulate a scene at all points of a grid, on all cores; what was simulated before comes from the store.
+    """Simulate a scene at all points of a grid, on all cores. Points in the store are not simulated again.
 
     Parameters
     ----------
     scene : SceneFile or str or Path
         A scene from :func:`riserstudy.load_scene`, or the path of its file.
     axes : mapping
-        By path in the scene the values that it takes, as ``{"platform.surge.period": [8, 10, 12]}``.
-        Numbers count in the unit that the scene has there, or have their own, as ``["1600 kN", "2 MN"]``.
-        Values a hundred times the scene's are warned of. The dimension is the path with ``_`` for dots.
-        Or by name of a dimension, labels and what each sets: ``{"law": {"stiff": {"top.x": "held"}}}``.
+        Values for a path of the scene, such as ``{"platform.surge.period": [8, 10, 12]}``. A number has the
+        unit that the scene uses at this path; a text such as ``"1600 kN"`` has its own unit. A value that is
+        100 times the value of the scene, or a hundredth of it, may cause a warning. The name of the
+        dimension is the path with ``_`` instead of dots. An axis can also have a name, with labels and the
+        values that each label sets, such as ``{"law": {"stiff": {"top.x": "held"}}}``.
     keep : iterable of str, optional
-        Variables to keep, such as ``bending_moment``; absent: all. Those of a whole run, such as
-        ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always there.
+        Variables to keep, such as ``bending_moment``; by default all. Values of a whole run, such as
+        ``largest_bending_moment`` (N m) and ``smallest_tension`` (N), are always kept.
     modes : int, optional
-        So many modes of each point: ``natural_period`` (s) over ``mode``, shapes over ``s_relative``.
+        Number of natural modes for each point: ``natural_period`` (s) with the dimension ``mode``, shapes
+        with ``s_relative``. By default none.
     on_error : {"nan", "raise"}
-        With ``"nan"`` a point that cannot be completed has no numbers, and its reason in ``failure``;
-        with ``"raise"`` the first such point is an error.
+        With ``"nan"``, a point that cannot be completed contains NaN, and ``failure`` gives the reason.
+        With ``"raise"``, such a point raises a SimulationError.
     cores : int, optional
-        Processes at most; absent: as many as there are cores.
+        Largest number of processes; by default the number of cores.
     progress : bool
-        Show how many points are done, as a bar in a terminal or notebook, elsewhere as lines.
+        Show how many points are completed: a bar on a terminal or in a notebook, otherwise lines of text.
 
     Returns
     -------
     xarray.Dataset
-        The axes are its dimensions, in their order, as in datasets of studies; ``failure`` is empty where a
-        point was completed.
+        The axes are the dimensions, in the given order, as in the datasets of studies. ``failure`` is empty
+        for completed points.
 
     Raises
     ------
     InputError
-        When an axis or any point cannot be meant, before anything is simulated.
+        When an axis or a point is invalid; nothing is then simulated.
     SimulationError
-        When no point can be completed, or one cannot with ``on_error="raise"``.
+        When no point can be completed; with ``on_error="raise"``, when any point cannot be completed.
     """
     if on_error not in ("nan", "raise"):
         raise InputError("sweep", "on_error", repr(on_error), "allowed are 'nan' and 'raise'")
