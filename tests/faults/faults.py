@@ -21,7 +21,9 @@ DAY = 86400.0
 def said(status, text):
     """Exit status and first line of what a run said, for the table."""
     line = next((x for x in text.splitlines() if x.startswith("riserstudy:")), "")
-    return f"exit {status}" + (f": {line.removeprefix('riserstudy: ')[:120]}" if line else "")
+    return f"exit {status}" + (
+        f": {line.removeprefix('riserstudy: ')[:120].rstrip(':')}" if line else ""
+    )
 
 
 def results_deleted_half_way(folder):
