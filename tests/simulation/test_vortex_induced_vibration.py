@@ -1,10 +1,11 @@
 """Vortex-induced vibration of risers: what one run says, another says too."""
 
 import copy
-from math import cos, radians, sin
+from math import cos, pi, radians, sin
 
 import numpy as np
 import pytest
+from random_rigs import rig, timed, written
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
@@ -88,12 +89,36 @@ def test_without_it_nothing_moves_across_and_the_plane_is_enough():
 
 @pytest.mark.parametrize("angle", [30.0, 90.0, 217.0])
 def test_a_current_from_elsewhere_turns_everything(plain, angle):
-    turned = simulated(scene(current__heading=f"{angle} deg")).arrays
+    found = simulated(scene(current__heading=f"{angle} deg"))
+    turned = found.arrays
+    of_plain = plain.facts["vibration_frequency"]
+    assert found.facts["vibration_frequency"] == pytest.approx(of_plain, rel=1e-6)
     c, s = cos(radians(angle)), sin(radians(angle))
     x, y = plain.arrays["x"], plain.arrays["y"]
     scale = abs(x).max()
     assert abs(turned["x"] - (c * x - s * y)).max() < 1e-6 * scale
     assert abs(turned["y"] - (s * x + c * y)).max() < 1e-6 * scale
+
+
+@pytest.mark.parametrize("seed", [2, 5, 9])
+def test_the_frequency_of_a_rig_does_not_depend_on_its_axes(seed):
+    """Rigs on tensioners that vibrate across the flow and along it, turned by a third and by half a turn."""
+    tree = rig(seed, spatial=True, conductor=False)
+    tree["current"]["profile"]["surface_speed"] = 0.8
+    tree["platform"]["position"]["sway"] = 0.0
+    for section in tree["riser"]:
+        section["viv"] = {**PIPE["viv"], "diameter": section["drag"]["diameter"], "ramp": 20.0}
+        section["viv"]["in_line"] = {"coefficient": 0.5, "frequencies": [0.22, 0.36, 0.52]}
+    tree["analysis"] = timed(120.0, 0.2, 30, 0.2) | {"newton_tolerance": 1e-14}
+    found = []
+    for angle in (0.0, 2.0 * pi / 3.0, pi):
+        turned = copy.deepcopy(tree)
+        turned["current"]["heading"] = angle
+        turned["top"]["tensioners"]["arrangement"]["first_bearing"] += angle
+        whole = SceneFile("rig", written(turned, unit_of={"heading": "rad"}), {})
+        found.append(simulated(whole).facts["vibration_frequency"])
+    assert found[0] > 0.0
+    assert found[1:] == pytest.approx([found[0]] * 2, rel=1e-6)
 
 
 def test_a_section_cut_in_two_is_the_same_riser(plain):

@@ -16,6 +16,7 @@ from riserstudy.simulation.vibration_statistics import (
     NONE,
     along,
     frequency,
+    principal,
     sampling,
     sampling_of_angles,
     vibration,
@@ -91,8 +92,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     facts["sampling_error"] = sampling(histories, arrays["s"], time, above, often)
     facts["sampling_error"] |= sampling_of_angles(angles)
     if often:
-        motion = max(parts, key=lambda part: float(part[:, most].var()))[:, most]
-        facts["vibration_frequency"] = frequency(time, motion)
+        facts["vibration_frequency"] = frequency(time, principal(parts, most))
         return
     facts["warnings"].append(
         f"riser.viv: outputs every {interval:.3g} s cannot resolve the shortest shedding period of "

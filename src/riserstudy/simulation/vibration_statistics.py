@@ -94,16 +94,17 @@ def statistics(
         places,
         square,
         np.array([motion.mean(axis=0) for motion in moved]),
-        frequency(time, _largest(away, most)) if with_frequency else None,
+        frequency(time, principal(away, most)) if with_frequency else None,
         None if moment is None else (moment**2).mean(axis=0),
         None if pull is None else pull.mean(axis=0),
         None if pull is None else (pull**2).mean(axis=0),
     )
 
 
-def _largest(away: list[Array], most: int) -> Array:
-    """The vibration (times,) that is largest at a place: along x, y or z."""
-    return max((motion[:, most] for motion in away), key=lambda motion: float(motion.var()))
+def principal(away: list[Array], most: int) -> Array:
+    """The vibration (times,) at a place along the direction in which it is largest, whatever the axes."""
+    motion = np.stack([one[:, most] for one in away])
+    return np.asarray(np.linalg.eigh(motion @ motion.T)[1][:, -1] @ motion)
 
 
 def apart(low: Statistics, up: Statistics) -> dict[str, float]:
@@ -147,7 +148,7 @@ def sampling(
     of_displacement = [_of_rms(squares, places, least), _of_means(moved, least)]
     if with_frequency:
         most = int(squares.mean(axis=0).argmax())
-        of_displacement.append(_of_frequency(time, _largest(away, most)))
+        of_displacement.append(_of_frequency(time, principal(away, most)))
     out = {"displacement": max(of_displacement)}
     if "bending_moment" in histories:
         out["moment"] = _of_rms(histories["bending_moment"] ** 2, places, least)
@@ -219,15 +220,16 @@ def along(squares: Array, s: Array) -> float:
 
 
 def frequency(time: Array, away: Array) -> float:
-    """Frequency (Hz) of a vibration (times,) by its upward crossings of zero; 0 for fewer than two."""
+    """Frequency (Hz) of a vibration (times,) by its crossings of zero, both ways; 0 for fewer than three."""
     crossed = _crossings(time, away)
-    return float((len(crossed) - 1) / (crossed[-1] - crossed[0])) if len(crossed) > 1 else 0.0
+    halves = len(crossed) - 1
+    return float(0.5 * halves / (crossed[-1] - crossed[0])) if halves > 1 else 0.0
 
 
 def _crossings(time: Array, away: Array) -> Array:
-    """Times (s) at which a vibration (times,) crosses zero upwards."""
-    up = np.flatnonzero((away[:-1] < 0.0) & (away[1:] >= 0.0))
-    return np.asarray(time[up] - away[up] * (time[up + 1] - time[up]) / (away[up + 1] - away[up]))
+    """Times (s) at which a vibration (times,) crosses zero, upwards or downwards."""
+    at = np.flatnonzero((away[:-1] < 0.0) != (away[1:] < 0.0))
+    return np.asarray(time[at] - away[at] * (time[at + 1] - time[at]) / (away[at + 1] - away[at]))
 
 
 def _of_rms(squares: Array, s: Array, least: int) -> float:
@@ -248,12 +250,12 @@ def _of_means(each: list[Array], least: int) -> float:
 
 
 def _of_frequency(time: Array, motion: Array) -> float:
-    """Relative standard error of the frequency of a vibration (times,), by quarters of its periods."""
-    periods = np.diff(_crossings(time, motion))
-    if len(periods) < FEWEST_PERIODS:
+    """Relative standard error of the frequency of a vibration (times,), by quarters of its half periods."""
+    halves = np.diff(_crossings(time, motion))
+    if len(halves) < 2 * FEWEST_PERIODS:
         return 0.0
-    quarters = [part.mean() for part in np.array_split(periods, 4)]
-    return float(np.std(quarters, ddof=1) / 2.0 / periods.mean())
+    quarters = [part.mean() for part in np.array_split(halves, 4)]
+    return float(np.std(quarters, ddof=1) / 2.0 / halves.mean())
 
 
 def _of_size(places: Array, low: Array, up: Array) -> float:
