@@ -1,5 +1,6 @@
 """Sections that reach through the water's surface: the same riser as one that is cut there by hand."""
 
+import copy
 import json
 import math
 
@@ -99,3 +100,25 @@ def test_a_stress_of_a_section_that_is_cut_is_refused():
     )
     with pytest.raises(InputError, match="crosses the water surface"):
         file.resolved()
+
+
+@pytest.mark.parametrize("dressed", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_weight_in_water_above_the_water_has_a_warning(seed, dressed):
+    """Cut by hand, the part above the water keeps the weight that is given, and it has to be that in air."""
+    tree = copy.deepcopy(drawn(seed, True, dressed).tree)
+    _, under, over = tree["riser"]
+    scene = drawn(seed, True, dressed).resolved()
+    bare = 7850.0 * scene.riser[1].wall_area
+    displaced = 1025.0 * 0.25 * math.pi * scene.riser[1].outer_diameter ** 2
+    in_water, in_air = 9.81 * (bare - displaced), 9.81 * bare
+    under["submerged_weight"] = f"{in_water!r} N/m"
+    for weight, warned in ((in_water, True), (in_air, False)):
+        over["submerged_weight"] = f"{weight!r} N/m"
+        found = simulate(SceneFile("drawn.yaml", tree), progress=False)
+        told = [one for one in json.loads(found.attrs["warnings"]) if "weight in air" in one]
+        assert bool(told) == warned, told
+    whole = simulate(drawn(seed, False, dressed), progress=False)
+    np.testing.assert_allclose(
+        found["effective_tension"], whole["effective_tension"], rtol=1e-9, atol=1e-3
+    )

@@ -198,7 +198,9 @@ class Section(Strict):
     kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, both diameters, contents, gravity and
     water. Above the water surface, no displaced water is subtracted. If one of these inputs is missing, the
     scene is refused. A section that reaches through the water surface is then divided at the surface, as is a
-    section with modules or lines. The upper part is called ``<name>, above water``.
+    section with modules or lines. The upper part is called ``<name>, above water``; the weight of the water
+    that its outer diameter would displace is added to a given ``submerged_weight``. For a section that is
+    wholly above the water, give the weight in air.
 
     ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It has
     no effect on the simulation. The formula for the minimum tension requires it, because it treats steel and

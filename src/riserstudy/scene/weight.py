@@ -87,7 +87,8 @@ def doubts(scene: Parts) -> list[str]:
     """Warnings about weights that diameters contradict, and about bodies whose mass weighs nothing.
 
     Whatever is fixed to a pipe displaces more water and not less: apart from its contents a section cannot
-    weigh more than its mass less the water that its outer diameter displaces.
+    weigh more than its mass less the water that its outer diameter displaces. Above the water it displaces
+    none, and cannot weigh less than its mass.
     """
     sentences = _weightless(scene)
     for k, section in enumerate(scene.riser):
@@ -101,6 +102,12 @@ def doubts(scene: Parts) -> list[str]:
                 f"{section.line}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
                 f"the water that its outer diameter displaces, {most:.4g} N/m; contents are added to it: "
                 "leave out what is inside"
+            )
+        if _dry(scene, k) and (section.submerged_weight or 0.0) < dry - DOUBTED * dry:
+            sentences.append(
+                f"{section.line}.submerged_weight: {section.name!r} is above the water and weighs "
+                f"{section.submerged_weight:.4g} N/m, which is less than its mass times gravity, "
+                f"{dry:.4g} N/m; give its weight in air"
             )
     return sentences
 
@@ -131,8 +138,11 @@ def _displaced(scene: Parts, k: int) -> float:
 
 def _water_around(scene: Parts, k: int) -> float:
     """Density of the water around a section (kg/m3), 0 above it."""
-    if scene.water is None:
-        return 0.0
-    ends, surface = levels(scene, k), scene.water.surface
-    dry = ends and surface is not None and ends[0] >= surface
-    return 0.0 if dry else scene.water.density
+    return 0.0 if scene.water is None or _dry(scene, k) else scene.water.density
+
+
+def _dry(scene: Parts, k: int) -> bool:
+    """Whether a section is wholly above the water."""
+    ends = levels(scene, k)
+    surface = scene.water.surface if scene.water else None
+    return bool(ends and surface is not None and ends[0] >= surface)
