@@ -264,3 +264,18 @@ def test_what_cylinders_in_space_do_not_do_with_a_vessel_is_refused(name):
     }
     with pytest.raises(InputError, match=f"vessel.{name}.*arrangement"):
         adrift(0).with_values(asked[name], "test").resolved()
+
+
+@pytest.mark.parametrize("elements", [24, 40, 160])
+@pytest.mark.parametrize("seed", range(4))
+def test_offsets_of_an_angle_on_a_mesh_of_the_scene_are_true_or_not_told(seed, elements):
+    """On equal segments longer than the bending layer an angle at a stiff joint comes out too small."""
+    coarse = copy.deepcopy(rig(seed))
+    coarse["analysis"]["mesh"] = {"elements": elements}
+    found = offsets(file_of(coarse, limits=LIMITS[:2]).resolved(), 60.0, {})
+    for k, one in enumerate(found):
+        if one.missing:
+            assert "error of the angle" in one.missing
+        for end in one[:2]:
+            if math.isfinite(end):
+                assert uses(put(file_of(rig(seed), limits=LIMITS[:2]), end))[k] < 1.06

@@ -49,7 +49,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     rows = facts.get("extremes", [])
     errors = {k: v for k, v in facts.get("error_estimate", {}).items() if k != "angle" and v > 1.0}
     unknown = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in errors.items())
-    doubt = _error_of_angles(facts)
+    doubt = error_of_angles(facts)
     by_chance = "angle" in facts.get("sampling_error", {})
     plain = "published" if scene.paper else "given"
     each = []
@@ -65,7 +65,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     return each
 
 
-def _error_of_angles(facts: Mapping[str, Any]) -> float:
+def error_of_angles(facts: Mapping[str, Any]) -> float:
     """Estimated error of the angles of a run (rad): relative to the largest of them; zero where unknown."""
     rows = [row for row in facts.get("extremes", []) if row["output"] in ANGLES]
     largest = max((abs(row[side]) for row in rows for side in ("largest", "smallest")), default=0.0)

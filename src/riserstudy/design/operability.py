@@ -18,21 +18,22 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from riserstudy.dataset.limits import demand_of
+from riserstudy.dataset.limits import demand_of, error_of_angles
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
-from riserstudy.scene.limits import Limit
+from riserstudy.scene.limits import ANGLES, Limit
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.refine import Refinement
+from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.tolerance import MOMENT
 from riserstudy.study.processes import each
 
 NODES = 9  # offsets at which a search begins, alike for all limits
 CLOSE = 0.05  # m, to which an offset is found
+SURE = 0.05  # of an allowable angle: error that a mesh of the scene may have
 
 
 class Offsets(NamedTuple):
@@ -90,7 +91,7 @@ class AtRest:
     """
 
     def __init__(self, scene: Resolved, reach: float) -> None:
-        self.scene = scene
+        self.scene, self.reach = scene, reach
         elements = scene.analysis.mesh and scene.analysis.mesh.elements
         self.mesh = prescribed(scene, elements) if elements else _fine_enough(scene, reach)
         self.rows: dict[float, list[dict[str, Any]]] = {}  # extremes by offset
@@ -108,12 +109,27 @@ class AtRest:
             raise SimulationError(self.lost[offset])
         if offset not in self.rows:
             try:
-                run = single(moved(self.scene, offset), self.mesh, None)
-                self.rows[offset] = run.facts["extremes"]
+                found = single(moved(self.scene, offset), self.mesh, None)
+                self.rows[offset] = found.facts["extremes"]
             except SimulationError as failure:
                 self.lost[offset] = str(failure)
                 raise
         return self.rows[offset]
+
+    def error_of_angles(self, offset: float) -> float:
+        """Estimated error of angles at an offset (rad); zero on a mesh that was chosen for its accuracy.
+
+        Raises
+        ------
+        SimulationError
+            When no equilibrium is found.
+        """
+        if self.scene.analysis.mesh is None:
+            return 0.0
+        still = {"duration": None, "output": None, "step": None, "start": None, "method": None}
+        analysis = self.scene.analysis.model_copy(update=still)
+        scene = self.scene.model_copy(update={"analysis": analysis, "fatigue": None})
+        return error_of_angles(run(moved(scene, offset)).facts)
 
 
 def moved(scene: Resolved, offset: float) -> Resolved:
@@ -180,9 +196,25 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
             inside = _least(over, inside, tried)
         if over(inside) > 0.0:
             return Offsets(math.nan, math.nan)
-        return Offsets(_edge(over, inside, at, -1), _edge(over, inside, at, 1))
+        found = Offsets(_edge(over, inside, at, -1), _edge(over, inside, at, 1))
+        return _if_sure(at, limit, found)
     except SimulationError as failure:
         return Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
+
+
+def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
+    """Offsets that were found, unless the mesh of the scene tells too little of an angle at them."""
+    if limit.output not in ANGLES:
+        return found
+    ends = {min(max(end, -at.reach), at.reach) for end in (found.low, found.high)}
+    error = max(at.error_of_angles(end) for end in ends)
+    if error <= SURE * limit.allowable:
+        return found
+    missing = (
+        f"an error of the angle, {math.degrees(error):.2g} deg as estimated, below {100.0 * SURE:g} % of its "
+        "allowable; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
+    )
+    return Offsets(math.nan, math.nan, missing)
 
 
 def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
