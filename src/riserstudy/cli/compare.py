@@ -33,14 +33,16 @@ ColumnOption = Annotated[
     list[str] | None,
     typer.Option(
         "--column",
-        help="quantity that a column holds: 'Line 1 Te=effective_tension at 300 m (kN)'; may be repeated",
+        help="quantity that a column holds, such as 'Line 1 Te=effective_tension at 300 m (kN)'; "
+        "may be repeated",
         metavar="NAME=HEADING",
     ),
 ]
 EndAOption = Annotated[
     str | None,
     typer.Option(
-        help="end A, where OrcaFlex's arc length is 0: top, bottom, or '872 m down' for a part of the riser",
+        help="end A, where OrcaFlex's arc length is 0: top, bottom, or, if the line is a part of the "
+        "riser, '872 m down': 872 m above the riser's lower end, with the arc length increasing downwards",
         metavar="PLACE",
     ),
 ]
@@ -58,14 +60,14 @@ def compare(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
-    """Compare a run with a time series or values along the riser: differences, lag, and a figure.
+    """Compare a run with results of another program or a measurement: differences, lag, and a figure.
 
-    The first column of a table is `time (s)` or `s (m)`. The other headings name a variable, its place and
-    its unit, such as `effective_tension at 300 m (kN)`. Commas, semicolons or tabs separate the cells. A
-    `wall_tension` is converted with the pressures of the scene. The command also reads time histories and
-    range graphs of OrcaFlex, such as `Effective tension (kN)` over `Arc length (m)`. With `qats` (`pip
-    install "riserstudy[formats]"`) it reads time series of SIMA, RIFLEX, Matlab and others; --column names
-    their columns.
+    The first column of a table is `time (s)`, or the arclength `s (m)` from the riser's lower end. The other
+    headings name a variable, its place and its unit, such as `effective_tension at 300 m (kN)`. Commas,
+    semicolons or tabs separate the cells. A `wall_tension` is converted to effective tension with the
+    pressures of the scene. The command also reads time histories and range graphs of OrcaFlex, such as
+    `Effective tension (kN)` over `Arc length (m)`. With `qats` (`pip install "riserstudy[formats]"`) it reads
+    time series of SIMA, RIFLEX, Matlab and others; for these, define by --column what each column holds.
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.diff import opened

@@ -27,25 +27,39 @@ from riserstudy.errors import InputError
 
 TensionRatioOption = Annotated[
     float,
-    typer.Option(min=0.01, max=1.0, help="R_f: vertical tension over setting, such as 0.95"),
+    typer.Option(
+        min=0.01, max=1.0, help="ratio R_f of vertical tension to tension setting, such as 0.95"
+    ),
 ]
 WeightOption = Annotated[
     float,
-    typer.Option(min=0.1, max=10.0, help="tolerance factor on steel weight: 1.05, or 1 if weighed"),
+    typer.Option(
+        min=0.1,
+        max=10.0,
+        help="tolerance factor on the weight of steel, such as 1.05; 1 if the steel was weighed",
+    ),
 ]
 BuoyancyOption = Annotated[
     float,
-    typer.Option(min=0.0, max=10.0, help="tolerance factor on buoyancy: 0.96, or 1 if weighed"),
+    typer.Option(
+        min=0.0,
+        max=10.0,
+        help="tolerance factor on the lift of buoyancy modules, such as 0.96; 1 if they were weighed",
+    ),
 ]
 FleetAngleOption = Annotated[
     str,
     typer.Option(
-        help="angle of the lines to the vertical, if R_f does not include it", metavar="ANGLE"
+        help="angle of the tensioner lines from the vertical, if R_f does not include its effect",
+        metavar="ANGLE",
     ),
 ]
 DynamicLimitOption = Annotated[
     str | None,
-    typer.Option(help="dynamic tension limit of all units: 6.7 MN", metavar="FORCE"),
+    typer.Option(
+        help="dynamic tension limit of all units together, such as 6.7 MN; requires --share",
+        metavar="FORCE",
+    ),
 ]
 ShareOption = Annotated[
     float | None,
@@ -57,7 +71,10 @@ ShareOption = Annotated[
 ]
 OverpullOption = Annotated[
     str | None,
-    typer.Option(help="tension required between LMRP and BOP stack: 200 kN", metavar="FORCE"),
+    typer.Option(
+        help="tension required between LMRP and BOP stack, such as 200 kN; default: no requirement",
+        metavar="FORCE",
+    ),
 ]
 
 
@@ -78,10 +95,11 @@ def tension(
 ) -> None:
     """Compute the minimum top tension, and the window of the tension setting.
 
-    The minimum tension is computed by the formula and by the engine, which replaces tensioners by a
-    constant tension. The window of the setting ends at --share times --dynamic-limit. It begins at the
-    minimum tension or at the tension that lifts the LMRP off with --overpull, whichever requires the larger
-    setting. The exit status is 4 if the scene lacks an input, such as separate weights of steel and buoyancy.
+    The minimum tension is computed by the standard formula and by simulation. In the simulation, a constant
+    tension replaces the tensioners. The window is the allowed range of the tension setting. It ends at
+    --share times --dynamic-limit. It begins at the minimum tension or at the tension that lifts the LMRP off
+    with --overpull, whichever requires the larger setting. The exit status is 4 if the scene lacks an input,
+    such as separate weights of steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -127,12 +145,16 @@ def operability(
     scene: SceneArgument,
     reach: Annotated[
         str,
-        typer.Option(help="largest offset to either side of the well: '100 m'", metavar="LENGTH"),
+        typer.Option(
+            help="largest offset to search, to either side of the well, such as '100 m'",
+            metavar="LENGTH",
+        ),
     ],
     allowance: Annotated[
         list[str] | None,
         typer.Option(
-            help="effect of waves, added to a static value: lfj_angle='0.5 deg'; may be repeated",
+            help="effect of waves that is added to the static value of an output, such as "
+            "lfj_angle='0.5 deg'; may be repeated",
             metavar="OUTPUT=VALUE",
         ),
     ] = None,
@@ -162,18 +184,22 @@ def envelope(
     scene: SceneArgument,
     reach: Annotated[
         str,
-        typer.Option(help="largest offset to either side of the well: '100 m'", metavar="LENGTH"),
+        typer.Option(
+            help="largest offset to search, to either side of the well, such as '100 m'",
+            metavar="LENGTH",
+        ),
     ],
     current: Annotated[
         list[str],
         typer.Option(
-            help="current speed at the surface: '0.5 m/s'; may be repeated", metavar="SPEED"
+            help="current speed at the surface, such as '0.5 m/s'; may be repeated", metavar="SPEED"
         ),
     ],
     sea: Annotated[
         list[str] | None,
         typer.Option(
-            help="significant height and peak period: '4 m, 10 s'; may be repeated; default: no waves",
+            help="significant wave height and peak period of a sea, such as '4 m, 10 s'; may be repeated; "
+            "default: no waves",
             metavar="HEIGHT,PERIOD",
         ),
     ] = None,
@@ -184,9 +210,10 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
 
-    The envelope is static. Each sea adds an allowance to the static values: the increase that nine in ten
-    seas do not exceed. The allowance is computed from runs in the current and at the offset of the scene.
-    The exit status is 4 if a limit could not be evaluated.
+    The envelope is static. Each sea adds an allowance to the static value of each output with a limit; for
+    limits on means there is no allowance. The allowance is the increase (for a lower limit, the decrease)
+    that nine in ten random realisations of the sea do not exceed. The allowance is computed from runs in the
+    current and at the offset of the scene. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -215,34 +242,40 @@ def viv(
         float,
         typer.Option(
             help="Strouhal number f D / U of the shedding frequencies that are printed and plotted; "
-            "0.17 to 0.25"
+            "in the literature 0.17 to 0.25"
         ),
     ] = 0.2,
     slowest: Annotated[
-        float, typer.Option(help="lowest reduced velocity U / (f D) of lock-in; 3 to 5")
+        float,
+        typer.Option(help="lowest reduced velocity U / (f D) of lock-in; in the literature 3 to 5"),
     ] = 4.0,
     fastest: Annotated[
-        float, typer.Option(help="highest reduced velocity of lock-in; 7 to 10")
+        float, typer.Option(help="highest reduced velocity of lock-in; in the literature 7 to 10")
     ] = 8.0,
     lift: Annotated[
-        float, typer.Option(help="lift coefficient in phase with velocity; 0.6 to 1.3")
+        float,
+        typer.Option(help="lift coefficient in phase with velocity; in the literature 0.6 to 1.3"),
     ] = 1.2,
     drag: Annotated[
         float | None, typer.Option(help="drag coefficient; default: that of the scene")
     ] = None,
     drag_gain: Annotated[
-        float, typer.Option(help="increase of drag per amplitude in diameters; 1.1 to 2.1")
+        float,
+        typer.Option(
+            help="relative increase of drag per amplitude in diameters; in the literature 1.1 to 2.1"
+        ),
     ] = 2.1,
     settings: SetOption = None,
     csv: CsvOption = None,
     plot: PlotOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Screen a riser in a current for vortex-induced vibration: modes, places, amplitudes, drag.
+    """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
     The screening uses only the modes about the static equilibrium and reduced velocities, without a
-    simulation over time. It computes the amplitude of each mode as if that mode vibrated alone: the power of
-    lift equals the power of drag. The Strouhal number changes neither.
+    simulation over time. It computes the amplitude of each mode as if that mode vibrated alone. At this
+    amplitude, lift supplies as much power as drag removes. The Strouhal number changes neither the lock-in
+    regions nor the amplitudes.
     """
     from riserstudy.dataset.table import Cell, Table
 

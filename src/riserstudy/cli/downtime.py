@@ -52,20 +52,22 @@ RecordArgument = Annotated[
 SceneOption = Annotated[
     Path | None,
     typer.Option(
-        help="riser whose limits apply; with an irregular sea and a duration",
+        help="scene of the riser whose limits apply; the scene must have an irregular sea and a duration",
         metavar="SCENE.yaml",
     ),
 ]
 LimitOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="limit on the sea: 'hs <= 2.5 m'; may be repeated, and all must be met",
+        help="limit on the sea, such as 'hs <= 2.5 m'; may be repeated, and all must be met",
         metavar="LIMIT",
     ),
 ]
 WindowOption = Annotated[
     list[str] | None,
-    typer.Option(help="length of a weather window: '24 h'; may be repeated", metavar="TIME"),
+    typer.Option(
+        help="length of a weather window, such as '24 h'; may be repeated", metavar="TIME"
+    ),
 ]
 NextOption = Annotated[
     int,
@@ -76,7 +78,7 @@ PersistenceOption = Annotated[
     typer.Option(
         min=LEAST_PERSISTENCE,
         max=MOST_PERSISTENCE,
-        help="Hurst exponent of the yearly shares; 0.5: years are independent",
+        help="Hurst exponent of the workable shares of years; with 0.5, years are independent",
     ),
 ]
 HoldBackOption = Annotated[
@@ -86,20 +88,25 @@ HoldBackOption = Annotated[
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="also compute the hours with this value: platform.position.surge='5 m'; "
-        "may be repeated",
+        help="compute the hours only with this value of the scene, such as platform.position.surge='5 m'; "
+        "may be repeated, for one result each",
         metavar="PATH=VALUE",
     ),
 ]
 SectorsOption = Annotated[
     int | None,
     typer.Option(
-        min=2, max=36, help="number of wave headings to simulate, all round; with --x-towards"
+        min=2,
+        max=36,
+        help="number of wave headings to simulate, evenly spaced over 360 deg; requires --x-towards",
     ),
 ]
 XTowardsOption = Annotated[
     str | None,
-    typer.Option(help="compass bearing of the x axis of the scene: '90 deg'", metavar="ANGLE"),
+    typer.Option(
+        help="compass bearing of the x axis of the scene, such as '90 deg'; requires --sectors",
+        metavar="ANGLE",
+    ),
 ]
 SeedsOption = Annotated[
     int | None, typer.Option(min=1, help="number of runs of each sea state; default: 5")
@@ -153,10 +160,12 @@ def downtime(
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    Prediction bands for future years use the shares of whole years, Student's t and the --persistence of
-    years. A window ends at a gap of the record. Of a wait that reaches a gap, only a lower bound is known.
-    With --scene, the limits apply to a riser. The command then simulates sea states of the record until the
-    response interpolated between them meets --error. Further simulated sea states check the result.
+    Prediction bands for future years are computed from the workable shares of whole years in the record, by
+    Student's t-distribution. The bands account for the dependence between years (--persistence).
+    A window ends at a gap of the record. Of a wait that reaches a gap, only a lower bound is known.
+    With --scene, the limits of the scene apply to its riser. The command then simulates sea states of the
+    record until the response interpolated between them meets --error. Further simulated sea states check the
+    result.
     """
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {

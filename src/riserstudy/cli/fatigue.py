@@ -55,7 +55,8 @@ CalmOption = Annotated[
 WithoutOption = Annotated[
     Path | None,
     typer.Option(
-        help="the same study without vortex-induced vibration, to compute the share of the vibration",
+        help="dataset of the same study without vortex-induced vibration, to compute the share of the damage "
+        "that the vibration causes",
         metavar="STUDY.nc",
     ),
 ]

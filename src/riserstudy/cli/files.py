@@ -53,7 +53,10 @@ def import_deck(
     ],
     length: Annotated[
         str | None,
-        typer.Option(help="ULEN of the WAMIT body, for a .4 file: 1 m", metavar="LENGTH"),
+        typer.Option(
+            help="length ULEN of the WAMIT body, such as '1 m'; required for a .4 file",
+            metavar="LENGTH",
+        ),
     ] = None,
     force: ForceOption = False,
 ) -> None:

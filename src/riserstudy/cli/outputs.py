@@ -43,13 +43,15 @@ def plot(
     kind: Annotated[PlotKind, typer.Option(help="kind of plot")] = PlotKind.RANGE,
     of: Annotated[
         list[str] | None,
-        typer.Option(help="quantity to plot: bending_moment; may be repeated", metavar="NAME"),
+        typer.Option(
+            help="quantity to plot, such as bending_moment; may be repeated", metavar="NAME"
+        ),
     ] = None,
     at: AtOption = None,
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
-    """Plot one run: ranges along the riser with its limits, time series, or its shape."""
+    """Plot one run: extremes along the riser with its limits, time series, or the shape of the riser."""
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import complete, place
     from riserstudy.figures import save
@@ -153,12 +155,12 @@ def statistics(
         Writes("table"),
     ],
     start: Annotated[
-        str, typer.Option(help="leave out times before this one: 200 s", metavar="TIME")
+        str, typer.Option(help="leave out times before this one, such as '200 s'", metavar="TIME")
     ] = "0 s",
     exposure: Annotated[
         str | None,
         typer.Option(
-            help="duration that extremes are estimated for: 3 h; default: the duration of the record"
+            help="duration for which extremes are estimated, such as '3 h'; default: that of the record"
         ),
     ] = None,
     over: Annotated[
@@ -172,7 +174,11 @@ def statistics(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.SI,
 ) -> None:
-    """Compute statistics in an irregular sea: mean, deviation, most probable extremes, Gumbel over seeds."""
+    """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several seeds.
+
+    For one run, the table also gives the most probable extremes within --exposure. With --over, a Gumbel
+    distribution is fitted to the extremes of the seeds.
+    """
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import complete, place

@@ -27,7 +27,11 @@ RecordArgument = Annotated[
 ]
 SyntheticOption = Annotated[
     int | None,
-    typer.Option(min=1, max=100, help="make a synthetic record of this number of years instead"),
+    typer.Option(
+        min=1,
+        max=100,
+        help="make a synthetic record of this number of years, instead of reading one",
+    ),
 ]
 GammaOption = Annotated[
     float | None,
@@ -48,7 +52,7 @@ ContourOption = Annotated[
     typer.Option(
         min=1,
         max=10000,
-        help="return period of a contour of height and period, in years; needs virocon",
+        help="return period of a contour of height and period, in years; requires the package virocon",
         metavar="YEARS",
     ),
 ]

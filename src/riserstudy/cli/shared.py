@@ -28,7 +28,7 @@ SetOption = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
-        help="replace a value of the scene: platform.heave.amplitude='3 m'; may be repeated",
+        help="replace a value of the scene, such as platform.heave.amplitude='3 m'; may be repeated",
         metavar="PATH=VALUE",
     ),
 ]
@@ -37,7 +37,7 @@ AtOption = Annotated[
     list[str] | None,
     typer.Option(
         "--at",
-        help="select a point of a study: heave_amplitude=5; may be repeated",
+        help="select a point of a study by the value of an axis, such as heave_amplitude=5; may be repeated",
         metavar="AXIS=VALUE",
     ),
 ]
@@ -45,7 +45,10 @@ AtOption = Annotated[
 
 AccuracyOption = Annotated[
     str | None,
-    typer.Option(help="tolerance that mesh and time step are chosen for: 1%", metavar="PERCENT"),
+    typer.Option(
+        help="tolerance for which mesh and time step are chosen, such as 1%; default: as in the scene",
+        metavar="PERCENT",
+    ),
 ]
 DatasetArgument = Annotated[
     Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")
@@ -70,7 +73,7 @@ ReturnOption = Annotated[
 UnitsOption = Annotated[
     UnitSystem,
     typer.Option(
-        help="units of the output: SI, kN and MPa (field), or feet and kips (us)",
+        help="units of the output: SI (si), kN and MPa (field), or feet and kips (us)",
     ),
 ]
 

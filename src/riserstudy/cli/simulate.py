@@ -47,7 +47,7 @@ def run(
         typer.Option(
             "-o",
             "--output",
-            help="dataset to write (netCDF), or CSV: time series, or extremes of a static run",
+            help="dataset to write (netCDF), or CSV table: time series, or extremes if the run is static",
             metavar="OUT.nc",
         ),
         Writes("dataset", "table"),
@@ -57,7 +57,8 @@ def run(
     patience: Annotated[
         str | None,
         typer.Option(
-            help="time limit, after which the best result so far is written: 30, '10 min'",
+            help="time limit, after which the best result so far is written, such as 30 (in seconds) "
+            "or '10 min'",
             metavar="SECONDS",
         ),
     ] = None,

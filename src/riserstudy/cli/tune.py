@@ -27,16 +27,19 @@ def tune(
         str | None,
         typer.Option(help="tolerance, such as 1%; default: that of the study", metavar="PERCENT"),
     ] = None,
-    points: Annotated[int, typer.Option(min=FEWEST, max=256, help="points to tune on")] = 12,
+    points: Annotated[
+        int, typer.Option(min=FEWEST, max=256, help="number of points to tune on")
+    ] = 12,
     seed: Annotated[int, typer.Option(min=0, help="seed of the random draw of these points")] = 1,
     write: Annotated[
         bool, typer.Option("--write", help="write the settings into the study file")
     ] = False,
 ) -> None:
-    """Find the cheapest mesh, step and method with which all points of a study meet a tolerance.
+    """Find the cheapest mesh, time step and method with which all points of a study meet a tolerance.
 
-    The command selects mesh, step and method at a few points of the study, and checks them at other points.
-    The points include the corners and the middle of the axes, and the ends of sampled ranges.
+    The command selects mesh, time step and time integration method at a few points of the study, and checks
+    them at other points. The points for the selection are taken from the corners and the middle of the axes,
+    and from the ends of sampled ranges. The points for the check are random.
     """
     from riserstudy.study.write_tuned import write_tuned
 
