@@ -44,6 +44,36 @@ def test_the_highest_sea_is_that_of_the_distribution_of_heights():
         assert row[5] < row[6]
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_calm_rows_are_time_without_seas(seed):
+    """A record of which half is calm has the contour of its seas for half of the return period."""
+    pytest.importorskip("virocon")
+    whole = record(8, seed)
+    height = whole["significant_wave_height"].values
+    calm = np.arange(len(height)) % 2 == 1
+    half = whole.copy(deep=True)
+    half["significant_wave_height"][calm] = 0.0
+    half["peak_period"][calm] = np.nan
+    seas = whole.isel(time=~calm)
+    seas.attrs["interval_hours"] = 12.0
+    found, expected = contour(half, 50.0), contour(seas, 50.0)
+    columns = [[row[k] for k in (1, 4)] for row in found.rows]
+    np.testing.assert_allclose(columns, [[row[k] for k in (1, 4)] for row in expected.rows])
+
+
+@pytest.mark.parametrize("seed", [0, 3, 4, 5])
+def test_no_place_has_a_height_below_zero_or_no_period(seed):
+    """Also where the least height of the fit is below zero, as it often is of calm seas."""
+    pytest.importorskip("virocon")
+    found = contour(record(6, seed), 50.0)
+    values = np.array([row[1:] for row in found.rows], float)
+    assert np.isfinite(values).all()
+    assert values[:, :3].min() >= 0.0
+    lowest = values[12]  # half-way round, where a longer and a shorter period have the same chance
+    assert lowest[0] == values[:, 0].min()
+    assert lowest[3] == pytest.approx(np.exp(1.6), rel=0.05)
+
+
 def test_a_longer_period_encloses_a_shorter_one():
     pytest.importorskip("virocon")
     short, long = (contour(record(10, 2), years) for years in (1.0, 100.0))

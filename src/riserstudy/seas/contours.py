@@ -32,6 +32,7 @@ UNITS = ["years", "m", "m", "m", "s", "s", "s"]
 def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     """A contour that is exceeded once in so many years, a row a place on it, with its band.
 
+    Calm rows, without waves, count as time, not as seas.
     By the inverse first-order reliability method, on a Weibull distribution of three parameters for heights
     and a log-normal one for periods given the height. The band holds nine in ten contours of years drawn with
     replacement, place by place of the circle of normal variables.
@@ -58,22 +59,31 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     states = np.column_stack(
         [record[name].values for name in ("significant_wave_height", "peak_period")]
     )
-    known = np.isfinite(states).all(axis=1) & (states > 0.0).all(axis=1)
+    calm = states[:, 0] == 0.0
+    known = np.isfinite(states).all(axis=1) & ~calm
     interval = float(record.attrs["interval_hours"])
-    whole = whole_years(record["time"].values, known, interval)
-    found = _contour(states[known], interval, years)
+    whole = whole_years(record["time"].values, known | calm, interval)
+    found = _contour(states[known], interval_of(known, calm, interval), years)
     draw = np.random.default_rng(seed)
     drawn = []
     for _ in range(DRAWS):
         chosen = draw.integers(len(whole), size=len(whole))
-        rows = np.concatenate([np.flatnonzero(whole[k] & known) for k in chosen])
-        drawn.append(_contour(states[rows], interval, years))
+        rows = np.concatenate([np.flatnonzero(whole[k] & (known | calm)) for k in chosen])
+        seas = known[rows]
+        apart = interval_of(seas, calm[rows], interval)
+        drawn.append(_contour(states[rows[seas]], apart, years))
     low, high = np.quantile(drawn, BAND, axis=0)
     rows_of: list[list[Cell]] = [
         [years, *(float(each[k, side]) for side in (0, 1) for each in (found, low, high))]
         for k in range(PLACES)
     ]
     return Table(COLUMNS, UNITS, rows_of)
+
+
+def interval_of(known: NDArray[np.bool_], calm: NDArray[np.bool_], interval: float) -> float:
+    """Mean time (h) between rows that have a sea, where others, an interval apart too, are calm."""
+    seas = int(known.sum())
+    return interval * (seas + int(calm.sum())) / seas if seas else interval
 
 
 def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
@@ -86,7 +96,21 @@ def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
         model.fit(states, fits)
     alpha = virocon.calculate_alpha(interval, years)
     places: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates
+    # the least height of a fit may come out below zero, where there is no sea and no period
+    low = places[:, 0] < 0.0
+    if low.any():
+        places[low, 0] = 0.0
+        shorter = _shorter(alpha)[low]
+        places[low, 1] = model.distributions[1].icdf(shorter, given=places[low, 0])
     return places
+
+
+def _shorter(alpha: float) -> FloatArray:
+    """Chance of a shorter period at each place of a contour, given its height, (PLACES,)."""
+    from scipy.special import ndtr, ndtri
+
+    angle = 2.0 * np.pi * np.arange(PLACES) / PLACES
+    return np.asarray(ndtr(-ndtri(alpha) * np.sin(angle)))
 
 
 def _import():  # type: ignore[no-untyped-def]
