@@ -215,7 +215,7 @@ def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) 
         if deck.scene.top.telescopic_joint:
             deck.otherwise["top.tensioners.arrangement"] = "absent: cylinders lean with the joint"
     length = math.hypot(outer - inner, height - zero)
-    aside = (deck.scene.top.offset or 0.0) if place is None else 0.0
+    aside = deck.scene.top.offset or 0.0
     law, nothing = _law(deck, rig, length), _rows(np.array([-REACH, REACH]) + length, np.zeros(2))
     if rig.mid_stroke == "riser in equilibrium":
         deck.otherwise["top.tensioners.mid_stroke"] = (

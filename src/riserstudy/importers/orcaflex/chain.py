@@ -56,7 +56,9 @@ def roles(deck: Part, on: Bearings) -> Roles:
     joint, alongside = None, []
     for line in [line for line in lines if line not in riser]:
         upper, lower = _top(line, lines), _node(line.lower, lines)
-        hangs = upper in on.vessels | set(GROUND) and line.upper.on_axis
+        # one that slides in the ring may hang from an offset, where hoses and drape lines hang, too
+        may_hang = line.upper.on_axis or (lower in on.sliding and not line.upper.y)
+        hangs = upper in on.vessels | set(GROUND) and may_hang
         if hangs and on.sliding.get(lower, lower) == nodes[0] and joint is None:
             joint = line
         elif upper in nodes[:-1] and lower in {*nodes, *on.ground}:

@@ -123,8 +123,6 @@ def _guided(
             rig = tensioners(pulling, above)
             if rig["arrangement"]["deck_radius"] == "0 m":
                 del rig["arrangement"]
-            elif aside:
-                rig = tensioners(pulling, of)
             tree["tensioners"] = rig
     bodies = [one for one in deck.parts("6DBuoys") if one.data.get("Connection") == guide.name]
     if bodies:
@@ -153,11 +151,12 @@ def _jointed(
         tree |= _joint(deck, joint, elevation - of.ring)
         body = _carries(deck, cast, body, sea)
     with deck.noting():
-        pull = constant(pulling, of._replace(aside=joint.upper.x))
+        above = of._replace(aside=joint.upper.x)
+        pull = constant(pulling, above)
         if pull and abs(pull.height - elevation) < SAME and "telescopic_joint" in tree:
             tree["telescopic_joint"]["tension"] = _q(pull.force, "kN")
         else:
-            tree["tensioners"] = tensioners(pulling, of)
+            tree["tensioners"] = tensioners(pulling, above)
     return Top(tree | ({"body": body} if body else {}), vessels.get(on))
 
 
