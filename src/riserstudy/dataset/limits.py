@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, UNITS, Limit
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.pressures import not_in_tension
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
@@ -58,6 +59,8 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
         one = _one(scene, limit, rows, origin.status if origin else plain)
         if limit.output in ANGLES:
             one = _with_error(one, doubt, by_chance)
+        if limit.output == "effective_tension":
+            one = _with_mud_above(one, not_in_tension(scene))
         if unknown and one.verdict == WITHIN:
             why = f"an estimated error below the result itself: {unknown}"
             one = one._replace(verdict=UNKNOWN, missing=why)
@@ -86,6 +89,16 @@ def _with_error(one: Checked, error: float, by_chance: bool) -> Checked:
         f"an error of the angle, {math.degrees(error):.2g} deg as estimated, below the margin; "
         f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"
     )
+    return one._replace(verdict=UNKNOWN, missing=why)
+
+
+def _with_mud_above(one: Checked, mud: float) -> Checked:
+    """A smallest tension that is not within its limit if the mud above the riser (N) takes what is left."""
+    if one.verdict != WITHIN or one.demand is None or one.side != "smallest":
+        return one
+    if use(one.side, one.demand - mud, one.allowable) <= 1.0:
+        return one
+    why = f"contents above the riser's upper end, which decrease the tension by {1e-3 * mud:.3g} kN"
     return one._replace(verdict=UNKNOWN, missing=why)
 
 

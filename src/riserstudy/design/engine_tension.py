@@ -12,11 +12,11 @@ from riserstudy.design.tension import (
     Tolerances,
     carrying_tension,
     columns_above,
-    mud_above_the_riser,
     weight_of_ring,
 )
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.at_rest import at_rest
+from riserstudy.scene.pressures import mud_above_the_riser
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import outputs
 from riserstudy.simulation.equilibrium import settle

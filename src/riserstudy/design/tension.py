@@ -21,6 +21,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from riserstudy.scene.geometry import span
+from riserstudy.scene.pressures import mud_above_the_riser
 from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
@@ -126,19 +127,6 @@ def weight_of_ring(scene: Resolved) -> float:
     if scene.top.body is None:
         return 0.0
     return scene.top.body.weight(scene.gravity or 0.0, scene.water.density if scene.water else 0.0)
-
-
-def mud_above_the_riser(scene: Resolved) -> float:
-    """Weight (N) on the bore of the mud that stands above the riser's upper end.
-
-    Its pressure there lowers the effective tension by as much.
-    """
-    last, ends = scene.riser[-1], span(scene)
-    if last.contents is None or last.contents.level is None or ends is None:
-        return 0.0
-    top = ends.bottom + sum(section.total_length for section in scene.riser)
-    height = last.contents.level - top
-    return max(last.contents_mass * (scene.gravity or 0.0) * height, 0.0)
 
 
 def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:

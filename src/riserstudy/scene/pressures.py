@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.scene.geometry import span
+
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
@@ -49,3 +51,22 @@ def pressures(
         inside[..., own] = above + contents.density * gravity * (top - elevation[..., own])
         above = inside[..., own][..., :1]
     return np.maximum(inside, 0.0), outside
+
+
+def mud_above_the_riser(scene: Parts) -> float:
+    """Weight (N) on the bore of the mud that stands above the riser's upper end.
+
+    Its pressure there lowers the effective tension by as much.
+    """
+    last, ends = scene.riser[-1], span(scene)
+    if last.contents is None or last.contents.level is None or ends is None:
+        return 0.0
+    top = ends.bottom + sum(section.total_length for section in scene.riser)
+    height = last.contents.level - top
+    return max(last.contents_mass * (scene.gravity or 0.0) * height, 0.0)
+
+
+def not_in_tension(scene: Parts) -> float:
+    """That weight (N) where tensioners or a joint pull, whose pull is the tension of a run; else 0."""
+    pulled = scene.top.tensioners or scene.top.telescopic_joint
+    return mud_above_the_riser(scene) if pulled and not scene.disconnect else 0.0
