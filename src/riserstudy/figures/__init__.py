@@ -52,6 +52,8 @@ def save(figure: Figure, *targets: Path) -> None:
     """
     from riserstudy.figures.drawn import table
 
+    figure.draw_without_rendering()  # which lays it out, once
+    figure.set_layout_engine("none")  # and for all formats alike
     for target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
         with whole_file(target, zlib.error) as partial:  # the error of a PDF that is not closed
@@ -60,7 +62,6 @@ def save(figure: Figure, *targets: Path) -> None:
             else:
                 kind = target.suffix.removeprefix(".")
                 figure.savefig(partial, format=kind, metadata=_metadata(figure, target.suffix))
-        figure.set_layout_engine("none")  # the next format is laid out as this one
 
 
 def _head_rows(figure: Figure) -> int:
@@ -69,7 +70,6 @@ def _head_rows(figure: Figure) -> int:
     written = next((text for text in figure.texts if title and text.get_text() == title), None)
     if written is None:
         return 0
-    figure.draw_without_rendering()  # which lays it out
     below = float(figure.bbox.height - written.get_window_extent().y0)
     return max(0, math.ceil(below) + 2)
 
