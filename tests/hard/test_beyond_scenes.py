@@ -9,6 +9,7 @@ from riserstudy.model.model import Model, Unknowns
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
+from riserstudy.solve.newton import Tolerance
 from riserstudy.solve.record import new_record
 from riserstudy.solve.statics import find_equilibrium
 from riserstudy.solve.sums import DONE, new_sums
@@ -25,7 +26,7 @@ def stepped(model, rho, step, count, sums):
     """March on from where a model is."""
     start = model.s.clock[0]
     record = new_record([start + count * step], [0], model.s)
-    method = Method(*generalised_alpha(rho), step, count, 1e-9 * LENGTH, 12, 6, 0)
+    method = Method(*generalised_alpha(rho), step, count, Tolerance(1e-9 * LENGTH, 1e-4), 12, 6, 0)
     done = march(model.programs, model.state, model.spare, method, model.fixed, record, sums)
     assert done == DONE
     return record.value

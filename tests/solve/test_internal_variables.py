@@ -16,6 +16,7 @@ from riserstudy.effects.registry import NAMES, ROLES
 from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.jit import inner
+from riserstudy.solve.newton import Tolerance
 from riserstudy.solve.record import new_record
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, new_sums
@@ -95,12 +96,12 @@ def run(name, steps, bound=np.inf, times=(END,)):
     record, sums = new_record(np.array(times), [1], made.s), new_sums()
     if name in TABLEAUS:
         method, stepped = (
-            Stages(TABLEAUS[name].weights, END / steps, steps, 1e-13, 20, 6, 0),
+            Stages(TABLEAUS[name].weights, END / steps, steps, Tolerance(1e-13, 1e-4), 20, 6, 0),
             march_in_stages,
         )
     else:
         method, stepped = (
-            Method(*generalised_alpha(0.8), END / steps, steps, 1e-13, 20, 6, 0),
+            Method(*generalised_alpha(0.8), END / steps, steps, Tolerance(1e-13, 1e-4), 20, 6, 0),
             march,
         )
     outcome = stepped(made.programs, made.state, made.spare, method, made.fixed, record, sums)

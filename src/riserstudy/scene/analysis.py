@@ -76,8 +76,8 @@ class Analysis(Strict):
     equilibrium; ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both
     are chosen for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
     generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a
-    beam with small slopes. ``newton_tolerance``: correction at which Newton's iteration ends, in riser
-    lengths; by default 1e-9.
+    beam with small slopes. ``newton_tolerance``: correction of positions at which Newton's iteration ends, in
+    riser lengths; by default 1e-9. A smaller value reduces the limit for moments in proportion.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

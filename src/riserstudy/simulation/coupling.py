@@ -133,7 +133,7 @@ def _turn(
     """One turn: its outcome, and how often it was gone through."""
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
-    tolerance = coupling.tolerance or method.tolerance
+    tolerance = coupling.tolerance or method.tolerance.position
     alone = new_sums()._replace(stop=sums.stop)  # of the platform
     aside = new_sums()._replace(stop=sums.stop)  # of rounds that are gone through again
     for rounds in range(1, MOST_ROUNDS + 1):

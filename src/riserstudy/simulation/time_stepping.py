@@ -10,10 +10,11 @@ from typing import Any
 
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
-from riserstudy.scene.analysis import GeneralisedAlpha, Newmark
+from riserstudy.scene.analysis import Analysis, GeneralisedAlpha, Newmark
 from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
+from riserstudy.solve.newton import Tolerance
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.record import forget
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
@@ -21,7 +22,9 @@ from riserstudy.solve.sums import DONE
 
 RHO_INF = 0.8  # default spectral radius
 STIFF = "ESDIRK4"  # default with events: the waves that they send die out in its stages
-NEWTON = 1e-9  # default tolerance of a correction, in riser lengths
+NEWTON = 1e-9  # default tolerance of a correction of positions, in riser lengths
+NEWTON_MOMENT = 3e-4  # the same of moments, as a share of the largest
+FAR_BELOW = 0.03  # of the accuracy of a moment is what Newton's iteration may leave of it
 ITERATIONS, HALVINGS = 12, 6  # of a step, at most
 GRADED = 4  # steps that a graded start replaces
 MOMENT = 1e-12  # share of a time, between before and after a jolt: more than ENDED leaves
@@ -76,8 +79,15 @@ def method_of(
     """What describes a march of so many steps (s) by the scene's implicit method, and what marches."""
     a = scene.analysis
     start, stepped = _method(a.method or (STIFF if scene.events else None))
-    tolerance = (a.newton_tolerance or NEWTON) * float(mesh.l0.sum())
+    share = a.newton_tolerance or NEWTON
+    tolerance = Tolerance(share * float(mesh.l0.sum()), _moment_tolerance(a, share))
     return start(step, count, tolerance, ITERATIONS, HALVINGS, graded), stepped
+
+
+def _moment_tolerance(analysis: Analysis, share: float) -> float:
+    """That of Newton's iteration for moments (1), far below the accuracy of the moment."""
+    requested = FAR_BELOW * analysis.accuracy if analysis.accuracy else NEWTON_MOMENT
+    return min(NEWTON_MOMENT, requested) * min(1.0, share / NEWTON)
 
 
 def _method(method: Any) -> tuple[Callable[..., Any], Callable[..., int]]:

@@ -24,7 +24,7 @@ import numpy as np
 
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import kernel
-from riserstudy.solve.newton import account, balance, correct, new_memory
+from riserstudy.solve.newton import Tolerance, account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.state import (
@@ -52,7 +52,7 @@ class Method(NamedTuple):
     gamma: float  # (1)
     step: float  # (s)
     steps: int
-    tolerance: float  # of a position correction, root mean square over nodes (m)
+    tolerance: Tolerance
     iterations: int  # Newton iterations a step, at most
     halvings: int  # of a step that fails, at most
     start: int  # steps that a graded start replaces by three times as many, 0 for none

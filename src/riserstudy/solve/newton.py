@@ -2,12 +2,14 @@ r"""Newton's iteration of one implicit step or stage: forces balance at the end 
 
 A practical step needs one correction: the next would be about C d^2, with d the correction just made and
 C from the last step that made two, so a second is made only where that estimate calls for it (half the
-run time of always confirming).
+run time of always confirming). Positions that are right to far less than a segment may still leave a short
+segment's moment wrong, so the estimate has to be small in moments, too: they change in the same proportion.
 """
 
 from __future__ import annotations
 
 from math import sqrt
+from typing import NamedTuple
 
 import numpy as np
 
@@ -21,6 +23,13 @@ from riserstudy.solve.sums import ITERATIONS
 CONFIRM_EVERY = 32  # steps after which C is measured anew
 SAFETY = 4.0  # on the estimate C d^2
 CURVATURE, SINCE, NODE, SIZE = 0, 1, 2, 3  # what the memory holds
+
+
+class Tolerance(NamedTuple):
+    """What another correction would change, where the iteration ends."""
+
+    position: float  # root mean square over nodes (m)
+    moment: float  # of any, as a share of the largest (1)
 
 
 @inner
@@ -72,19 +81,25 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
                 square += delta * delta
                 if not abs(delta) <= worst:
                     worst, where = abs(delta), i
+        bent, most = 0.0, 0.0
         for u in range(m):
             for i in range(n + 1):
                 s.moment[u, i] += out[i, u]
+                bent, most = max(bent, abs(out[i, u])), max(most, abs(s.moment[u, i]))
         sums.count[ITERATIONS] += 1
         memory[NODE], memory[SIZE] = where, worst
         correction = sqrt(square / (n + 1))
-        if not correction < 1e12 * tolerance:
+        if not correction < 1e12 * tolerance.position:
             break  # diverged, or not a number
         if iteration > 0 and last > 0.0:
             memory[CURVATURE] = correction / (last * last)
         confirmed = memory[SINCE] < CONFIRM_EVERY or iteration > 0
         next_one = SAFETY * memory[CURVATURE] * correction * correction
-        if correction < 1e-3 * tolerance or (confirmed and next_one < tolerance):
+        settled = (
+            next_one < tolerance.position
+            and next_one * bent <= tolerance.moment * most * correction
+        )
+        if correction < 1e-3 * tolerance.position or (confirmed and settled):
             memory[SINCE] = 0.0 if iteration > 0 else memory[SINCE] + 1.0
             return True
         last = correction

@@ -22,7 +22,7 @@ import numpy as np
 
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import inner, kernel
-from riserstudy.solve.newton import account, balance, correct, new_memory
+from riserstudy.solve.newton import Tolerance, account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
 from riserstudy.solve.state import (
@@ -83,7 +83,7 @@ class Stages(NamedTuple):
     weights: np.ndarray  # (stages, stages) A of the header, its last row the step
     step: float  # (s)
     steps: int
-    tolerance: float  # of a position correction, root mean square over nodes (m)
+    tolerance: Tolerance
     iterations: int  # Newton iterations a stage, at most
     halvings: int  # of a step that fails, at most
     start: int  # steps that a graded start replaces by three times as many, 0 for none
