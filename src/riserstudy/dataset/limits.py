@@ -15,6 +15,8 @@ from riserstudy.scene.riser import Section
 
 #: outputs whose sign is a convention
 SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
+#: outputs whose error is estimated but bounded by no accuracy, by the name of the error, and that of one
+UNBOUNDED = {"angle": ("angle", ANGLES), "shear": ("shear force", ("shear_force",))}
 WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
 
 
@@ -41,24 +43,25 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     """Every limit of a scene against the extremes of its run.
 
     Nothing is within a limit that is known no better than by an error larger than itself. No accuracy bounds
-    the error of angles; so an angle is within a limit if it is with its own estimated error on top.
+    the error of angles and of shear; so they are within a limit if they are with their own estimated error on
+    top.
 
     Parameters
     ----------
     facts : of the run: its extremes, a row an output and place, and its estimated errors.
     """
     rows = facts.get("extremes", [])
-    errors = {k: v for k, v in facts.get("error_estimate", {}).items() if k != "angle" and v > 1.0}
+    estimated = facts.get("error_estimate", {})
+    errors = {k: v for k, v in estimated.items() if k not in UNBOUNDED and v > 1.0}
     unknown = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in errors.items())
-    doubt = error_of_angles(facts)
-    by_chance = "angle" in facts.get("sampling_error", {})
     plain = "published" if scene.paper else "given"
     each = []
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
-        if limit.output in ANGLES:
-            one = _with_error(one, doubt, by_chance)
+        for name, (_, outputs) in UNBOUNDED.items():
+            if limit.output in outputs:
+                one = _with_error(one, name, facts)
         if limit.output == "effective_tension":
             one = _with_mud_above(one, not_in_tension(scene))
         if unknown and one.verdict == WITHIN:
@@ -68,25 +71,27 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     return each
 
 
-def error_of_angles(facts: Mapping[str, Any]) -> float:
-    """Estimated error of the angles of a run (rad): relative to the largest of them; zero where unknown."""
-    rows = [row for row in facts.get("extremes", []) if row["output"] in ANGLES]
+def error_of(name: str, facts: Mapping[str, Any]) -> float:
+    """Estimated error (rad, N) of angles or shear: relative to the largest of them; zero where unknown."""
+    rows = [row for row in facts.get("extremes", []) if row["output"] in UNBOUNDED[name][1]]
     largest = max((abs(row[side]) for row in rows for side in ("largest", "smallest")), default=0.0)
-    return float(facts.get("error_estimate", {}).get("angle", 0.0) * largest)
+    return float(facts.get("error_estimate", {}).get(name, 0.0) * largest)
 
 
-def _with_error(one: Checked, error: float, by_chance: bool) -> Checked:
-    """A limit of an angle that is not within it where its error (rad) is larger than what is left.
-
-    ``by_chance``: whether part of the error is that of a vibration over so long a time.
-    """
+def _with_error(one: Checked, name: str, facts: Mapping[str, Any]) -> Checked:
+    """A limit that is not met for certain where the error of its output is larger than what is left."""
     if one.verdict != WITHIN or one.demand is None:
         return one
+    error = error_of(name, facts)
     worst = one.demand + (-error if one.side == "smallest" else error)
     if use(one.side, worst, one.allowable) <= 1.0:
         return one
+    size = f"{math.degrees(error):.2g} deg" if name == "angle" else f"{error:.2g} N"
+    by_chance = name in facts.get(
+        "sampling_error", {}
+    )  # partly that of a vibration over so long a time
     why = (
-        f"an error of the angle, {math.degrees(error):.2g} deg as estimated, below the margin; "
+        f"an error of the {UNBOUNDED[name][0]}, {size} as estimated, below the margin; "
         f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"
     )
     return one._replace(verdict=UNKNOWN, missing=why)

@@ -149,5 +149,10 @@ def halves(segment: FloatArray) -> FloatArray:
 
 
 def corners(of: Layout) -> list[int]:
-    """Nodes at which shear may jump, so that the moment's slope does: ends, ring, `Layout.cornered`."""
-    return [0, *(of.mesh.foot(k) for k in of.cornered), of.mesh.ring, of.last]
+    """Nodes at which shear may jump, so that the moment's slope does: ends, ring, `Layout.cornered`, mudline.
+
+    At the mudline the resistance of the soil jumps; as springs at nodes, it makes shear jump there.
+    """
+    soil = of.scene.soil
+    mudline = [int(np.abs(of.bottom + of.mesh.s - soil.mudline).argmin())] if soil else []
+    return [0, *mudline, *(of.mesh.foot(k) for k in of.cornered), of.mesh.ring, of.last]

@@ -100,6 +100,12 @@ class RunFacts(TypedDict, total=False):
             part="angle",
         ),
         Column(
+            _ERROR + "shear force, which the tolerance does not limit",
+            "1",
+            name="error_shear",
+            part="shear",
+        ),
+        Column(
             _ERROR + "fatigue damage",
             "1",
             name="error_damage",

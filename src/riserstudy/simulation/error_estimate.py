@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.result import Result
 from riserstudy.scene.limits import ANGLES
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
+from riserstudy.simulation.section_forces import shear
 from riserstudy.simulation.vibration_statistics import (
     NONE,
     Statistics,
@@ -31,6 +32,7 @@ UPRIGHT = 1e-9  # rad: an angle that is none
 LEAST_FALL = 1.5
 STEEPEST_FALL = 20.0  # of fourth order it is 16
 SURE_FALL = 4.0  # where mesh and step both changed between them: second
+SURE = {"angle": SURE_FALL, "shear": 2.0}
 
 
 def estimate(
@@ -40,21 +42,22 @@ def estimate(
 
     Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as no more
     than ``most``, and as `LEAST_FALL` where it is smaller, unknown, or more than any method's order gives:
-    then the coarsest of the three was still far off. Of angles, tangents at the ends of segments, it is taken
-    as no more than that of second order, which is all that they are sure of.
+    then the coarsest of the three was still far off. It is taken as no more than what a quantity is sure of:
+    second order of angles, tangents at the ends of segments; first order of shear, the slope of the moment,
+    near jumps of the load.
     """
     error = {}
     for name, value in now.items():
         fall = (before or {}).get(name, 0.0) / value if value > 0.0 else most
         if fall > STEEPEST_FALL:
             fall = LEAST_FALL
-        trusted = most if name in CONTROLLED else min(most, SURE_FALL)
+        trusted = min(most, SURE.get(name, most))
         error[name] = value / (min(max(fall, LEAST_FALL), trusted) - 1.0)
     return error
 
 
 def controlled(error: dict[str, float]) -> dict[str, float]:
-    """Relative errors (1) without that of angles, which is estimated and chooses nothing."""
+    """Relative errors (1) without those of angles and shear, which are estimated and choose nothing."""
     return {name: value for name, value in error.items() if name in CONTROLLED}
 
 
@@ -73,7 +76,8 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
 
     Where one run tells every second, fourth, ... output of the other, those that both tell are compared.
     Angles of flex joints are compared at rest, over time, and by their extremes over all steps where both
-    runs have these. The scale is the largest value anywhere.
+    runs have these; shear by its envelopes over all steps and at rest, at the nodes of both. The scale is the
+    largest value anywhere.
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
@@ -102,6 +106,7 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         rounding = _rounding(name, fine.arrays)
         if scale > rounding:
             differences[name] = off / scale if off > rounding else 0.0
+    differences |= _shear(coarse.arrays, fine.arrays)
     return differences | _angle_of([*_angles(coarse, fine)]) | _damage(coarse, fine)
 
 
@@ -166,6 +171,55 @@ def _statistics(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
         ends, finer = _extremes(coarse, name), _extremes(fine, name)
         if ends is not None and finer is not None:
             yield ends, finer
+
+
+def _shear(coarse: Arrays, fine: Arrays) -> dict[str, float]:
+    """Relative difference of shear at the nodes of both runs; nothing where a run has none."""
+    if "mesh_flexibility" not in fine:
+        return {}
+    one, other = _same_places(coarse["s_node"], fine["s_node"])
+    low, up = (
+        {end: values[at] for end, values in (_shears(arrays) if len(one) else ())}
+        for arrays, at in ((coarse, one), (fine, other))
+    )
+    both = [end for end in up if end in low and len(one)]
+    if not both:
+        return {}
+    least = _rounding_of_shear(fine)[other]
+    scale = max(_largest(up[end], least) for end in both)
+    if not scale > 0.0:
+        return {}
+    return {"shear": max(_largest(up[end] - low[end], least) for end in both) / scale}
+
+
+def _largest(values: Array, least: Array) -> float:
+    """Largest size of values that are more than what may be rounding, 0 where none is."""
+    sizes = np.abs(values)
+    return float(sizes[sizes > least].max(initial=0.0))
+
+
+def _rounding_of_shear(arrays: Arrays) -> Array:
+    """Shear (N) that rounding may leave, over the nodes: of a moment that is none, over a segment."""
+    by_segment = np.pad(FLAT / arrays["mesh_flexibility"], 1)
+    return np.asarray(np.maximum(by_segment[1:], by_segment[:-1]))
+
+
+def _shears(arrays: Arrays) -> Iterator[tuple[str, Array]]:
+    """Shear (N) over the nodes: its envelopes over all steps, and at rest."""
+    for end in ("max", "min", "static"):
+        if f"shear_force_{end}" in arrays:
+            yield end, arrays[f"shear_force_{end}"]
+    if "shear_force_static" not in arrays and "bending_moment_static" in arrays:
+        spatial = "mesh_moment_static" in arrays  # of a run that is not finished
+        moment = arrays["mesh_moment_static" if spatial else "bending_moment_static"]
+        yield "static", shear(arrays, moment, spatial)
+
+
+def _same_places(coarse: Array, fine: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Which nodes (m) of two meshes are at the same places: indices into either."""
+    after = np.clip(np.searchsorted(fine, coarse - SAME * fine[-1]), 0, len(fine) - 1)
+    one = np.flatnonzero(np.abs(fine[after] - coarse) <= SAME * fine[-1])
+    return one, after[one]
 
 
 def _damage(coarse: Result, fine: Result) -> dict[str, float]:

@@ -31,14 +31,18 @@ from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.phase_of_drift import lost_phase
 from riserstudy.simulation.rest import Rest
-from riserstudy.simulation.section_forces import derived, envelopes_of, section_of
+from riserstudy.simulation.section_forces import (
+    derived,
+    envelopes_of,
+    section_of,
+    shear_of,
+)
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
 from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.solve.evaluate import energies, move_to
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen
-from riserstudy.solve.record import NO_SECTION
 from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
 
 if TYPE_CHECKING:
@@ -227,7 +231,7 @@ def in_motion(
         step = a.duration / steps_in(a.duration, step)
     rest = outputs.positions(model)
     begin(scene, model, mesh)
-    section = section_of(scene, mesh, arrays) if judged else NO_SECTION
+    section = section_of(scene, mesh, arrays) if judged else shear_of(arrays)
     recorded = (judged or len(model.s.dim) > 1) and a.method != "explicit"
     room = room_for_steps(model, a.duration, step) if recorded else 0
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
@@ -244,8 +248,8 @@ def in_motion(
     histories = outputs.histories(arrays, model, record.value, of)
     histories |= outputs.over_time(scene, model, mesh, record.value, rest)
     seen = _seen(scene, model, mesh, record, rest, judged)
+    histories |= envelopes_of(record.value)
     if judged:
-        histories |= envelopes_of(record.value)
         histories |= within(histories, seen.peaks, ANGLES if len(model.s.dim) == 3 else ())
     enter_lift(scene, seen.steps or histories, facts)
     return histories, seen

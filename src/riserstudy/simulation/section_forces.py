@@ -23,6 +23,18 @@ def riser_foot(scene: Resolved, mesh: Mesh) -> int:
     return mesh.foot(scene.lowest_riser_section)
 
 
+def shear_of(arrays: Arrays) -> Section:
+    """What a record needs for shear alone at every step; empty where a scene has no bending.
+
+    Parameters
+    ----------
+    arrays : of the scene at rest on the mesh.
+    """
+    if "bending_moment_static" not in arrays:
+        return NO_SECTION
+    return NO_SECTION._replace(shear=curve_of(arrays).slope_weights)
+
+
 def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
     """What a record needs for shear and stress of the wall at every step; empty where there is neither.
 
@@ -30,9 +42,7 @@ def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
     ----------
     arrays : of the scene at rest on the mesh.
     """
-    shear = NO_SECTION.shear
-    if "bending_moment_static" in arrays:
-        shear = curve_of(arrays).slope_weights
+    plain = shear_of(arrays)
     filled = [k for k, section in enumerate(scene.riser) if section.contents][::-1]
     rows, places = [], []
     for k, section in enumerate(scene.riser):
@@ -44,7 +54,7 @@ def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
         places += [(node, inside) for node in range(nodes.start, nodes.stop)]
         rows += [row] * (nodes.stop - nodes.start)
     if not rows:
-        return NO_SECTION._replace(shear=shear)
+        return plain
     gravity = scene.gravity or 0.0
     columns, ends = [], []
     for k in filled:
@@ -57,7 +67,7 @@ def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
     if scene.water and scene.water.surface is not None:
         sea = (scene.water.density * gravity, scene.water.surface)
     return Section(
-        shear,
+        plain.shear,
         np.array(rows),
         np.array(places, np.int64),
         np.array(columns).reshape(-1, 2),
