@@ -59,9 +59,8 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
-        for name, (_, outputs) in UNBOUNDED.items():
-            if limit.output in outputs:
-                one = _with_error(one, name, facts)
+        if name := unbounded(limit):
+            one = _with_error(one, name, facts)
         if limit.output == "effective_tension":
             one = _with_mud_above(one, not_in_tension(scene))
         if unknown and one.verdict == WITHIN:
@@ -69,6 +68,17 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
             one = one._replace(verdict=UNKNOWN, missing=why)
         each.append(one._replace(takes=takes(scene, limit)))
     return each
+
+
+def unbounded(limit: Limit) -> str | None:
+    """The error of a limit's output, where no accuracy bounds it: "angle" or "shear"; None elsewhere."""
+    return next((name for name, (_, of) in UNBOUNDED.items() if limit.output in of), None)
+
+
+def error_in_words(name: str, error: float) -> str:
+    """An error of angles (rad) or of shear (N), as text."""
+    size = f"{math.degrees(error):.2g} deg" if name == "angle" else f"{error:.2g} N"
+    return f"an error of the {UNBOUNDED[name][0]}, {size} as estimated"
 
 
 def error_of(name: str, facts: Mapping[str, Any]) -> float:
@@ -86,12 +96,11 @@ def _with_error(one: Checked, name: str, facts: Mapping[str, Any]) -> Checked:
     worst = one.demand + (-error if one.side == "smallest" else error)
     if use(one.side, worst, one.allowable) <= 1.0:
         return one
-    size = f"{math.degrees(error):.2g} deg" if name == "angle" else f"{error:.2g} N"
     by_chance = name in facts.get(
         "sampling_error", {}
     )  # partly that of a vibration over so long a time
     why = (
-        f"an error of the {UNBOUNDED[name][0]}, {size} as estimated, below the margin; "
+        f"{error_in_words(name, error)}, below the margin; "
         f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"
     )
     return one._replace(verdict=UNKNOWN, missing=why)

@@ -18,13 +18,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from riserstudy.dataset.limits import demand_of, error_of_angles
+from riserstudy.dataset.limits import demand_of, error_in_words, error_of, unbounded
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
-from riserstudy.scene.limits import ANGLES, Limit
+from riserstudy.scene.limits import Limit
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import single
@@ -33,7 +33,7 @@ from riserstudy.study.processes import each
 
 NODES = 9  # offsets at which a search begins, alike for all limits
 CLOSE = 0.05  # m, to which an offset is found
-SURE = 0.05  # of an allowable angle: error that a mesh of the scene may have
+SURE = 0.05  # of an allowable angle or shear: error that a mesh of the scene may have
 
 
 class Offsets(NamedTuple):
@@ -116,8 +116,8 @@ class AtRest:
                 raise
         return self.rows[offset]
 
-    def error_of_angles(self, offset: float) -> float:
-        """Estimated error of angles at an offset (rad); zero on a mesh that was chosen for its accuracy.
+    def error_of(self, name: str, offset: float) -> float:
+        """Estimated error of angles (rad) or shear (N) at an offset (m); zero on a mesh chosen for it.
 
         Raises
         ------
@@ -129,7 +129,7 @@ class AtRest:
         still = {"duration": None, "output": None, "step": None, "start": None, "method": None}
         analysis = self.scene.analysis.model_copy(update=still)
         scene = self.scene.model_copy(update={"analysis": analysis, "fatigue": None})
-        return error_of_angles(run(moved(scene, offset)).facts)
+        return error_of(name, run(moved(scene, offset)).facts)
 
 
 def moved(scene: Resolved, offset: float) -> Resolved:
@@ -203,16 +203,17 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
 
 
 def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
-    """Offsets that were found, unless the mesh of the scene tells too little of an angle at them."""
-    if limit.output not in ANGLES:
+    """Offsets that were found, unless the mesh of the scene is too coarse for an angle or shear at them."""
+    name = unbounded(limit)
+    if name is None:
         return found
     ends = {min(max(end, -at.reach), at.reach) for end in (found.low, found.high)}
-    error = max(at.error_of_angles(end) for end in ends)
+    error = max(at.error_of(name, end) for end in ends)
     if error <= SURE * limit.allowable:
         return found
     missing = (
-        f"an error of the angle, {math.degrees(error):.2g} deg as estimated, below {100.0 * SURE:g} % of its "
-        "allowable; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
+        f"{error_in_words(name, error)}, below {100.0 * SURE:g} % of its allowable; give more "
+        "analysis.mesh.elements, or analysis.accuracy without a mesh"
     )
     return Offsets(math.nan, math.nan, missing)
 

@@ -158,7 +158,8 @@ class RunFacts(TypedDict, total=False):
     vibration_scatter: Annotated[
         float,
         Column(
-            "difference of local root mean squares between the two halves of the time",
+            "change of the vibration's root mean squares from the first to the second half of the time, "
+            "over the riser, relative to that of the whole vibration",
             "1",
             **_VIBRATES,
         ),

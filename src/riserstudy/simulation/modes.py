@@ -74,9 +74,9 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
     """
     import xarray as xr
 
-    scene = at_rest(_without_lag(scene))
-    mesh, d = mesh_of_modes(scene)
-    model, _ = settle(scene, mesh, d)
+    scene = _without_lag(scene)
+    mesh, d = mesh_of_modes(scene)  # in all directions in which it moves
+    model, _ = settle(at_rest(scene), mesh, d)
     try:
         frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
     except np.linalg.LinAlgError:

@@ -81,11 +81,14 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
                 square += delta * delta
                 if not abs(delta) <= worst:
                     worst, where = abs(delta), i
-        bent, most = 0.0, 0.0
-        for u in range(m):
-            for i in range(n + 1):
+        bent, most = 0.0, 0.0  # largest squares of a moment's correction, and of a moment
+        for i in range(n + 1):
+            change, size = 0.0, 0.0
+            for u in range(m):
                 s.moment[u, i] += out[i, u]
-                bent, most = max(bent, abs(out[i, u])), max(most, abs(s.moment[u, i]))
+                change += out[i, u] * out[i, u]
+                size += s.moment[u, i] * s.moment[u, i]
+            bent, most = max(bent, change), max(most, size)
         sums.count[ITERATIONS] += 1
         memory[NODE], memory[SIZE] = where, worst
         correction = sqrt(square / (n + 1))
@@ -97,7 +100,7 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
         next_one = SAFETY * memory[CURVATURE] * correction * correction
         settled = (
             next_one < tolerance.position
-            and next_one * bent <= tolerance.moment * most * correction
+            and next_one * sqrt(bent) <= tolerance.moment * sqrt(most) * correction
         )
         if correction < 1e-3 * tolerance.position or (confirmed and settled):
             memory[SINCE] = 0.0 if iteration > 0 else memory[SINCE] + 1.0
