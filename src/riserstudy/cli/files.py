@@ -11,6 +11,7 @@ import typer
 from riserstudy.cli.shared import SceneArgument, SetOption, scene_of, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
+from riserstudy.folders import whole_file
 
 
 def draw(
@@ -72,7 +73,8 @@ def import_deck(
 
     deck_scene = read_deck(deck)
     check_output(output, ("scene",), [deck], force)
-    output.write_text(as_text(deck_scene, deck), "utf-8")
+    with whole_file(output) as partial:
+        partial.write_text(as_text(deck_scene, deck), "utf-8")
     for line in deck_scene.left_out:
         print(f"left out: {line}")
     print(
@@ -102,7 +104,8 @@ def export_deck(
     file = scene_of(scene, settings)
     check_output(output, ("deck",), file.files, force)
     deck = write_deck(file)
-    output.write_text(deck.text, "utf-8")
+    with whole_file(output) as partial:
+        partial.write_text(deck.text, "utf-8")
     for line in deck.left_out:
         print(f"left out: {line}")
     print(

@@ -24,11 +24,20 @@ def new_study(folder: Path) -> None:
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise InputError("new", str(folder), "is there already", allowed)
-        shutil.copytree(TEMPLATE, folder, dirs_exist_ok=True)
-        schemas = folder / "config/schemas"
-        schemas.mkdir()
-        for name, text in schema_files().items():
-            (schemas / name).write_text(text, "utf-8")
+        try:
+            shutil.copytree(TEMPLATE, folder, dirs_exist_ok=True)
+            schemas = folder / "config/schemas"
+            schemas.mkdir()
+            for name, text in schema_files().items():
+                (schemas / name).write_text(text, "utf-8")
+        except OSError:  # as on a full disk: nothing stays that a second call would refuse
+            _empty(folder)
+            raise
     except OSError as error:
         reason = error.strerror or "cannot be made"
         raise InputError("new", str(folder), reason, allowed) from None
+
+
+def _empty(folder: Path) -> None:
+    for part in folder.iterdir() if folder.is_dir() else ():
+        shutil.rmtree(part) if part.is_dir() else part.unlink()

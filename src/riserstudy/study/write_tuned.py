@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import io
+import os
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +12,7 @@ from ruamel.yaml import YAML
 from ruamel.yaml.comments import CommentedMap
 
 from riserstudy.errors import InputError
+from riserstudy.folders import whole_file
 from riserstudy.inputs.plain_yaml import MOST_BYTES
 from riserstudy.inputs.text import read_text
 from riserstudy.study.study import Study, scene_file
@@ -26,7 +29,9 @@ def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -
     Raises
     ------
     InputError
-        When the file cannot be written.
+        When the file may not be written.
+    SimulationError
+        When it cannot be written, as on a full disk. It then stays as it is.
     """
     yaml = _yaml()
     tree = yaml.load(read_text(path, MOST_BYTES))
@@ -39,11 +44,11 @@ def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -
     entry["tuned"] = _flow(about)
     text = io.StringIO()
     yaml.dump(tree, text)
-    try:
-        path.write_text(text.getvalue(), "utf-8")
-    except OSError as error:
-        reason = error.strerror or "cannot be written"
-        raise InputError(path, "", reason, "make it writable") from None
+    if not os.access(path, os.W_OK):
+        raise InputError(path, "", "Permission denied", "make it writable")
+    with whole_file(path) as partial:
+        partial.write_text(text.getvalue(), "utf-8")
+        shutil.copymode(path, partial)
 
 
 def _put(sets: Any, study: Study, analysis: dict[str, Any]) -> None:

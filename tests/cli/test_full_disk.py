@@ -1,0 +1,73 @@
+"""On a full disk a command leaves what was there, and nothing half written."""
+
+import errno
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+from drawn_decks import drawn
+from ruamel.yaml import YAML
+
+from riserstudy.errors import SimulationError
+from riserstudy.study.write_tuned import write_tuned
+
+STUDY = (
+    "paper: own\nstudies:\n  heave:\n    set: {analysis.accuracy: 1 %}  # as agreed\n    axes: {}\n"
+)
+
+
+@pytest.fixture
+def full(monkeypatch):
+    """From its call on, files are written by half."""
+    write = Path.write_text
+
+    def half(path, text, *arguments, **named):
+        write(path, text[: len(text) // 2], *arguments, **named)
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    return lambda: monkeypatch.setattr(Path, "write_text", half)
+
+
+def files(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("command, target", [("export", "deck.yml"), ("import", "back.yaml")])
+def test_a_model_or_scene_is_whole_or_as_it_was(commands, full, tmp_path, seed, command, target):
+    YAML().dump(drawn(seed), tmp_path / "scene.yaml")
+    assert commands("export", tmp_path / "scene.yaml", "-o", tmp_path / "deck.yml")[0] == 0
+    assert commands("import", tmp_path / "deck.yml", "-o", tmp_path / "back.yaml")[0] == 0
+    before = files(tmp_path)
+    full()
+    source = tmp_path / ("scene.yaml" if command == "export" else "deck.yml")
+    code, _, said = commands(command, source, "-o", tmp_path / target, "--force")
+    assert (code, said.count("\n")) == (3, 1)
+    assert "see whether the disk is full" in said
+    assert files(tmp_path) == before
+
+
+def test_a_study_file_that_tuning_writes_into_is_whole_or_as_it_was(full, tmp_path):
+    path = tmp_path / "own.yaml"
+    path.write_text(STUDY)
+    path.chmod(0o640)
+    YAML().dump(drawn(0), tmp_path / "scene.yaml")
+    found = SimpleNamespace(setting=SimpleNamespace(analysis={"step": "0.1 s"}))
+    model = SimpleNamespace(scene="scene.yaml")
+    study = SimpleNamespace(name="heave", config=tmp_path, model=model)
+    write_tuned(path, study, found, {"accuracy": "1 %"})
+    assert "tuned: {accuracy: 1 %}" in path.read_text()
+    assert path.stat().st_mode & 0o777 == 0o640
+    before = files(tmp_path)
+    full()
+    with pytest.raises(SimulationError, match="see whether the disk is full"):
+        write_tuned(path, study, found, {"accuracy": "2 %"})
+    assert files(tmp_path) == before
+
+
+def test_a_folder_that_was_not_filled_can_be_made_later(commands, full, monkeypatch, tmp_path):
+    full()
+    code, _, said = commands("new", tmp_path / "own")
+    assert (code, said.count("\n")) == (2, 1)
+    monkeypatch.undo()
+    assert not any((tmp_path / "own").iterdir())
