@@ -98,13 +98,13 @@ class Instant(Strict):
 
 
 class Moved(Instant):
-    """Surge, sway or heave at a time."""
+    """One point of a time series of surge, sway or heave."""
 
     value: u.Length
 
 
 class Tilted(Instant):
-    """Roll, pitch or yaw at a time."""
+    """One point of a time series of roll, pitch or yaw."""
 
     value: u.Angle
 
