@@ -7,7 +7,7 @@ import pytest
 
 from riserstudy import folders
 from riserstudy.errors import InputError
-from riserstudy.folders import cache_folder, remembered
+from riserstudy.folders import cache_folder, remembered, write_whole
 from riserstudy.solve.kernel_cache import kernel_cache
 
 
@@ -97,3 +97,15 @@ def test_what_is_remembered_is_made_anew_when_it_was_damaged(cache):
         assert len(made) == count + 3
     file.rename(cache / "scenes/b.json")
     assert remembered("scenes/b", lambda: "b") == "b"
+
+
+@pytest.mark.parametrize("umask", [0o002, 0o022, 0o077])
+def test_others_may_read_a_file_as_they_may_any_other(tmp_path, umask):
+    before = os.umask(umask)
+    try:
+        write_whole(tmp_path / "whole.json", b"{}")
+        (tmp_path / "plain.json").write_bytes(b"{}")
+    finally:
+        os.umask(before)
+    modes = {file.name: file.stat().st_mode for file in tmp_path.iterdir()}
+    assert modes["whole.json"] == modes["plain.json"]

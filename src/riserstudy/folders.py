@@ -5,8 +5,8 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import secrets
 import sys
-import tempfile
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from functools import cache
@@ -150,22 +150,23 @@ def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
 
 
 def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
-    """Write a file under another name in the same folder, then rename it.
+    """Write a file under another name in the same folder, then rename it; readable as other files are.
 
     Parameters
     ----------
     synced : whether it lies on the disk before it has its name.
     """
-    handle, name = tempfile.mkstemp(dir=target.parent, prefix=f".{target.name}.")
+    name = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
+    handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)  # less the umask
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)
             if synced:
                 stream.flush()
                 os.fsync(stream.fileno())
-        Path(name).replace(target)
+        name.replace(target)
     except BaseException:
-        Path(name).unlink(missing_ok=True)
+        name.unlink(missing_ok=True)
         raise
 
 
