@@ -61,6 +61,24 @@ def test_the_estimate_on_a_mesh_and_step_of_ones_own_covers_the_true_error(seed)
     assert true["shear"] <= COVERED * found.facts["error_estimate"]["shear"]
 
 
+@pytest.mark.parametrize("seed, above", [(64, 0.0), (71, 0.0), (63, 3.5), (67, 2.7), (71, 1.7)])
+def test_the_largest_shear_of_a_conductor_on_a_mesh_of_ones_own_is_covered(seed, above):
+    """The coarser meshes of the estimate have few nodes of it: one of 27 segments is compared with 13.
+
+    It stands so far (m) above the mudline, which is within a segment then.
+    """
+    tree = rig(seed, spatial=bool(seed % 2), conductor=True)
+    tree["soil"]["mudline"] -= above
+    tree["water"]["seabed"] -= above
+    found = run(file_of(tree | {"analysis": {"mesh": {"elements": 600}}}).resolved())
+    fine = file_of(tree | {"analysis": {"mesh": {"elements": 4800}}}).resolved()
+    largest, true = (
+        float(abs(one.arrays["shear_force_static"]).max())
+        for one in (found, run(fine, estimated=False))
+    )
+    assert abs(true - largest) <= COVERED * found.facts["error_estimate"]["shear"] * largest
+
+
 @pytest.mark.parametrize("spatial", [False, True])
 @pytest.mark.parametrize("seed", range(3))
 def test_shear_at_the_mudline_is_that_of_the_stack_above(seed, spatial):
