@@ -159,16 +159,9 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
 
 
 def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
-    """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`.
-
-    Raises
-    ------
-    SimulationError
-        When the run's energy balance does not hold, or its outputs are too few for its damage.
-    """
+    """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
     started = clock.perf_counter()
     arrays, facts, seen = result.arrays, result.facts, result.seen
-    audit.refuse_lost(facts)
     if scene.fatigue:
         from riserstudy.simulation.damage import refuse_coarse
 
