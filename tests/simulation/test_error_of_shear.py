@@ -1,17 +1,19 @@
 """The estimated error of shear covers the true one; Newton's iteration leaves little of moment and shear."""
 
 from itertools import pairwise
+from pathlib import Path
 
 import numpy as np
 import pytest
 from random_rigs import moving, rig, written
 
 from riserstudy.dataset.limits import checked
-from riserstudy.scene.load import SceneFile
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import single
 
+VIBRATING = Path(__file__).parents[2] / "config/scenes/hard/vortices.yaml"
 COVERED = 1.5  # true over estimated error, at most: as that of angles
 
 
@@ -131,3 +133,18 @@ def test_shear_is_within_its_limit_only_with_its_error(seed):
         (row,) = checked(file, file.resolved(), facts)
         assert row.verdict == verdict
         assert ("error of the shear force" in row.missing) == (verdict == "not evaluated")
+
+
+@pytest.mark.parametrize("share", [0.5, 0.99, 1.5])
+def test_a_limit_of_shear_is_not_met_by_a_riser_that_vibrates_in_vortices(share):
+    """Nothing estimates the error of shear there."""
+    analysis = {"duration": "20 s", "output": {"interval": "40 ms"}}
+    analysis |= {"mesh": {"elements": 24}, "step": "20 ms"}
+    file = read_scene(VIBRATING).with_values({"analysis": analysis}, "test")
+    facts = run(file.resolved(), estimated=False).facts
+    rows = [row for row in facts["extremes"] if row["output"] == "shear_force"]
+    largest = max(abs(row[side]) for row in rows for side in ("largest", "smallest"))
+    limit = {"output": "shear_force", "mode": "drilling", "largest": f"{largest * share!r} N"}
+    file = file.with_values({"limits": [limit]}, "test")
+    (row,) = checked(file, file.resolved(), facts)
+    assert row.verdict == ("exceeded" if share < 1.0 else "not evaluated")
