@@ -99,9 +99,8 @@ def _with_error(one: Checked, name: str, facts: Mapping[str, Any]) -> Checked:
     worst = one.demand + (-error if one.side == "smallest" else error)
     if use(one.side, worst, one.allowable) <= 1.0:
         return one
-    by_chance = name in facts.get(
-        "sampling_error", {}
-    )  # partly that of a vibration over so long a time
+    # partly that of a vibration over so long a time
+    by_chance = name in facts.get("sampling_error", {})
     why = (
         f"{error_in_words(name, error)}, below the margin; "
         f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"

@@ -106,9 +106,9 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         rounding = _rounding(name, fine.arrays)
         if scale > rounding:
             differences[name] = off / scale if off > rounding else 0.0
-    slope = _shear(coarse.arrays, fine.arrays)
-    if slope is not None:  # its error is no smaller than that of the moment
-        differences["shear"] = max(slope, differences.get("moment", 0.0))
+    of_shear = _shear(coarse.arrays, fine.arrays)
+    if of_shear is not None:  # no smaller than that of the moment, whose slope it is
+        differences["shear"] = max(of_shear, differences.get("moment", 0.0))
     return differences | _angle_of([*_angles(coarse, fine)]) | _damage(coarse, fine)
 
 

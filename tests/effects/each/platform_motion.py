@@ -50,29 +50,21 @@ def series(record, t):
     return out
 
 
+def motions():
+    """Which motion, amplitude, frequency, phase and ramp."""
+    return (
+        np.array([0, 2, 0]),
+        np.array([2.0, 1.0, 0.5]),
+        np.array([0.4, 0.6, 1.1]),
+        np.array([0.3, 0.0, -1.0]),
+        np.array([15.0, 0.0, 3.0]),
+    )
+
+
 CASES = {
     Position: Case(lambda d: Position(np.linspace(0.1, 0.6, 6))),
-    Harmonic: Case(
-        lambda d: Harmonic(
-            np.array([0, 2, 0]),
-            np.array([2.0, 1.0, 0.5]),
-            np.array([0.4, 0.6, 1.1]),
-            np.array([0.3, 0.0, -1.0]),
-            np.array([15.0, 0.0, 3.0]),
-        )
-    ),
-    Encountered: Case(
-        lambda d: Encountered(
-            np.array([0, 2, 0]),
-            np.array([2.0, 1.0, 0.5]),
-            np.array([0.4, 0.6, 1.1]),
-            np.array([0.3, 0.0, -1.0]),
-            np.array([15.0, 0.0, 3.0]),
-            np.array([0.02, -0.04, 0.12]),
-            1.5,
-            12.0,
-        )
-    ),
+    Harmonic: Case(lambda d: Harmonic(*motions())),
+    Encountered: Case(lambda d: Encountered(*motions(), np.array([0.02, -0.04, 0.12]), 1.5, 12.0)),
     Cruise: Case(lambda d: Cruise(0, 1.5, 12.0)),
     Series: Case(splines),
 }
