@@ -72,7 +72,8 @@ class Analysis(Strict):
     """Settings of the computation.
 
     Without ``duration`` only the static equilibrium is computed, with the platform at its position and the
-    whole current: motions and the ramp of the current have no effect. By default the run starts from
+    whole current. Motions, waves, the ramp of the current, and wind, wave drift and thrusters of a vessel
+    then have no effect, and the run warns. By default the run starts from
     equilibrium; ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both
     are chosen for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
     generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a

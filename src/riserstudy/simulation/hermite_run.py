@@ -28,6 +28,7 @@ from riserstudy.scene.forcing import Translation
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
+from riserstudy.scene.without_time import without_time
 from riserstudy.solve.hermite import dynamics, in_still_water, statics
 from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Motion, Response, Stepping, Waves
 
@@ -86,7 +87,12 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         "effects": effects_of(scene),
         "elements": len(mesh.l0),
         "directions": 2,
-        "warnings": [*doubts(scene), *without_inertia(scene), *rao.doubts(scene)],
+        "warnings": [
+            *doubts(scene),
+            *without_time(scene),
+            *without_inertia(scene),
+            *rao.doubts(scene),
+        ],
         "smallest_tension": float(tension[lowest]),
         "smallest_tension_s": float(mesh.s[lowest]),
     }

@@ -21,6 +21,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
+from riserstudy.scene.without_time import without_time
 from riserstudy.simulation import audit, outputs, vibration
 from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
@@ -148,6 +149,7 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
         "statics_iterations": rest.iterations,
         "warnings": [
             *doubts(scene),
+            *without_time(scene),
             *without_inertia(scene),
             *sudden_wave(scene),
             *rao.doubts(scene),
