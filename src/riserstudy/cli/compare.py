@@ -41,8 +41,9 @@ ColumnOption = Annotated[
 EndAOption = Annotated[
     str | None,
     typer.Option(
-        help="end A, where OrcaFlex's arc length is 0: top, bottom, or, if the line is a part of the "
-        "riser, '872 m down': 872 m above the riser's lower end, with the arc length increasing downwards",
+        help="place of end A, at which OrcaFlex's arc length is 0: top or bottom; for a line that is a "
+        "part of the riser, for example '872 m down' (872 m above the riser's lower end; arc length "
+        "increases downwards)",
         metavar="PLACE",
     ),
 ]

@@ -164,8 +164,8 @@ def downtime(
     Student's t-distribution. The bands account for the dependence between years (--persistence).
     A window ends at a gap of the record. Of a wait that reaches a gap, only a lower bound is known.
     With --scene, the limits of the scene apply to its riser. The command then simulates sea states of the
-    record until the response interpolated between them meets --error. Further simulated sea states check the
-    result.
+    record until the interpolation of the response between them meets the tolerance --error. Further simulated
+    sea states check the result.
     """
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {

@@ -78,7 +78,8 @@ class Analysis(Strict):
     are chosen for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
     generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a
     beam with small slopes. ``newton_tolerance``: correction of positions at which Newton's iteration ends, in
-    riser lengths; by default 1e-9. A smaller value reduces the limit for moments in proportion.
+    riser lengths; by default 1e-9. A smaller value also reduces the limit
+    for corrections of moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

@@ -97,7 +97,10 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 
 
 class Bottom(Strict):
-    """Lower end: held at the wellhead, free, or a conductor's end, held vertically and by the soil."""
+    """Lower end of the riser: held at the wellhead, free, or the lower end of a conductor (``foot``).
+
+    The lower end of a conductor is held vertically; the soil resists its lateral motion.
+    """
 
     hold: Literal["wellhead", "free", "foot"]
     elevation: u.Length | None = None

@@ -45,7 +45,8 @@ class Chamber(Strict):
 class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
-    A is the area, k the exponent; P and V are pressure and volume at mid-stroke.
+    Here A is the area, k the exponent, and P and V are pressure and volume at mid-stroke. ``reach`` is the
+    extension from mid-stroke, and ``outside`` is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
