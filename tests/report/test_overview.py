@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from riserstudy.report.claims import VERDICTS
-from riserstudy.report.overview import findings, totals
+from riserstudy.report.overview import findings, subject, totals
 
 CLAIM = SimpleNamespace(paper="paper", id="C1")
 OTHER = SimpleNamespace(paper="paper", id="C2")
@@ -57,3 +57,26 @@ def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
 
 def test_nothing_graded_has_no_totals():
     assert totals([]) == ""
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_papers_are_those_whose_values_are_graded(seed):
+    draw = np.random.default_rng(seed)
+    kinds = draw.integers(0, 4, 6)  # of each study: with a reference, graded
+    files = {
+        f"s{k}": SimpleNamespace(title=f"Study {k}", reference="A paper" if kind & 1 else "")
+        for k, kind in enumerate(kinds)
+    }
+    claims = [SimpleNamespace(paper=f"s{k}") for k, kind in enumerate(kinds) if kind & 2]
+    title, sentence = subject(files, claims)
+    papers = sum(kinds == 3)
+    assert ("simulated again" in title) == (papers > 0)
+    assert ("published paper" in sentence) == (papers > 0)
+    if not papers:
+        assert title == ", ".join(file.title for file in files.values())
+        assert ("graded" in sentence) == bool(claims)
+
+
+def test_a_study_of_ones_own_with_a_reference_keeps_its_title():
+    files = {"own": SimpleNamespace(title="Our riser", reference="Report 17")}
+    assert subject(files, [])[0] == "Our riser"

@@ -120,7 +120,7 @@ def contents(sources: Sources) -> dict[str, Any]:
     return {
         "totals": totals(claims),
         "hero": hero(motions.items()),
-        "subject": subject(files),
+        "subject": subject(files, claims),
         "bars": bars(claims, files),
         "findings": findings(claims, files, figures),
         "tiles": [t for p in sources.papers for t in tiles_of(p, of_paper[p], figures)],

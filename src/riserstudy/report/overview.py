@@ -52,14 +52,18 @@ class Finding(NamedTuple):
     short: str  # name of the figure
 
 
-def subject(files: dict[str, StudyFile]) -> tuple[str, str]:
-    """Title of the page, and one sentence that says what it is about."""
-    papers = [file for file in files.values() if file.reference]
+def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]:
+    """Title of the page, and one sentence that says what it is about.
+
+    A paper is simulated again where its values or claims are graded: a study of one's own may have a
+    reference, too.
+    """
+    graded = {claim.paper for claim in claims}
+    papers = [paper for paper, file in files.items() if file.reference and paper in graded]
     if not papers:
         names = [file.title or paper for paper, file in files.items()]
-        return ", ".join(
-            names
-        ), "Parameter studies of drilling risers, simulated, drawn and graded."
+        done = "simulated, drawn and graded" if graded else "simulated and drawn"
+        return ", ".join(names), f"Parameter studies of drilling risers, {done}."
     count = WORDS[len(papers)] if len(papers) < len(WORDS) else str(len(papers))
     things = "riser paper" if len(papers) == 1 else "riser papers"
     plain = "paper" if len(papers) == 1 else "papers"
