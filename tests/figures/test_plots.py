@@ -258,3 +258,18 @@ def test_a_map_does_not_depend_on_the_order_of_its_axes(seed, plot):
     assert {(x, y) for _, x, y in cells} == {
         (f"{x:g}", f"{y:g}") for x in uneven["heave_amplitude"] for y in uneven["tug"]
     }
+
+
+@pytest.mark.parametrize("plot", ["heat map", "utilisation"])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_table_of_a_map_has_the_words_of_its_axes(seed, plot):
+    draw = np.random.default_rng(seed)
+    words = [f"case {k}" for k in draw.permutation(5)[: draw.integers(2, 5)]]
+    numbers = np.sort(draw.uniform(-5.0, 9.0, 3).round(2))
+    dataset = xr.concat(
+        [grid("heave_amplitude", "reading").isel(reading=0)] * len(words), "reading"
+    )
+    dataset = dataset.assign_coords(reading=words, heave_amplitude=numbers)
+    of = ["bending_moment"] if plot == "heat map" else None
+    places = {(x, y) for _, x, y in cells_of(drawn(plot, dataset, of))}
+    assert places == {(f"{x:g}", word) for x in numbers for word in words}

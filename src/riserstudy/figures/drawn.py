@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.collections import PathCollection, PolyCollection, QuadMesh
 from matplotlib.contour import ContourSet
 from matplotlib.figure import Figure
@@ -54,10 +55,32 @@ def table(figure: Figure) -> str:
     rows: list[tuple[str, ...]] = []
     for number, ax in enumerate(_visible_axes(figure), start=1):
         title = _title(ax) or str(number)
-        labels = _labels(ax)
+        labels, x_words, y_words = _labels(ax), _words(ax.xaxis), _words(ax.yaxis)
         for one in _series(ax):
-            rows += [(title, *labels, one.name, *map(_cell, row)) for row in one.values]
+            rows += [
+                (title, *labels, one.name, _called(x, x_words), _called(y, y_words), _cell(colour))
+                for x, y, colour in one.values
+            ]
     return csv_text(HEADER, rows)
+
+
+def _words(axis: Axis) -> dict[float, str]:
+    """Words at the places 0, 1, 2 of an axis, or at 0.5, 1.5; empty where an axis has numbers."""
+    places = np.asarray(axis.get_majorticklocs(), float)
+    if not len(places) or places[0] not in (0.0, 0.5) or (np.diff(places) != 1.0).any():
+        return {}
+    written = axis.get_major_formatter()
+    words = [_plain(written(place, k)) for k, place in enumerate(places)]
+    numbers = [_cell(place) for place in places]
+    if written(places[0] + 0.25, 0) or words == numbers or not all(words):  # writes any number
+        return {}
+    return dict(zip(places, words, strict=True))
+
+
+def _called(value: float, words: dict[float, str]) -> str:
+    """The word next to a value, if its axis has words; else its number."""
+    nearest = min(words, key=lambda place: abs(place - value), default=np.inf)
+    return words[nearest] if abs(nearest - value) < 0.5 else _cell(value)
 
 
 def _visible_axes(figure: Figure) -> list[Axes]:
