@@ -8,6 +8,7 @@ import pytest
 from drawn_decks import drawn
 from ruamel.yaml import YAML
 
+from riserstudy.dataset.netcdf import written_whole
 from riserstudy.errors import SimulationError
 from riserstudy.study.write_tuned import write_tuned
 
@@ -26,6 +27,14 @@ def full(monkeypatch):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     return lambda: monkeypatch.setattr(Path, "write_text", half)
+
+
+@pytest.fixture
+def full_for_bytes(monkeypatch):
+    def no_room(*_):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    return lambda: monkeypatch.setattr(Path, "write_bytes", no_room)
 
 
 def files(folder):
@@ -63,6 +72,18 @@ def test_a_study_file_that_tuning_writes_into_is_whole_or_as_it_was(full, tmp_pa
     with pytest.raises(SimulationError, match="see whether the disk is full"):
         write_tuned(path, study, found, {"accuracy": "2 %"})
     assert files(tmp_path) == before
+
+
+@pytest.mark.parametrize("said", ["Permission denied", "NetCDF: HDF error"])
+def test_a_dataset_on_a_full_disk_is_not_called_forbidden(full_for_bytes, tmp_path, said):
+    def write():
+        with written_whole(tmp_path / "one.nc"):
+            full_for_bytes()
+            raise PermissionError(errno.EACCES, said)
+
+    with pytest.raises(SimulationError, match="No space left on device; see whether the disk"):
+        write()
+    assert files(tmp_path) == {}
 
 
 def test_a_folder_that_was_not_filled_can_be_made_later(commands, full, monkeypatch, tmp_path):

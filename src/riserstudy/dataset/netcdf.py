@@ -46,9 +46,18 @@ def written_whole(target: Path) -> Iterator[Path]:
         yield partial
         partial.replace(target)
     except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
-        remedy = "see whether the disk is full"
+        reason, remedy = _reason(error, partial), "see whether the disk is full"
         if "\\" in str(target.absolute()) and os.name == "posix":
             remedy = "the netCDF library takes no folder with a backslash in its name"
-        raise SimulationError(f"{target} cannot be written: {error}; {remedy}") from None
+        raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
         partial.unlink(missing_ok=True)
+
+
+def _reason(error: Exception, partial: Path) -> str:
+    """Why a file cannot be written: the library reports a full disk as a lack of permission, too."""
+    try:
+        partial.write_bytes(bytes(4096))
+    except OSError as own:
+        return own.strerror or str(own)
+    return str(error)
