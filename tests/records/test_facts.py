@@ -81,6 +81,13 @@ def test_what_few_runs_have_is_in_no_dataset_without_one():
     np.testing.assert_array_equal(kept["error_estimated"], [1, 0])
 
 
+def test_an_error_without_values_is_not_estimated():
+    runs = [{"error_estimate": {}}, {"error_estimate": {"moment": 0.02}}]
+    kept = dataset(*runs)
+    np.testing.assert_array_equal(kept["error_estimated"], [0, 1])
+    np.testing.assert_array_equal(np.isfinite(kept["error_moment"]), [0, 1])
+
+
 def test_every_fact_that_is_held_has_a_name_of_its_own_and_words():
     names = [column.name for column in facts.point_columns()]
     assert len(names) == len(set(names))

@@ -9,9 +9,12 @@ from short_study import lay_out, simulated
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation import prescribed_run
 from riserstudy.simulation.simulate import simulate
-from riserstudy.study.collect import write_dataset
+from riserstudy.study.collect import dataset_of, results_of, write_dataset
+from riserstudy.study.models import StudyFile
 from riserstudy.study.repeat_point import rerun
+from riserstudy.study.study import Study
 
 
 @pytest.fixture(scope="module")
@@ -76,6 +79,19 @@ def test_a_single_run_is_run_anew(tmp_path):
     found = rerun(one, {})
     assert found.place == {}
     assert max(found.changes.values()) == 0.0
+
+
+def test_a_run_without_a_coarser_one_is_run_anew(tmp_path, monkeypatch):
+    monkeypatch.setattr(prescribed_run, "_coarser", lambda *_: [])  # as if it failed
+    lay_out(tmp_path)
+    model = {"scene": "scenes/riser.yaml", "caption": "c", "set": {"analysis.duration": "2 s"}}
+    file = StudyFile.model_validate({"paper": "own", "studies": {"one": model | {"axes": {}}}})
+    study = Study("own", "one", file.studies["one"], tmp_path / "config", "standard")
+    one = dataset_of(study, results_of(study, 1, lambda _: None)[0])
+    assert prescribed_run.NOT_ESTIMATED in one["warnings"].item()
+    assert (one["error_estimated"].item(), one["error_moment"].isnull().item()) == (0, True)
+    assert one.attrs["errors_estimated"].startswith("0 of 1")
+    assert max(rerun(one, {}).changes.values()) == 0.0
 
 
 @pytest.mark.parametrize(

@@ -88,7 +88,7 @@ class RunFacts(TypedDict, total=False):
             "1",
             name="error_estimated",
             kind="integer",
-            of=lambda facts: int("error_estimate" in facts),
+            of=lambda facts: int(bool(facts.get("error_estimate"))),
         ),
         Column(_ERROR + "displacement", "1", name="error_displacement", part="displacement"),
         Column(_ERROR + "bending moment", "1", name="error_moment", part="moment"),

@@ -16,6 +16,7 @@ from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
 
 COARSER = ("step", "mesh", "step", "mesh")  # what is doubled from run to run, in turn
+NOT_ESTIMATED = "the error is not estimated, because the coarser run for the estimate failed"
 
 
 def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
@@ -54,9 +55,7 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     if all(way in seen for way in ways):
         result.facts["error_estimate"] = error_of(seen.values(), of_two_runs(sampling))
     else:
-        result.facts["warnings"].append(
-            "the error is not estimated, because the coarser run for the estimate failed"
-        )
+        result.facts["warnings"].append(NOT_ESTIMATED)
     return result
 
 

@@ -290,7 +290,7 @@ class Known(NamedTuple):
 
 def known_of(results: list[Result]) -> Known:
     """What is known of points by their results."""
-    estimated = sum("error_estimate" in result.facts for result in results)
+    estimated = sum(bool(result.facts.get("error_estimate")) for result in results)
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
     return Known(len(results), estimated, effects)
 

@@ -63,6 +63,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     import xarray as xr
 
     from riserstudy.model.absent_effects import absent
+    from riserstudy.simulation.prescribed_run import NOT_ESTIMATED
     from riserstudy.simulation.refine import run
 
     engine = read_provenance(dataset)["engine"]
@@ -70,7 +71,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     point = dataset.isel(index)
     estimated = bool(
         point.get("error_estimated", np.isfinite(point.get("error_displacement", 0.0)))
-    )
+    ) or NOT_ESTIMATED in str(point.get("warnings", xr.DataArray("")).item())
     file = scene_file_of(dataset, index)
     result = run(file.resolved(), estimated=estimated)
     limits = uses(file, result) if "limit" in point.dims else {}
