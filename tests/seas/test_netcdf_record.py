@@ -312,3 +312,37 @@ def test_a_column_of_zones_counts(tmp_path, zone, fits):
     else:
         with pytest.raises(InputError, match="row 5: timezone"):
             read_record(path)
+
+
+@pytest.mark.parametrize("packed", [False, True])
+@pytest.mark.parametrize("ends", ["range", "ends", "one end", "unpacked range"])
+@pytest.mark.parametrize("seed", range(3))
+def test_values_beyond_a_valid_range_are_missing(tmp_path, seed, ends, packed):
+    draw = np.random.default_rng(seed)
+    heights = draw.uniform(0.5, 12.0, ROWS).round(2)
+    beyond = draw.random(ROWS) < 0.4
+    written = np.where(beyond, 32.0, heights)
+    scale, least, most = (0.01, 0, 2000) if packed else (1.0, 0.0, 20.0)
+    kind = "i2" if packed else "f4"
+    if ends == "unpacked range":
+        least, most, kind = 0.0, 20.0, "f8"
+    attributes = {
+        "range": {"valid_range": np.array([least, most], kind)},
+        "unpacked range": {"valid_range": np.array([least, most], kind)},
+        "ends": {"valid_min": np.array(least, kind), "valid_max": np.array(most, kind)},
+        "one end": {"valid_max": np.array(most, kind)},
+    }[ends]
+    variables = over("time", swh=(written, "m", attributes), pp1d=(PEAK, "s"))
+    encoding = {"swh": {"dtype": "i2", "scale_factor": scale, "_FillValue": -9} if packed else {}}
+    xr.Dataset(variables, {"time": TIME}).to_netcdf(tmp_path / "r.nc", encoding=encoding)
+    record = read_record(tmp_path / "r.nc", None)
+    expected = np.where(beyond, np.nan, heights)
+    np.testing.assert_allclose(record["significant_wave_height"], expected, atol=1e-6)
+
+
+def test_flags_of_quality_are_named_as_left_out(tmp_path):
+    flags = (np.array([1, 4] * 3, "i1"), "1", {"standard_name": "status_flag"})
+    xr.Dataset(over("time", swh=(HEIGHT, "m"), swh_qc=flags), {"time": TIME}).to_netcdf(
+        tmp_path / "r.nc"
+    )
+    assert "left out: quality flags swh_qc" in str(read_record(tmp_path / "r.nc", None).attrs)

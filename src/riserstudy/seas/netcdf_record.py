@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, check_fills, head, plain
+from riserstudy.seas.valid_ranges import quality_flags, within_valid_range
 from riserstudy.seas.zones import check_zone
 
 if TYPE_CHECKING:
@@ -78,7 +79,9 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
         data = xr.load_dataset(path, engine="netcdf4", decode_timedelta=False)
     except (OSError, ValueError, RuntimeError) as error:
         raise InputError(path, "", str(error), "allowed is a netCDF file with times") from None
-    data, notes = _at_one_place(path, data, near)
+    flags = quality_flags(data)
+    data, notes = _at_one_place(path, within_valid_range(data), near)
+    notes += [f"left out: quality flags {', '.join(flags)}"] if flags else []
     if spectral := _spectra(data):
         data, note = _of_spectra(path, data, spectral)
         notes.append(note)
