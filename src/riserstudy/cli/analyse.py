@@ -66,7 +66,7 @@ def effects(
 ) -> None:
     """List the effects of a scene with the lines that include them, and effects that it could include.
 
-    ``advise`` estimates how much each effect changes the results, and its run time.
+    ``advise`` estimates how much each effect changes the results and the run time.
     """
     from rich.console import Console
     from rich.table import Table

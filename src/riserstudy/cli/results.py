@@ -33,7 +33,7 @@ def results(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            help="name of a study, or words to search points for", metavar="[STUDY | FILTER...]"
+            help="name of a study, or words that points must contain", metavar="[STUDY | FILTER...]"
         ),
     ] = None,
     where: Annotated[

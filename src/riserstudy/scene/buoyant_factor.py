@@ -19,7 +19,7 @@ READINGS = {
 
 
 class Buoyancy(Strict):
-    """Foam blocks around the riser, used instead of submerged weights and top tension.
+    """Foam blocks around the riser, from which submerged weights and top tension are computed.
 
     Let w be the weight in air of riser and contents per length, L the length of the riser, b the ``factor``
     and e the ``tension_ratio``. For the effective tension at a distance h below the top, there are three

@@ -70,14 +70,15 @@ class Stack(Strict):
 
 
 class Disconnect(Strict):
-    """The wellhead releases the lower end of the riser, with the body at it, at a time of the run.
+    """At a time of the run, the wellhead releases the lower end of the riser with the body at this end.
 
     ``phase``: from that time on, the release waits until the platform's heave has this phase. The phase is 0
     when the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic.
     ``over``: time over which the force of the connector decreases. By default the release is sudden, which
-    sends steep wave fronts along an undamped riser. Without ``valve`` and ``recoil_valve`` the tension or
-    tensioners do not change. Without ``drain`` the contents stay in the riser. Without ``stack`` there is no
-    contact: the LMRP can move through the stack, with a warning.
+    sends steep wave fronts along an undamped riser. Without ``valve`` a constant top tension does
+    not change at the release; without ``recoil_valve`` the tensioners act as before. Without ``drain`` the
+    contents stay in the riser. Without ``stack`` there is no contact: the LMRP can move through the stack,
+    with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]
