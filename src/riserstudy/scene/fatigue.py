@@ -156,8 +156,8 @@ class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
     ``angles``: number of places around the wall at which damage is summed; the first is on the side of +x.
-    Between two of these places, damage can be larger than at both. The factor is at most cos(pi / angles)^-m,
-    where m is the exponent of the stress range in the S-N curve.
+    Between two of these places, damage can be larger than at both, by a factor of at most
+    cos(pi / angles)^-m. Here m is the exponent of the stress range in the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

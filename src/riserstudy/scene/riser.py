@@ -146,7 +146,9 @@ class VortexInducedVibration(Strict):
 
 
 class Contents(Strict):
-    """Fluid inside the riser. It adds its weight to ``submerged_weight``, and its mass across the pipe.
+    """Fluid inside the riser. Its weight is added to ``submerged_weight``.
+
+    Its mass moves with the pipe only in directions across the pipe.
 
     If ``contents`` are absent, no weight of contents is added. For a bore that is open to the sea, give sea
     water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by
@@ -197,14 +199,14 @@ class Section(Strict):
     the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with contents of 1025
     kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, both diameters, contents, gravity and
     water. Above the water surface, no displaced water is subtracted. If one of these inputs is missing, the
-    scene is refused. A section that reaches through the water surface is then divided at the surface, as is a
-    section with modules or lines. The upper part is called ``<name>, above water``; the weight of the water
-    that its outer diameter would displace is added to a given ``submerged_weight``. For a section that is
-    wholly above the water, give the weight in air.
+    scene is refused. A section that reaches through the water surface is divided at the surface if
+    ``submerged_weight`` is absent, or if the section has modules or lines. The upper part is called
+    ``<name>, above water``; the weight of the water that its outer diameter would displace is added to a
+    given ``submerged_weight``. For a section that is wholly above the water, give the weight in air.
 
     ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It has
-    no effect on the simulation. The formula for the minimum tension requires it, because it treats steel and
-    modules separately. If ``buoyancy_lift`` is absent, the lift is unknown.
+    no effect on the simulation. The formula for the minimum tension requires this lift, because the formula
+    treats steel and modules separately. If ``buoyancy_lift`` is absent, the lift is unknown.
 
     ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
     section are then those of the pipe alone. The values of modules and lines are added. The lift of the

@@ -42,7 +42,7 @@ class Sand(Strict):
 
     ``friction_angle`` is the angle of internal friction. p_u is the ultimate resistance, y the displacement
     and D the diameter of the conductor. ``initial_modulus`` is k, the increase of the soil stiffness with
-    depth. A is 0.9 under cyclic loading. Otherwise it is 3 - 0.8 X / D, and at least 0.9.
+    depth. A is 0.9 under cyclic loading. Under static loading, A is 3 - 0.8 X / D, and at least 0.9.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]

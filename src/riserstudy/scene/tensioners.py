@@ -53,7 +53,10 @@ class Gas(Chamber):
 
 
 class Pistons(Strict):
-    """Mass of a piston with its rod, which moves with the ring: once for all cylinders, or for each."""
+    """Pistons with their rods, which move with the ring.
+
+    ``mass`` is the mass of all pistons together (``counted: once``), or of one piston (``counted: each``).
+    """
 
     mass: Annotated[u.Mass, POSITIVE]
     counted: Literal["once", "each"]
