@@ -6,8 +6,10 @@ import json
 import numpy as np
 import pytest
 from platform_in_a_sea import RISER, in_a_sea, words
+from random_rigs import rig, written
 
 from riserstudy import load_scene, simulate
+from riserstudy.design.envelope import envelope as envelope_of
 from riserstudy.design.envelope import with_current
 from riserstudy.design.sea_allowances import allowances
 from riserstudy.model.sea import surface_current
@@ -162,3 +164,32 @@ def test_an_envelope_that_cannot_be_meant_is_refused(commands, more, said):
     code, out, err = commands("envelope", RISER, *asked, *more)
     assert (code, out) == (2, "")
     assert said in err
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_row_names_the_limits_that_it_leaves_out(seed):
+    """A table that is kept without the printed lines does not pass for one of all limits."""
+    stress = {"output": "von_mises_stress", "largest": "300 MPa"}
+    limits = [
+        {"output": "joint_stroke", "largest": "3 m", "mode": "drilling"},
+        stress | {"mode": "drilling"},
+        {"output": "joint_stroke", "largest": "6 m", "mode": "connected"},
+        stress | {"mode": "disconnect"},
+    ]
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    tree |= {"limits": limits, "analysis": {"mesh": {"elements": 12}}}
+    for section in tree["riser"]:  # whose wall is not known
+        for name in ("outer_diameter", "inner_diameter", "young_modulus"):
+            section.pop(name)
+        section |= {"bending_stiffness": 2e8, "axial_stiffness": "5e9 N"}
+        section |= {"submerged_weight": 2000.0}
+        section.pop("contents")
+    found = envelope_of(SceneFile("rig.yaml", written(tree), {}), 60.0, [0.0, 0.3], [], 5)
+    left_out = "largest von_mises_stress"
+    assert set(found.missing) == {f"drilling: {left_out}", f"disconnect: {left_out}"}
+    rows = {(row[0], row[2]): (row[3:7], row[-1]) for row in found.table.rows}
+    assert len(rows) == 6
+    for (mode, _), (ends, note) in rows.items():
+        assert (f"not evaluated: {left_out}" in note) == (mode != "connected")
+        if mode == "disconnect":
+            assert ends == [None, None, "", ""]

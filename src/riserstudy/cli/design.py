@@ -231,7 +231,7 @@ def envelope(
     found = computed(file, far, speeds, seas, seeds, notify)
     show(found.table, csv)
     for name, why in found.missing.items():
-        print(f"{name}: not evaluated: {why}; the envelope leaves it out")
+        print(f"{name}: not evaluated: {why}; rows with this note leave it out")
     if found.missing:
         raise typer.Exit(4)
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import label
 from riserstudy.dataset.table import Cell, Table
@@ -66,6 +67,7 @@ def envelope(
     added = [allowances(file, sea, seeds, notify) for sea in seas] or [[0.0] * len(limits)]
     labels = [label(limit) for limit in limits]
     found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
+    lost = np.zeros(found.shape[:-1], bool)
     missing: dict[str, str] = {}
     for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
         notify(f"offsets in a current of {speed:g} m/s")
@@ -73,20 +75,22 @@ def envelope(
             for k, one in enumerate(between):
                 found[n, c, k] = one[:2]
                 if one.missing:
+                    lost[n, c, k] = True
                     missing.setdefault(labels[k], one.missing)
     names = [f"{sea.height:g} m, {sea.period:g} s" for sea in seas] or [CALM]
-    kept = [k for k, name in enumerate(labels) if name not in missing]
     array = xr.DataArray(
-        found[:, :, kept],
+        found,
         dims=("sea", "current", "limit", "offset_side"),
-        coords={
-            "sea": names,
-            "current": list(currents),
-            "limit": [labels[k] for k in kept],
-            "offset_side": list(SIDES),
-        },
+        coords={"limit": labels, "offset_side": list(SIDES)},
     )
-    return Envelope(Table(COLUMNS, UNITS, _rows(array) if kept else []), missing)
+    of_seas = [array.isel(sea=n) for n in range(len(names))]
+    rows = [
+        [mode, name, float(speed), *_ends(of_sea.isel(current=c), mode, lost[n, c])]
+        for mode in dict.fromkeys(limit.mode for limit in limits)
+        for n, (name, of_sea) in enumerate(zip(names, of_seas, strict=True))
+        for c, speed in enumerate(currents)
+    ]
+    return Envelope(Table(COLUMNS, UNITS, rows), missing)
 
 
 def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[Offsets]]:
@@ -139,24 +143,29 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
 
 
-def _rows(limits: xr.DataArray) -> list[list[Cell]]:
-    """A row for each mode, sea and current."""
-    of = envelopes(limits)
-    rows: list[list[Cell]] = []
-    for mode in of["operation"].values:
-        for sea in of["sea"].values:
-            for speed in of["current"].values:
-                one = of.sel(operation=mode, sea=sea, current=speed)
-                ends = [float(value) for value in one["envelope_offset"]]
-                names = [str(name) for name in one["governing_limit_name"].values]
-                if math.isnan(ends[0]):
-                    note = "no offset meets all limits"
-                    rows.append([str(mode), str(sea), float(speed), None, None, "", "", note])
-                    continue
-                cells: list[Cell] = [end if math.isfinite(end) else None for end in ends]
-                governs: list[Cell] = [
-                    name if math.isfinite(end) else "not reached"
-                    for name, end in zip(names, ends, strict=True)
-                ]
-                rows.append([str(mode), str(sea), float(speed), *cells, *governs, ""])
-    return rows
+def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_]) -> list[Cell]:
+    """Offsets of one mode in one sea and current, the limits there, and a note.
+
+    ``lost``: (limits,), which could not be evaluated.
+    """
+    labels = [str(name).split(": ", 1) for name in limits["limit"].values]
+    of = [k for k, (of_mode, _) in enumerate(labels) if of_mode == mode]
+    without = [labels[k][1] for k in of if lost[k]]
+    limits = limits.isel(limit=[k for k in of if not lost[k]])
+    untold = f"not evaluated: {', '.join(without)}" if without else ""
+    if not limits.sizes["limit"]:
+        return [None, None, "", "", untold]
+    one = envelopes(limits).isel(operation=0)
+    ends = [float(value) for value in one["envelope_offset"]]
+    names = [str(name) for name in one["governing_limit_name"].values]
+    if math.isnan(ends[0]):
+        note = "no offset meets all limits"
+        return [None, None, "", "", "; ".join([note, untold]) if untold else note]
+    return [
+        *(end if math.isfinite(end) else None for end in ends),
+        *(
+            name if math.isfinite(end) else "not reached"
+            for name, end in zip(names, ends, strict=True)
+        ),
+        untold,
+    ]
