@@ -31,8 +31,8 @@ required, a rotational stiffness without `/deg` or `/rad`, and a pressure withou
 also refuses `t` as a force (`tf` is a force).
 Elevations increase upwards from one datum of your choice; arclengths start at the lower end of the riser.
 
-Every value has an origin. A value without a stated origin, called a plain value, is *published* if the scene
-has the key `paper`, and *given* otherwise. Other origins are written with the value:
+Every value has an origin. A value without a stated origin is *published* if the scene has the key `paper`,
+and *given* otherwise. Other origins are written with the value:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -43,9 +43,9 @@ interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
 *Chosen* values do not describe the riser; examples are the datum of elevations and the outputs. The list
-`inputs` of a file in `config/published` contains the values that a paper prints. Tests compare the plain
-values of the paper's scenes with this list. A study can vary all *assumed* values together, over their ranges
-or options.
+`inputs` of a file in `config/published` contains the values that a paper prints. Tests compare the values
+without a stated origin in the paper's scenes with this list. A study can vary all *assumed* values together,
+over their ranges or options.
 
 A table can be given as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
 line of the CSV file gives the columns with their units, in any order. The tables have these columns:

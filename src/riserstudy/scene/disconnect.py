@@ -39,7 +39,8 @@ class RecoilValve(Strict):
     ``opening``: area of the open valve, which also throttles the oil before the release. ``discharge``:
     discharge coefficient of the valve. The valve closes to the fraction ``residual`` of the opening,
     smoothly within ``over``, starting ``delay`` after the release. The valves of ``failed`` cylinders,
-    counted from 0, stay open. By default there is no delay. Without ``isolation`` all gas stays in use.
+    counted from 0, stay open. By default there is no delay. Without ``isolation`` no gas bottles are
+    shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]

@@ -186,8 +186,8 @@ class Top(Strict):
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
     free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
-    also has a platform, the top also has the first-order (wave-frequency) motions of the platform, in z with
-    ``z: platform``.
+    also has a platform, the top also has the horizontal first-order (wave-frequency) motions of the
+    platform. With ``z: platform`` it has the vertical ones, too.
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
     equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given.

@@ -93,11 +93,11 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
 
-    ``coefficient``: C_x of the varying drag, C_x rho D / 2 times the squared speed. Values of 0.1 to 1 are
-    assumptions. ``frequencies``: the lowest frequency, the frequency at which force and velocity are in
-    phase, and the highest frequency, as multiples of speed divided by diameter. These frequencies are about
-    twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, with a range of 25
-    % to either side.
+    ``coefficient``: C_x; the varying drag per length has the amplitude C_x rho D / 2 times the squared flow
+    speed. Values of 0.1 to 1 are assumptions. ``frequencies``: the lowest frequency, the frequency at which
+    force and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter.
+    These frequencies are about twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are
+    assumptions, with a range of 25 % to either side.
     """
 
     coefficient: Annotated[float, POSITIVE]

@@ -64,7 +64,7 @@ class TabulatedSoil(Strict):
 
     Between its points a curve is a monotone cubic that starts at zero; beyond the last point it is constant.
     Between two depths the resistance is interpolated linearly. The table must reach from the mudline to the
-    foot.
+    lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]

@@ -96,8 +96,8 @@ class TableRow(Strict):
 class Linearised(Strict):
     """Straight line that replaces the gas law: a tangent, a chord, or a least-squares line over a range.
 
-    ``at``: reach of the tangent point, by default mid-stroke. ``shortest`` and ``longest``: stroke range of
-    the chord or of the least-squares line.
+    ``at``: extension from mid-stroke at which the line is the tangent of the gas law, by default zero.
+    ``shortest`` and ``longest``: stroke range of the chord or of the least-squares line.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -120,7 +120,7 @@ class Linearised(Strict):
 
 
 class Stroke(Strict):
-    """Reach at which the stops act, from mid-stroke (positive if longer), and the stiffness of the stops."""
+    """Stops at two extensions from mid-stroke (negative if the cylinder is shorter), and their stiffness."""
 
     shortest: u.Length
     longest: u.Length

@@ -21,10 +21,11 @@ class DampingRatio(Strict):
 
 
 class Carried(Strict):
-    """Straight lines whose pull equals the suspended weight, used instead of ``linear``.
+    """Linear force of the cylinders, derived from the suspended weight; used instead of ``linear``.
 
     At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
-    The pull would double over a reach of ``doubles_over``.
+    ``doubles_over``: extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
+    It sets the stiffness.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]
