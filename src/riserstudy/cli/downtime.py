@@ -88,8 +88,8 @@ HoldBackOption = Annotated[
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="compute the hours only with this value of the scene, such as platform.position.surge='5 m'; "
-        "may be repeated, for one result each",
+        help="compute only the hours, with this value of the scene, such as platform.position.surge='5 m'; "
+        "may be repeated, and each value gives one result",
         metavar="PATH=VALUE",
     ),
 ]

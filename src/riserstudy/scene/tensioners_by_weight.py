@@ -11,7 +11,10 @@ from riserstudy.scene.base import POSITIVE
 
 
 class DampingRatio(Strict):
-    """Damping of cylinders as a ratio of critical damping, with the suspended weight as one mass on them."""
+    """Damping of cylinders as a ratio of critical damping.
+
+    The critical damping is that of the suspended weight, as one mass, on the stiffness of the cylinders.
+    """
 
     ratio: Annotated[float, POSITIVE]
 

@@ -48,8 +48,8 @@ class SidewaysThrust(Strict):
 class Turning(Strict):
     """Moment G (psi_c - psi) - D d psi/dt towards the commanded turn psi_c from the initial heading.
 
-    Without ``command`` the commanded turn is zero. Without ``velocity_gain`` there is no damping. Without
-    ``saturation`` the moment is unlimited.
+    G is ``gain``, D is ``velocity_gain``, and psi is the present turn. Without ``command`` the commanded turn
+    is zero. Without ``velocity_gain`` there is no damping. Without ``saturation`` the moment is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -61,8 +61,9 @@ class Turning(Strict):
 class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded place x_c, which is measured from above the well.
 
-    Gains refer to the directions of the hull in its initial position. By default the command is along x.
-    Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with
+    G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
+    refer to the directions of the hull in its initial position. By default the command is along x. Without
+    ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with
     ``saturation``, the magnitude of the thrust is limited in all directions. Without ``rise`` the command
     acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). Without ``lag`` the thrust
     follows immediately; with ``lag``, the thrust follows with this time constant. Without ``sway`` there is
