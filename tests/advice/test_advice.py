@@ -7,12 +7,13 @@ import pytest
 from fatigued_rigs import WELD, fatigued
 from random_rigs import moving, written
 
-from riserstudy.advice.ablation import Ablation, Changed, Peaks, ablate, fixed
+from riserstudy.advice.ablation import Ablation, Changed, Peaks, ablate, fixed, peaks
 from riserstudy.advice.changes import fitting
 from riserstudy.advice.effect_shares import priced
 from riserstudy.advice.recommendations import COULD_GO, MISSING, NEEDED, NO_GAIN, advice, row
 from riserstudy.effects.catalogue import changes
 from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.simulation.run import single
 
 CONFIG = Path(__file__).parents[2] / "config"
 SURGE = read_scene(CONFIG / "scenes/hard/surge.yaml")
@@ -75,6 +76,56 @@ def test_fatigue_of_a_scene_changes_nothing_of_what_is_compared(seed):
 def test_what_comes_after_a_disconnect_or_ramps_is_not_cut_off(scene, budget):
     file = read_scene(CONFIG / "scenes" / scene)
     assert fixed(file, budget)[0].resolved().analysis.duration == file.resolved().analysis.duration
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_event_late_in_a_run_is_not_cut_off(seed):
+    """Advice on a part of the run before it would not be on what the scene shows."""
+    tree = moving(seed, spatial=bool(seed % 2))
+    late = 0.95 * tree["analysis"]["duration"]
+    if "tensioners" in tree["top"]:
+        tree["top"]["tensioners"]["failing"] = {"at": f"{late} s", "cylinders": [0]}
+    else:
+        tree["top"]["telescopic_joint"].pop("tension")
+        tree["top"] |= {"tension": 2e6, "z": "free"}
+        tree["top"]["tension_loss"] = {"share": 0.2, "at": f"{late} s", "over": "1 s"}
+        tree["top"].pop("telescopic_joint")
+        tree["top"].pop("elevation")
+        tree["platform"].pop("heave")
+        tree["platform"].pop("pitch", None)
+    cut = fixed(SceneFile("rig.yaml", written(tree)), 1e3)[0].resolved()
+    assert cut.analysis.duration == pytest.approx(tree["analysis"]["duration"])
+
+
+@pytest.mark.parametrize("phase", ["0 deg", "90 deg", "200 deg"])
+@pytest.mark.parametrize("at", ["5 s", "9 s"])
+def test_peaks_after_a_disconnect_are_not_those_of_a_step(at, phase, monkeypatch):
+    monkeypatch.setattr("riserstudy.advice.ablation.fitting", lambda _: [])
+    changed = {"disconnect.at": at, "disconnect.phase": phase}
+    recoil = read_scene(CONFIG / "scenes/design/recoil.yaml").with_values(changed, "")
+    base = ablate(recoil, 1, 5e5)
+    fine = peaks(single(base.file.resolved(), base.mesh, 0.02))
+    assert base.peaks.change_to(fine)[2] == pytest.approx(0.0, abs=0.01)
+
+
+@pytest.mark.parametrize("unbalanced", [False, True])
+def test_advice_names_what_it_does_not_compare_and_what_its_step_is_too_long_for(
+    unbalanced, monkeypatch
+):
+    changed = Changed(next(iter(changes())), peaks=Peaks(1.0, 1.0, 1.0), unbalanced=unbalanced)
+    limits = [
+        {"output": output, "largest": largest, "mode": "drilling"}
+        for output, largest in (("lfj_angle", "2 deg"), ("bending_moment", "1 MN*m"))
+    ]
+    file = SceneFile("rig.yaml", written(moving(0) | {"limits": limits}))
+    base = Ablation(file, fixed(file, 1e3)[1], None, [changed], peaks=Peaks(1.0, 1.0, 1.0))
+    monkeypatch.setattr("riserstudy.advice.recommendations.ablate", lambda *_: base)
+    told = advice(file).sentences
+    (line,) = [text for text in told if text.startswith("Not compared: ")]
+    assert line.startswith("Not compared: lfj_angle. ")
+    doubt = [text for text in told if text.startswith("Energy is not balanced")]
+    assert bool(doubt) == unbalanced
+    assert all(changed.change.label in text for text in doubt)
 
 
 def test_advice_on_a_scene_with_fatigue_tells_that_damage_is_not_compared():

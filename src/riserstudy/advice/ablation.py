@@ -23,6 +23,7 @@ from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.vortices import shedding
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.audit import UNEXPLAINED
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
 
@@ -30,6 +31,7 @@ Array = NDArray[np.float64]
 FEW = 4  # steps of a run that loads kernels
 SEGMENTS = 100  # where a scene has no mesh of its own
 STEPS_A_PERIOD = 48  # where it has no step
+HALVINGS = 5  # of such a step, where energy is not balanced by it
 ROUNDING = 1e-9  # share of the riser's length below which nothing has moved
 
 
@@ -75,6 +77,7 @@ class Measured:
     """Peaks of a run, and the times of its repeats."""
 
     peaks: Peaks | None = None
+    unbalanced: bool = False  # energy, so that peaks may be those of the step
     times: list[float] = field(default_factory=list)  # s
 
     @property
@@ -126,7 +129,10 @@ def ablate(
     RiserStudyError
         When the scene itself cannot be run.
     """
+    own = file.resolved().analysis.step
     file, mesh = fixed(file, budget)
+    if own is None:
+        file = _balanced(file, mesh)
     scene = file.resolved()
     step = scene.analysis.step
     base = Ablation(file, mesh, step)
@@ -169,14 +175,31 @@ def brief(scene: Resolved, step: float | None) -> Resolved:
 
 
 def is_whole(scene: Resolved) -> bool:
-    """Whether a scene is not cut short: what it shows comes after a disconnect, or after ramps."""
-    return bool(scene.disconnect or shedding(scene))
+    """Whether a scene is not cut short: what it shows comes after an event, or after ramps."""
+    return bool(scene.events or scene.top.tension_loss or shedding(scene))
+
+
+def _balanced(file: SceneFile, mesh: Mesh) -> SceneFile:
+    """The scene by a step at which its energy is balanced, halved a few times at most."""
+    for _ in range(HALVINGS):
+        scene = file.resolved()
+        step = scene.analysis.step
+        if step is None or balanced(single(scene, mesh, step)):
+            break
+        file = file.with_values({"analysis.step": f"{0.5 * step!r} s"}, "half the step")
+    return file
+
+
+def balanced(result: Result) -> bool:
+    """Whether the energy of a run is accounted for; at rest there is none."""
+    audit = result.facts.get("audit")
+    return audit is None or audit["unexplained_share"] <= UNEXPLAINED
 
 
 def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> None:
     """One run, its peaks, and its time."""
     result = single(scene, mesh, step)
-    of.peaks = peaks(result)
+    of.peaks, of.unbalanced = peaks(result), not balanced(result)
     of.times.append(float(result.facts["solve_seconds"]))
 
 

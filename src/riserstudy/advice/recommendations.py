@@ -14,6 +14,7 @@ REPEATS = 5  # rounds of timed runs, of which the median counts
 BUDGET = 5e5  # node-steps a run; longer scenes are cut short
 COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
 DAMAGE = "Fatigue damage is not compared. An effect that leaves the peaks as they are may change the damage."
+COMPARED = ("bending_moment", "effective_tension")  # outputs with limits whose peaks are compared
 MISSING, NOT_MISSED = "recommended", "not needed"
 
 
@@ -69,9 +70,38 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
             f"Recommended: {', '.join(missing) or 'none'}.",
             f"An effect is removable if the answer changes by at most {limit}.",
             probe,
-            *([DAMAGE] if file.resolved().fatigue else []),
+            *_not_compared(file.resolved()),
+            *_in_doubt(base),
         ],
     )
+
+
+def _not_compared(scene: Resolved) -> list[str]:
+    """What the scene is judged by, and the advice is not."""
+    outputs = dict.fromkeys(limit.output for limit in scene.limits or [])
+    names = [name for name in outputs if name not in COMPARED]
+    found = [DAMAGE] if scene.fatigue else []
+    if scene.disconnect:
+        names += [name for name in ("overpull", "lmrp_clearance") if name not in names]
+    if names:
+        found.append(
+            f"Not compared: {', '.join(names)}. An effect that is removable here may change "
+            f"{'it' if len(names) == 1 else 'them'}."
+        )
+    return found
+
+
+def _in_doubt(base: Ablation) -> list[str]:
+    """The changes whose runs do not balance their energy: a difference may be that of the step."""
+    doubtful = [one.change.label for one in base.changed if one.unbalanced]
+    if base.unbalanced:
+        doubtful.insert(0, "the scene itself")
+    if not doubtful:
+        return []
+    return [
+        f"Energy is not balanced in the runs of: {', '.join(doubtful)}. Their changes may be numerical; "
+        "give a shorter analysis.step, and analysis.mesh."
+    ]
 
 
 def accuracy_of(scene: Resolved) -> tuple[float, float, float]:
