@@ -308,3 +308,11 @@ def test_an_axis_that_sets_more_than_seeds_is_none_of_seeds(seeds, tmp_path, mon
     out = tmp_path / "out.csv"
     assert table(monkeypatch, tmp_path / "heights.nc", "--over", "height", "-o", out) == 2
     assert "not only seeds" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-9, -3.5, 2e6])
+@pytest.mark.parametrize("apart", [0.0, 1e-15])
+def test_extremes_that_no_seed_changes_are_those_of_all(value, apart):
+    found = gumbel(value * (1.0 + apart * np.arange(6)))
+    assert (found.mode, found.fractile) == (pytest.approx(value), pytest.approx(value))
+    assert (found.scale, found.mode_error) == (0.0, 0.0)

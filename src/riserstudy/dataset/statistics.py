@@ -14,6 +14,7 @@ LOWER = 0.5  # share of peaks, the smallest, that the fit leaves out
 GRINGORTEN = 0.44  # of his plotting positions
 FEWEST_SEEDS = 5
 ALIKE = 1e-3  # deviation of peaks over their mean, below which a motion is regular
+SAME = 1e-10  # difference of extremes over their magnitude, up to which they are the same
 NOT_EXCEEDED = 0.9  # share of seas whose extreme stays within the fractile that is told
 
 
@@ -111,6 +112,8 @@ def gumbel(largest: ArrayLike) -> Gumbel:
     from scipy.stats import gumbel_r
 
     values: Any = np.asarray(largest, float)
+    if np.ptp(values) <= SAME * np.abs(values).max():  # of what no sea moves
+        return Gumbel(float(values.mean()), 0.0, float(values.max()), 0.0)
     mode, scale = gumbel_r.fit(values)
     fractile = gumbel_r.ppf(NOT_EXCEEDED, mode, scale)
     error = math.sqrt(1.0 + 6.0 * (1.0 - np.euler_gamma) ** 2 / math.pi**2) * scale
