@@ -172,13 +172,13 @@ def described(record: xr.Dataset) -> list[str]:
     first, last = (str(t.astype("datetime64[m]")).replace("T", " ") for t in (time[0], time[-1]))
     lines = [
         f"{first} to {last} UTC: {len(time)} rows, most {record.attrs['interval_hours']:g} h apart",
-        f"gaps: {len(holes)}, {missing:.0f} h together, {missing / span:.1%} of the time",
+        f"gaps: {len(holes)}, {missing:g} h together, {missing / span:.1%} of the time",
     ]
     widest = sorted(holes, key=lambda g: g.before - g.after)[:3]
     for gap in widest:
         ends = (str(t.astype("datetime64[m]")).replace("T", " ") for t in gap)
         lines.append(
-            f"  {(gap.after - gap.before) / np.timedelta64(1, 'h'):.0f} h: {' to '.join(ends)}"
+            f"  {(gap.after - gap.before) / np.timedelta64(1, 'h'):g} h: {' to '.join(ends)}"
         )
     if note := uneven_months(time):
         lines.append(note)
