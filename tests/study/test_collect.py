@@ -9,8 +9,9 @@ import pytest
 import xarray as xr
 
 from riserstudy.dataset.result import Result
+from riserstudy.dataset.variables import attributes
 from riserstudy.study.axes import Numbers
-from riserstudy.study.collect import dataset_of, write_dataset
+from riserstudy.study.collect import _named, dataset_of, write_dataset
 from riserstudy.study.grid import Grid, Point
 from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import has_error_estimate, lacks
@@ -129,3 +130,23 @@ def test_one_point_in_eight_tells_its_error_and_is_lacking_without_it():
         assert lacks(many, point, None)
         assert lacks(many, point, silent) == tells
         assert not lacks(many, point, telling)
+
+
+@pytest.mark.parametrize("name", ["case", "riser_drag", "operation", "floor"])
+def test_words_of_an_own_axis_are_not_those_of_a_chapter(name):
+    assert "comment" in attributes("case")
+    assert _named(name, {"a": {}}, "own") == {"long_name": name.replace("_", " ")}
+    assert _named(name, {"a": {}}, "liu2017")["long_name"] == attributes(name)["long_name"]
+
+
+@pytest.mark.parametrize(
+    "name, unit, expected",
+    [
+        ("floor", "m", "floor"),
+        ("offset", "ft", "offset of the platform from the well"),
+        ("units", "1", "number of working tensioner units"),
+    ],
+)
+def test_numbers_of_an_own_axis_are_named_where_their_unit_is_of_the_kind(name, unit, expected):
+    axis = Numbers(path="a", unit=unit, values=[1.0])
+    assert _named(name, axis, "own")["long_name"] == expected

@@ -25,6 +25,7 @@ from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.errors import SimulationError
+from riserstudy.folders import PACKAGE
 from riserstudy.records.facts import point_columns
 from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
@@ -163,7 +164,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         dims = (*study.axes, *values.dims[1:])
         dataset[label] = xr.DataArray(grid, dims=dims, attrs=attributes(str(label)))
     for axis, steps in study.axes.items():
-        about = _named(axis, study.model.axes[axis])
+        about = _named(axis, study.model.axes[axis], study.paper)
         about["sets"] = json.dumps({str(value): sets for value, sets in steps})
         dataset.coords[axis] = xr.DataArray([v for v, _ in steps], dims=axis, attrs=about)
     _add_sampled(dataset, study)
@@ -173,10 +174,17 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     return dataset
 
 
-def _named(name: str, axis: Any) -> dict[str, Any]:
-    """Attributes of an axis, which counts in the unit that the study gives it."""
-    about = {"long_name": name.replace("_", " ")} | attributes(name)
-    return about | ({"units": cf_unit(axis.unit)} if isinstance(axis, Numbers) else {})
+def _named(name: str, axis: Any, paper: str) -> dict[str, Any]:
+    """Attributes of an axis, which counts in the unit that the study gives it.
+
+    Words that others choose for an axis mean what they say, whatever a chapter of the package has of that
+    name; and so do numbers, where the two have no unit in common.
+    """
+    known, unit = attributes(name), axis.unit if isinstance(axis, Numbers) else None
+    ours = (PACKAGE / "chapters" / paper).is_dir()
+    meant = ours or (unit is not None and (unit == "1") == (known.get("units", unit) == "1"))
+    about = {"long_name": name.replace("_", " ")} | (known if meant else {})
+    return about | ({"units": cf_unit(unit)} if unit is not None else {})
 
 
 def _layouts(results: list[Result]) -> list[list[int]]:
