@@ -184,3 +184,9 @@ def test_a_range_graph_of_magnitudes_alone_says_so():
 def test_a_range_graph_leaves_out_nothing_that_is_asked_for(of):
     with pytest.raises(InputError, match=r"von_mises_stress|5 quantities"):
         draw("range", run(), of)
+
+
+def test_a_shape_without_elevations_is_refused():
+    run = xr.Dataset({"x": (("time", "s"), np.ones((3, 4)))}, {"time": range(3), "s": range(4)})
+    with pytest.raises(InputError, match="z: no elevation"):
+        draw("shape", run)

@@ -6,8 +6,12 @@ import random
 import numpy as np
 import pytest
 import xarray as xr
+from random_rigs import moving, written
+from ruamel.yaml import YAML
 from short_study import CURRENT, SCENE
 
+from riserstudy.dataset.place import complete
+from riserstudy.dataset.statistics_tables import of_a_run
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.models import StudyFile
@@ -80,6 +84,63 @@ def test_an_exact_point_has_changed_in_nothing(seed, tmp_path, monkeypatch):
         found = rerun(dataset, at)
         assert found.changes.keys() >= names
         assert {n: c for n, c in found.changes.items() if not c <= 1e-9} == {}, at
+
+
+def several(seed, tmp_path, monkeypatch):
+    """Dataset of a rig at points that differ in duration, motion, cylinders, and plane or space."""
+    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+    spatial = seed % 2 == 1
+    tree = moving(seed, spatial=spatial, conductor=seed % 3 == 2)
+    interval = tree["analysis"]["output"]["interval"]
+    tree["analysis"] |= {"duration": 8 * interval, "mesh": {"elements": 10}}
+    YAML().dump(written(tree), tmp_path / "riser.yaml")
+    words = {
+        "short": {},
+        "long": {"analysis.duration": f"{13 * interval!r} s"},
+        "rest": {"analysis": {"mesh": {"elements": 10}}},
+        "across": {"current.heading": "80 deg"},
+    }
+    if tensioners := tree["top"].get("tensioners"):
+        words["one more"] = {"top.tensioners.count": tensioners["count"] + 1}
+    keep = [None, ["ufj_angle", "x", "y", "z", "tensioner_force", "bending_moment_max"]][
+        seed // 2 % 2
+    ]
+    model = {"scene": "riser.yaml", "caption": "c", "axes": {"what": words}, "keep": keep}
+    file = StudyFile.model_validate({"paper": "own", "studies": {"one": model}})
+    study = Study("own", "one", file.studies["one"], tmp_path, "standard")
+    write_dataset(dataset_of(study, results_of(study, 1, lambda _: None)[0]), tmp_path / "one.nc")
+    return xr.load_dataset(tmp_path / "one.nc", decode_times=False)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_points_of_several_kinds_have_changed_in_nothing(seed, tmp_path, monkeypatch):
+    dataset = several(seed, tmp_path, monkeypatch)
+    for what in dataset["what"].values:
+        found = rerun(dataset, {"what": str(what)})
+        changed = {n: c for n, c in found.changes.items() if not c <= 1e-9}
+        assert changed.keys() <= {"error_tension", "unexplained_energy"}, what
+    lost = dataset.copy(deep=True)
+    lost["ufj_angle"].loc[{"what": "long"}] = np.nan
+    assert rerun(lost, {"what": "long"}).changes["ufj_angle"] == np.inf
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_statistics_of_a_point_are_those_of_its_run(seed, tmp_path, monkeypatch):
+    dataset = several(seed, tmp_path, monkeypatch)
+    for k, what in enumerate(dataset["what"].values):
+        if what == "rest":
+            continue
+        run = rerun(dataset, {"what": str(what)}).run
+        rows = of_a_run(complete(dataset.isel(what=k)), 0.0, None).rows
+        assert {str(row[0]).split()[0] for row in rows} >= {"ufj_angle", "x"}
+        for name, s, _, mean, deviation, *_ in rows:
+            history = run[str(name).split()[0]]
+            if " " in str(name):
+                history = history.isel(cylinder=int(str(name).split()[1]))
+            if s is not None:
+                history = history.isel(s=int(abs(run["s"].values - s).argmin()))
+            assert mean == pytest.approx(float(history.mean()), rel=1e-6, abs=1e-6)
+            assert deviation == pytest.approx(float(history.std()), rel=1e-5, abs=1e-4)
 
 
 def test_another_limit_is_seen(tmp_path, monkeypatch):

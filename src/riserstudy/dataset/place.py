@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 from riserstudy.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
@@ -36,17 +38,38 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     return index
 
 
+#: of runs, along which other points of a study may have more
+OF_RUNS = ("time", "cylinder", "s", "s_node")
+
+
+def own_values(run: xr.Dataset) -> xr.Dataset:
+    """One point of a study, or points along an axis, without what only other points of the study have.
+
+    Those that last longer have later times, those of longer risers more nodes. All that this point has of
+    these is not a number.
+    """
+    if "point_key" not in run:
+        return run
+    for dim in (dim for dim in OF_RUNS if dim in run.dims):
+        has = [
+            values.notnull().any([d for d in values.dims if d != dim]).values
+            for values in run.data_vars.values()
+            if dim in values.dims and values.dtype.kind == "f"
+        ]
+        if has and (there := np.any(has, axis=0)).any():
+            run = run.isel({dim: there})
+    return run
+
+
 def complete(run: xr.Dataset) -> xr.Dataset:
-    """One point of a dataset, or points along an axis, as they are.
+    """One point of a dataset, or points along an axis, with what these have.
 
     Raises
     ------
     SimulationError
         When one of them failed, so that it has no results.
     """
-    if "failure" not in run:
-        return run
-    reasons = run["failure"].values.reshape(-1).tolist()
+    reasons = run["failure"].values.reshape(-1).tolist() if "failure" in run else []
     if failed := [reason for reason in reasons if reason]:
         which = (
             "this point has"
@@ -54,7 +77,10 @@ def complete(run: xr.Dataset) -> xr.Dataset:
             else f"{len(failed)} of {len(reasons)} points have"
         )
         raise SimulationError(f"{which} no results: {failed[0]}")
-    return run
+    run = own_values(run)
+    within = [name for name, values in run.data_vars.items() if {*OF_RUNS} & {*values.dims}]
+    absent = [name for name in within if "point_key" in run and run[name].isnull().all()]
+    return run.drop_vars(absent)  # as y of a run in the plane is
 
 
 def value_of(dataset: xr.Dataset, axis: str, wanted: str) -> int:

@@ -28,6 +28,9 @@ def shape(run: xr.Dataset, title: str) -> Figure:
     if not names:
         found = "no position across: it was not kept, or the riser moves along itself alone"
         raise InputError(title, "x", found, "keep x and x_static, or plot range or time-series")
+    if not {"z", "z_static"} & set(run):
+        found, allowed = "no elevation: it was not kept", "keep z, or plot range or time-series"
+        raise InputError(title, "z", found, allowed)
     figure, axes = panels(1, len(names), 5.0, sharey=True)
     for ax, name in zip(axes, names, strict=True):
         _panel(ax, run, name)

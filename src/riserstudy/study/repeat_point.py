@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
-from riserstudy.dataset.place import place
+from riserstudy.dataset.place import own_values, place
 from riserstudy.dataset.provenance import read_provenance, scene_file_of
 from riserstudy.digests import engine_digest
 from riserstudy.records.facts import point_columns
@@ -68,7 +68,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
 
     engine = read_provenance(dataset)["engine"]
     index = place(dataset, at)
-    point = dataset.isel(index)
+    point = own_values(dataset.isel(index))
     estimated = bool(
         point.get("error_estimated", np.isfinite(point.get("error_displacement", 0.0)))
     ) or NOT_ESTIMATED in str(point.get("warnings", xr.DataArray("")).item())
@@ -84,12 +84,12 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     columns = point_columns()
     left_out = {*NOT_COMPARED, *(c.name for c in columns if not c.about.repeats)}
     facts = {c.name: c.value(result.facts) for c in columns if c.name not in left_out}
-    facts |= limits | modes
+    found = dict(new) | facts | limits | modes
     return Rerun(
         {axis: point[axis].item() for axis in index},
         (engine, engine_digest()),
         {
-            str(name): _change(old.values, np.asarray(facts.get(str(name), new.get(name, np.nan))))
+            str(name): _change(old.values, _like(old, found.get(str(name))))
             for name, old in point.data_vars.items()
             if name not in left_out and not str(name).startswith("assumed_")
         },
@@ -118,6 +118,18 @@ def _on_nodes_of(point: xr.Dataset, result: Result) -> Result:
         nodes, own["s_node"], rtol=0.0, atol=10.0**-NODE_DIGITS
     )
     return result if same else laid_on(result, nodes)
+
+
+def _like(old: xr.DataArray, new: xr.DataArray | Any) -> NDArray[Any]:
+    """Values of a run as its dataset holds them.
+
+    That has values at rest at all times of other points, and not a number where only others have values.
+    """
+    if new is None:
+        return np.full_like(old, np.nan) if old.dtype.kind == "f" else np.asarray(np.nan)
+    if {*getattr(new, "dims", old.dims)} < {*old.dims}:
+        new = new.broadcast_like(old).transpose(*old.dims)
+    return np.asarray(new)
 
 
 def _change(old: Any, new: Any) -> float:
