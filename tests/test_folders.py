@@ -6,8 +6,8 @@ import random
 import pytest
 
 from riserstudy import folders
-from riserstudy.errors import InputError
-from riserstudy.folders import cache_folder, remembered, write_whole
+from riserstudy.errors import InputError, SimulationError
+from riserstudy.folders import cache_folder, remembered, whole_file, write_whole
 from riserstudy.solve.kernel_cache import kernel_cache
 
 
@@ -109,3 +109,17 @@ def test_others_may_read_a_file_as_they_may_any_other(tmp_path, umask):
         os.umask(before)
     modes = {file.name: file.stat().st_mode for file in tmp_path.iterdir()}
     assert modes["whole.json"] == modes["plain.json"]
+
+
+@pytest.mark.parametrize("missing", ["a source", "the target's own folder"])
+def test_what_kept_a_file_from_being_written_is_named(tmp_path, missing):
+    source, target = tmp_path / "source.csv", tmp_path / "page.html"
+    if missing != "a source":
+        source.write_text("1")
+        target = tmp_path / "no folder" / "page.html"
+    with pytest.raises(SimulationError) as refused, whole_file(target) as partial:
+        partial.write_text(source.read_text())
+    assert str(target) in str(refused.value)
+    assert (str(source) in str(refused.value)) == (missing == "a source")
+    assert ("disk is full" in str(refused.value)) == (missing != "a source")
+    assert not target.exists()

@@ -181,7 +181,7 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
     Raises
     ------
     SimulationError
-        When it cannot be written, as on a full disk.
+        When it cannot be written, as on a full disk, or a file that it is made from cannot be read.
     """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     unwritten: tuple[type[Exception], ...] = (OSError, *errors)
@@ -190,6 +190,11 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
         partial.replace(target)
     except unwritten as error:
         reason = getattr(error, "strerror", None) or "not written to its end"
+        other = getattr(error, "filename", None)  # which was to be read for it
+        if other and Path(os.fsdecode(other)) not in (target, partial):
+            raise SimulationError(
+                f"{target} is not written, because of {other}: {reason}"
+            ) from None
         remedy = "see whether the disk is full"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
