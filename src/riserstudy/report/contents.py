@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import json
 import sqlite3
-from collections.abc import Iterator
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Container, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -92,7 +92,10 @@ def contents(sources: Sources) -> dict[str, Any]:
     import xarray as xr
 
     files = {paper: read_studies(sources.config, paper) for paper in sources.papers}
-    with opened(sources.database) as db:
+    with opened(sources.database) as db, ThreadPoolExecutor() as pool:
+        pictures = {  # encoding takes as long as all the rest, and lets other threads go on
+            path: pool.submit(picture_of, path) for path in _drawn(db, sources.folder, files)
+        }
         claims, errata = read_claims(db), _errata(db)
         paths: dict[str, str] = dict(db.execute("select study, path from studies").fetchall())
         # histories are large, and but few of them are looked at
@@ -104,7 +107,7 @@ def contents(sources: Sources) -> dict[str, Any]:
             p: scene_tables(_own(p, files[p], datasets), files[p], sources.config)
             for p in sources.papers
         }
-        figures = _figures(db, sources, files, claims, paths, tables)
+        figures = _figures(db, sources, files, claims, paths, tables, pictures)
         drawn_runs = curves(db, sources.config, claims, datasets)
         rows, warned = audit.audit(db, files), audit.warned(db)
         missed = audit.missed(db, files)
@@ -211,6 +214,7 @@ def _figures(
     claims: list[Claim],
     paths: dict[str, str],
     tables: dict[str, list[SceneTable]],
+    pictures: dict[Path, Future[Picture]],
 ) -> list[Figure]:
     """Figures in the order of study files, with all that they are linked to."""
     known = _files_of_figures(db)
@@ -220,14 +224,8 @@ def _figures(
     sources_of = _sets(db, "select study, source from simulated_behind")
     present = {path for (path,) in db.execute("select path from files")}
     figures: list[Figure] = []
-    names_of = {
-        paper: [n for n in (*file.schematics, *file.figures) if (paper, n) in known]
-        for paper, file in files.items()
-    }
-    drawn = [sources.folder / known[paper, n][1] for paper in names_of for n in names_of[paper]]
-    pictures = _pictures(drawn)
     for paper, file in files.items():
-        names = names_of[paper]
+        names = _names(paper, file, known)
         own = claims_by_figure(
             [claim for claim in claims if claim.paper == paper],
             names,
@@ -243,7 +241,7 @@ def _figures(
             read = [f"{paper}/{n}" for n in datasets]
             simulated = set().union(*(sources_of.get((study,), set()) for study in read))
             drawn_scene = _drawn_scene(file, name, sources.config)
-            picture = pictures[sources.folder / png]
+            picture = pictures[sources.folder / png].result()
             files_of = [("PDF", pdf), ("PNG", png), ("data as CSV", f"{paper}/{name}.csv")]
             figure = Figure(
                 paper,
@@ -272,10 +270,17 @@ def _files_of_figures(db: sqlite3.Connection) -> dict[tuple[str, str], tuple[str
     return {(paper, name): (caption, png, pdf) for paper, name, caption, png, pdf in found}
 
 
-def _pictures(paths: list[Path]) -> dict[Path, Picture]:
-    """Pictures by their path."""
-    with ThreadPoolExecutor() as pool:  # encoding lets other threads go on
-        return dict(zip(paths, pool.map(picture_of, paths), strict=True))
+def _names(paper: str, file: StudyFile, known: Container[tuple[str, str]]) -> list[str]:
+    """Figures of a chapter that the database knows, in the order of its study file."""
+    return [name for name in (*file.schematics, *file.figures) if (paper, name) in known]
+
+
+def _drawn(db: sqlite3.Connection, folder: Path, files: dict[str, StudyFile]) -> Iterator[Path]:
+    """PNG files of all figures."""
+    known = _files_of_figures(db)
+    for paper, file in files.items():
+        for name in _names(paper, file, known):
+            yield folder / known[paper, name][1]
 
 
 def _drawn_scene(file: StudyFile, name: str, config: Path) -> str:
