@@ -46,7 +46,8 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     import xarray as xr
 
     scenes = dict(study.scene_files(setting))
-    one = partial(_tried, study.repeats[setting.tier], study.budget[setting.tier])
+    of_tier = (study.repeats[setting.tier], study.budget[setting.tier])
+    one = partial(_tried, *of_tier, study.left_out.get(setting.tier, []))
     came = dict(zip(scenes, each(one, list(scenes.values()), setting.threads), strict=True))
     tried = {name: outcome for name, outcome in came.items() if isinstance(outcome, Tried)}
     refused = {name: outcome for name, outcome in came.items() if isinstance(outcome, str)}
@@ -68,10 +69,10 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     return dataset
 
 
-def _tried(repeats: int, budget: float, file: SceneFile) -> Tried | str:
+def _tried(repeats: int, budget: float, left_out: list[str], file: SceneFile) -> Tried | str:
     """One scene with its changes, or why it cannot be run."""
     try:
-        ablation = ablate(file, repeats, budget)
+        ablation = ablate(file, repeats, budget, left_out=left_out)
         scene = ablation.file.resolved()
         if scene.analysis.solver:
             return Tried(ablation, [], None)

@@ -7,7 +7,7 @@ machine does falls on all of them alike. The first steps are run before, which l
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from statistics import median
 from typing import Any, NamedTuple
@@ -115,7 +115,11 @@ Notify = Callable[[str], None]
 
 
 def ablate(
-    file: SceneFile, repeats: int, budget: float, notify: Notify = lambda _: None
+    file: SceneFile,
+    repeats: int,
+    budget: float,
+    notify: Notify = lambda _: None,
+    left_out: Collection[str] = (),
 ) -> Ablation:
     """Every fitting change of a scene, on one mesh with one step.
 
@@ -123,6 +127,7 @@ def ablate(
     ----------
     repeats : timed runs of each.
     budget : node-steps of a run.
+    left_out : labels of changes that are not made.
 
     Raises
     ------
@@ -137,7 +142,7 @@ def ablate(
     step = scene.analysis.step
     base = Ablation(file, mesh, step)
     runs: list[tuple[Ablation | Changed, Resolved]] = [(base, scene)]
-    every = list(fitting(file))
+    every = [(change, other) for change, other in fitting(file) if change.label not in left_out]
     for k, (change, other) in enumerate(every, 1):
         notify(f"{k} of {len(every)} changes: {change.label}")
         changed = Changed(change, change.because or "")

@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 import xarray as xr
 from numba import njit
+from pydantic import ValidationError
 
 from chapters.numerics.answers import never, ranking
 from chapters.numerics.measured.effects import effects, kernels
+from chapters.numerics.models import Family
 from chapters.numerics.scenes import bases
 from riserstudy.chapters.draw import draw
 from riserstudy.scene.load import read_scene
@@ -20,9 +22,8 @@ from riserstudy.study.read import read_studies, read_study
 
 CONFIG = Path(__file__).parents[3] / "config"
 SURGE = read_scene(CONFIG / "scenes/hard/surge.yaml")
-SHORT = SURGE.with_values(
-    {"analysis.duration": "20 s", "analysis.step": "0.2 s", "analysis.mesh.elements": 20}, ""
-)
+BRIEF = {"analysis.duration": "20 s", "analysis.step": "0.2 s", "analysis.mesh.elements": 20}
+SHORT = SURGE.with_values(BRIEF, "")
 AGAINST = read_scene(CONFIG / "scenes/liu2017/ref_180.yaml").with_values(
     {"analysis.duration": "20 s", "analysis.step": "0.5 s", "analysis.mesh.elements": 20}, ""
 )
@@ -130,3 +131,20 @@ def test_the_dataset_tells_signatures_and_times_of_kernels(tmp_path):
     found = kernels(marker)
     assert found["compile_seconds"][1] == [5.0, 0.5]
     assert found["signatures"][1] == [2, 1]
+
+
+def test_a_tier_leaves_out_named_changes_and_no_others():
+    study = read_studies(CONFIG, "numerics").measured["effects"]
+    one = {"surge": Family(scene="scenes/hard/surge.yaml", set=BRIEF)}
+    short = study.model_copy(update={"scenes": one, "budget": {"standard": 2e3}, "left_out": {}})
+
+    def made(left_out):
+        of_tiers = short.model_copy(update={"left_out": left_out})
+        found = effects(of_tiers, Setting(CONFIG, "standard", 1, (), Path("not noted")))
+        return set(found["change"].values[found["moment_change"].notnull().any("scene")].tolist())
+
+    every = made({})
+    first, second, *rest = sorted(every)
+    assert made({"preview": [first], "standard": [second]}) == {first, *rest}
+    with pytest.raises(ValidationError, match="no such change: without legs"):
+        type(study).model_validate(study.model_dump() | {"left_out": {"preview": ["without legs"]}})
