@@ -3,7 +3,6 @@
 import difflib
 import json
 import re
-import shutil
 import subprocess
 import sys
 import tomllib
@@ -98,23 +97,9 @@ def build(docs, target, builder):
     return subprocess.run(command, capture_output=True, text=True)
 
 
-@pytest.fixture
-def docs(tmp_path):
-    """The pages where they may be changed, with all that they are made from."""
-    shutil.copytree(ROOT / "docs", tmp_path / "docs")
-    for part in ("src", "chapters", "workflow", "config", "changelog.d", "pyproject.toml"):
-        (tmp_path / part).symlink_to(ROOT / part)
-    for page in (
-        "CHANGELOG.md",
-        "CONTRIBUTING.md",
-    ):  # links of a link would lead to the project itself
-        shutil.copy(ROOT / page, tmp_path)
-    return tmp_path / "docs"
-
-
-def test_the_site_builds_and_needs_no_network(docs, tmp_path):
+def test_the_site_builds_and_needs_no_network(tmp_path):
     site = tmp_path / "site"
-    done = build(docs, site, "html")
+    done = build(ROOT / "docs", site, "html")
     assert (done.returncode, done.stderr) == (0, "")
     loads = re.compile(
         r"<(?:script|img|link|iframe|source)\b[^>]*?(?:src|href)=[\"\']((?:\w+:)?//[^\"\']+)"
@@ -190,12 +175,17 @@ def test_no_page_that_a_checkout_points_to_is_an_empty_shell():
                 assert len((found["kept"] or "").splitlines()) > 3, f"{page.name}: {found[1]}"
 
 
-def test_a_link_that_leads_nowhere_stops_the_build(docs, tmp_path):
-    with (docs / "tutorial.md").open("a") as page:
-        page.write("\n[more](absent.md)\n")
-    bad = build(docs, tmp_path / "bad", "dummy")
-    assert bad.returncode != 0
-    assert "absent" in bad.stderr
+def test_a_link_that_leads_nowhere_stops_the_build(tmp_path):
+    """With the settings of the site, on a page of its own."""
+    for part in ("conf.py", "_extensions", "_static"):
+        (tmp_path / part).symlink_to(ROOT / "docs" / part)
+    targets = ("index.md", "absent.md", "index.md#nowhere")
+    links = "\n".join(f"[more]({target})" for target in targets)
+    (tmp_path / "index.md").write_text(f"# One page\n\n{links}\n")
+    done = build(tmp_path, tmp_path / "site", "dummy")
+    assert done.returncode != 0
+    warnings = done.stderr.splitlines()
+    assert ["absent" in warnings[0], "nowhere" in warnings[1], len(warnings)] == [True, True, 2]
 
 
 def test_the_version_is_one():

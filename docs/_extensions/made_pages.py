@@ -14,6 +14,7 @@ from collections.abc import Callable
 from contextlib import chdir
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -95,8 +96,7 @@ def gallery(names: str) -> str:
 
 
 def _figure(paper: str, name: str) -> str:
-    study = read_yaml(ROOT / f"config/studies/{paper}.yaml")
-    caption = str(study["figures"][name]["caption"]).strip()
+    caption = str(_study(paper)["figures"][name]["caption"]).strip()
     with chdir(ROOT):  # chapters are those of the folder where one works
         module = function_of(paper, "figures", name).__module__
     folder = "../src" if module.startswith("riserstudy.") else ".."
@@ -125,6 +125,12 @@ snakemake {paper}_{name}
 ```
 :::::
 """
+
+
+@cache
+def _study(paper: str) -> dict[str, Any]:
+    """The study file of a chapter."""
+    return read_yaml(ROOT / f"config/studies/{paper}.yaml")
 
 
 def _rst(directive: str) -> str:
