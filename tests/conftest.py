@@ -5,6 +5,10 @@ import sys
 import pytest
 from hypothesis import HealthCheck, settings
 
+from riserstudy.blas import use_one_thread
+
+use_one_thread()  # several processes test at once
+
 # Seeded by the test itself, so that a run can be repeated; no deadline, since kernels may compile.
 settings.register_profile(
     "riserstudy",

@@ -4,6 +4,7 @@
 import sys
 from pathlib import Path
 
+from riserstudy.blas import use_one_thread
 from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
@@ -83,6 +84,7 @@ def begin_once():
 
 # Jobs use the Python that runs Snakemake, whether or not its environment was activated.
 use_this_python()
+use_one_thread()
 
 
 onstart:

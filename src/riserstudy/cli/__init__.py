@@ -13,6 +13,7 @@ from typing import Annotated, Any
 import typer
 
 import riserstudy
+from riserstudy.blas import use_one_thread
 from riserstudy.cli import (
     analyse,
     compare,
@@ -87,6 +88,7 @@ for group, commands in GROUPS.items():
 
 def main() -> None:
     """Run the command line; errors go to stderr in one line, with their exit code."""
+    use_one_thread()
     _collect_seldom()
     try:
         if status := app(standalone_mode=False):  # of a command that ends with one
