@@ -56,6 +56,23 @@ def test_what_cannot_be_compared_counts_as_changed_without_bound(tmp_path, other
     assert why in found.varied[0].why
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_numbers_in_another_unit_are_no_longer_the_same(tmp_path, seed):
+    draw = random.Random(seed)
+    units = draw.sample(["m", "ft", "kN", "kip", "degree", ""], 2)
+    names = draw.sample(["moment", "s"], draw.randint(1, 2))  # a variable and an axis
+    for folder, unit in zip("ab", units, strict=True):
+        path = results(tmp_path / folder, s=[1.0, 2.0]) / "paper/run.nc"
+        dataset = xr.load_dataset(path)
+        for name in names:
+            dataset[name].attrs["units"] = unit
+        dataset.to_netcdf(path)
+    found = changes(tmp_path / "a", tmp_path / "b")
+    assert {one.variable for one in found.varied} == {*names}
+    assert found.apart == len(names)
+    assert f"unit {units[0] or 'none'}, now {units[1] or 'none'}" == found.varied[0].why
+
+
 SPECIAL = (np.nan, np.inf, -np.inf, 0.0, 1.0, -2.5)
 
 

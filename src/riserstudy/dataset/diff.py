@@ -180,6 +180,10 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
     a, b = old.values, new.values
     if a.shape != b.shape or old.dims != new.dims:
         return Varied(name, variable, float("inf"), f"shape {a.shape}, now {b.shape}")
+    units = [str(values.attrs.get("units", "")) for values in (old, new)]
+    if units[0] != units[1]:
+        before, now = (unit or "none" for unit in units)
+        return Varied(name, variable, float("inf"), f"unit {before}, now {now}")
     if a.dtype.kind not in "fiu" or b.dtype.kind not in "fiu":
         same = np.array_equal(a, b)
         return Varied(name, variable, 0.0) if same else Varied(name, variable, 0.0, "other text")
