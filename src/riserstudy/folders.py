@@ -166,7 +166,8 @@ def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
                 os.fsync(stream.fileno())
         name.replace(target)
     except BaseException:
-        name.unlink(missing_ok=True)
+        with suppress(OSError):
+            name.unlink(missing_ok=True)
         raise
 
 
@@ -198,7 +199,8 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
         remedy = "see whether the disk is full"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
-        partial.unlink(missing_ok=True)
+        with suppress(OSError):  # of a folder that cannot be written it is told why
+            partial.unlink(missing_ok=True)
 
 
 def remembered(name: str, make: Callable[[], Any]) -> Any:

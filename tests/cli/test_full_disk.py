@@ -10,6 +10,7 @@ from ruamel.yaml import YAML
 
 from riserstudy.dataset.netcdf import written_whole
 from riserstudy.errors import SimulationError
+from riserstudy.folders import whole_file
 from riserstudy.study.write_tuned import write_tuned
 
 STUDY = (
@@ -84,6 +85,21 @@ def test_a_dataset_on_a_full_disk_is_not_called_forbidden(full_for_bytes, tmp_pa
     with pytest.raises(SimulationError, match="No space left on device; see whether the disk"):
         write()
     assert files(tmp_path) == {}
+
+
+@pytest.mark.parametrize("writer", [whole_file, written_whole])
+def test_of_a_system_that_is_read_only_it_is_told(monkeypatch, tmp_path, writer):
+    def refused(*_, **__):
+        raise OSError(errno.EROFS, "Read-only file system")
+
+    def write():
+        with writer(tmp_path / "one.zip") as path:
+            path.write_bytes(b"")
+
+    monkeypatch.setattr(Path, "write_bytes", refused)
+    monkeypatch.setattr(Path, "unlink", refused)
+    with pytest.raises(SimulationError, match=r"one.zip cannot be written: Read-only file system"):
+        write()
 
 
 def test_a_folder_that_was_not_filled_can_be_made_later(commands, full, monkeypatch, tmp_path):

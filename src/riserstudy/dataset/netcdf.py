@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -51,7 +51,8 @@ def written_whole(target: Path) -> Iterator[Path]:
             remedy = "the netCDF library takes no folder with a backslash in its name"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
-        partial.unlink(missing_ok=True)
+        with suppress(OSError):  # of a folder that cannot be written it is told why
+            partial.unlink(missing_ok=True)
 
 
 def _reason(error: Exception, partial: Path) -> str:
