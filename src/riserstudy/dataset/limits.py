@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 from riserstudy.scene.limit_inputs import lacks
@@ -17,6 +17,15 @@ from riserstudy.scene.riser import Section
 SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
 #: outputs whose error is estimated but bounded by no accuracy, by the name of the error, and that of one
 UNBOUNDED = {"angle": ("angle", ANGLES), "shear": ("shear force", ("shear_force",))}
+#: estimated errors of other outputs, which an accuracy bounds and a mesh of the scene does not
+BOUNDED = {
+    "bending_moment": ("moment",),
+    "effective_tension": ("tension",),
+    "von_mises_stress": ("moment", "tension"),
+    "x": ("displacement",),
+    "y": ("displacement",),
+}
+LEAST_LEFT = 0.1  # of a value, after an error relative to a larger one: beyond it nothing is known
 WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
 
 
@@ -43,8 +52,8 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     """Every limit of a scene against the extremes of its run.
 
     Nothing is within a limit that is known no better than by an error larger than itself. No accuracy bounds
-    the error of angles and of shear; so they are within a limit if they are with their own estimated error on
-    top.
+    the error of angles and of shear, and a mesh of the scene bounds no error; so an output is within a limit
+    if it is with its own estimated error on top.
 
     Parameters
     ----------
@@ -61,6 +70,8 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
         one = _one(scene, limit, rows, origin.status if origin else plain)
         if name := unbounded(limit):
             one = _with_error(one, name, facts)
+        elif scene.analysis.mesh:
+            one = _on_its_mesh(one, facts)
         if limit.output == "effective_tension":
             one = _with_mud_above(one, not_in_tension(scene))
         if unknown and one.verdict == WITHIN:
@@ -83,9 +94,18 @@ def error_in_words(name: str, error: float) -> str:
 
 def error_of(name: str, facts: Mapping[str, Any]) -> float:
     """Estimated error (rad, N) of angles or shear: relative to the largest of them; zero where unknown."""
-    rows = [row for row in facts.get("extremes", []) if row["output"] in UNBOUNDED[name][1]]
+    share = facts.get("error_estimate", {}).get(name, 0.0)
+    return _absolute(share, UNBOUNDED[name][1], facts)
+
+
+def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) -> float:
+    """A relative error (1) of outputs in their unit.
+
+    It is relative to the largest value of a finer run, which exceeds that of the run by no more than itself.
+    """
+    rows = [row for row in facts.get("extremes", []) if row["output"] in outputs]
     largest = max((abs(row[side]) for row in rows for side in ("largest", "smallest")), default=0.0)
-    return float(facts.get("error_estimate", {}).get(name, 0.0) * largest)
+    return float(share * largest / max(1.0 - share, LEAST_LEFT))
 
 
 def _with_error(one: Checked, name: str, facts: Mapping[str, Any]) -> Checked:
@@ -104,6 +124,23 @@ def _with_error(one: Checked, name: str, facts: Mapping[str, Any]) -> Checked:
     why = (
         f"{error_in_words(name, error)}, below the margin; "
         f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"
+    )
+    return one._replace(verdict=UNKNOWN, missing=why)
+
+
+def _on_its_mesh(one: Checked, facts: Mapping[str, Any]) -> Checked:
+    """A limit that is not met for certain where a mesh of the scene errs by more than what is left."""
+    estimated = facts.get("error_estimate", {})
+    share = max((estimated.get(name, 0.0) for name in BOUNDED.get(one.output, ())), default=0.0)
+    if one.verdict != WITHIN or one.demand is None or not share:
+        return one
+    error = _absolute(share, (one.output,), facts)
+    worst = one.demand + (-error if one.side == "smallest" else error)
+    if use(one.side, worst, one.allowable) <= 1.0:
+        return one
+    why = (
+        f"an error of {one.output}, {100.0 * share:.2g} % as estimated, below the margin; give more "
+        "analysis.mesh.elements and a shorter analysis.step, or analysis.accuracy instead"
     )
     return one._replace(verdict=UNKNOWN, missing=why)
 

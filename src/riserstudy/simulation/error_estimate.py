@@ -178,7 +178,7 @@ def _statistics(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
 def _shear(coarse: Arrays, fine: Arrays) -> float | None:
     """Relative difference of shear at the coarse run's nodes, and of the largest; None where there is none.
 
-    Between its nodes shear of the fine run is straight: two meshes may share the ends of sections alone.
+    Between nodes shear of either run is straight: two meshes may share the ends of sections alone.
     """
     if "mesh_flexibility" not in fine:
         return None
