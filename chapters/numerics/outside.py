@@ -182,16 +182,8 @@ def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
     started, steps, k = clock.thread_time(), 0, 0
     while k < len(times):
         if solver.status == "running" and (k == 0 or times[k] > solver.t):
-            try:
-                failure = solver.step()
-            except (
-                ValueError,
-                RuntimeError,
-            ) as error:  # forces that are not finite, a singular matrix
-                failure = str(error)
+            _step(solver)
             steps += 1
-            if failure:
-                raise StepFailed(f"Radau, at t = {solver.t:.3g} s: {failure}")
             if clock.thread_time() - started > PATIENCE:
                 raise TakesTooLong(
                     f"more than {PATIENCE:g} s, at t = {solver.t:.3g} s after {steps} steps"
@@ -202,6 +194,16 @@ def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
             note_output(model.programs, model.state, model.fixed, record)
             k += 1
     return Count(steps, evaluations)
+
+
+def _step(solver: Radau) -> None:
+    """One step of a solver, which fails where forces are not finite or a matrix is singular."""
+    try:
+        failure = solver.step()
+    except (ValueError, RuntimeError) as error:
+        failure = str(error)
+    if failure:
+        raise StepFailed(f"Radau, at t = {solver.t:.3g} s: {failure}")
 
 
 def neighbours(free: BoolArray) -> sp.csc_array:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -24,6 +25,9 @@ from riserstudy.cli.shared import (
 )
 from riserstudy.cli.targets import ForceOption
 from riserstudy.errors import InputError
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 TensionRatioOption = Annotated[
     float,
@@ -277,23 +281,13 @@ def viv(
     amplitude, lift supplies as much power as drag removes. The Strouhal number changes neither the lock-in
     regions nor the amplitudes.
     """
-    from riserstudy.dataset.table import Cell, Table
-
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)
     compile_as_needed()
-    from riserstudy.design.vortex_screening import ABOUT, Coefficients, screening
+    from riserstudy.design.vortex_screening import Coefficients, screening
 
     found = screening(file, Coefficients(strouhal, slowest, fastest, lift, drag, drag_gain))
-    units = [unit.replace("m s-1", "m/s").replace("1", "") for unit, _ in ABOUT.values()]
-    rows: list[list[Cell]] = [
-        [str(mode), *(float(f"{float(found[name][k]):.4g}") for name in ABOUT)]
-        for k, mode in enumerate(found["mode"].values)
-    ]
-    if rows:
-        show(Table(["mode", *ABOUT], ["", *units], rows), csv)
-    else:
-        print("no mode may lock in")
+    _show_modes(found, csv)
     shed = found["shedding_frequency"].values
     print(
         f"vortices are shed at {shed.min():.3g} to {shed.max():.3g} Hz, by a Strouhal number of "
@@ -303,6 +297,22 @@ def viv(
         from riserstudy.figures.vortex_frequencies import vortex_frequencies
 
         save_figure(vortex_frequencies(found, str(file.tree["title"])), plot)
+
+
+def _show_modes(found: xr.Dataset, csv: Path | None) -> None:
+    """Print the modes that may lock in as a table."""
+    from riserstudy.dataset.table import Cell, Table
+    from riserstudy.design.vortex_screening import ABOUT
+
+    units = [unit.replace("m s-1", "m/s").replace("1", "") for unit, _ in ABOUT.values()]
+    rows: list[list[Cell]] = [
+        [str(mode), *(float(f"{float(found[name][k]):.4g}") for name in ABOUT)]
+        for k, mode in enumerate(found["mode"].values)
+    ]
+    if rows:
+        show(Table(["mode", *ABOUT], ["", *units], rows), csv)
+    else:
+        print("no mode may lock in")
 
 
 def _sea(text: str) -> tuple[float, float]:

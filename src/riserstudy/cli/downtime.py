@@ -177,14 +177,9 @@ def downtime(
     if vary and (output or plot or period or window):
         allowed = "leave out --output, --plot, --return-period and --window; --csv is possible"
         raise InputError("downtime", "--vary", vary[0], allowed)
-    from riserstudy.seas.hours import sea_limit
-    from riserstudy.seas.record import read_record
-
-    limits = [sea_limit(one) for one in limit or []]
+    limits = _limits(limit or [])
     lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
-    sea, years = read_record(record), Ahead(ahead, persistence)
-    if sea.attrs["conversions"]:
-        print(f"converted: {sea.attrs['conversions']}")
+    sea, years = _read(record), Ahead(ahead, persistence)
     if not scene:
         return of_the_sea(sea, limits, lengths, years, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)
@@ -197,12 +192,34 @@ def downtime(
     made = simulated(scene_of(scene, settings))
     show_riser(made, lengths, years, csv, units)
     if period:
-        from riserstudy.dataset.tables import in_units
-        from riserstudy.seas.riser_returns import returned, table_of
-
-        print("responses that are exceeded once in a return period:")
-        show(in_units(table_of(returned(made.demands, period)), units), None)
+        _show_returns(made, period, units)
     _write(made, output, plot)
+
+
+def _limits(texts: list[str]) -> list[SeaLimit]:
+    """Limits of the sea, such as ``hs <= 2.5 m``."""
+    from riserstudy.seas.hours import sea_limit
+
+    return [sea_limit(text) for text in texts]
+
+
+def _read(record: Path) -> xr.Dataset:
+    """A record of seas; what was converted is printed."""
+    from riserstudy.seas.record import read_record
+
+    sea = read_record(record)
+    if sea.attrs["conversions"]:
+        print(f"converted: {sea.attrs['conversions']}")
+    return sea
+
+
+def _show_returns(made: Downtime, period: list[int], units: UnitSystem) -> None:
+    """Print the responses that are exceeded once in each of some return periods (years)."""
+    from riserstudy.dataset.tables import in_units
+    from riserstudy.seas.riser_returns import returned, table_of
+
+    print("responses that are exceeded once in a return period:")
+    show(in_units(table_of(returned(made.demands, period)), units), None)
 
 
 def _write(made: Downtime, output: Path | None, plot: Path | None) -> None:

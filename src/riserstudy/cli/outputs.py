@@ -182,21 +182,15 @@ def statistics(
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import complete, place
-    from riserstudy.scene.units import to_si
 
     of_run = opened(dataset)
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
         allowed = "with --over, extremes are those of the whole duration: leave --exposure out"
         raise InputError("--exposure", exposure, "given with --over", allowed)
-    times = {}
-    for option, text in (("--start", start), ("--exposure", exposure)):
-        try:
-            times[option] = None if text is None else to_si(text, "s")
-        except ValueError as fault:
-            raise InputError(option, str(text), str(fault), "allowed is such as 3 h") from None
-    begin = times["--start"] or 0.0
-    if exposure and not (times["--exposure"] or 0.0) > 0.0:
+    begin = _seconds("--start", start)
+    within = None if exposure is None else _seconds("--exposure", exposure)
+    if exposure and not (within or 0.0) > 0.0:
         raise InputError("--exposure", exposure, "no duration", "allowed is such as 3 h")
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
@@ -206,12 +200,22 @@ def statistics(
     else:
         index = place(of_run, place_of(at))
         run = complete(of_run.isel(index))
-        made = statistics_tables.of_a_run(run, begin, times["--exposure"])
-        _warn_of_short_record(float(run["time"][-1]) - begin, times["--exposure"])
+        made = statistics_tables.of_a_run(run, begin, within)
+        _warn_of_short_record(float(run["time"][-1]) - begin, within)
     _warn_of_ramps(of_run, index, begin)
     _warn_of_coarse_outputs(of_run, index)
     tables.write_csv(tables.in_units(made, units), output)
     wrote(output)
+
+
+def _seconds(option: str, text: str) -> float:
+    """The time (s) that an option gives."""
+    from riserstudy.scene.units import to_si
+
+    try:
+        return to_si(text, "s")
+    except ValueError as fault:
+        raise InputError(option, text, str(fault), "allowed is such as 3 h") from None
 
 
 SHORT = 10.0  # records that an exposure may last before a warning is given

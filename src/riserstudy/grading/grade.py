@@ -102,19 +102,17 @@ def graded(
     off = None if item.published is None else error(simulated, item.published)
     grounds = _grounds(task, base, every, found)
     if found.ndim:
-        about = task.about
-        if space is not every:
-            about = about.sel(sample=found["sample"])
         known = regrade(item.kind, [case for case in cases if case.met is not None])
         hit = bool((at_base > 0.0).all())
-        readings = readings_of(item.kind, found, about, called)
-        whole = (
-            share_with_interval(found)
-            if not axes_of_readings(found)
-            else base_share(found, item.base)
+        about = task.about if space is every else task.about.sel(sample=found["sample"])
+        shares = replace(
+            grounds,
+            share=base_share(found, item.base)
+            if axes_of_readings(found)
+            else share_with_interval(found),
+            readings=readings_of(item.kind, found, about, called),
         )
-        grounds = replace(grounds, share=whole, readings=readings)
-        grounds = explained(grounds, found, about, known or verdict, hit, called)
+        grounds = explained(shares, found, about, known or verdict, hit, called)
         if known != verdict:
             grounds = replace(grounds, because="missing values")
     margins = _margins(_margin(item, space), _margin(item, base))

@@ -149,7 +149,24 @@ class Response(Strict):
                 "has different periods, or only one",
                 "every heading must have the same periods, at least two",
             )
-        if len(tables) > 1 and None in self.by_heading:
+        self._check_headings()
+        if any(a.motions != b.motions for a, b in pairwise(self.operators)):
+            raise Misfit(
+                "operators",
+                "has different motions in its lines",
+                "every line must have the same motions",
+            )
+        missing = set(self.motions or []) - self.operators[0].motions
+        if missing:
+            raise Misfit(
+                "motions",
+                "names a motion without operators",
+                f"the operators have no {sorted(missing)[0]}",
+            )
+        return self
+
+    def _check_headings(self) -> None:
+        if len(self.by_heading) > 1 and None in self.by_heading:
             raise Misfit(
                 "operators",
                 "has a heading in some lines only",
@@ -173,20 +190,6 @@ class Response(Strict):
                 "is not needed",
                 "leave it out, since the wave of the scene has a heading",
             )
-        if any(a.motions != b.motions for a, b in pairwise(self.operators)):
-            raise Misfit(
-                "operators",
-                "has different motions in its lines",
-                "every line must have the same motions",
-            )
-        missing = set(self.motions or []) - self.operators[0].motions
-        if missing:
-            raise Misfit(
-                "motions",
-                "names a motion without operators",
-                f"the operators have no {sorted(missing)[0]}",
-            )
-        return self
 
     @property
     def by_heading(self) -> dict[float | None, list[Operator]]:

@@ -98,18 +98,8 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
     }
     if moving is not None and step is not None and scene.analysis.output is not None:
         keep = moving.time >= (scene.analysis.output.start or 0.0) - 1e-9
-        arrays["time"], arrays["s"] = moving.time[keep], mesh.s
-        still = np.ones((int(keep.sum()), 1))
-        histories = {
-            "x": moving.displacement[keep],
-            "z": still * elevation,
-            "effective_tension": still * tension,
-            "bending_moment": moving.moment[keep],
-        }
-        for name, history in histories.items():
-            arrays[name] = history
-            arrays[name + "_max"], arrays[name + "_min"] = history.max(axis=0), history.min(axis=0)
-        arrays["lfj_angle"] = moving.rotation[keep, 0]
+        arrays |= _over_time(moving, keep, {"z": elevation, "effective_tension": tension})
+        arrays["s"] = mesh.s
         facts |= {"step": step, "newton_iterations": moving.iterations}
         left_out = (
             _stiffening(scene, mesh, rest.displacement, moving.displacement[keep]) / tension[-1]
@@ -121,6 +111,19 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
             )
     facts["solve_seconds"] = clock.perf_counter() - started
     return Result(arrays, facts)
+
+
+def _over_time(
+    moving: Response, keep: NDArray[np.bool_], constant: dict[str, FloatArray]
+) -> dict[str, FloatArray]:
+    """Histories (time, s) of the outputs to keep, with their envelopes; some quantities are constant."""
+    still = np.ones((int(keep.sum()), 1))
+    histories = {name: still * values for name, values in constant.items()}
+    histories |= {"x": moving.displacement[keep], "bending_moment": moving.moment[keep]}
+    largest = {name + "_max": history.max(axis=0) for name, history in histories.items()}
+    smallest = {name + "_min": history.min(axis=0) for name, history in histories.items()}
+    angle = moving.rotation[keep, 0]
+    return {"time": moving.time[keep], "lfj_angle": angle, **histories, **largest, **smallest}
 
 
 def _stiffening(scene: Resolved, mesh: Mesh, rest: FloatArray, moving: FloatArray) -> float:

@@ -151,25 +151,18 @@ def dynamics(
     Newmark, N. M., A method of computation for structural dynamics, *J. Eng. Mech. Div.* 85(3),
     1959, 67-94, equations 1 and 2.
     """
-    gaps = np.diff(times)
-    if times.size < 2 or times[0] != 0.0 or not np.allclose(gaps, gaps[0]) or not gaps[0] > 0.0:
-        raise HermiteError("times must be at least two, start at zero and be equally spaced")
-    if not step > 0.0:
-        raise HermiteError(f"step {step} s must be positive")
-    methods = ("lagged", "picard", "newton")
-    if stepping.drag not in methods:
-        raise HermiteError(f"drag {stepping.drag!r} must be one of {', '.join(methods)}")
+    _check_stepping(times, step, stepping)
     mesh = _mesh(beam)
     first = np.zeros(2 * len(beam.s))
     if start != "straight":
         rest = statics(beam if start == "equilibrium" else in_still_water(beam))
         first = np.column_stack([rest.displacement, rest.rotation]).ravel()
-    each = int(np.ceil(gaps[0] / step * (1.0 - 1e-12)))
-    grid = np.arange(each * (times.size - 1) + 1) * (gaps[0] / each)
+    each = int(np.ceil(times[1] / step * (1.0 - 1e-12)))
+    grid = np.arange(each * (times.size - 1) + 1) * (times[1] / each)
     by_mass, by_stiffness = stepping.rayleigh
     damping = by_mass * mesh.mass_band + by_stiffness * mesh.stiffness_band
     sea = _sea(beam, mesh)
-    drag, most = methods.index(stepping.drag), stepping.iterations
+    drag, most = DRAG.index(stepping.drag), stepping.iterations
     steps = Steps(grid[1], each, stepping.beta, stepping.gamma, drag, stepping.tolerance, most)
     (u, v, a), taken, failed = march(mesh, sea, damping, first, _prescribed(beam, grid), steps)
     if failed >= 0:
@@ -180,6 +173,20 @@ def dynamics(
     flows = _flows(mesh, sea, times, u)
     moment, shear = _section_forces(beam, mesh, flows, (u, v, a), stepping.rayleigh, recovery)
     return Response(times, u[:, ::2], u[:, 1::2], moment, shear, taken)
+
+
+DRAG = ("lagged", "picard", "newton")  # ways to iterate it, by their number in the kernels
+
+
+def _check_stepping(times: Array, step: float, stepping: Stepping) -> None:
+    """Refuse times that are not equally spaced from zero, and what is no step or no way to iterate."""
+    gaps = np.diff(times)
+    if times.size < 2 or times[0] != 0.0 or not np.allclose(gaps, gaps[0]) or not gaps[0] > 0.0:
+        raise HermiteError("times must be at least two, start at zero and be equally spaced")
+    if not step > 0.0:
+        raise HermiteError(f"step {step} s must be positive")
+    if stepping.drag not in DRAG:
+        raise HermiteError(f"drag {stepping.drag!r} must be one of {', '.join(DRAG)}")
 
 
 def _mesh(beam: Beam) -> Mesh:

@@ -96,12 +96,11 @@ def sweep(
         Number of natural modes for each point: ``natural_period`` (s) with the dimension ``mode``, shapes
         with ``s_relative``. By default none.
     on_error : {"nan", "raise"}
-        With ``"nan"``, a point that cannot be completed contains NaN, and ``failure`` gives the reason.
-        With ``"raise"``, such a point raises a SimulationError.
+        For a point that cannot be completed: NaN and the reason in ``failure``, or a SimulationError.
     cores : int, optional
         Largest number of processes; by default the number of cores.
     progress : bool
-        Show how many points are completed: a bar on a terminal or in a notebook, otherwise lines of text.
+        Show how many points are completed: a bar on a terminal or in a notebook, otherwise text.
 
     Returns
     -------
@@ -125,10 +124,17 @@ def sweep(
         warnings.warn(text, stacklevel=2)
     with _progress(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or _cores(), done)
-    if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
-        raise SimulationError(_in_words(study, points, failures))
+    _check_failures(study, points, failures, on_error)
     title = f"{file.tree.get('title') or 'a scene'}: sweep of {', '.join(axes)}"
     return _dataset(study, points, failures).assign_attrs(title=title)
+
+
+def _check_failures(
+    study: Study, points: list[Point], failures: Mapping[str, object], on_error: str
+) -> None:
+    """Raise an error for points that cannot be completed, if it was requested or none can be."""
+    if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
+        raise SimulationError(_in_words(study, points, failures))
 
 
 def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) -> xr.Dataset:
