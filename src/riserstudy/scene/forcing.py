@@ -113,7 +113,10 @@ P = TypeVar("P", bound=Instant)
 
 
 class TimeSeries(Strict, Generic[P]):
-    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points."""
+    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
+
+    Before the first point and after the last, the motion keeps the value of this point.
+    """
 
     points: Annotated[list[P], Field(min_length=4)]
 

@@ -25,6 +25,7 @@ from riserstudy.model.sea import current_velocity, still_surface
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
+from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.wave_forces import without_inertia
 from riserstudy.scene.weight import doubts
@@ -90,6 +91,7 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         "warnings": [
             *doubts(scene),
             *without_time(scene),
+            *uncovered(scene),
             *without_inertia(scene),
             *rao.doubts(scene),
         ],

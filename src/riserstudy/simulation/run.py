@@ -17,6 +17,7 @@ from riserstudy.model.space_out import joint_of
 from riserstudy.records.seen import Seen
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.limits import ANGLES
+from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
 from riserstudy.scene.wave_forces import without_inertia
@@ -150,6 +151,7 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
         "warnings": [
             *doubts(scene),
             *without_time(scene),
+            *uncovered(scene),
             *without_inertia(scene),
             *sudden_wave(scene),
             *rao.doubts(scene),

@@ -1,0 +1,60 @@
+"""Motions by points, as they were measured or computed by others: what they do not cover of a run."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from statistics import median
+from typing import TYPE_CHECKING, Any
+
+from riserstudy.scene.forcing import TILTS, TRANSLATIONS, TimeSeries
+
+if TYPE_CHECKING:
+    from riserstudy.scene.parts import Parts
+
+WIDE = 4.0  # intervals of most points, from which a wider one is a gap
+RECORDED = 20  # points, from which a motion counts as a record with an interval
+
+
+def uncovered(scene: Parts) -> list[str]:
+    """A warning for each motion whose points begin after the run, end before it, or have a gap.
+
+    A motion that is at rest at an end, by two points of the same value, is meant to stay there.
+    """
+    duration, platform = scene.analysis.duration, scene.platform
+    if duration is None or platform is None:
+        return []
+    sentences = []
+    for name in (*TRANSLATIONS, *TILTS):
+        motion = getattr(platform, name)
+        if isinstance(motion, TimeSeries):
+            sentences += [
+                f"platform.{name}: {what}" for what in _of_points(motion.points, duration)
+            ]
+    return sentences
+
+
+def _of_points(points: list[Any], duration: float) -> list[str]:
+    times = [point.time for point in points]
+    first, last = times[0], times[-1]
+    if first >= duration or last <= 0.0:
+        return [
+            f"its points, from {first:g} s to {last:g} s, are outside of the run, from 0 s to {duration:g} "
+            "s, in which the platform does not move; shift the times of the points"
+        ]
+    sentences = []
+    if first > 0.0 and points[0].value != points[1].value:
+        sentences.append(
+            f"its points begin at {first:g} s, until when it keeps its first value; the run begins at 0 s"
+        )
+    if last < duration and points[-1].value != points[-2].value:
+        sentences.append(
+            f"its points end at {last:g} s, from when it keeps its last value; the run ends at {duration:g} s"
+        )
+    steps = [b - a for a, b in pairwise(times)]
+    usual, widest = median(steps), max(range(len(steps)), key=steps.__getitem__)
+    if len(points) >= RECORDED and steps[widest] > WIDE * usual:
+        sentences.append(
+            f"a spline bridges the gap between its points at {times[widest]:g} s and "
+            f"{times[widest + 1]:g} s, and can exceed all of them; most points are {usual:.4g} s apart"
+        )
+    return sentences

@@ -1,0 +1,69 @@
+"""Motions by points that do not cover a run: what is warned of, and what the platform does."""
+
+import json
+
+import numpy as np
+import pytest
+from random_rigs import moving, written
+
+from riserstudy import simulate
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.motion_records import uncovered
+
+PARTS = ("whole", "late", "early", "apart", "gap", "stays")
+
+
+def recorded(seed, part):
+    """A rig in plane or space whose heave and surge are records, with times and values of the heave (m)."""
+    draw = np.random.default_rng(seed)
+    tree = moving(seed, spatial=seed % 2 == 1, conductor=seed % 3 == 2)
+    duration = tree["analysis"]["duration"]
+    tree["analysis"]["mesh"] = {"elements": 8}
+    times = np.linspace(0.0, duration * (1.0 + 1e-9), 60)
+    values = draw.uniform(0.3, 1.5) * np.sin(
+        2.0 * np.pi * times / duration * draw.uniform(2.0, 4.0)
+    )
+    keep = {
+        "late": times > draw.uniform(0.2, 0.5) * duration,
+        "early": times < draw.uniform(0.5, 0.8) * duration,
+        "gap": abs(times / duration - 0.5) > draw.uniform(0.07, 0.2),
+    }.get(part, times > -1.0)
+    if part == "stays":
+        times, values = times[:30], np.r_[values[:29], values[28]]
+        keep = keep[:30]
+    times, values = times[keep] + (2.0 * duration if part == "apart" else 0.0), values[keep]
+    points = [
+        {"time": f"{t!r} s", "value": f"{v!r} m"}
+        for t, v in zip(times.tolist(), values.tolist(), strict=True)
+    ]
+    tree["platform"] |= {"heave": {"points": points}}
+    return SceneFile("scene.yaml", written(tree)), times, values
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("part", PARTS)
+def test_what_a_record_does_not_cover_is_warned_of(seed, part):
+    file, *_ = recorded(seed, part)
+    said = uncovered(file.resolved())
+    words = {"late": "begin at", "early": "end at", "apart": "outside", "gap": "bridges the gap"}
+    assert len(said) == (part in words)
+    assert all(one.startswith("platform.heave: ") and words[part] in one for one in said)
+    still = file.with_values({"analysis": {"mesh": {"elements": 8}}}, "test")
+    assert uncovered(still.resolved()) == []
+
+
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("part", ["late", "early", "apart"])
+def test_the_platform_keeps_the_value_of_the_point_at_the_end(seed, part):
+    file, times, values = recorded(seed, part)
+    platform = {"surge": None, "sway": None, "pitch": None, "roll": None}
+    one = simulate(file.with_values({f"platform.{k}": v for k, v in platform.items()}, "test"))
+    top = one["z"].isel(s=-1)
+    time, moved = one["time"].values, top.values - top.values[0] + values[0]
+    before, after = time <= times[0], time >= times[-1]
+    if part != "early":
+        np.testing.assert_allclose(moved[before], values[0], atol=1e-6)
+    else:
+        shift = np.interp(0.0, times, values) - values[0]
+        np.testing.assert_allclose(moved[after] + shift, values[-1], atol=1e-6)
+    assert any("platform.heave" in text for text in json.loads(one.attrs["warnings"]))
