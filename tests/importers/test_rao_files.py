@@ -10,6 +10,7 @@ import xarray as xr
 
 from riserstudy.cli import main
 from riserstudy.errors import InputError
+from riserstudy.importers.rao_files import from_capytaine
 from riserstudy.model.rao import harmonics
 from riserstudy.scene.load import SceneFile
 
@@ -180,8 +181,6 @@ def test_rotations_of_wamit_need_its_length(tmp_path, capsys):
 
 
 def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
-    from riserstudy.importers.rao_files import from_capytaine
-
     xr.Dataset({"added_mass": 1.0}).to_netcdf(tmp_path / "bare.nc")
     with pytest.raises(InputError, match=r"post_pro\.rao"):
         from_capytaine(tmp_path / "bare.nc")
@@ -221,3 +220,35 @@ def test_a_heading_that_is_another_one_a_turn_later_is_left_out_or_refused(
             with pytest.raises(SystemExit):
                 imported(source, *words)
             assert "the same heading" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("by", ["omega", "period"])
+@pytest.mark.parametrize("word", ["degree", "deg"])
+def test_units_that_a_dataset_states_are_those_of_its_axes(tmp_path, by, word):
+    rows = np.array(from_capytaine(capytaine(tmp_path / "semi.nc", by)).rows)
+    dataset = xr.load_dataset(tmp_path / "semi.nc")
+    turned = dataset.assign_coords(wave_direction=np.degrees(dataset["wave_direction"]))
+    turned["wave_direction"].attrs["units"] = word
+    if by == "omega":
+        turned = turned.assign_coords(omega=dataset["omega"] / (2.0 * np.pi))
+    turned[by].attrs["units"] = {"omega": "Hz", "period": "s"}[by]
+    turned.to_netcdf(tmp_path / "turned.nc")
+    np.testing.assert_allclose(from_capytaine(tmp_path / "turned.nc").rows, rows, rtol=1e-9)
+    turned[by].attrs["units"] = "min"
+    turned.to_netcdf(tmp_path / "minutes.nc")
+    with pytest.raises(InputError, match=f"{by}: unit 'min'"):
+        from_capytaine(tmp_path / "minutes.nc")
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_dataset_with_missing_values_is_refused(tmp_path, seed):
+    draw = np.random.default_rng(seed)
+    dataset = xr.load_dataset(capytaine(tmp_path / "semi.nc"))
+    place = tuple(int(draw.integers(n)) for n in dataset["RAO"].shape)
+    dataset["RAO"].values[(*place[:-1], 6)] = np.nan  # of no motion of a platform
+    dataset.to_netcdf(tmp_path / "bulge.nc")
+    assert np.isfinite(from_capytaine(tmp_path / "bulge.nc").rows).all()
+    dataset["RAO"].values[(*place[:-1], min(place[-1], 5))] = np.nan
+    dataset.to_netcdf(tmp_path / "gap.nc")
+    with pytest.raises(InputError, match="RAO: no value at"):
+        from_capytaine(tmp_path / "gap.nc")

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.csv_files import write_csv
 from riserstudy.errors import InputError
@@ -27,6 +28,7 @@ from riserstudy.scene.rao import MOTIONS
 if TYPE_CHECKING:
     import xarray as xr
 
+FloatArray = NDArray[np.float64]
 ROUNDED = (
     2e-3  # share by which modulus and phase may differ from real and imaginary part, as printed
 )
@@ -36,6 +38,17 @@ FREQUENCIES = {
     "omega": ("frequency", "rad/s"),
     "freq": ("frequency", "Hz"),
     "period": ("period", "s"),
+}
+
+
+#: units that attributes may state, and what one of them is in that of the table
+KNOWN: dict[str, dict[str, float]] = {
+    "rad/s": dict.fromkeys(("", "rad/s", "rads/s", "rad s-1", "rad.s-1", "rad s^-1"), 1.0)
+    | dict.fromkeys(("hz", "1/s"), 2.0 * math.pi),
+    "Hz": dict.fromkeys(("", "hz", "1/s", "s-1", "s^-1"), 1.0),
+    "s": dict.fromkeys(("", "s", "sec", "second", "seconds"), 1.0),
+    "deg": dict.fromkeys(("", "rad", "rads"), math.degrees(1.0))
+    | dict.fromkeys(("deg", "degree", "degrees"), 1.0),
 }
 
 
@@ -171,7 +184,8 @@ def from_capytaine(path: Path) -> Operators:
             "select one value of it",
         )
     rao = rao.transpose("wave_direction", by, "radiating_dof")
-    waves = rao[by].values
+    waves = _in_unit(path, rao[by], FREQUENCIES[by][1])
+    headings = _in_unit(path, rao["wave_direction"], "deg") if directed else np.zeros(1)
     good = np.isfinite(waves) & (waves > 0.0)
     left_out = [f"{by} {wave:g}: no wave" for wave in waves[~good]]
     left_out += [
@@ -180,14 +194,33 @@ def from_capytaine(path: Path) -> Operators:
     left_out += [f"variable {name}" for name in dataset.data_vars if name != "RAO"]
     taken = [k for k, motion in enumerate(dofs.values()) if motion]
     table: list[list[float]] = []
-    for heading, plane in zip(np.degrees(rao["wave_direction"].values), rao.values, strict=True):
+    for heading, plane in zip(headings, rao.values, strict=True):
         for wave, values in zip(waves[good], plane[good], strict=True):
+            if not np.isfinite(values[taken]).all():
+                found, allowed = f"no value at {heading:g} deg and {by} {wave:g}", "leave it out"
+                raise InputError(path, "RAO", found, allowed)
             cells = [x for v in values[taken] for x in (abs(v), math.degrees(cmath.phase(v)))]
             table.append([float(wave)] + [float(heading)] * directed + [*map(float, cells)])
     name, unit = FREQUENCIES[by]
     heads = [f"{name} ({unit})"] + [HEADING] * directed
     columns = [*heads, *_columns([m for m in dofs.values() if m])]
     return _once_a_turn(path, Operators(columns, table, "lag", left_out))
+
+
+def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
+    """Values of an axis, in the unit that its attribute states; none means that of Capytaine.
+
+    Raises
+    ------
+    InputError
+        When it is another unit.
+    """
+    written = str(axis.attrs.get("units", "")).strip().lower().replace("radian", "rad")
+    known = KNOWN[unit]
+    if written not in known:
+        allowed = f"allowed are {', '.join(word for word in known if word)}"
+        raise InputError(path, str(axis.name), f"unit {written!r}", allowed)
+    return np.asarray(axis.values * known[written], float)
 
 
 def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
