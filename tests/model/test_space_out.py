@@ -150,12 +150,15 @@ def test_mid_stroke_is_that_of_a_plumb_riser_wherever_the_platform_is(seed):
     place = of["arrangement"] if seed % 2 else of.pop("arrangement")
     lean = place["deck_radius"] - place["ring_radius"]
     constant = copy.deepcopy(tree)
-    constant["top"]["tension"] = of["count"] * pull
     del constant["top"]["tensioners"], constant["current"], constant["platform"]["position"]
-    plumb = simulate(SceneFile("rig.yaml", written(constant)), progress=False)
     length = sum(section["length"] for section in tree["riser"])
-    ring = float(np.interp(length, plumb["s"], plumb["z"]))
-    low = tree["bottom"]["elevation"] + length
+    low = ring = tree["bottom"]["elevation"] + length
+    for _ in range(4):  # the pull is the more upright, the lower the ring
+        up = place["deck_elevation"] - ring
+        share = up / math.hypot(lean, up) if "arrangement" in of else 1.0
+        constant["top"]["tension"] = of["count"] * pull * share
+        plumb = simulate(SceneFile("rig.yaml", written(constant)), progress=False)
+        ring = float(np.interp(length, plumb["s"], plumb["z"]))
     lengths = [math.hypot(lean, place["deck_elevation"] - high) for high in (low, ring)]
     shift = lengths[1] - lengths[0] if "arrangement" in of else low - ring
     stiffness = 0.03 * pull
@@ -174,3 +177,18 @@ def test_mid_stroke_is_that_of_a_plumb_riser_wherever_the_platform_is(seed):
         np.testing.assert_allclose(other[name], one[name], atol=1e-6 * size)
     strokes = other["tensioner_stroke_static"] - one["tensioner_stroke_static"]
     np.testing.assert_allclose(strokes, shift, atol=1e-5)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_plumb_riser_in_still_water_has_its_cylinders_at_mid_stroke(seed):
+    """Inclined ones, too, whose pulls are not vertical."""
+    tree = rig(seed, spatial=seed % 2 == 0, conductor=False)
+    tree["top"]["tensioners"]["mid_stroke"] = "riser in equilibrium"
+    if seed % 3 == 0:
+        del tree["top"]["tensioners"]["arrangement"]
+    del tree["current"], tree["platform"]["position"]
+    tree["analysis"] = {"mesh": {"elements": 20}}
+    found = simulate(SceneFile("rig.yaml", written(tree)), progress=False)
+    np.testing.assert_allclose(found["tensioner_stroke_static"], 0.0, atol=1e-6)
+    pull = at_mid_stroke(tree["top"]["tensioners"])
+    np.testing.assert_allclose(found["tensioner_force_static"], pull, rtol=1e-6)

@@ -44,15 +44,28 @@ def ring_at_mid_stroke(scene: Resolved) -> float:
     It is that of the rig, wherever its platform is and whatever flows: cylinders that start off the well,
     or are brought there, have the same stroke.
     """
-    rig = scene.top.tensioners
-    each = tension_at_mid_stroke(rig, scene.gravity or 0.0) if rig else 0.0
-    pull = _constant(scene) + (rig.count * each if rig else 0.0)
-    return _unstretched(scene) + _stretched_by(scene, pull)
+    rig, ring, constant = scene.top.tensioners, _unstretched(scene), _constant(scene)
+    all_of_them = rig.count * tension_at_mid_stroke(rig, scene.gravity or 0.0) if rig else 0.0
+    place = rig.arrangement if rig else None
+    if place is None:
+        return ring + _stretched_by(scene, constant + all_of_them)
+    aside = place.deck_radius - place.ring_radius
+
+    def inclined(e: float) -> float:
+        up = place.deck_elevation - ring - e
+        return constant + all_of_them * up / math.hypot(aside, up)
+
+    return ring + _longer(scene, inclined)
 
 
 def stretch(scene: Resolved) -> float:
     """By how much a riser is longer, plumb and in equilibrium under what pulls its ring (m)."""
-    pull, most = _pull(scene), FURTHEST * sum(section.total_length for section in scene.riser)
+    return _longer(scene, _pull(scene))
+
+
+def _longer(scene: Resolved, pull: Callable[[float], float]) -> float:
+    """By how much a plumb riser is longer (m) under a vertical pull at its ring (N), by how much it is."""
+    most = FURTHEST * sum(section.total_length for section in scene.riser)
     low, high = -most, most
     place = scene.top.tensioners and scene.top.tensioners.arrangement
     if place:  # above the deck ends cylinders would pull downwards
