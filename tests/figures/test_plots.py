@@ -273,3 +273,13 @@ def test_the_table_of_a_map_has_the_words_of_its_axes(seed, plot):
     of = ["bending_moment"] if plot == "heat map" else None
     places = {(x, y) for _, x, y in cells_of(drawn(plot, dataset, of))}
     assert places == {(f"{x:g}", word) for x in numbers for word in words}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_table_of_lines_over_words_has_the_words(seed):
+    draw = np.random.default_rng(seed)
+    words = [f"case {k}" for k in draw.permutation(5)[: draw.integers(2, 5)]]
+    dataset = xr.concat([grid("reading").isel(reading=0)] * len(words), "reading")
+    figure = drawn("lines", dataset.assign_coords(reading=words), ["stroke"])
+    rows = list(csv.DictReader(io.StringIO(table(figure))))
+    assert [row["x_value"] for row in rows] == [*words, *words]  # largest and smallest

@@ -72,7 +72,7 @@ def _words(axis: Axis) -> dict[float, str]:
     written = axis.get_major_formatter()
     words = [_plain(written(place, k)) for k, place in enumerate(places)]
     numbers = [_cell(place) for place in places]
-    if written(places[0] + 0.25, 0) or words == numbers or not all(words):  # writes any number
+    if written(places[-1] + 10.25, 0) or words == numbers or not all(words):  # writes any number
         return {}
     return dict(zip(places, words, strict=True))
 
