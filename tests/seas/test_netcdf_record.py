@@ -346,3 +346,26 @@ def test_flags_of_quality_are_named_as_left_out(tmp_path):
         tmp_path / "r.nc"
     )
     assert "left out: quality flags swh_qc" in str(read_record(tmp_path / "r.nc", None).attrs)
+
+
+@pytest.mark.parametrize("hours", [0, 3, 12])
+@pytest.mark.parametrize("along", ["time", "step"])
+def test_times_are_those_that_values_are_valid_at(tmp_path, hours, along):
+    """As cfgrib writes forecasts: of several starts at one step, or of one start."""
+    step = np.timedelta64(hours, "h")
+    start = TIME - step if along == "time" else TIME[0] - step
+    steps = step if along == "time" else TIME - start
+    coordinates = {
+        "time": (
+            along if along == "time" else (),
+            start,
+            {"standard_name": "forecast_reference_time"},
+        ),
+        "step": ((), steps) if along == "time" else ("step", steps),
+        "valid_time": (along, TIME, {"standard_name": "time"}),
+    }
+    data = xr.Dataset(over(along, swh=(HEIGHT, "m"), pp1d=(PEAK, "s")), coordinates)
+    data.to_netcdf(tmp_path / "r.nc")
+    record = read_record(tmp_path / "r.nc", None)
+    np.testing.assert_array_equal(record["time"].values, TIME)
+    np.testing.assert_allclose(record["significant_wave_height"], HEIGHT)

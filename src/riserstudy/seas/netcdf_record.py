@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 CLOCKS = ("time", "valid_time")
+STARTS = "forecast_reference_time"
 #: names of sources that are no names of headers of tables
 SOURCES = {
     "mp2": "zero_crossing_period",  # ERA5
@@ -85,8 +86,8 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     if spectral := _spectra(data):
         data, note = _of_spectra(path, data, spectral)
         notes.append(note)
-    clock = next((n for n in CLOCKS if n in data.variables), None)
-    if clock is None or not np.issubdtype(data[clock].dtype, np.datetime64):
+    clock = _clock(data)
+    if clock is None:
         raise InputError(
             path, "time", "the file has no times", "give it a coordinate 'time' as in CF"
         )
@@ -104,9 +105,17 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     )
 
 
+def _clock(data: xr.Dataset) -> str | None:
+    """The times at which values are valid, rather than those at which their forecasts start."""
+    there = [n for n in CLOCKS if n in data.variables and data[n].ndim == 1]
+    there = [n for n in there if np.issubdtype(data[n].dtype, np.datetime64)]
+    starts = [n for n in there if data[n].attrs.get("standard_name") == STARTS]
+    return next((n for n in there if n not in starts), next(iter(there), None))
+
+
 def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column, FloatArray, str]]:
     """Quantities that variables over time alone hold, those by CF's own names first."""
-    over = {str(n): v for n, v in data.data_vars.items() if v.dims == (clock,)}
+    over = {str(n): v for n, v in data.data_vars.items() if v.dims == data[clock].dims}
     for by_standard in (True, False):
         for name, values in over.items():
             standard = str(values.attrs.get("standard_name", ""))
