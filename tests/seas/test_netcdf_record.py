@@ -369,3 +369,26 @@ def test_times_are_those_that_values_are_valid_at(tmp_path, hours, along):
     record = read_record(tmp_path / "r.nc", None)
     np.testing.assert_array_equal(record["time"].values, TIME)
     np.testing.assert_allclose(record["significant_wave_height"], HEIGHT)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_variables_that_are_not_used_are_named(tmp_path, seed):
+    draw = np.random.default_rng(seed)
+    others = {
+        "tm01": over("time", tm01=(PEAK, "s")),
+        "u10": over("time", u10=(EAST, "m/s")),  # without v10
+        "hs_sea": over(
+            "time",
+            hs_sea=(HEIGHT, "m", {"standard_name": "sea_surface_wind_wave_significant_height"}),
+        ),
+        "tp (over number)": over(("time", "number"), tp=(np.c_[PEAK, PEAK], "s")),
+    }
+    chosen = [name for name in others if draw.random() < 0.6]
+    variables = over("time", swh=(HEIGHT, "m"), pp1d=(PEAK, "s"))
+    for name in chosen:
+        variables |= others[name]
+    xr.Dataset(variables, {"time": TIME}).to_netcdf(tmp_path / "r.nc")
+    record = read_record(tmp_path / "r.nc", None)
+    said = str(record.attrs.get("conversions", "")).partition("left out: ")[2]
+    assert said == ", ".join(chosen)
+    assert {*record.data_vars} == {"significant_wave_height", "peak_period"}

@@ -100,9 +100,26 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
             continue
         columns[one.name] = values
         notes += [note] if note else []
-    return pd.DataFrame(columns, pd.DatetimeIndex(data[clock].values, name="time")), "; ".join(
-        notes
-    )
+    if unused := _unused(path, data.drop_vars(flags, errors="ignore"), clock):
+        notes.append(f"left out: {', '.join(unused)}")
+    times = pd.DatetimeIndex(data[clock].values, name="time")
+    return pd.DataFrame(columns, times), "; ".join(notes)
+
+
+def _unused(path: Path, data: xr.Dataset, clock: str) -> list[str]:
+    """Variables over time that are no quantity of a record, or are over something else, too."""
+    parts = [pair for pairs in PARTS.values() for pair in pairs if {*pair} <= {*data.data_vars}]
+    names = []
+    for name, values in data.data_vars.items():
+        standard = str(values.attrs.get("standard_name", ""))
+        if data[clock].dims[0] not in values.dims or any(name in pair for pair in parts):
+            continue
+        others = [str(dim) for dim in values.dims if dim not in data[clock].dims]
+        if others:
+            names.append(f"{name} (over {', '.join(others)})")
+        elif not _by_standard(standard) and not _by_name(path, str(name), standard):
+            names.append(str(name))
+    return names
 
 
 def _clock(data: xr.Dataset) -> str | None:
