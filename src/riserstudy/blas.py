@@ -2,12 +2,12 @@
 
 import os
 
-#: variables that the libraries read when NumPy is imported
+#: variables that the libraries read when they are loaded: NumPy and SciPy have one each
 THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "BLIS_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 def use_one_thread() -> None:
-    """Let processes that have not imported NumPy yet use one thread each, unless the user chose otherwise.
+    """Let libraries that this process loads from now on use one thread, unless the user chose otherwise.
 
     Threads of processes that share cores wait for each other in loops that take a core: with two processes on
     two cores, an eigenvalue problem of 400 unknowns takes up to a hundred times as long as with one thread.

@@ -17,6 +17,7 @@ from multiprocessing import get_context, parent_process
 from threading import Thread
 from typing import Any, TypeVar
 
+from riserstudy.blas import use_one_thread
 from riserstudy.errors import SimulationError
 
 T = TypeVar("T")
@@ -63,6 +64,7 @@ def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator
 def _begin(task: Callable[[Any], Any], items: Sequence[Any]) -> None:
     global _work
     _work = task, items
+    use_one_thread()
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the one that started this
     Thread(target=_end_with_parent, daemon=True).start()
 
