@@ -12,6 +12,7 @@ from short_study import CURRENT, SCENE
 
 from riserstudy.dataset.place import complete
 from riserstudy.dataset.statistics_tables import of_a_run
+from riserstudy.errors import InputError
 from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.models import StudyFile
@@ -129,6 +130,8 @@ def test_statistics_of_a_point_are_those_of_its_run(seed, tmp_path, monkeypatch)
     dataset = several(seed, tmp_path, monkeypatch)
     for k, what in enumerate(dataset["what"].values):
         if what == "rest":
+            with pytest.raises(InputError, match="a static run"):
+                of_a_run(complete(dataset.isel(what=k)), 0.0, None)
             continue
         run = rerun(dataset, {"what": str(what)}).run
         rows = of_a_run(complete(dataset.isel(what=k)), 0.0, None).rows

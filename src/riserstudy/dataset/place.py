@@ -46,10 +46,12 @@ def own_values(run: xr.Dataset) -> xr.Dataset:
     """One point of a study, or points along an axis, without what only other points of the study have.
 
     Those that last longer have later times, those of longer risers more nodes. All that this point has of
-    these is not a number.
+    these is not a number. At rest a point has one value at all times of others.
     """
     if "point_key" not in run:
         return run
+    if "time" in run.dims and "step" in run and run["step"].isnull().all():
+        run = run.isel(time=0, drop=True)
     for dim in (dim for dim in OF_RUNS if dim in run.dims):
         has = [
             values.notnull().any([d for d in values.dims if d != dim]).values
