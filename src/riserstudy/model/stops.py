@@ -9,6 +9,7 @@ from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.tensioners import Tensioners
 
 FloatArray = NDArray[np.float64]
+MEET, PART = 0.5, 2.0  # of its length, between which two barrels can be
 
 
 def stops_touched(
@@ -58,6 +59,30 @@ def joint_stops_touched(
             all_steps,
         )
     ]
+
+
+def beyond_its_barrels(joint: TelescopicJoint, length: FloatArray) -> list[str]:
+    """Warnings when a joint without a stop is shorter or longer than two barrels can be.
+
+    At its length they overlap. Compressed, it is as long as the longer barrel, which is more than half of its
+    length; drawn out, it is as long as both together, which is less than twice its length.
+
+    Parameters
+    ----------
+    length : of the joint, any shape (m).
+    """
+    stop, sentences = joint.stop, []
+    shortest, longest = float(length.min()), float(length.max())
+    about = f"of its length of {joint.length:.3g} m: two barrels cannot do this. Give "
+    if shortest < MEET * joint.length and not (stop and stop.collapse):
+        sentences.append(
+            f"top.telescopic_joint: is compressed to {shortest:.3g} m {about}stop.collapse and stiffness"
+        )
+    if longest > PART * joint.length and not (stop and stop.stroke):
+        sentences.append(
+            f"top.telescopic_joint: is extended to {longest:.3g} m {about}stop.stroke and stiffness"
+        )
+    return sentences
 
 
 def _forces_in_words(

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from riserstudy.effects.registry import ROLES
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.model.stops import MEET
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.program import assemble
 from riserstudy.solve.sums import EVALUATIONS, Sums
@@ -38,9 +41,25 @@ def why(model: Model, mesh: Mesh, sums: Sums) -> str:
     how = "Newton's iteration did not converge even after halving the step"
     if sums.count[EVALUATIONS]:
         how = "velocities grow without bound"
+    last = f"was {size:.3g} m" if math.isfinite(size) else "was undefined"
+    short = collapsed(model, mesh)  # before the forces of one effect alone
     return (
         f"the run stopped at t = {time:.6g} s at node {int(node)} (s = {mesh.s[int(node)]:.4g} m): {how}; "
-        f"the last correction was {size:.3g} m, the largest force at this node comes from "
-        f"{suspect(model, int(node))}. Use a smaller time step, give sudden motions a ramp, or check "
+        f"the last correction {last}, the largest force at this node comes from "
+        f"{suspect(model, int(node))}. {short}Use a smaller time step, give sudden motions a ramp, or check "
         "stroke and tension"
+    )
+
+
+def collapsed(model: Model, mesh: Mesh) -> str:
+    """A sentence on a telescopic joint that is far shorter than it is meant to be; empty otherwise."""
+    if not mesh.joint:
+        return ""
+    shape_of(model.programs, model.state)  # of the last step that was made
+    length, drawn = float(mesh.l0[-1]), float(model.s.length[-1])
+    if drawn > MEET * length:
+        return ""
+    return (
+        f"The telescopic joint is compressed from {length:.3g} m to {drawn:.3g} m: give "
+        "top.telescopic_joint.stop with a collapse. "
     )

@@ -15,7 +15,7 @@ from riserstudy.model.layout import AXES, corners, layout_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
-from riserstudy.model.stops import joint_stops_touched, stops_touched
+from riserstudy.model.stops import beyond_its_barrels, joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
@@ -305,11 +305,12 @@ def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list
     """What there is to tell of the stops of a telescopic joint that touch, as `of_tensioners` does."""
     rest = joint.length + arrays["joint_stroke_static"]
     sentences = joint_stops_touched(joint, rest.reshape(1))
-    over_time = every_step or arrays
+    over_time, lengths = every_step or arrays, rest.reshape(1)
     if "joint_stroke" in over_time:
         length = joint.length + over_time["joint_stroke"][:, None]
         sentences += joint_stops_touched(joint, length, over_time["time"], bool(every_step))
-    return sentences
+        lengths = np.append(lengths, length)
+    return sentences + beyond_its_barrels(joint, lengths)
 
 
 def _end_direction(
