@@ -12,6 +12,7 @@ from riserstudy import load_scene, simulate
 from riserstudy.design.envelope import envelope as envelope_of
 from riserstudy.design.envelope import with_current
 from riserstudy.design.sea_allowances import allowances
+from riserstudy.errors import InputError
 from riserstudy.model.sea import surface_current
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.in_sea import Sea, in_sea
@@ -193,3 +194,26 @@ def test_a_row_names_the_limits_that_it_leaves_out(seed):
         assert (f"not evaluated: {left_out}" in note) == (mode != "connected")
         if mode == "disconnect":
             assert ends == [None, None, "", ""]
+
+
+@pytest.mark.parametrize("what", ["platform.cruise", "disconnect"])
+@pytest.mark.parametrize("seed", range(3))
+def test_a_riser_that_does_not_stay_has_no_allowance_for_a_sea(seed, what):
+    """Else a tow or a release would count as what the sea adds."""
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    limits = [{"output": "joint_stroke", "largest": "3 m", "mode": "drilling"}]
+    sea = {"significant_height": "2 m", "peak_period": "10 s", "peak_enhancement": 2.0}
+    sea |= {"components": 10, "seed": 1, "above_mean_level": "none"}
+    analysis = {
+        "duration": 30.0,
+        "step": 0.5,
+        "mesh": {"elements": 20},
+        "output": {"interval": 1.0},
+    }
+    tree |= {"limits": limits, "wave": sea, "analysis": analysis}
+    if what == "disconnect":
+        tree["disconnect"] = {"at": "20 s", "over": "0.2 s"}
+    else:
+        tree["platform"]["cruise"] = {"speed": 0.2}
+    with pytest.raises(InputError, match=f"{what}: .*during the runs in a sea"):
+        allowances(SceneFile("rig.yaml", written(tree)), Sea(2.0, 10.0), 5)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of
+from riserstudy.errors import InputError
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
@@ -35,11 +36,12 @@ def allowances(
     Raises
     ------
     InputError
-        When the scene has no irregular sea.
+        When the scene has no irregular sea, or its riser does not stay at its offset.
     SimulationError
         When a run cannot be completed.
     """
     scene = file.resolved()
+    _refuse_departures(file.source, scene)
     limits = scene.limits or []
     rest = _extremes(_still(scene))
     added = np.zeros((seeds, len(limits)))
@@ -48,6 +50,22 @@ def allowances(
         rows = _extremes(in_sea(file, sea, seed + 1).resolved())
         added[seed] = [_added(scene, limit, rest, rows) for limit in limits]
     return [allowance(column) for column in added.T]
+
+
+def _refuse_departures(source: str, scene: Resolved) -> None:
+    """What a sea adds is not told from what a tow or a release does in the same run.
+
+    Raises
+    ------
+    InputError
+        When the scene has one of these.
+    """
+    if scene.platform and scene.platform.cruise:
+        found = "moves the platform away during the runs in a sea"
+        raise InputError(source, "platform.cruise", found, "Remove it")
+    if scene.disconnect:
+        found = "releases the riser during the runs in a sea"
+        raise InputError(source, "disconnect", found, "Remove it")
 
 
 def allowance(added: FloatArray) -> float:
