@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import Field, field_validator
+from pydantic import Field
 
 from chapters.numerics.reference.folder import references
 from chapters.numerics.scenes import bases, case_file, in_tier
-from riserstudy.effects.catalogue import changes
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.base import Positive
 from riserstudy.scene.load import SceneFile
@@ -123,14 +121,6 @@ class EffectsStudy(EngineStudy):
     budget: dict[Tiers, Positive]
     left_out: dict[Tiers, list[str]] = Field(default_factory=dict)
     scenes: dict[str, Family] = Field(default_factory=dict)
-
-    @field_validator("left_out")
-    @classmethod
-    def _are_changes(cls, left_out: dict[Tiers, list[str]]) -> dict[Tiers, list[str]]:
-        labels = {change.label for change in changes()}
-        if unknown := sorted(set(chain(*left_out.values())) - labels):
-            raise ValueError(f"no such change: {', '.join(unknown)}; allowed are {sorted(labels)}")
-        return left_out
 
     def scene_files(self, setting: Setting) -> Iterator[tuple[str, SceneFile]]:
         """The study's own scenes, which compile what no other does, and every kind that studies vary."""

@@ -15,7 +15,7 @@ from riserstudy.advice.ablation import Ablation, ablate
 from riserstudy.advice.effect_cost import Cost, Freedom, costs, freedom
 from riserstudy.dataset.describe import label_variables
 from riserstudy.effects.catalogue import changes
-from riserstudy.errors import RiserStudyError
+from riserstudy.errors import InputError, RiserStudyError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.solve.kernel_cache import kernel_cache
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+WHERE = "config/studies/numerics.yaml"
 QUANTITIES = ("displacement", "moment", "tension")
 
 
@@ -42,9 +43,15 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
 
     As many scenes at once as there are threads: what is compared, the changes of one scene, runs in turn in
     one process, and no other job.
+
+    Raises
+    ------
+    InputError
+        When a change that a tier leaves out does not exist.
     """
     import xarray as xr
 
+    _check(study)
     scenes = dict(study.scene_files(setting))
     of_tier = (study.repeats[setting.tier], study.budget[setting.tier])
     one = partial(_tried, *of_tier, study.left_out.get(setting.tier, []))
@@ -67,6 +74,15 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     label_variables(dataset, ABOUT)
     dataset.attrs = {"refused": json.dumps(refused)} | compiling(setting.compiled)
     return dataset
+
+
+def _check(study: EffectsStudy) -> None:
+    labels = _labels()
+    for tier, names in study.left_out.items():
+        for name in names:
+            if name not in labels:
+                where = f"measured.effects.left_out.{tier}"
+                raise InputError(WHERE, where, name, f"allowed are {', '.join(labels)}")
 
 
 def _tried(repeats: int, budget: float, left_out: list[str], file: SceneFile) -> Tried | str:
