@@ -17,7 +17,7 @@ from riserstudy.scene.resolve import resolve
 from riserstudy.scene.riser import Section
 from riserstudy.schematic import not_shown as module
 from riserstudy.schematic import schematic
-from riserstudy.schematic.not_shown import NO_PART, SHOWN, parts_left_out
+from riserstudy.schematic.not_shown import DRAWN_PARTS, NO_PART, parts_left_out
 from riserstudy.schematic.words import WORDS, in_words
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -79,7 +79,7 @@ def test_what_is_below_a_section_is_drawn_and_refused_where_the_end_is_held(part
 
 def test_a_new_part_of_sections_is_drawn_or_nothing_that_could_be():
     """Two are named below drawings instead."""
-    undrawn = {f"riser.{name}" for name in Section.model_fields} - SHOWN - NO_PART
+    undrawn = {f"riser.{name}" for name in Section.model_fields} - DRAWN_PARTS - NO_PART
     assert undrawn == {"riser.modules", "riser.lines"}
 
 
@@ -87,7 +87,7 @@ def test_a_new_part_of_sections_is_drawn_or_nothing_that_could_be():
 def test_a_part_that_the_schematic_knows_nothing_of_is_named(path, monkeypatch):
     upper = section("upper", 480.0, guide_below={"stiffness": "7 kN/m"})
     scene = resolve(Scene.model_validate(GUIDED | {"riser": [section("lower", 500.0), upper]}))
-    monkeypatch.setattr(module, "SHOWN", SHOWN - {path})
+    monkeypatch.setattr(module, "DRAWN_PARTS", DRAWN_PARTS - {path})
     assert parts_left_out(scene) == [path]
     assert f"Not shown: {in_words(path)}." in words(schematic(scene))
 
@@ -110,15 +110,15 @@ def every_part():
 
 
 def test_what_is_said_to_be_shown_or_nothing_to_show_is_a_part_of_scenes():
-    assert every_part() >= SHOWN | NO_PART
-    assert not SHOWN & NO_PART
+    assert every_part() >= DRAWN_PARTS | NO_PART
+    assert not DRAWN_PARTS & NO_PART
 
 
 def test_every_part_that_is_not_drawn_has_words():
-    sections = {path.partition(".")[0] for path in SHOWN}
+    sections = {path.partition(".")[0] for path in DRAWN_PARTS}
     whole = {name for name in Scene.model_fields if name not in sections}
     inner = {path for path in every_part() if path.partition(".")[0] in sections and "." in path}
-    assert (whole | inner) - SHOWN - NO_PART <= set(WORDS)
+    assert (whole | inner) - DRAWN_PARTS - NO_PART <= set(WORDS)
 
 
 @pytest.mark.parametrize("path", SCENES, ids=lambda path: path.stem)
@@ -168,7 +168,7 @@ def test_what_is_said_to_be_shown_changes_the_drawing():
     tried, changed = set(), set()
     for path in SCENES:
         tree = load_scene(path).tree
-        for shown in sorted(SHOWN - changed):
+        for shown in sorted(DRAWN_PARTS - changed):
             name, _, inner = shown.partition(".")
             parts = (
                 [f"riser[{k}]" for k in range(len(tree["riser"]))] if name == "riser" else [name]

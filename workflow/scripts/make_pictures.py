@@ -26,7 +26,7 @@ ROOT = Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs/images"
 THUMBNAIL = 520  # pixels wide: twice as wide as shown, for fine screens
 PAGES = {"numerics/random_scenes": 1126}  # figures that pages show, and how wide (pixels)
-SHOWN = ("ref_0", (10, 20, 30, 40, 50, 60))  # a run of Liu et al. (2017), and times (s)
+SNAPSHOTS = ("ref_0", (10, 20, 30, 40, 50, 60))  # a run of Liu et al. (2017), and times (s)
 
 
 def main() -> None:
@@ -89,7 +89,7 @@ def gallery() -> list[str]:
 
 def overview() -> Figure:
     """A riser as its scene has it, and what a drive-off makes of it."""
-    run, times = SHOWN
+    run, times = SNAPSHOTS
     figure = schematic(load_scene(ROOT / f"config/scenes/liu2017/{run}.yaml").resolved())
     whole, *ends = figure.axes
     for part in (*ends, *figure.texts, *figure.legends):

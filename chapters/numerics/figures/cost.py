@@ -284,9 +284,9 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
         axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
         axis.set_minor_formatter(NullFormatter())
     ax.grid(True, color="0.92", linewidth=0.6)
-    beside: dict[str, Any] = {"transform": ax.transAxes, "fontsize": "small", "color": "0.4"}
-    ax.text(0.04, 0.96, "estimate above the true error: safe", va="top", **beside)
-    ax.text(0.7, 0.1, "estimate too low", ha="right", va="top", **beside)
+    small_print: dict[str, Any] = {"transform": ax.transAxes, "fontsize": "small", "color": "0.4"}
+    ax.text(0.04, 0.96, "estimate above the true error: safe", va="top", **small_print)
+    ax.text(0.7, 0.1, "estimate too low", ha="right", va="top", **small_print)
     ax.set_xlabel("true error (%)")
     ax.set_ylabel("estimated error (%)")
     ax.set_title(

@@ -28,7 +28,7 @@ ENDS = {
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
 #: methods of the lower panel, as far as they were run; the table has all
 EXPLICIT = "explicit"
-SHOWN = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
+METHODS = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
 NAMES = {"gen.-alpha 0.8": "generalised-alpha", "Newmark 1/4 1/2": "Newmark"}  # in the key
 SHORTEST = 0.01  # step over the default's that the axis reaches; an arrow where it is shorter
 LIMIT = "predicted explicit limit"
@@ -40,7 +40,7 @@ WORST = 2  # cases that are named, at least
 def stability(stability: xr.Dataset) -> Figure:
     """Squares in families above, ranges of steps by family and method below."""
     families = list(dict.fromkeys(map(str, stability["family"].values)))
-    methods = [m for m in SHOWN if m in stability["method"].values]
+    methods = [m for m in METHODS if m in stability["method"].values]
     stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
     heights = [
         0.25 * len(families) + 0.17 * len(worst(stability)) + 0.5,
@@ -51,7 +51,7 @@ def stability(stability: xr.Dataset) -> Figure:
     _squares(above, stability, families)
     _steps(below, stability, stepped, methods)
     if stepped:
-        _steps_key(figure, below, [m for m in SHOWN if m not in methods])
+        _steps_key(figure, below, [m for m in METHODS if m not in methods])
     headline(figure, answer(stability))
     return figure
 
@@ -273,9 +273,9 @@ def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
     rows = zip_longest(
         zip(methods, names, strict=True), ((marks[m], words[m]) for m in seen), fillvalue=empty
     )
-    shown, said = zip(*(one for pair in rows for one in pair), strict=True)
+    entries, texts = zip(*(one for pair in rows for one in pair), strict=True)
     figure.legend(  # filled column by column: methods in the upper row, marks in the lower
-        shown, said, loc="outside lower center", ncols=len(said) // 2, fontsize="small",
+        entries, texts, loc="outside lower center", ncols=len(texts) // 2, fontsize="small",
         frameon=False, columnspacing=1.2, handlelength=1.4,
     )  # fmt: skip
 

@@ -22,13 +22,13 @@ ROWS = 5  # effects that are drawn
 
 def tiles(datasets: Mapping[str, xr.Dataset]) -> list[Tile]:
     """A tile for each question; without its dataset, or a number in it, without an answer."""
-    asked = [
+    questions = [
         ("cost", "What does accuracy cost?", "accuracy", _cost),
         ("stability", "What stays stable?", "stability", _hard),
         ("effects", "Which effects matter?", "effects", _effects),
     ]
     found = []
-    for figure, question, name, answer_of in asked:
+    for figure, question, name, answer_of in questions:
         words = answer_of(datasets[name]) if name in datasets else None
         found.append(Tile(figure, question, *(words or ())))
     return found

@@ -10,7 +10,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import SEALS, whole_file
 
 #: what stands beside the configuration, where it is there
-BESIDE = ("README.md", "LICENSE", "CITATION.cff")
+FILES = ("README.md", "LICENSE", "CITATION.cff")
 
 
 def pack(study: Path, target: Path) -> int:
@@ -32,7 +32,7 @@ def pack(study: Path, target: Path) -> int:
         raise InputError("crate", str(study), found, "run the study here first")
     results = [study / name for name in outputs_of(study)]
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
-    others = [study / name for name in ("Snakefile", *BESIDE) if (study / name).exists()]
+    others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
     with (
         whole_file(target) as partial,

@@ -21,7 +21,7 @@ from riserstudy.csv_files import csv_text
 
 Array = NDArray[np.float64]
 
-SAYS = 30  # characters from which the title of a panel says what is seen
+SENTENCE = 30  # characters from which the title of a panel says what is seen
 _LETTER = re.compile(r"^\([a-z]\)\s*")
 MOST_NAMED = 6  # lines of a panel that are named in words
 HEADER = ("panel", "x", "y", "series", "x_value", "y_value", "colour_value")
@@ -39,7 +39,7 @@ def headline(figure: Figure) -> str:
     """What a figure says: its title, or that of its first panel; "" where it says nothing."""
     axes = _visible_axes(figure)
     panel = _LETTER.sub("", _title(axes[0])) if axes else ""
-    return _plain(figure.get_suptitle()) or (panel if len(panel) > SAYS else "")
+    return _plain(figure.get_suptitle()) or (panel if len(panel) > SENTENCE else "")
 
 
 def words(figure: Figure) -> str:

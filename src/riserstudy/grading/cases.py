@@ -14,7 +14,7 @@ from riserstudy.grading.verdict import verdict_of_claim, verdict_of_number
 from riserstudy.records.graded import Case, Kind, Place, Verdict
 
 
-class Behind:
+class Sources:
     """Simulated studies behind some datasets of a paper."""
 
     def __init__(self, paper: str, datasets: Mapping[str, xr.Dataset]):

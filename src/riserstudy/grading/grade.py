@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.grading.cases import Behind, places_of, regrade
+from riserstudy.grading.cases import Sources, places_of, regrade
 from riserstudy.grading.found import (
     FALSE,
     NO_DIFFERENCE,
@@ -206,7 +206,7 @@ def _cases(task: Task, base: Found, space: Found) -> Iterator[Case]:
     calibrated |= item.chosen is not None and not item.chosen.varied
 
     def of(found: Found, reads: Mapping[str, str], at: Mapping[str, Any]) -> Iterator[Case]:
-        sources = Behind(task.paper, {name: datasets[name] for name in reads.values()})
+        sources = Sources(task.paper, {name: datasets[name] for name in reads.values()})
         answer, margin = _answers(item, found), _margin(item, found)
         for index, own in places_of(answer):
             place, one = {**at, **own}, float(answer.values[index])

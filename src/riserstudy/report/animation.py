@@ -18,7 +18,7 @@ from plotly.subplots import make_subplots
 from riserstudy.figures.style import COLOURS, GREY
 from riserstudy.report.motion import Motion
 
-RISER, BAR, BESIDE = (0.0, 0.4), 0.43, 0.61  # of the width: riser, its colours, histories
+RISER, BAR, HISTORIES = (0.0, 0.4), 0.43, 0.61  # of the width: riser, its colours, histories
 HEIGHT = 560  # of the figure (pixels)
 NARROW = 890  # the same where histories stand below the riser
 #: there: bottom and top of the riser's view and how wide it is, and the height of all histories, as shares
@@ -51,7 +51,7 @@ def animation(motion: Motion) -> str:
     figure = make_subplots(
         rows,
         2,
-        column_widths=[BESIDE, 1.0 - BESIDE],
+        column_widths=[HISTORIES, 1.0 - HISTORIES],
         specs=[[{"type": kind, "rowspan": rows}, {}], *([[None, {}]] * (rows - 1))],
         horizontal_spacing=0.0,
         vertical_spacing=0.07,

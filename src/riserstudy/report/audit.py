@@ -75,7 +75,7 @@ class Missed(NamedTuple):
     requested: int  # points that ask for an accuracy
     missed_by_request: int
     estimated: int  # points with mesh and step prescribed that tell an error
-    untold: int  # others that tell none, in tuned studies
+    not_estimated: int  # others that tell none, in tuned studies
     reasons: list[tuple[str, int, list[str]]]  # why of those that miss: points and datasets
     worst: float
     where: str
@@ -87,23 +87,22 @@ class Missed(NamedTuple):
         """In words."""
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
         if not self.off:
-            silent = self.untold + prescribed - self.estimated
+            silent = self.not_estimated + prescribed - self.estimated
             if not silent:
                 return f"All {spaced(self.points)} points have estimated errors within their tolerance."
             return (
                 f"All {spaced(self.points - silent)} points with an estimated error are within their "
                 f"tolerance. For the other {spaced(silent)}, the error was not estimated."
             )
-        told = spaced(self.requested - self.untold)
+        judged = spaced(self.requested - self.not_estimated)
         requested = (
-            f"{spaced(self.missed_by_request)} of {told} points with a tolerance miss it"
+            f"{spaced(self.missed_by_request)} of {judged} points with a tolerance miss it"
             if self.missed_by_request
-            else f"All {told} points with a tolerance meet it, by their estimated error"
+            else f"All {judged} points with a tolerance meet it, by their estimated error"
         )
-        if self.untold:
-            requested += (
-                f". For {spaced(self.untold)} more, in tuned studies, the error was not estimated"
-            )
+        if self.not_estimated:
+            more = f"For {spaced(self.not_estimated)} more, in tuned studies"
+            requested += f". {more}, the error was not estimated"
         sentence = (
             f"The other {spaced(prescribed)} use a fixed mesh and time step; "
             f"their error was estimated for {self.estimated} of them"
@@ -151,7 +150,7 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dic
             of_study[point["study"]] = {"counts": counts, "because": because, "tuned": tuned}
         point |= of_study[point["study"]]
         errors = [point[f"error_{name}"] for name in point["counts"]]
-        point["told"] = any(point[f"error_{name}"] is not None for name in ERRORS)
+        point["has_estimate"] = any(point[f"error_{name}"] is not None for name in ERRORS)
         point["error"] = max((error or 0.0 for error in errors), default=0.0)
         yield point
 
@@ -236,8 +235,8 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         count["points"] += 1
         count["requested"] += not point["fixed"]
         count["missed by request"] += missing and not point["fixed"]
-        count["estimated"] += bool(point["fixed"] and point["told"])
-        count["untold"] += not point["fixed"] and not point["told"]
+        count["estimated"] += bool(point["fixed"] and point["has_estimate"])
+        count["not_estimated"] += not point["fixed"] and not point["has_estimate"]
         if missing:
             off.append(point)
     worst = max(off, key=lambda p: p["error"], default=None)
@@ -258,7 +257,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         count["requested"],
         count["missed by request"],
         count["estimated"],
-        count["untold"],
+        count["not_estimated"],
         _reasons([point for point in off if point["fixed"]]),
         worst["error"] if worst else 0.0,
         f"{worst['study']} ({_largest(worst)})" if worst else "",

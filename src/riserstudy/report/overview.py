@@ -11,7 +11,7 @@ from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
 #: what is said of so many verdicts, singular and plural
-SAID = {
+PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
     "calibrated": ("is met with a calibrated input", "are met with a calibrated input"),
     "holds": ("holds", "hold"),
@@ -93,7 +93,7 @@ def totals(claims: list[Claim]) -> str:
     if not claims:
         return ""
     parts = [
-        f"{count} {SAID[verdict][count > 1] if verdict in SAID else verdict}"
+        f"{count} {PLURALS[verdict][count > 1] if verdict in PLURALS else verdict}"
         for verdict, count in counted_verdicts(claims)
     ]
     return sentence(f"Of {len(claims)} published values and claims, {listed(parts)}")

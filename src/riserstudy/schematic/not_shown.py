@@ -37,22 +37,22 @@ def _paths(by_section: dict[str, str]) -> frozenset[str]:
     )
 
 
-SHOWN = _paths(DRAWN)
+DRAWN_PARTS = _paths(DRAWN)
 NO_PART = _paths(NOTHING_TO_DRAW) | {"title", "paper", "note", "limits", "analysis", "gravity"}
 
 
 def parts_left_out(scene: Resolved) -> list[str]:
     """Parts of a scene, as its file names them, that no line of its schematic shows and no label names."""
-    return [path for path in dict.fromkeys(_parts(scene)) if path not in SHOWN | NO_PART]
+    return [path for path in dict.fromkeys(_parts(scene)) if path not in DRAWN_PARTS | NO_PART]
 
 
 def _parts(scene: Resolved) -> Iterator[str]:
     """What a scene has, to two levels: ``riser.drag`` for that of any section."""
     for name in type(scene).model_fields:
         value = getattr(scene, name)
-        if value is None or name in SHOWN | NO_PART:
+        if value is None or name in DRAWN_PARTS | NO_PART:
             continue
-        if not any(path.startswith(f"{name}.") for path in SHOWN):  # nothing of it is
+        if not any(path.startswith(f"{name}.") for path in DRAWN_PARTS):  # nothing of it is
             yield name
             continue
         for part in value if isinstance(value, list | tuple) else [value]:

@@ -169,8 +169,8 @@ def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
         return
     after = np.searchsorted(others, np.arange(len(values)))
     known = np.append(values[others], math.nan)
-    beside = known[after], known[np.where(after > 0, after - 1, len(others))]
-    near = np.any([(of >= values / JUMP) & (of <= values * JUMP) for of in beside], axis=0)
+    neighbours = known[after], known[np.where(after > 0, after - 1, len(others))]
+    near = np.any([(of >= values / JUMP) & (of <= values * JUMP) for of in neighbours], axis=0)
     if (some & ~near).any():
         row = int((some & ~near).argmax())
         found = f"{values[row]:g} {one.unit} is possible, and also written for a missing value"

@@ -323,8 +323,8 @@ def _fills(cells: pd.Series, one: Head) -> str:
     if one.quantity is None or one.quantity.unit == "deg" or not some.any():
         return ""
     count = int(_possible(pd.to_numeric(texts[some]), one).sum())
-    said = ", ".join(sorted(set(texts[some])))
-    return f"{count} cells of {one.heading} with {said} {one.unit} are values" if count else ""
+    fills = ", ".join(sorted(set(texts[some])))
+    return f"{count} cells of {one.heading} with {fills} {one.unit} are values" if count else ""
 
 
 def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64]) -> None:

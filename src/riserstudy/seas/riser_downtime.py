@@ -86,8 +86,8 @@ def riser_downtime(
     middles = []
     for part in parts.values():
         if half := part.heading.half:
-            beside = [part.cover, parts[half.following].cover]
-            middles.append(compared(half, riser_half_way(half, part), beside))
+            adjacent = [part.cover, parts[half.following].cover]
+            middles.append(compared(half, riser_half_way(half, part), adjacent))
     return _counted(file, record, limits, [*parts.values()], middles)
 
 

@@ -50,9 +50,9 @@ def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, A
     InputError
         With the attribute that says so.
     """
-    for said, value in _other_zones(clock, name, about):
+    for source, value in _other_zones(clock, name, about):
         allowed = "convert the times to UTC, or correct the attribute"
-        raise InputError(path, said, f"{value!r} is not UTC", allowed)
+        raise InputError(path, source, f"{value!r} is not UTC", allowed)
 
 
 def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:

@@ -18,7 +18,7 @@ from riserstudy.simulation.wall_stress import nodes_of
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
-SHOWN = 0.02  # share of a range from its extreme, within which an output shows when it is
+NEAR = 0.02  # share of a range from its extreme, within which an output shows when it is
 ROUNDING = 1e-9  # share of a value
 OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
 
@@ -104,7 +104,7 @@ def _along(
         for side, k, which in (("largest", high, np.argmax), ("smallest", low, np.argmin)):
             seen = history[:, nodes][:, k]
             output = int(which(seen))
-            near = SHOWN * (most[k] - least[k]) + ROUNDING * abs(row[side])
+            near = NEAR * (most[k] - least[k]) + ROUNDING * abs(row[side])
             if abs(seen[output] - row[side]) <= near:
                 row[side + "_time"] = float(arrays["time"][output])
         if nodes.stop - nodes.start == 1:

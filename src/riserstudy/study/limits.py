@@ -25,7 +25,7 @@ OVER_LIMITS: dict[str, tuple[str, type]] = {
     "demand_of_limit": ("demand", float),
     "verdict_of_limit": ("verdict", object),
 }
-TOLD = ("mode", "side", "output", "at", "allowable", "unit", "origin")
+FIELDS = ("mode", "side", "output", "at", "allowable", "unit", "origin")
 
 
 def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None:
@@ -56,7 +56,7 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
         dataset[name] = (dims, values.reshape(shape), attributes(name))
     dataset.coords["limit"] = ("limit", labels, attributes("limit"))
     dataset.attrs["limits"] = json.dumps(
-        [{name: getattr(one, name) for name in TOLD} for one in rows[0]]
+        [{name: getattr(one, name) for name in FIELDS} for one in rows[0]]
     )
 
 

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from riserstudy.figures.style import COLOURS, headline, panel_title, panels
 
 STATIONS = (433.0, 333.0, 233.0, 133.0)  # m from the bottom
-SHOWN = 40.0  # s at the end of the histories at these
+LAST = 40.0  # s at the end of the histories at these
 
 
 def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -> Figure:
@@ -50,7 +50,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     axes[0].set_xlabel("time (s)")
     axes[0].set_ylabel("lateral position x (m)")
     panel_title(axes[0], "S2, at four heights")
-    axes[0].set_xlim(float(s2["time"][-1]) - SHOWN, float(s2["time"][-1]))
+    axes[0].set_xlim(float(s2["time"][-1]) - LAST, float(s2["time"][-1]))
     for colour, (name, scene) in zip(COLOURS, (("S2", s2), ("S2c", s2c)), strict=False):
         for side in ("max", "min"):
             moment = scene[f"bending_moment_{side}"] / 1e3

@@ -31,7 +31,7 @@ from riserstudy.figures.style import (
 
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # of them, those that the text names
-SHOWN = 60.0  # s, of runs from rest: three periods of the platform
+LAST = 60.0  # s, of runs from rest: three periods of the platform
 #: dashes of lines, by which those that coincide are seen both
 DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
 HEAVE, TENSION = "riser heave $x$ (m)", "riser tension (MN)"
@@ -143,7 +143,7 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
             run = straight.sel(line=name, heave_amplitude=amplitude)
             late.plot(run["time"] - start, run[quantity], color=OF_MODEL[name], lw=1.4, ls=DASHES[k],
                       label=LINES[name])  # fmt: skip
-        for ax, when, end in ((early, "from_rest", SHOWN), (late, "steady", 20.0)):
+        for ax, when, end in ((early, "from_rest", LAST), (late, "steady", 20.0)):
             ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
             ax.set_xlim(0.0, end)
             panel_title(ax, f"{of_amplitude(amplitude)}, {STATES[when]}")
@@ -222,8 +222,8 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
         settled = _repeated(_gas(steady).sel(heave_amplitude=amplitude), run["time"])
         level = float(rest.isel(heave_amplitude=0))
         ax.axhline(level, color="black", lw=0.6, label="equilibrium")
-        for state, shown, width in (("from_rest", run, 1.0), ("steady", settled, 2.0)):
-            ax.plot(shown["time"], shown[quantity], color=OF_STATE[state], lw=width,
+        for state, drawn, width in (("from_rest", run, 1.0), ("steady", settled, 2.0)):
+            ax.plot(drawn["time"], drawn[quantity], color=OF_STATE[state], lw=width,
                     label=STATES[state])  # fmt: skip
         panel_title(ax, of_amplitude(amplitude) + ("" if amplitude in NAMED else " (assumed)"))
         ax.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 5, 10]))
@@ -234,7 +234,7 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
     )  # fmt: skip
     figure.supylabel(label, fontsize="medium")
     axes[-1].set_xlabel(TIME)
-    axes[-1].set_xlim(0, SHOWN)
+    axes[-1].set_xlim(0, LAST)
     index = _steady_index(steady).sel(heave_amplitude=list(FOUR))
     low, high = float(index[0]), float(index[-1])
     headline(

@@ -12,7 +12,7 @@ from matplotlib.patches import Patch
 
 from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
-SAID = (
+LABELS = (
     "clear of BOP and end stops",
     "LMRP re-contacts the BOP",
     "cylinders stroke out",
@@ -56,8 +56,8 @@ def _cells(ax: Axes, verdict: np.ndarray) -> None:
 
 def _key(figure: Figure, verdict: xr.DataArray) -> None:
     """Of the outcomes those that occur."""
-    there = [kind for kind in range(len(SAID)) if bool((verdict == kind).any())]
-    handles = [Patch(color=FILL[kind], label=SAID[kind]) for kind in there]
+    there = [kind for kind in range(len(LABELS)) if bool((verdict == kind).any())]
+    handles = [Patch(color=FILL[kind], label=LABELS[kind]) for kind in there]
     figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small")
 
 

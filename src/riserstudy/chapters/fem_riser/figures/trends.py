@@ -128,8 +128,8 @@ def _changes(runs: xr.Dataset, axis: str) -> str:
         for word, sign in (("decreases", -1.0), ("increases", 1.0)):
             if bool((sign * steps > 0.0).all()):
                 ways[word].append(name)
-    said = [f"{word} {_listed(names)}" for word, names in ways.items() if names]
-    return ", and ".join(said) or "changes no result throughout"
+    phrases = [f"{word} {_listed(names)}" for word, names in ways.items() if names]
+    return ", and ".join(phrases) or "changes no result throughout"
 
 
 def _listed(names: list[str]) -> str:

@@ -10,9 +10,9 @@ from matplotlib.figure import Figure
 from matplotlib.font_manager import FontProperties
 
 from riserstudy.chapters.liu2017.figures.shared import (
+    BEGINNING,
     OF_HEADING,
     REFERENCE,
-    SHOWN,
     TIME,
     UFJ_LIMIT,
     set_title,
@@ -133,7 +133,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
     """Upper flex joint over what is open, and when the first limits are reached."""
     figure, axes = panels(1, 2, 3.6)
     parts: list[str] = []
-    angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, SHOWN)) * DEGREES
+    angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, BEGINNING)) * DEGREES
     limits = open_drive_off["limit_time"].sel(limit="upper flex joint")
     # The histogram ends at the last time at which a sample reaches the limit, or at the published time.
     latest = max(deadline, *limits.values[np.isfinite(limits.values)].tolist())

@@ -12,9 +12,9 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from riserstudy.chapters.liu2017.figures.shared import (
+    BEGINNING,
     HEADINGS,
     OF_HEADING,
-    SHOWN,
     STROKE_OUT,
     SURGE,
     TIME,
@@ -50,7 +50,7 @@ FORCE_AT_LIMIT = -3.02 * np.sin(np.deg2rad(UFJ_LIMIT))  # MN, which Fig 6 implie
 def fig04(driveoff: xr.Dataset) -> Figure:
     """Surge and speed over time, with and without riser, for both sets of inputs."""
     figure, axes = panels(2, 2, 3.2, sharex=True)
-    beginning = driveoff.sel(time=slice(0.0, SHOWN))
+    beginning = driveoff.sel(time=slice(0.0, BEGINNING))
     for column, (kind, title) in enumerate(SETS.items()):
         for heading, label in HEADINGS.items():
             for ending, line, word in (("", "-", "with"), ("_no_riser", "--", "without")):
@@ -170,7 +170,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
 def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     """Force of the riser on the platform; ``deadline`` is the printed time (s)."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
-    beginning = driveoff.sel(time=slice(0.0, SHOWN))
+    beginning = driveoff.sel(time=slice(0.0, BEGINNING))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
         for heading, label in HEADINGS.items():
             colour = OF_HEADING[label]
@@ -225,7 +225,7 @@ def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Da
 def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
     """Shares of the limits that are used, along the environment; ``deadline`` is the printed time (s)."""
     figure, axes = panels(1, 2, 3.8, sharex=True, sharey=True)
-    beginning = driveoff.sel(time=slice(0.0, SHOWN))
+    beginning = driveoff.sel(time=slice(0.0, BEGINNING))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
         run = beginning.sel(case=f"{kind}_0")
         used = shares(run)

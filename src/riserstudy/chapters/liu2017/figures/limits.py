@@ -90,16 +90,16 @@ def _name_lines(above: list[Axes], last: Axes) -> None:
     """Names of limits unless the panel to the left has them; times of disconnects at the right."""
     places = {"upper flex joint": (0.0, -5.0, "left"), "conductor": (0.5, 4.0, "center")}
     beneath = (0.5, -15.0, "center")  # a hill's top, with another line just above
-    beside: set[str] = set()
+    labelled: set[str] = set()
     for ax in above:
         names = [str(line.get_label()) for line in named(ax)]
         for line, name in zip(named(ax), names, strict=True):
-            if name in beside:
+            if name in labelled:
                 continue
             other = beneath if "conductor" in names else (0.0, 5.0, "left")
             share, up, across = places.get(name, other)
             label_line(ax, line, share, (0.0, up), ha=across)
-        beside = set(names)
+        labelled = set(names)
     lines = [line for line in named(last) if str(line.get_label()).startswith("disconnect")]
     times = [str(line.get_label()).removeprefix("disconnect ") for line in lines]
     label_ends(last, lines, names=[f"disconnect\n{times[0]}", *times[1:]])

@@ -15,7 +15,7 @@ from riserstudy.figures.direct import label_ends
 from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below
 
 TIME, SURGE = "time (s)", "surge of the platform (m)"
-SHOWN = 100.0  # s
+BEGINNING = 100.0  # s
 UFJ_LIMIT = 12.0  # degrees, of Table 4
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}  # of the environment
 #: by heading; neither is a colour of a limit

@@ -32,7 +32,7 @@ RESPONSES = {
 }
 CALM = 14.0  # s, wave periods above which waves on the riser lower its stress
 SPACED = 1e4  # numbers from which on a space separates the thousands
-SHOWN = 300.0  # s, of a sea
+WINDOW = 300.0  # s, of a sea
 NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance, and multiples (Hz) at which spectra end
 ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
 
@@ -247,7 +247,7 @@ def _at_ring(values: xr.DataArray) -> xr.DataArray:
 
 def _about_largest(ax: Axes, history: xr.DataArray, size: xr.DataArray) -> None:
     middle = float(size.idxmax("time"))
-    part = history.sel(time=slice(middle - SHOWN / 2.0, middle + SHOWN / 2.0))
+    part = history.sel(time=slice(middle - WINDOW / 2.0, middle + WINDOW / 2.0))
     ax.plot(part["time"], part, color=ON_TENSIONERS, linewidth=0.9)
     ax.axhline(float(history.mean()), color=GREY, linewidth=0.9)
 

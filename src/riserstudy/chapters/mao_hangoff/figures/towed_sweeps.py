@@ -229,12 +229,14 @@ def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
 def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
     """On which tracks the LMRP is ahead of the platform (m, by both interpretations), and on which astern."""
     ahead = [angle for angle, found in astern.items() if max(found) < 0.0]
-    behind = [angle for angle, found in astern.items() if min(found) > 0.0]
-    if len(ahead) + len(behind) < len(astern) or (ahead and behind and max(ahead) > min(behind)):
+    trailing = [angle for angle, found in astern.items() if min(found) > 0.0]
+    if len(ahead) + len(trailing) < len(astern) or (
+        ahead and trailing and max(ahead) > min(trailing)
+    ):
         return "Whether the LMRP is ahead of the platform depends on interpretation and track"
-    if not (ahead and behind):
+    if not (ahead and trailing):
         return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
-    return f"On tracks up to {max(ahead):g}° the LMRP is ahead, at {min(behind):g}° astern"
+    return f"On tracks up to {max(ahead):g}° the LMRP is ahead, at {min(trailing):g}° astern"
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:
@@ -242,12 +244,12 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     lengths = (1800.0, 1500.0, 1200.0)  # the base case first, as in Figs 9 and 10
     figure = towed_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
     shapes, moments = figure.axes[:2]
-    for beside_shape, beside_moment in zip(shapes.lines, moments.lines, strict=True):
-        label_line(shapes, beside_shape, 0.0, (-5.0, 0.0))
-        name = str(beside_shape.get_label()).removeprefix("riser ")
-        x = np.asarray(beside_moment.get_xdata(), dtype=float)
+    for of_shape, of_moment in zip(shapes.lines, moments.lines, strict=True):
+        label_line(shapes, of_shape, 0.0, (-5.0, 0.0))
+        name = str(of_shape.get_label()).removeprefix("riser ")
+        x = np.asarray(of_moment.get_xdata(), dtype=float)
         share = float(np.argmax(x[: len(x) // 2])) / (len(x) - 1)  # of the peak at the LMRP
-        label_line(moments, beside_moment, share, (5.0, 0.0), name=name)
+        label_line(moments, of_moment, share, (5.0, 0.0), name=name)
     change = changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
     verb = "decreases" if change[least] < 0.0 else "increases"
