@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from riserstudy.dataset.limits import EXCEEDED, label
+from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, label
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.resolve import Resolved
@@ -154,6 +154,8 @@ def _unknown(side: str, time: float | str, row: dict[str, object]) -> str:
         return str(row["missing"] or f"no history of {row['output']}")
     if time == "never" and row["verdict"] == EXCEEDED:
         return "exceeded between two outputs. Give a shorter analysis.output.interval"
+    if time == "never" and row["verdict"] == UNKNOWN:  # with its error it may be reached
+        return str(row["missing"])
     return ""
 
 
