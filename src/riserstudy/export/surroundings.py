@@ -227,7 +227,9 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
             f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")
         ]
         tables = [{"RAODirection": 0, ", ".join(names): still}]
-    raos = {"RAOOrigin": origin, "PhaseOrigin": [None, None, None], "RAOs": tables}
+    place = [deck.scene.top.offset or 0.0, 0.0]  # to which phases of a scene refer
+    crest = [None, None, None] if origin[:2] == place else [*place, None]
+    raos = {"RAOOrigin": origin, "PhaseOrigin": crest, "RAOs": tables}
     return made | {"Draughts": [{"Name": "Draught", "DisplacementRAOs": raos}]}
 
 

@@ -113,7 +113,8 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
     tree["top"] = made.tree
     tree |= {name: part for name, part in (("current", current), ("wave", wave)) if part}
     if made.vessel:
-        tree["platform"] = platform_of(deck, made.vessel, stages, bool(wave))
+        offset = float(made.tree.get("offset", "0 m").removesuffix(" m"))
+        tree["platform"] = platform_of(deck, made.vessel, stages, sea if wave else None, offset)
     return tree | {"analysis": analysis}
 
 

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import Any, NamedTuple
 
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import EMPTY, Part
+from riserstudy.importers.orcaflex.sea import Sea
+from riserstudy.model.sea import wave_number
 from riserstudy.scene.rao import MOTIONS
 
 TABLE = (
@@ -29,6 +31,7 @@ POSITIVE = {
 SYMMETRY = {"None": None, "xz plane": "sides", "xz and yz planes": "sides and ends"}
 ANGLES = {"degrees": "deg", "radians": "rad"}
 FROM = {"crest": 0.0, "trough": 180.0}  # codespell:ignore trough
+TURN = 2.0 * math.pi
 
 
 #: columns of a motion that is given stage by stage
@@ -41,13 +44,47 @@ STAGES = (
 )
 
 
-def platform_of(deck: Part, vessel: Part, stages: list[float], waves: bool) -> dict[str, Any]:
+class Crest(NamedTuple):
+    """How far a scene's phases refer to another place of the vessel than those of a deck (m)."""
+
+    table: Part
+    x: float
+    y: float
+    sea: Sea
+
+    def lead(self, heading: float, frequency: float) -> float:
+        """Phase (rad) by which a motion leads the later crest, at a heading (rad) and a frequency (rad/s)."""
+        along = self.x * math.cos(heading) + self.y * math.sin(heading)
+        depth = self.sea.surface - self.sea.seabed
+        return along * wave_number(frequency, depth, self.sea.gravity) if along else 0.0
+
+    def check(self, symmetry: str | None) -> None:
+        """Refuse operators whose images at mirrored headings would have another shift of their phases.
+
+        Raises
+        ------
+        InputError
+            When there are such images.
+        """
+        if (symmetry and self.y) or (symmetry == "sides and ends" and self.x):
+            found = f"{-self.x:g}, {-self.y:g} m from the upper end of the riser"
+            allowed = (
+                "a scene has phases at the upper end of the riser, where mirrored RAOs are not symmetric. "
+                "Write the RAOs of all headings, with Symmetry: None"
+            )
+            self.table.note(self.table.refused("PhaseOrigin", found, allowed))
+
+
+def platform_of(
+    deck: Part, vessel: Part, stages: list[float], sea: Sea | None, offset: float
+) -> dict[str, Any]:
     """The platform: at rest without waves, else by the operators of its type; and where it is driven to.
 
     Parameters
     ----------
     stages : durations of the stages (s), the first of which is the build-up; none in statics.
-    waves : whether the deck has any.
+    sea : the water, if the deck has waves.
+    offset : place of the riser's upper end along x on the vessel (m), to which phases of a scene refer.
     """
     x, y, height = vessel.vector("InitialPosition")
     platform: dict[str, Any] = {}
@@ -58,11 +95,13 @@ def platform_of(deck: Part, vessel: Part, stages: list[float], waves: bool) -> d
         if cruise := _cruise(vessel, stages):
             platform["cruise"] = cruise
     with deck.noting():
-        if _answers(vessel) and waves:
+        if _answers(vessel) and sea:
             _bow_along_x(vessel)
-            table, response = _operators(deck, vessel, stages)
-            centre = f"{height + table.vector('RAOOrigin')[2]:.10g} m"
-            platform |= {"centre_of_rotation": {"elevation": centre}, "response": response}
+            origin, response = _operators(deck, vessel, sea, offset)
+            aside = {name: f"{at:.10g} m" for name, at in zip("xy", origin, strict=False) if at}
+            centre = aside | {"elevation": f"{height + origin[2]:.10g} m"}
+            ramp = {"ramp": f"{stages[0]:.10g} s"} if stages else {}
+            platform |= {"centre_of_rotation": centre, "response": response | ramp}
     return platform or {"position": {"surge": "0 m"}}
 
 
@@ -118,8 +157,10 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
     return cruise | ({"heading": f"{heading:.10g} deg"} if heading else {})
 
 
-def _operators(deck: Part, vessel: Part, stages: list[float]) -> tuple[Part, dict[str, Any]]:
-    """The table of operators of a vessel, and the response that it stands for."""
+def _operators(
+    deck: Part, vessel: Part, sea: Sea, offset: float
+) -> tuple[list[float], dict[str, Any]]:
+    """The place of a vessel that its operators move (m), and the response that they stand for."""
     kinds = deck.named("VesselTypes")
     name = vessel.text("VesselType")
     if name not in kinds:
@@ -131,25 +172,33 @@ def _operators(deck: Part, vessel: Part, stages: list[float]) -> tuple[Part, dic
         allowed = f"the draughts of this vessel type are {', '.join(draughts)}"
         raise vessel.refused("Draught", f"no draught {draught!r}", allowed)
     table = draughts[draught].part("DisplacementRAOs")
-    origin = table.vector("RAOOrigin")
-    if any((*origin[:2], *table.numbers("PhaseOrigin")[:2])):
-        allowed = (
-            "x and y of RAOOrigin and PhaseOrigin must be 0, above the lower end. Convert the RAOs"
-        )
-        raise table.refused("RAOOrigin", f"x, y = {origin[0]:g}, {origin[1]:g} m", allowed)
-    ramp = {"ramp": f"{stages[0]:.10g} s"} if stages else {}
-    return table, _response(kinds[name], table) | ramp
+    origin = list(table.vector("RAOOrigin"))
+    x, y = _phase_origin(table, origin)
+    crest = Crest(table, offset - x, -y, sea)
+    return origin, _response(kinds[name], table, crest)
 
 
-def _response(kind: Part, table: Part) -> dict[str, Any]:
+def _phase_origin(table: Part, origin: list[float]) -> tuple[float, float]:
+    """The place of a vessel (m) to which phases refer: each empty coordinate is that of the operators."""
+    given = table.optional("PhaseOrigin") or []
+    numbers = table.numbers("PhaseOrigin")
+    empty = [k >= len(given) or given[k] in EMPTY for k in range(2)]
+    x, y = (origin[k] if empty[k] else numbers[k] for k in range(2))
+    return x, y
+
+
+def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
     """Operators in the conventions of scenes, whatever those of the deck."""
     kind.demand("RAOWaveUnit", "amplitude")
     by = _choice(kind, "WavesReferredToBy", BY)
     turns = _choice(kind, "RAOResponseUnits", ANGLES)
     phases = _choice(kind, "RAOPhaseUnitsConvention", ANGLES)
     half = 180.0 if phases == "deg" else 3.141592653589793
-    later = _choice(kind, "RAOPhaseRelativeToConvention", FROM) / 180.0 * half
+    half_a_turn = _choice(kind, "RAOPhaseRelativeToConvention", FROM) / 180.0 * half
     lead = _choice(kind, "RAOPhaseConvention", {"leads": "lead", "lags": "lag"})
+    sign = (1.0 if lead == "lead" else -1.0) * half / math.pi
+    symmetry = _choice(kind, "Symmetry", SYMMETRY)
+    crest.check(symmetry)
     flipped = {}
     for motion, (key, along, against) in POSITIVE.items():
         flipped[motion] = _choice(kind, key, {along: 0.0, against: half})
@@ -163,6 +212,8 @@ def _response(kind: Part, table: Part) -> dict[str, Any]:
                     f"its row at {period:g} is left out: it is not a period of a wave"
                 )
                 continue
+            circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
+            later = half_a_turn + sign * crest.lead(math.radians(heading), circular)
             operator: dict[str, Any] = {
                 "heading": f"{heading:.10g} deg",
                 by[0]: f"{period:.10g} {by[1]}",
@@ -176,7 +227,6 @@ def _response(kind: Part, table: Part) -> dict[str, Any]:
                 }
             operators.append(operator)
     response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
-    symmetry = _choice(kind, "Symmetry", SYMMETRY)
     return response | ({"symmetry": symmetry} if symmetry else {})
 
 
