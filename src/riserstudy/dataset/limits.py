@@ -68,10 +68,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     for k, limit in enumerate(scene.limits or []):
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
-        if name := unbounded(limit):
-            one = _with_error(one, name, facts)
-        elif scene.analysis.mesh:
-            one = _on_its_mesh(one, facts)
+        one = _with_error(one, facts, scene.analysis.mesh is not None)
         if limit.output == "effective_tension":
             one = _with_mud_above(one, not_in_tension(scene))
         if unknown and one.verdict == WITHIN:
@@ -81,21 +78,37 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     return each
 
 
-def unbounded(limit: Limit) -> str | None:
-    """The error of a limit's output, where no accuracy bounds it: "angle" or "shear"; None elsewhere."""
-    return next((name for name, (_, of) in UNBOUNDED.items() if limit.output in of), None)
+def _unbounded(output: str) -> str | None:
+    """The error of an output, where no accuracy bounds it: "angle" or "shear"; None elsewhere."""
+    return next((name for name, (_, of) in UNBOUNDED.items() if output in of), None)
 
 
-def error_in_words(name: str, error: float) -> str:
-    """An error of angles (rad) or of shear (N), as text."""
-    size = f"{math.degrees(error):.2g} deg" if name == "angle" else f"{error:.2g} N"
-    return f"an error of the {UNBOUNDED[name][0]}, {size} as estimated"
+class Error(NamedTuple):
+    """Estimated error of an output."""
+
+    size: float  # in its SI unit
+    share: float  # of the largest value
+    words: str
 
 
-def error_of(name: str, facts: Mapping[str, Any]) -> float:
-    """Estimated error (rad, N) of angles or shear: relative to the largest of them; zero where unknown."""
-    share = facts.get("error_estimate", {}).get(name, 0.0)
-    return _absolute(share, UNBOUNDED[name][1], facts)
+def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
+    """Estimated error of an output, which no accuracy bounds; zero where one does, and where it is unknown.
+
+    Parameters
+    ----------
+    own_mesh : whether the scene gives its mesh, which bounds no error.
+    """
+    estimated = facts.get("error_estimate", {})
+    for name, (noun, outputs) in UNBOUNDED.items():
+        if output in outputs:
+            share = estimated.get(name, 0.0)
+            size = _absolute(share, outputs, facts)
+            text = f"{math.degrees(size):.2g} deg" if name == "angle" else f"{size:.2g} N"
+            return Error(size, share, f"an error of the {noun}, {text} as estimated")
+    names = BOUNDED.get(output, ()) if own_mesh else ()
+    share = max((estimated.get(name, 0.0) for name in names), default=0.0)
+    words = f"an error of {output}, {100.0 * share:.2g} % as estimated"
+    return Error(_absolute(share, (output,), facts), share, words)
 
 
 def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) -> float:
@@ -108,41 +121,24 @@ def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) 
     return float(share * largest / max(1.0 - share, LEAST_LEFT))
 
 
-def _with_error(one: Checked, name: str, facts: Mapping[str, Any]) -> Checked:
+def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Checked:
     """A limit that is not met for certain where the error of its output is larger than what is left."""
     if one.verdict != WITHIN or one.demand is None:
         return one
+    name = _unbounded(one.output)
     if name == "shear" and "vibration_since" in facts:
         why = "an estimated error of the shear force, which a riser that vibrates in vortices does not have"
         return one._replace(verdict=UNKNOWN, missing=why)
-    error = error_of(name, facts)
-    worst = one.demand + (-error if one.side == "smallest" else error)
+    error = error_of(one.output, facts, own_mesh)
+    worst = one.demand + (-error.size if one.side == "smallest" else error.size)
     if use(one.side, worst, one.allowable) <= 1.0:
         return one
-    # partly that of a vibration over so long a time
-    by_chance = name in facts.get("sampling_error", {})
-    why = (
-        f"{error_in_words(name, error)}, below the margin; "
-        f"{'run longer, or ' if by_chance else ''}request a smaller error by analysis.accuracy"
-    )
-    return one._replace(verdict=UNKNOWN, missing=why)
-
-
-def _on_its_mesh(one: Checked, facts: Mapping[str, Any]) -> Checked:
-    """A limit that is not met for certain where a mesh of the scene errs by more than what is left."""
-    estimated = facts.get("error_estimate", {})
-    share = max((estimated.get(name, 0.0) for name in BOUNDED.get(one.output, ())), default=0.0)
-    if one.verdict != WITHIN or one.demand is None or not share:
-        return one
-    error = _absolute(share, (one.output,), facts)
-    worst = one.demand + (-error if one.side == "smallest" else error)
-    if use(one.side, worst, one.allowable) <= 1.0:
-        return one
-    why = (
-        f"an error of {one.output}, {100.0 * share:.2g} % as estimated, below the margin; give more "
-        "analysis.mesh.elements and a shorter analysis.step, or analysis.accuracy instead"
-    )
-    return one._replace(verdict=UNKNOWN, missing=why)
+    remedy = "request a smaller error by analysis.accuracy"
+    if name in facts.get("sampling_error", {}):  # partly that of a vibration over so long a time
+        remedy = f"run longer, or {remedy}"
+    if name is None:
+        remedy = "give more analysis.mesh.elements and a shorter analysis.step, or analysis.accuracy instead"
+    return one._replace(verdict=UNKNOWN, missing=f"{error.words}, below the margin; {remedy}")
 
 
 def _with_mud_above(one: Checked, mud: float) -> Checked:

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from riserstudy.dataset.limits import demand_of, error_in_words, error_of, unbounded
+from riserstudy.dataset.limits import BOUNDED, Error, demand_of, error_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
@@ -34,7 +34,7 @@ from riserstudy.study.processes import each
 
 NODES = 9  # offsets at which a search begins, alike for all limits
 CLOSE = 0.05  # m, to which an offset is found
-SURE = 0.05  # of an allowable angle or shear: error that a mesh of the scene may have
+SURE = 0.05  # of an allowable angle or shear, and of other outputs: error that a mesh of the scene may have
 
 
 class Offsets(NamedTuple):
@@ -118,22 +118,20 @@ class AtRest:
                 raise
         return self.rows[offset]
 
-    def error_of(self, name: str, offset: float) -> float:
-        """Estimated error of angles (rad) or shear (N) at an offset (m); zero on a mesh chosen for it.
+    def error_of(self, output: str, offset: float) -> Error:
+        """Estimated error of an output at an offset (m), on the mesh of the scene.
 
         Raises
         ------
         SimulationError
             When no equilibrium is found.
         """
-        if self.scene.analysis.mesh is None:
-            return 0.0
         if offset not in self.estimated:
             still = {"duration": None, "output": None, "step": None, "start": None, "method": None}
             analysis = self.scene.analysis.model_copy(update=still)
             scene = self.scene.model_copy(update={"analysis": analysis, "fatigue": None})
             self.estimated[offset] = run(moved(scene, offset)).facts
-        return error_of(name, self.estimated[offset])
+        return error_of(output, self.estimated[offset], own_mesh=True)
 
 
 def moved(scene: Resolved, offset: float) -> Resolved:
@@ -207,17 +205,18 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
 
 
 def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
-    """Offsets that were found, unless the mesh of the scene is too coarse for an angle or shear at them."""
-    name = unbounded(limit)
-    if name is None:
+    """Offsets that were found, unless the mesh of the scene is too coarse for the output at them."""
+    if at.scene.analysis.mesh is None:
         return found
     ends = {min(max(end, -at.reach), at.reach) for end in (found.low, found.high)}
-    error = max(at.error_of(name, end) for end in ends)
-    if error <= SURE * limit.allowable:
+    error = max((at.error_of(limit.output, end) for end in ends), key=lambda one: one.size)
+    bounded = limit.output in BOUNDED
+    if (error.share if bounded else error.size / abs(limit.allowable)) <= SURE:
         return found
+    most = f"{100.0 * SURE:g} %{'' if bounded else ' of its allowable'}"
     missing = (
-        f"{error_in_words(name, error)}, below {100.0 * SURE:g} % of its allowable; give more "
-        "analysis.mesh.elements, or analysis.accuracy without a mesh"
+        f"{error.words}, below {most}; give more analysis.mesh.elements, "
+        "or analysis.accuracy without a mesh"
     )
     return Offsets(math.nan, math.nan, missing)
 
