@@ -110,3 +110,29 @@ def test_limits_that_cannot_be_meant_are_refused(tmp_path):
     modes = {mode: {"limits": [LIMITS[0] | {"mode": mode}]} for mode in ("drilling", "connected")}
     with pytest.raises(InputError, match="same outputs"):
         dataset(tmp_path, axes={"mode": modes}, limits=LIMITS[:1])
+
+
+@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("named", [False, True])
+@pytest.mark.parametrize("of_scene", [False, True])
+def test_an_axis_of_allowables_has_each_at_its_points(seed, named, of_scene, tmp_path):
+    chance = np.random.default_rng(seed)
+    floors = sorted(chance.uniform(100.0, 900.0, 3).round(1).tolist())
+    axis = {"path": "limits[0].smallest", "unit": "kN", "values": floors}
+    whole = {
+        f"floor {k}": {"limits": [LIMITS[0] | {"smallest": f"{floor} kN"}, *LIMITS[1:]]}
+        for k, floor in enumerate(floors)
+    }
+    named |= not of_scene  # numbers have a limit of the scene to replace
+    axes = AXES | {"floor": whole if named else axis}
+    found = dataset(tmp_path, axes=axes, limits=LIMITS if of_scene else None)
+    left = np.array(TENSIONS)[:, None] - 500.0
+    use = np.array(floors) / left
+    np.testing.assert_allclose(found["use_of_limit"].isel(limit=0), use, rtol=1e-9)
+    np.testing.assert_allclose(found["allowable_of_limit"][0, :, 0], 1e3 * np.array(floors))
+    about = json.loads(found.attrs["limits"])
+    assert [row["allowable"] for row in about] == [None, 1e6, 7.0]
+    floor, ceiling, _ = limit_tables({"pull": found})[0].rows
+    assert (floor.demand, floor.allowable) == ("200 kN", f"{floors[-1]:.3g} kN")
+    assert float(floor.use.removesuffix(" %")) == pytest.approx(100.0 * use.max(), rel=5e-3)
+    assert ceiling.allowable == "1000 kN"

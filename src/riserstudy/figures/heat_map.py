@@ -93,7 +93,10 @@ def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
     levels = [
         factor * row["allowable"]
         for row in json.loads(dataset.attrs.get("limits", "[]"))
-        if row["output"] == quantity and not row["at"] and row["side"] not in side
+        if row["output"] == quantity
+        and not row["at"]
+        and row["side"] not in side
+        and row["allowable"] is not None
     ]
     both = quantity in SIGNED and not name.endswith(SIZE)
     return sorted({*levels, *(-level for level in levels if both)})

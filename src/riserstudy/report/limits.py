@@ -70,16 +70,18 @@ def _rows(dataset: xr.Dataset) -> list[LimitRow]:
     ]
 
 
-def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float]) -> LimitRow:
+def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | None]) -> LimitRow:
     use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
     factor, unit = read_in(str(values["unit"]))
-    about = (
-        _in_words(str(of["limit"].item())),
-        f"{factor * float(values['allowable']):.3g} {unit}",
-        str(values["origin"]),
+    differ = values["allowable"] is None
+    allowables = (
+        of["allowable_of_limit"].values if differ else np.full(use.shape, values["allowable"])
     )
+    words, origin = _in_words(str(of["limit"].item())), str(values["origin"])
     if np.isnan(use).all():
-        return LimitRow(*about, "–", "–", "–", UNKNOWN)
+        ends = sorted({float(allowables.min()), float(allowables.max())})
+        allowed = " to ".join(_figure(factor * end) for end in ends)
+        return LimitRow(words, f"{allowed} {unit}", origin, "–", "–", "–", UNKNOWN)
     demand = of["demand_of_limit"].values
     nearest = (
         np.where(np.isnan(use), np.inf, -use),
@@ -87,19 +89,19 @@ def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float]) -> 
     )
     place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
     at = ", ".join(called(of[axis][k]) for axis, k in zip(axes, place, strict=True))
-    value = f"{factor * float(demand[place]):.3g} {unit}"
-    share = float(use[place])
-    if values["side"] == "smallest" and float(values["allowable"]) == 0.0:
+    value = f"{_figure(factor * float(demand[place]))} {unit}"
+    share, allowable = float(use[place]), float(allowables[place])
+    if values["side"] == "smallest" and allowable == 0.0:
         used = f"margin {value}"  # a floor of zero has no shares
     else:
-        used = f"{100.0 * share:.3g} %" if np.isfinite(share) else "exceeded"
-    return LimitRow(
-        *about,
-        value,
-        used,
-        at,
-        _verdict(verdicts),
-    )
+        used = f"{_figure(100.0 * share)} %" if np.isfinite(share) else "exceeded"
+    allowed = f"{_figure(factor * allowable)} {unit}"
+    return LimitRow(words, allowed, origin, value, used, at, _verdict(verdicts))
+
+
+def _figure(value: float) -> str:
+    """A number to three digits, without an exponent."""
+    return np.format_float_positional(float(f"{value:.3g}"), trim="-")
 
 
 def _verdict(verdicts: np.ndarray) -> str:

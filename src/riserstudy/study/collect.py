@@ -32,7 +32,7 @@ from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.grid import Point
-from riserstudy.study.limits import add_limits
+from riserstudy.study.limits import add_limits, limited
 from riserstudy.study.modes import add_modes
 from riserstudy.study.needed import with_envelopes
 from riserstudy.study.simulate_points import Count, fill, lacks
@@ -95,7 +95,7 @@ def _take(
 
     What many points have alike, by ``shared``, takes memory once.
     """
-    limited = "limits" in study.base.tree
+    extremes = limited(study)
     needed = {column.fact for column in point_columns()}  # facts of a point are many more
     for point in points:
         stored = store.get(point.key, study.model.keep)
@@ -103,7 +103,7 @@ def _take(
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
                 for name, value in stored.facts.items()
-                if name in needed or (limited and name == "extremes")
+                if name in needed or (extremes and name == "extremes")
             }
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
             kept[point.key] = Result(arrays, cast("RunFacts", facts))

@@ -25,18 +25,28 @@ OVER_LIMITS: dict[str, tuple[str, type]] = {
     "demand_of_limit": ("demand", float),
     "verdict_of_limit": ("verdict", object),
 }
+#: allowables of points that have different ones: the variable is absent where they are the same
+ALLOWABLE = "allowable_of_limit"
 FIELDS = ("mode", "side", "output", "at", "allowable", "unit", "origin")
+
+
+def limited(study: Study) -> bool:
+    """Whether the points of a study have limits: by its scene, or by what an axis sets."""
+    paths = (path for steps in study.axes.values() for _, sets in steps for path in sets)
+    return "limits" in study.base.tree or any(path.startswith("limits") for path in paths)
 
 
 def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None:
     """Add use, demand and verdict of each limit over the axes and ``limit``, where the study has limits.
+
+    Allowables that differ between points are a variable, too, and have no one value in the attribute.
 
     Raises
     ------
     InputError
         When points differ in what they limit; allowables may differ.
     """
-    if "limits" not in study.base.tree:
+    if not limited(study):
         return
     rows = [
         checked(file, file.resolved(), result.facts)
@@ -50,13 +60,17 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
         raise InputError(study.where, "limits", "differ between points", allowed)
     shape = (*(len(steps) for steps in study.axes.values()), len(labels))
     dims = (*study.axes, "limit")
-
     for name, (of, kind) in OVER_LIMITS.items():
         values: NDArray[Any] = np.array([[getattr(one, of) for one in row] for row in rows], kind)
         dataset[name] = (dims, values.reshape(shape), attributes(name))
     dataset.coords["limit"] = ("limit", labels, attributes("limit"))
+    allowables = np.array([[one.allowable for one in row] for row in rows], float)
+    same = (allowables == allowables[0]).all(axis=0)
+    if not same.all():
+        dataset[ALLOWABLE] = (dims, allowables.reshape(shape), attributes(ALLOWABLE))
+    about = [{name: getattr(one, name) for name in FIELDS} for one in rows[0]]
     dataset.attrs["limits"] = json.dumps(
-        [{name: getattr(one, name) for name in FIELDS} for one in rows[0]]
+        [row if one else row | {"allowable": None} for row, one in zip(about, same, strict=True)]
     )
 
 
@@ -65,5 +79,5 @@ def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
     rows = checked(file, file.resolved(), result.facts)
     return {
         name: np.array([getattr(one, of) for one in rows], kind)
-        for name, (of, kind) in OVER_LIMITS.items()
+        for name, (of, kind) in (OVER_LIMITS | {ALLOWABLE: ("allowable", float)}).items()
     }

@@ -13,6 +13,7 @@ from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.study.axes import Samples
 from riserstudy.study.figures import FigureModel, Plot
+from riserstudy.study.limits import limited
 from riserstudy.study.study import Study
 
 ALONG = (
@@ -67,7 +68,7 @@ def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[Misfit]:
 def shows(plot: Plot, study: Study) -> bool:
     """Whether a plot has something to show of a study where it names nothing."""
     if plot == "utilisation":
-        return "limits" in study.base.tree
+        return limited(study)
     return any(not reason_to_leave_out(plot, quantity, study) for quantity in USUAL[plot])
 
 
