@@ -280,11 +280,13 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
         response, index = (values.sel(law) for values in curves.values())
         resonance = _name_peak(axes[2 * k], response, "ratio")
         far = index.where(index["heave_period"] > 1.5 * resonance, drop=True)
-        _name_peak(axes[2 * k + 1], far, "$S$")
-        low = _name_peak(axes[2 * k + 1], far, "$S$", lowest=True)
-    twice = abs(low / resonance - 2.0) < 0.02
-    at = "at about twice the resonance period" if twice else f"near {low:g} s"
-    headline(figure, f"Asymmetry reverses {at}")
+        period = _name_peak(axes[2 * k + 1], far, "$S$")
+        reverses = bool(far.min() < 1.0 < far.max())
+        if reverses:
+            period = _name_peak(axes[2 * k + 1], far, "$S$", lowest=True)
+    twice = abs(period / resonance - 2.0) < 0.02
+    at = "at about twice the resonance period" if twice else f"near {period:g} s"
+    headline(figure, f"Asymmetry {'reverses' if reverses else 'is largest'} {at}")
     key_below(figure, axes[0], 2)
     return figure
 
