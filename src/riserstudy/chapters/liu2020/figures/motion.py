@@ -275,12 +275,12 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     periods = top["roll_period"]
     ax.set_xlim(float(periods.min()) - 0.5, float(periods.max()) + 0.5)  # marks are whole
     falls = bool((np.diff(top.values[peaks]) < 0.0).all())
-    count = COUNTS.get(len(peaks), str(len(peaks)))
+    count = f"{COUNTS.get(len(peaks), str(len(peaks)))} resonance{'' if len(peaks) == 1 else 's'}"
     headline(
         figure,
-        f"The moment decreases with roll period, interrupted by {count} resonances"
+        f"The moment decreases with roll period, interrupted by {count}"
         if falls
-        else f"The moment has {count} resonances over roll period",
+        else f"The moment has {count} over roll period",
     )
     label_ends(ax)
     return figure
