@@ -129,10 +129,11 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
         float(highest.sel(units=count).isel(valve_left_open=k))
         for count, k in ((max(units), 0), (max(units), -1), (min(units), 0))
     )
+    failed = max(units) - min(units)
     headline(
         figure,
         f"Open valves change the lift from {closed:.0f} to {opened:.0f} m, "
-        f"{max(units) - min(units):g} failed units to {fewer:.0f} m",
+        f"{failed:g} failed unit{'' if failed == 1 else 's'} to {fewer:.0f} m",
     )
     return figure
 
