@@ -40,6 +40,14 @@ class Checks:
         return Found(runs["quantity"])
 
     @staticmethod
+    def alone(runs):
+        return runs["quantity"]
+
+    @staticmethod
+    def plain(runs):
+        return float(runs["quantity"])
+
+    @staticmethod
     def claim(runs, at_least):
         return Found(runs["quantity"], runs["quantity"] >= at_least)
 

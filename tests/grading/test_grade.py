@@ -191,6 +191,19 @@ def test_a_check_that_finds_no_number_is_an_error():
         number_row({"base": dataset(float("nan"))})
 
 
+@pytest.mark.parametrize("check", ["alone", "plain"])
+def test_a_check_may_return_the_number_alone(check):
+    about = {"kind": "number", "published": 2.0, "unit": "m", "rounding": 0.1}
+    ours, theirs = (row({"base": dataset(2.04)}, check=one, **about) for one in ("number", check))
+    assert ours == theirs
+
+
+@pytest.mark.parametrize("check", ["alone", "plain"])
+def test_a_number_is_no_answer_to_a_claim(check):
+    with pytest.raises(InputError, match=r"X1\.check: .*judged"):
+        row({"base": dataset(2.04)}, kind="claim", unit="m", check=check)
+
+
 def test_the_table_has_the_columns_of_the_contract():
     text = table([number_row({"base": dataset(2.04)})], Row)
     assert text.splitlines()[0] == COLUMNS

@@ -135,12 +135,38 @@ class Task(NamedTuple):
         return self.datasets[next(iter((self.item.over or self.item.reads).values()))]
 
     def look(self, reads: Mapping[str, str]) -> Found:
-        """What its check finds in some datasets."""
-        found: Found = _answer(self.item, reads, self.checks, self.datasets)
+        """What its check finds in some datasets.
+
+        Raises
+        ------
+        InputError
+            When the check returns neither a judgement nor, for a number, the number.
+        """
+        found = self._found(self.item, reads)
         for other in self.others:
-            theirs: Found = _answer(other, reads, self.checks, self.datasets)
+            theirs = self._found(other, reads)
             found = _together(self.item, found, other, theirs)
         return consistent(found, self.paper, self.item.check or "")
+
+    def _found(self, item: Item, reads: Mapping[str, str]) -> Found:
+        """What the check of an item finds; the check of a number may return the number alone.
+
+        Raises
+        ------
+        InputError
+            When the check returns anything else.
+        """
+        answer = _answer(item, reads, self.checks, self.datasets)
+        if isinstance(answer, Found):
+            return answer
+        if item.kind == "number" and isinstance(answer, int | float | xr.DataArray):
+            return Found(xr.DataArray(answer))
+        where, found = (
+            f"config/published/{self.paper}.yaml",
+            f"{item.check} returns {answer!r}"[:60],
+        )
+        allowed = "a claim needs judged(value, margin), a number the number itself"
+        raise InputError(where, f"{item.id}.check", found, allowed)
 
     def at_base(self, found: Found, cell: Mapping[str, Any]) -> Found:
         """The cell that counts as the base case."""
