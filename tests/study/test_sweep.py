@@ -203,6 +203,10 @@ def test_failure_is_an_error_where_it_must_be(axes, options):
         ({"top.tension": [2000]}, {"keep": ["moment"]}, "moment"),
         ({"top.tension": [2000]}, {"on_error": "skip"}, "'nan' and 'raise'"),
         ({"x": TWO_WAYS}, {}, "variable"),
+        ({"top.tension": 2000.0}, {}, "a list of numbers or texts"),
+        ({"top.tension": "2 MN"}, {}, "a list of numbers or texts"),
+        ({"top.tension": [[1600, 1700]]}, {}, "a list of numbers or texts"),
+        ({"top.tension": np.ones((2, 2))}, {}, "a list of numbers or texts"),
     ],
 )
 def test_what_cannot_be_meant_is_refused_before_anything_runs(axes, options, fault, monkeypatch):

@@ -210,7 +210,12 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
     """Name of a dimension and its axis, as study files have it."""
     if isinstance(values, Mapping):
         return path, {label: dict(sets) for label, sets in values.items()}
+    allowed = "allowed is a list of numbers or texts, such as [8, 10] or ['8 s', '10 s']"
+    if isinstance(values, str) or not isinstance(values, Iterable):
+        raise InputError("sweep", f"axes.{path}", repr(values), allowed)
     listed = [v.item() if isinstance(v, np.generic) else v for v in values]
+    if not all(isinstance(v, int | float | str | bool | None) for v in listed):
+        raise InputError("sweep", f"axes.{path}", repr(listed), allowed)
     if not listed or len(set(listed)) < len(listed):
         raise InputError("sweep", f"axes.{path}", str(listed), "give one or more different values")
     name = as_name(path)
