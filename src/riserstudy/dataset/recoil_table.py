@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 TOUCHING = 1e-6  # m, beyond an end of the stroke that is contact
+AXIAL = 0.005  # m, up to which a distance from the well is none
 
 
 def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
@@ -35,7 +36,7 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
         ["overpull", overpull / 1e3, "kN", release.at, "" if overpull >= 0.0 else "on the stack"],
         ["largest lift", of["lift_max"], "m", None, ""],
         _clearance(of),
-        ["re-contact", None, "", of.get("recontact_time"), "no" if _free(of) else "yes"],
+        ["re-contact", None, "", of.get("recontact_time"), _contact(of)],
         ["largest upward speed", of["lift_rate_max"], "m/s", None, ""],
         *_strokes(scene, json.loads(of.get("extremes", "[]"))),
     ]
@@ -66,7 +67,18 @@ def _clearance(of: dict[str, Any]) -> list[Cell]:
             None,
             "not evaluated: the LMRP still rises at the end of the run",
         ]
-    return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], ""]
+    aside = _aside(of.get("clearance_aside"))
+    return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], aside]
+
+
+def _contact(of: dict[str, Any]) -> str:
+    aside = _aside(of.get("recontact_aside"))
+    return "no" if _free(of) else "yes" + (f", up to {aside}" if aside else "")
+
+
+def _aside(distance: float | None) -> str:
+    """Distance (m) of the LMRP from the well, where it is not above it; absent from older datasets."""
+    return f"{distance:.3g} m aside from the well" if (distance or 0.0) > AXIAL else ""
 
 
 def _strokes(scene: Resolved, extremes: list[dict[str, Any]]) -> list[list[Cell]]:

@@ -1,14 +1,15 @@
-r"""A gauge of the lift and lift rate of the riser's lower end above the stack; it exerts no force.
+r"""A gauge of where the riser's lower end is above the stack, and aside from it; it exerts no force.
 
-.. math:: \ell = z_0 - z_{stack}
+.. math:: \ell = z_0 - z_{stack}, \qquad a = \sqrt{x_0^2 + y_0^2}
 
 References
 ----------
-Elementary: a difference of elevations.
+Elementary: a difference of elevations, and a distance from the well.
 """
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from riserstudy.effects.registry import Called, register
@@ -19,15 +20,19 @@ class LiftGauge(NamedTuple):
     """Gauge at the lower end."""
 
     elevation: float  # of the stack's connector (m)
-    probe: int  # of the lift; the next one is of its rate
+    probe: int  # of the lift; the next ones are of its rate and of the distance from the well
 
 
 @inner
 def probe(gauge, s):
-    """Report lift (m) and its rate (m/s)."""
+    """Report lift (m), its rate (m/s) and the horizontal distance from the well (m)."""
     up = len(s.dim) - 1
     s.probe[gauge.probe] = s.r[up, 0] - gauge.elevation
     s.probe[gauge.probe + 1] = s.v[up, 0]
+    aside = 0.0
+    for i in range(up):
+        aside += s.r[i, 0] ** 2
+    s.probe[gauge.probe + 2] = math.sqrt(aside)
     return 0.0
 
 

@@ -18,7 +18,7 @@ from riserstudy.model.model import Effect, Model, Report
 from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import forces_and_tangent, shape_of
 
-LIFT = ("lift", "lift_rate")  # what the gauge reports
+LIFT = ("lift", "lift_rate", "lift_aside")  # what the gauge reports
 
 
 def lift_gauge(of: Layout, report: Report) -> Iterator[Effect]:

@@ -217,7 +217,9 @@ class RunFacts(TypedDict, total=False):
     lift_rate_max: float  # m/s
     clearance_min: float  # m
     clearance_time: float  # s
+    clearance_aside: float  # m
     recontact_time: float  # s
+    recontact_aside: float  # m, the largest
     contents_speed_max: float  # m/s
     contents_top_min: float  # m
     fatigue: list[dict[str, Any]]  # rows of the details of a scene

@@ -131,6 +131,7 @@ QUANTITIES: dict[str, Quantity] = {
     "damage_rate": Quantity("fatigue", lambda s: s.fatigue is not None),
     "lift": Quantity("disconnect", lambda s: s.disconnect is not None),
     "lift_rate": Quantity("disconnect", lambda s: s.disconnect is not None),
+    "lift_aside": Quantity("disconnect", lambda s: s.disconnect is not None),
     "platform_surge": Quantity("vessel", _of_vessel()),
     "platform_speed_x": Quantity("vessel", _of_vessel()),
     "riser_reaction_x": Quantity("vessel", _of_vessel()),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.disconnect import fading, released, stack_contact
@@ -18,8 +19,11 @@ from riserstudy.solve.evaluate import energies, forces_and_tangent
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
+FloatArray = NDArray[np.float64]
+
 STILL = 1e-6  # share of the tension above the connector that is rounding
 TOUCHING = 1e-6  # lift that is contact (m)
+ABOVE = 1.0  # m aside from the well, within which a lower end is taken to be above the stack
 
 
 def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
@@ -61,9 +65,10 @@ def _overpull(model: Model) -> float:
 
 
 def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None:
-    """Enter lift, clearance and re-contact into the facts, with a warning where the riser comes down.
+    """Enter lift, clearance and re-contact into the facts, with warnings where the riser comes down.
 
-    ``arrays`` hold time (s), lift (m) and its rate (m/s), (times,), of all steps where they were recorded.
+    ``arrays`` hold time (s), lift (m), its rate (m/s) and the distance from the well (m), (times,), of all
+    steps where they were recorded.
     """
     if scene.disconnect is None or "lift" not in arrays:
         return
@@ -71,7 +76,7 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
     lift = arrays["lift"][after]
     if not len(lift):
         return
-    time = arrays["time"][after]
+    time, aside = arrays["time"][after], arrays["lift_aside"][after]
     facts["lift_max"] = float(lift.max())
     facts["lift_rate_max"] = float(arrays["lift_rate"][after].max())
     falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
@@ -79,9 +84,11 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
         lowest = falls[0] + int(lift[falls[0] :].argmin())
         facts["clearance_min"] = float(lift[lowest])
         facts["clearance_time"] = float(time[lowest])
+        facts["clearance_aside"] = float(aside[lowest])
     below = np.flatnonzero(lift < -TOUCHING)
     if len(below):
         facts["recontact_time"] = float(time[below[0]])
+        facts["recontact_aside"] = float(aside[below].max())
         warning = f"disconnect: the LMRP re-contacts the stack at {time[below[0]]:.4g} s"
         if scene.disconnect.stack is None:
             warning += (
@@ -89,9 +96,21 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
                 "do not use results after this time, or give disconnect.stack"
             )
         facts["warnings"].append(warning)
+        if scene.disconnect.stack and facts["recontact_aside"] > ABOVE:
+            facts["warnings"].append(_beside(time[below], aside[below]))
     if column := flow_of(scene):
         facts["contents_speed_max"] = float(abs(column.speed).max())
         facts["contents_top_min"] = float(column.top.min())
+
+
+def _beside(time: FloatArray, aside: FloatArray) -> str:
+    """Warning of contact beside the stack, by the times (s) of contact and the distances then (m)."""
+    first = time[aside > ABOVE][0]
+    return (
+        f"disconnect: the LMRP touches the level of the stack up to {aside.max():.3g} m aside from the well, "
+        f"first more than {ABOVE:g} m aside at {first:.4g} s; disconnect.stack has no width, so check that "
+        "the stack is there, and end the run before this time if it is not"
+    )
 
 
 def rows_of_limits(scene: Resolved, facts: RunFacts) -> list[dict[str, Any]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from surroundings import CYLINDERS, Case
 
 from riserstudy.effects.lift_gauge import LiftGauge
@@ -9,7 +10,8 @@ from riserstudy.effects.lift_gauge import LiftGauge
 
 def lift_gauge(record, s):
     out = s.probe.copy()
-    out[record.probe : record.probe + 2] = s.r[-1, 0] - record.elevation, s.v[-1, 0]
+    aside = np.linalg.norm(s.r[:-1, 0])
+    out[record.probe : record.probe + 3] = s.r[-1, 0] - record.elevation, s.v[-1, 0], aside
     return {"probe": out}
 
 
