@@ -99,12 +99,12 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     own_mesh : whether the scene gives its mesh, which bounds no error.
     """
     estimated = facts.get("error_estimate", {})
-    for name, (noun, outputs) in UNBOUNDED.items():
-        if output in outputs:
-            share = estimated.get(name, 0.0)
-            size = _absolute(share, outputs, facts)
-            text = f"{math.degrees(size):.2g} deg" if name == "angle" else f"{size:.2g} N"
-            return Error(size, share, f"an error of the {noun}, {text} as estimated")
+    if name := _unbounded(output):
+        noun, outputs = UNBOUNDED[name]
+        share = estimated.get(name, 0.0)
+        size = _absolute(share, outputs, facts)
+        text = f"{math.degrees(size):.2g} deg" if name == "angle" else f"{size:.2g} N"
+        return Error(size, share, f"an error of the {noun}, {text} as estimated")
     names = BOUNDED.get(output, ()) if own_mesh else ()
     share = max((estimated.get(name, 0.0) for name in names), default=0.0)
     words = f"an error of {output}, {100.0 * share:.2g} % as estimated"

@@ -22,7 +22,7 @@ import numpy as np
 from riserstudy.model.tensioner_law import gas_force, linear_law, table_law, tension_at_mid_stroke
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.tensioners import Tensioners
+from riserstudy.scene.tensioners import Arrangement, Tensioners
 
 HALVINGS = 60  # of the range in which the stretch is looked for
 FURTHEST = 0.05  # share of its length by which no riser stretches
@@ -49,13 +49,8 @@ def ring_at_mid_stroke(scene: Resolved) -> float:
     place = rig.arrangement if rig else None
     if place is None:
         return ring + _stretched_by(scene, constant + all_of_them)
-    aside = place.deck_radius - place.ring_radius
-
-    def inclined(e: float) -> float:
-        up = place.deck_elevation - ring - e
-        return constant + all_of_them * up / math.hypot(aside, up)
-
-    return ring + _longer(scene, inclined)
+    vertical = _vertical(place, ring, lambda _: all_of_them)
+    return ring + _longer(scene, lambda e: constant + vertical(e))
 
 
 def stretch(scene: Resolved) -> float:
@@ -112,15 +107,29 @@ def _pull(scene: Resolved) -> Callable[[float], float]:
         zero = ring_at_mid_stroke(scene) - ring
     if place is None:
         return lambda e: constant + count * law(zero - e)
+    at_zero = math.hypot(place.deck_radius - place.ring_radius, place.deck_elevation - ring - zero)
+    vertical = _vertical(place, ring, lambda length: count * law(length - at_zero))
+    return lambda e: constant + vertical(e)
+
+
+def _vertical(
+    place: Arrangement, ring: float, pulls: Callable[[float], float]
+) -> Callable[[float], float]:
+    """Vertical part of the pulls of inclined cylinders (N), by the stretch of the riser (m).
+
+    Parameters
+    ----------
+    ring : elevation of the ring before the riser stretches (m).
+    pulls : of all cylinders along their axes (N), by their length (m).
+    """
     aside = place.deck_radius - place.ring_radius
 
-    def inclined(e: float) -> float:
+    def vertical(e: float) -> float:
         up = place.deck_elevation - ring - e
         length = math.hypot(aside, up)
-        reach = length - math.hypot(aside, place.deck_elevation - ring - zero)
-        return constant + count * law(reach) * up / length
+        return pulls(length) * up / length
 
-    return inclined
+    return vertical
 
 
 def _constant(scene: Resolved) -> float:

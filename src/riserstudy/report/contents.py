@@ -38,6 +38,10 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
+#: caption, PNG and PDF by paper and name
+FilesOfFigures = dict[tuple[str, str], tuple[str, str, str]]
+
+
 @dataclass(frozen=True)
 class Sources:
     """Files that the report is made from.
@@ -93,8 +97,9 @@ def contents(sources: Sources) -> dict[str, Any]:
 
     files = {paper: read_studies(sources.config, paper) for paper in sources.papers}
     with opened(sources.database) as db, ThreadPoolExecutor() as pool:
+        known = _files_of_figures(db)
         pictures = {  # encoding takes as long as all the rest, and lets other threads go on
-            path: pool.submit(picture_of, path) for path in _drawn(db, sources.folder, files)
+            path: pool.submit(picture_of, path) for path in _drawn(known, sources.folder, files)
         }
         claims, errata = read_claims(db), _errata(db)
         paths: dict[str, str] = dict(db.execute("select study, path from studies").fetchall())
@@ -107,7 +112,7 @@ def contents(sources: Sources) -> dict[str, Any]:
             p: scene_tables(_own(p, files[p], datasets), files[p], sources.config)
             for p in sources.papers
         }
-        figures = _figures(db, sources, files, claims, paths, tables, pictures)
+        figures = _figures(db, sources, files, claims, paths, tables, known, pictures)
         drawn_runs = curves(db, sources.config, claims, datasets)
         rows, warned = audit.audit(db, files), audit.warned(db)
         missed = audit.missed(db, files)
@@ -214,10 +219,10 @@ def _figures(
     claims: list[Claim],
     paths: dict[str, str],
     tables: dict[str, list[SceneTable]],
+    known: FilesOfFigures,
     pictures: dict[Path, Future[Picture]],
 ) -> list[Figure]:
     """Figures in the order of study files, with all that they are linked to."""
-    known = _files_of_figures(db)
     rests = _sets(db, "select paper, id, study from rests_on")
     by_figure = _sets(db, "select figure, study from figure_reads")
     reads = {figure: studies for (figure,), studies in by_figure.items()}
@@ -264,7 +269,7 @@ def _figures(
     return figures
 
 
-def _files_of_figures(db: sqlite3.Connection) -> dict[tuple[str, str], tuple[str, str, str]]:
+def _files_of_figures(db: sqlite3.Connection) -> FilesOfFigures:
     """Caption, PNG and PDF of each figure, by paper and name."""
     found = db.execute("select paper, name, caption, png, pdf from figures")
     return {(paper, name): (caption, png, pdf) for paper, name, caption, png, pdf in found}
@@ -275,9 +280,8 @@ def _names(paper: str, file: StudyFile, known: Container[tuple[str, str]]) -> li
     return [name for name in (*file.schematics, *file.figures) if (paper, name) in known]
 
 
-def _drawn(db: sqlite3.Connection, folder: Path, files: dict[str, StudyFile]) -> Iterator[Path]:
+def _drawn(known: FilesOfFigures, folder: Path, files: dict[str, StudyFile]) -> Iterator[Path]:
     """PNG files of all figures."""
-    known = _files_of_figures(db)
     for paper, file in files.items():
         for name in _names(paper, file, known):
             yield folder / known[paper, name][1]

@@ -97,13 +97,13 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
             )
         facts["warnings"].append(warning)
         if scene.disconnect.stack and facts["recontact_aside"] > ABOVE:
-            facts["warnings"].append(_beside(time[below], aside[below]))
+            facts["warnings"].append(_contact_aside(time[below], aside[below]))
     if column := flow_of(scene):
         facts["contents_speed_max"] = float(abs(column.speed).max())
         facts["contents_top_min"] = float(column.top.min())
 
 
-def _beside(time: FloatArray, aside: FloatArray) -> str:
+def _contact_aside(time: FloatArray, aside: FloatArray) -> str:
     """Warning of contact beside the stack, by the times (s) of contact and the distances then (m)."""
     first = time[aside > ABOVE][0]
     return (

@@ -96,7 +96,8 @@ def sweep(
         Number of natural modes for each point: ``natural_period`` (s) with the dimension ``mode``, shapes
         with ``s_relative``. By default none.
     on_error : {"nan", "raise"}
-        For a point that cannot be completed: NaN and the reason in ``failure``, or a SimulationError.
+        Of a point that cannot be completed, ``"nan"`` gives NaN, and the reason in ``failure``;
+        ``"raise"`` raises a SimulationError.
     cores : int, optional
         Largest number of processes; by default the number of cores.
     progress : bool
@@ -125,8 +126,8 @@ def sweep(
     with _progress(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or _cores(), done)
     _check_failures(study, points, failures, on_error)
-    title = f"{file.tree.get('title') or 'a scene'}: sweep of {', '.join(axes)}"
-    return _dataset(study, points, failures).assign_attrs(title=title)
+    of = file.tree.get("title") or "a scene"
+    return _dataset(study, points, failures).assign_attrs(title=f"{of}: sweep of {', '.join(axes)}")
 
 
 def _check_failures(
