@@ -2,9 +2,9 @@
 
 from matplotlib.colors import to_hex, to_rgb
 
-from riserstudy.chapters.chang2020.figures import shared as chang2020
-from riserstudy.chapters.liu2020.figures import colours as liu2020
-from riserstudy.chapters.mao_hangoff.figures import colours as mao_hangoff
+from chapters.chang2020.figures import shared as chang2020
+from chapters.liu2020.figures import colours as liu2020
+from chapters.mao_hangoff.figures import colours as mao_hangoff
 from riserstudy.figures.style import shades
 
 TABLES = {

@@ -31,9 +31,12 @@ EDITED = [
 ]
 
 
-@pytest.mark.parametrize("path", made(), ids=lambda path: path.name)
+MADE = made()
+
+
+@pytest.mark.parametrize("path", MADE, ids=lambda path: path.name)
 def test_what_is_written_from_the_models_is_up_to_date(path):
-    stands, should = path.read_text("utf-8"), made()[path]
+    stands, should = path.read_text("utf-8"), MADE[path]
     difference = difflib.unified_diff(stands.splitlines(), should.splitlines(), lineterm="")
     assert stands == should, "run `python workflow/scripts/make_reference.py`:\n" + "\n".join(
         difference

@@ -21,7 +21,6 @@ import platformdirs
 from riserstudy.errors import InputError, SimulationError
 
 PACKAGE = Path(__file__).parent
-CHAPTERS = "riserstudy.chapters"
 
 #: of a results folder, where jobs say what each file was when it was written
 SEALS = ".seals"
@@ -112,17 +111,13 @@ def workflow_folder() -> Path:
 def chapter_modules(paper: str, part: str) -> list[str]:
     """Modules of one part of a paper's chapter: ``figures``, ``derived``, ``claims`` and so on.
 
-    A part is a file of that name or a folder of files. The folder ``chapters`` where one works comes
-    before the package's.
+    A part is a file of that name or a folder of files, in the folder ``chapters`` where one works.
     """
-    for root, package in ((Path("chapters"), "chapters"), (PACKAGE / "chapters", CHAPTERS)):
-        place = root / paper / part
-        if place.with_suffix(".py").exists():
-            return [f"{package}.{paper}.{part}"]
-        if place.is_dir():
-            names = sorted(path.stem for path in place.glob("*.py") if path.stem != "__init__")
-            return [f"{package}.{paper}.{part}.{name}" for name in names]
-    return []
+    place = Path("chapters") / paper / part
+    if place.with_suffix(".py").exists():
+        return [f"chapters.{paper}.{part}"]
+    names = sorted(path.stem for path in place.glob("*.py") if path.stem != "__init__")
+    return [f"chapters.{paper}.{part}.{name}" for name in names]
 
 
 def own_chapters() -> list[str]:
@@ -133,20 +128,16 @@ def own_chapters() -> list[str]:
 def import_of_chapter(module: str) -> ModuleType:
     """A module of a chapter, imported; one of the folder where one works whatever Python was started with."""
     here = str(Path.cwd())
-    if module.partition(".")[0] == "chapters" and not {here, ""} & {*sys.path}:
+    if not {here, ""} & {*sys.path}:
         sys.path.append(here)
     return import_module(module)
 
 
 def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
-    """Those of some source files that belong to a paper's chapter, if it lies in the folder where one works.
-
-    Of an installed package they have another name on each machine.
-    """
+    """Those of some source files that are of a paper's chapter, as paths from where one works."""
     here = Path.cwd()
-    chapters = [here / "chapters" / paper, PACKAGE.absolute() / "chapters" / paper]
-    found = [file for file in files if any(map(file.is_relative_to, chapters))]
-    return sorted(str(file.relative_to(here)) for file in found if file.is_relative_to(here))
+    chapter = here / "chapters" / paper
+    return sorted(str(file.relative_to(here)) for file in files if file.is_relative_to(chapter))
 
 
 def write_whole(target: Path, content: bytes, synced: bool = False) -> None:

@@ -5,8 +5,8 @@ import csv
 import pytest
 from random_rigs import at_mid_stroke, rig, written
 
+from chapters.design.derived.tension import window_of
 from riserstudy import load_scene
-from riserstudy.chapters.design.derived.tension import window_of
 from riserstudy.design import engine_tension as engine
 from riserstudy.design.tension import Rig, Tolerances
 from riserstudy.design.tension_table import TensionRequest, tension_table

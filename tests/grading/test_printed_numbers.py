@@ -8,7 +8,6 @@ import pytest
 
 from riserstudy.chapters import function_of
 from riserstudy.errors import InputError
-from riserstudy.folders import PACKAGE
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import printed_of
 from riserstudy.study.read import read_studies
@@ -39,7 +38,7 @@ def test_no_source_of_a_chapter_repeats_a_printed_number(paper):
     numbers = {item.published for item in printed_of(CONFIG, paper).items} - {None} - COMMON
     repeated = [
         f"{path.name}:{node.lineno}: {node.value}"
-        for path in (PACKAGE / "chapters" / paper).rglob("*.py")
+        for path in (CONFIG.parent / "chapters" / paper).rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text()))
         if isinstance(node, ast.Constant)
         and isinstance(node.value, int | float)

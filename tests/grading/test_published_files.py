@@ -5,7 +5,7 @@ import inspect
 import pytest
 from invented import CONFIG, dataset, number_row, published
 
-from riserstudy.chapters.chang2020 import claims as checks
+from chapters.chang2020 import claims as checks
 from riserstudy.errors import InputError
 from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import read_published

@@ -5,9 +5,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from chapters.liu2020.derived.statics import pushed_back
+from chapters.liu2020.second_methods import Beamlike, by_collocation, by_hermite_elements
 from riserstudy import load_scene, simulate
-from riserstudy.chapters.liu2020.derived.statics import pushed_back
-from riserstudy.chapters.liu2020.second_methods import Beamlike, by_collocation, by_hermite_elements
 from riserstudy.model.mesh import even
 from riserstudy.simulation.run import single
 

@@ -17,6 +17,7 @@ from riserstudy.solve.kernel_cache import kernel_cache
 ROOT = Path(__file__).parents[2]
 PAPER = "chang2020"
 AMPLITUDES = [1.0, 5.0]
+PYCACHE = shutil.ignore_patterns("__pycache__")
 
 
 class Checkout:
@@ -82,7 +83,7 @@ class Checkout:
         place = place or self.folder.parent / "src of my own"
         copy = place / "riserstudy"
         source = ROOT / "src/riserstudy"
-        shutil.copytree(source, copy, ignore=shutil.ignore_patterns("__pycache__"))
+        shutil.copytree(source, copy, ignore=PYCACHE)
         self.environment["PYTHONPATH"] = str(place)
         return copy
 
@@ -92,6 +93,7 @@ def in_small(folder):
     shutil.copy(ROOT / "Snakefile", folder)
     for part in ("workflow", "profiles", "config"):
         shutil.copytree(ROOT / part, folder / part)
+    shutil.copytree(ROOT / "chapters" / PAPER, folder / "chapters" / PAPER, ignore=PYCACHE)
     shutil.rmtree(folder / "config/published")  # which needs more studies than these
     yaml = YAML()
     path = folder / "config/studies/chang2020.yaml"

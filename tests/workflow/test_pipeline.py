@@ -77,19 +77,21 @@ def test_an_edited_package_reruns_what_the_edited_part_makes(checkout):
     package = checkout.own_package()
     assert checkout.planned() == set()
     for file, jobs in (
-        ("chapters/chang2020/figures/sweeps.py", {"draw chang2020/fig14"}),
-        ("chapters/chang2020/derived.py", AFTER),
-        ("scene/weight.py", SIMULATE | AFTER),
-        ("effects/weight.py", COMPILE | SIMULATE | AFTER),
+        (checkout / "chapters/chang2020/figures/sweeps.py", {"draw chang2020/fig14"}),
+        (checkout / "chapters/chang2020/derived.py", AFTER),
+        (package / "scene/weight.py", SIMULATE | AFTER),
+        (package / "effects/weight.py", COMPILE | SIMULATE | AFTER),
     ):
-        with (package / file).open("a") as source:
+        with file.open("a") as source:
             source.write("\nEDITED = 1\n")
         assert checkout.planned() == jobs
 
 
 def test_the_files_of_a_chapter_are_inputs_of_the_rules_that_run_them(checkout):
-    """Seen by what Snakemake tells when they come to lie below the folder, with a digest as before."""
-    checkout.own_package(checkout / "src")
+    """Seen by what Snakemake tells of a file that comes into a chapter and is imported there."""
+    with (checkout / "chapters/chang2020/derived.py").open("a") as source:
+        source.write("\nfrom chapters.chang2020.more import MORE as MORE\n")
+    (checkout / "chapters/chang2020/more.py").write_text("MORE = 1\n")
     _, said = dry_run(checkout.folder, checkout.environment, "chang2020")
     changed = "Set of input files has changed since last execution"
     jobs = re.findall(rf"^Job \d+: (.*)\nReason: .*{changed}", said, re.MULTILINE)
@@ -101,8 +103,9 @@ def test_the_files_of_a_chapter_are_inputs_of_the_rules_that_run_them(checkout):
 def test_an_edit_of_prose_reruns_nothing(checkout, seed):
     """Comments, docstrings, annotations and layout, in several files of each folder."""
     package, draw = checkout.own_package(), random.Random(seed)
-    for folder in ("solve", "effects", "scene", "simulation", "study", "chapters/chang2020"):
-        files = sorted((package / folder).glob("*.py"))
+    parts = [package / part for part in ("solve", "effects", "scene", "simulation", "study")]
+    for folder in (*parts, checkout / "chapters/chang2020"):
+        files = sorted(folder.glob("*.py"))
         for file in draw.sample(files, min(4, len(files))):
             file.write_text(prose_edit(file.read_text(), draw)[1])
     assert checkout.planned() == set()

@@ -181,7 +181,7 @@ def _named(name: str, axis: Any, paper: str) -> dict[str, Any]:
     name; and so do numbers, where the two have no unit in common.
     """
     known, unit = attributes(name), axis.unit if isinstance(axis, Numbers) else None
-    ours = (PACKAGE / "chapters" / paper).is_dir()
+    ours = (PACKAGE.parents[1] / "chapters" / paper).is_dir()  # of the checkout
     meant = ours or (unit is not None and (unit == "1") == (known.get("units", unit) == "1"))
     about = {"long_name": name.replace("_", " ")} | (known if meant else {})
     return about | ({"units": cf_unit(unit)} if unit is not None else {})

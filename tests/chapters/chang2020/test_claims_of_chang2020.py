@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.chang2020 import claims as checks
-from riserstudy.chapters.chang2020.derived import reductions_open
+from chapters.chang2020 import claims as checks
+from chapters.chang2020.derived import reductions_open
 from riserstudy.grading.grade import answers
 from riserstudy.grading.words_file import read_words
 

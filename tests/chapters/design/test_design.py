@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.design.derived.seas import allowances
-from riserstudy.chapters.design.figures.operability import operability_drilling
-from riserstudy.chapters.design.figures.recoil import recoil_failures
-from riserstudy.chapters.design.figures.tension import heaviest
+from chapters.design.derived.seas import allowances
+from chapters.design.figures.operability import operability_drilling
+from chapters.design.figures.recoil import recoil_failures
+from chapters.design.figures.tension import heaviest
 from riserstudy.design.envelopes import envelopes
 
 LIMITS = [

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.design.derived.wellhead import wellhead_fatigue
-from riserstudy.chapters.design.figures.wellhead import wellhead_fatigue as drawn
+from chapters.design.derived.wellhead import wellhead_fatigue
+from chapters.design.figures.wellhead import wellhead_fatigue as drawn
 
 
 def samples(slopes, count=192, seed=0):

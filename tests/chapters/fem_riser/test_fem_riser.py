@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.fem_riser import claims as checks
-from riserstudy.chapters.fem_riser.along import (
+from chapters.fem_riser import claims as checks
+from chapters.fem_riser.along import (
     amplitude_at,
     angles,
     drift_rate,

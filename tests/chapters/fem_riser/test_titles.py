@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.fem_riser.figures import trends
+from chapters.fem_riser.figures import trends
 
 NAMES = ("deflection", "stress", "angle", "vibration")
 

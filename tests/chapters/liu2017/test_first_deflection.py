@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.liu2017.claims import deflects_along_at_first
-from riserstudy.chapters.liu2017.figures.limits import _slowest_in_time
+from chapters.liu2017.claims import deflects_along_at_first
+from chapters.liu2017.figures.limits import _slowest_in_time
 from riserstudy.design.watch_circles import TOO_LATE
 
 

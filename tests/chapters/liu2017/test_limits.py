@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.liu2017.limits import LIMITS, reached, shares, starts
+from chapters.liu2017.limits import LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.design.watch_circles import CIRCLE, NEVER, TOO_LATE, watch_circle
 

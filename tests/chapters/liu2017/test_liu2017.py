@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.liu2017 import derived
-from riserstudy.chapters.liu2017.derived import driveoff
+from chapters.liu2017 import derived
+from chapters.liu2017.derived import driveoff
 from riserstudy.effects.soil import py_of_clay
 from riserstudy.model.mesh import even
 from riserstudy.model.soil import springs, ultimate_resistance

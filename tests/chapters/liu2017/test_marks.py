@@ -4,8 +4,8 @@ import numpy as np
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
 
-from riserstudy.chapters.liu2017.figures.shared import OF_HEADING, STROKE_OUT, mark_stroke_out
-from riserstudy.chapters.liu2017.limits import LIMITS
+from chapters.liu2017.figures.shared import OF_HEADING, STROKE_OUT, mark_stroke_out
+from chapters.liu2017.limits import LIMITS
 from riserstudy.figures.style import COLOURS
 
 APART = 0.2  # least distance of two colours, of 1.7 from black to white

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.liu2017.figures.checks import _share_reached
+from chapters.liu2017.figures.checks import _share_reached
 
 
 @pytest.mark.parametrize("seed", range(20))

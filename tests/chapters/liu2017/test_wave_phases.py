@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.liu2017.claims import limit_over_phases
+from chapters.liu2017.claims import limit_over_phases
 
 TIME = np.arange(0.0, 60.1, 0.1)
 GAINS = np.array([64.0, 62.0, 65.0, 65.9, 67.0])  # in no order

@@ -8,8 +8,8 @@ import pytest
 import xarray as xr
 from matplotlib.colors import to_hex
 
-from riserstudy.chapters.liu2020.figures import heave, motion, static_shapes, statics
-from riserstudy.chapters.liu2020.figures.colours import ALL, NAMES, OF_CALIBRATION, ONE, VERTICAL
+from chapters.liu2020.figures import heave, motion, static_shapes, statics
+from chapters.liu2020.figures.colours import ALL, NAMES, OF_CALIBRATION, ONE, VERTICAL
 from riserstudy.figures.drawn import headline
 from riserstudy.study.read import read_studies
 

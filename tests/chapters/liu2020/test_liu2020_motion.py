@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from chapters.liu2020.below_ring import at_depths, first_at, on_riser, ring_of
+from chapters.liu2020.claims import system as claims
+from chapters.liu2020.claims.errata import baselines, waves_on_the_riser
+from chapters.liu2020.claims.system import WITHOUT
+from chapters.liu2020.derived import motion as liu2020_motion
+from chapters.liu2020.derived.motion import lag_at, rao_readings, section, storm
+from chapters.liu2020.periods import beats, settling
 from riserstudy import load_scene
-from riserstudy.chapters.liu2020.below_ring import at_depths, first_at, on_riser, ring_of
-from riserstudy.chapters.liu2020.claims import system as claims
-from riserstudy.chapters.liu2020.claims.errata import baselines, waves_on_the_riser
-from riserstudy.chapters.liu2020.claims.system import WITHOUT
-from riserstudy.chapters.liu2020.derived import motion as liu2020_motion
-from riserstudy.chapters.liu2020.derived.motion import lag_at, rao_readings, section, storm
-from riserstudy.chapters.liu2020.periods import beats, settling
 from riserstudy.dataset.variables import attributes, density
 from riserstudy.grading.words_file import read_words
 from riserstudy.study.read import read_study

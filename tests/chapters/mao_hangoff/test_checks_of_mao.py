@@ -7,26 +7,26 @@ import pytest
 import xarray as xr
 from mao import CONFIG, FILE, PAPER, WORD, small
 
-from riserstudy.chapters import checks_of
-from riserstudy.chapters.mao_hangoff.claims.at_some_time import (
+from chapters.mao_hangoff.claims.at_some_time import (
     FREE,
     STRICT,
     distance_of_fig10,
     moment_of_fig9,
     numbers_at_some_time,
 )
-from riserstudy.chapters.mao_hangoff.claims.errata import load_power, readings_near, variants
-from riserstudy.chapters.mao_hangoff.claims.heave import (
+from chapters.mao_hangoff.claims.errata import load_power, readings_near, variants
+from chapters.mao_hangoff.claims.heave import (
     harmonic,
     largest_at_0_degrees,
     lows_deeper_at_first,
 )
-from riserstudy.chapters.mao_hangoff.claims.towed import (
+from chapters.mao_hangoff.claims.towed import (
     change_arises_near_the_lmrp,
     change_near_the_lmrp,
     small_below,
 )
-from riserstudy.chapters.mao_hangoff.hanging import hanging, largest_rise
+from chapters.mao_hangoff.hanging import hanging, largest_rise
+from riserstudy.chapters import checks_of
 from riserstudy.grading.published import read_published
 
 

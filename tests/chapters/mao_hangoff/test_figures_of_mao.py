@@ -12,13 +12,13 @@ from mao import CONFIG, FILE, PAPER, WEIGHTS, WORD
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
+from chapters.mao_hangoff.claims.towed import (
+    loads_small_at_the_lmrp,
+)
+from chapters.mao_hangoff.derived.towed import end_loads, reference_masses
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
-from riserstudy.chapters.mao_hangoff.claims.towed import (
-    loads_small_at_the_lmrp,
-)
-from riserstudy.chapters.mao_hangoff.derived.towed import end_loads, reference_masses
 from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import read_published

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.chapters.mao_hangoff.claims.errata import parts_of_samples
-from riserstudy.chapters.mao_hangoff.claims.further import upper_half_moves_faster
-from riserstudy.chapters.mao_hangoff.claims.towed import steep_near_the_surface
+from chapters.mao_hangoff.claims.errata import parts_of_samples
+from chapters.mao_hangoff.claims.further import upper_half_moves_faster
+from chapters.mao_hangoff.claims.towed import steep_near_the_surface
 from riserstudy.grading.words_file import read_words
 
 CONFIG = Path(__file__).parents[3] / "config"

@@ -7,9 +7,9 @@ import pytest
 import xarray as xr
 from mao import CONFIG, FILE, PAPER, hung_off, planned, small, small_steady
 
+from chapters.mao_hangoff.derived.towed import towed
+from chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.chapters.derive import derive
-from riserstudy.chapters.mao_hangoff.derived.towed import towed
-from riserstudy.chapters.mao_hangoff.towed import at_top, displacement
 from riserstudy.errors import InputError
 from riserstudy.scene.load import read_scene
 from riserstudy.study.axes import Numbers

@@ -7,10 +7,10 @@ import pytest
 import xarray as xr
 from matplotlib.colors import to_rgb
 
-from riserstudy.chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
-from riserstudy.chapters.mao_hangoff.figures.towed_sweeps import _where_astern
-from riserstudy.chapters.mao_hangoff.figures.trends import trends
-from riserstudy.chapters.mao_hangoff.runs import STATED
+from chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
+from chapters.mao_hangoff.figures.towed_sweeps import _where_astern
+from chapters.mao_hangoff.figures.trends import trends
+from chapters.mao_hangoff.runs import STATED
 from riserstudy.figures.drawn import headline
 
 RANGES = {

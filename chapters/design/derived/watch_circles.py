@@ -1,0 +1,63 @@
+"""Design, watch circles: where alarms must be given when a vessel that lost its thrust drifts off."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from chapters.design.derived.operability import allowed
+from riserstudy.dataset.crossing import first_crossing
+from riserstudy.dataset.describe import described, scenes_of
+from riserstudy.design.drift import Hull, drift
+from riserstudy.design.watch_circles import red_and_yellow, with_flags
+from riserstudy.scene.units import to_si
+
+PAPER = "design"
+MODE = "disconnect"
+TIMES = np.arange(0.0, 3601.0)  # s, adrift
+
+
+def watch_circles(
+    rests: xr.Dataset,
+    reach: str,
+    allowances: dict[str, str],
+    eds_times: list[str],
+    preparing: str,
+    **hull: Any,
+) -> xr.Dataset:
+    """Red and yellow circle down current, over the axes of the risers at rest and the disconnect time.
+
+    The vessel drifts from above the well, from rest; what the riser pulls back is left out.
+
+    Parameters
+    ----------
+    rests : risers at rest above the well, over ``mud_weight`` and ``surface_speed``.
+    reach, allowances : as in ``operability``.
+    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
+    preparing : time from the yellow alarm to the red one, with its unit.
+    hull : ``mass`` with added mass, ``drag``, and ``force`` of wind and waves, with units.
+    """
+    from riserstudy.design.operability import offsets  # which loads kernels
+
+    own = Hull(to_si(hull["mass"], "kg"), to_si(hull["drag"], "N*s^2/m^2"))
+    force = to_si(hull["force"], "N")
+    first_offset, way = [], []
+    for place, scene in scenes_of(rests):
+        limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
+        of_mode = scene.model_copy(update={"limits": limits})
+        found = offsets(of_mode, to_si(reach, "m"), allowed(allowances))
+        first_offset.append(np.min([one.high for one in found]))
+        way.append(drift(own, force, place["surface_speed"], TIMES).way)
+    over = [str(dim) for dim in rests["point_key"].dims]
+    shape = rests["point_key"].shape
+    coords = {dim: rests[dim] for dim in over}
+    limit = xr.DataArray(np.reshape(first_offset, shape), dims=over, coords=coords)
+    offset = xr.DataArray(
+        np.reshape(way, (*shape, len(TIMES))), dims=(*over, "time"), coords=coords | {"time": TIMES}
+    )
+    first = first_crossing(offset - limit, 0.0)
+    made = xr.Dataset({"limit_offset": limit, "disconnect_time": first})
+    made = made.assign(red_and_yellow(first, offset, eds_times, preparing))
+    return with_flags(described(made, PAPER, "watch circles of a vessel without thrust"))

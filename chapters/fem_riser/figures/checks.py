@@ -1,0 +1,296 @@
+"""What the verdicts rest on: interpretations, regions, other solvers, meshes."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import LogLocator, NullLocator
+
+from chapters.fem_riser.claims import (
+    BEAM,
+    DURATION,
+    LUMPED,
+    PAPER_STEP,
+    TOGETHER,
+    claims,
+    differences,
+    grid_error,
+)
+from chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
+from riserstudy.figures.direct import label_ends, label_line
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    headline,
+    key_below,
+    legend_below,
+    panel_title,
+    panels,
+)
+
+viridis = colormaps["viridis"]
+#: of the beam, and of lumped masses on it
+WIDE: dict[str, Any] = {"color": COLOURS[5], "linewidth": 3.2}
+DASHED: dict[str, Any] = {"color": "#003a5d", "linewidth": 1.2, "linestyle": (0, (4, 3))}
+GRID_TIME = 80.0  # s, of the runs of the grid test
+#: what the buoyant factor may mean
+READINGS = {
+    "R1": "the share of the weight in air that the blocks carry",
+    "R2": "the share of the weight in air that is left",
+    "R3": "the share that is left; tension ratio of the weight without blocks",
+    "R4": "the share that the blocks carry; tension ratio of the weight without blocks",
+}
+
+
+#: what the claims of the region state, in short
+STATED = (
+    "B5: deflection is largest mid-riser",
+    "B6: stress and angle peak near the ends",
+    "B7: vibration decreases with length",
+    "B8: stress decreases with length",
+    "B9: deflection increases with length",
+    "B10: angle increases with length",
+)
+
+
+def readings(reading_trends: xr.Dataset) -> Figure:
+    """Deflection, stress and angle over the buoyant factor in its four readings."""
+    figure, axes = panels(1, 3, 3.4)
+    fields = (("deflection", 1.0, "largest deflection (m)"), ("stress", 1e-6, "largest stress (MPa)"),
+              ("angle", np.rad2deg(1.0), "largest angle (°)"))  # fmt: skip
+    for ax, (name, scale, quantity) in zip(axes, fields, strict=True):
+        # Two by two they begin together: hollow marks of other shapes are seen on one another.
+        for colour, reading, mark in zip(COLOURS, READINGS, "osD^", strict=False):
+            curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
+            label = f"{reading}: {READINGS[reading]}"
+            style: dict[str, Any] = {
+                "color": colour,
+                "lw": 1.2,
+                "ms": 7.0,
+                "mfc": "none",
+                "mew": 1.3,
+            }
+            ax.plot(curve["buoyant_factor"], curve, f"{mark}-", label=label, **style)
+        ax.set_xlabel("buoyant factor")
+        ax.set_ylabel(quantity)
+        ax.set_yscale("log")  # so that small changes are seen
+        ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+        ax.yaxis.set_major_formatter("{x:g}")
+        ax.yaxis.set_minor_locator(NullLocator())
+    key_below(figure, axes[0], 1)
+    raised = [
+        reading
+        for reading in READINGS
+        if all(
+            bool(
+                (
+                    reading_trends[f"{name}_by_factor"].sel(reading=reading).diff("buoyant_factor")
+                    > 0
+                ).all()
+            )
+            for name, *_ in fields
+        )
+    ]
+    all_three = "all three results increase, as claimed"
+    headline(
+        figure,
+        f"Only with interpretation {raised[0]} do {all_three}"
+        if len(raised) == 1
+        else f"Interpretations with which {all_three}: {', '.join(raised) or 'none'}",
+    )
+    for ax in axes:
+        label_ends(ax, names=list(READINGS))
+        ax.margins(x=0.06)  # so that marks are whole
+        ax.set_xticks(reading_trends["buoyant_factor"].values)
+    return figure
+
+
+def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Figure:
+    """Where B5 to B10 hold together; ``change``: what counts as an increase or decrease."""
+    figure, axes = panels(2, 2, 3.6)
+    held = claims(map_trends, change)
+    for ax, joints in zip(axes, map_trends["joints"].values, strict=False):
+        here = held.sel(joints=joints)
+        for tide in here["tide"].values:
+            for wave in here["wave_height"].values:
+                true = here.sel(tide=tide, wave_height=wave)
+                every = bool(true.all())
+                missed = [str(c) for c in TOGETHER if not bool(true.sel(claim=c))]
+                ax.plot(tide, wave, "o" if every else "s", ms=17, mfc=COLOURS[2] if every else "0.9",
+                        mec="none")  # fmt: skip
+                ax.annotate("all" if every else "\n".join(missed), (tide, wave), ha="center",
+                            va="center", fontsize="x-small", color="white" if every else "black")  # fmt: skip
+        ax.margins(0.15)
+        ax.set_xticks(here["tide"].values, [f"{tide:g}" for tide in here["tide"].values])
+        ax.set_yticks(here["wave_height"].values)
+        panel_title(ax, f"joint stiffness: {joints}")
+        ax.set_xlabel("surface speed of the tide (m/s)")
+        ax.set_ylabel("wave height (m)")
+    shares = _shares(axes[3], claims(open_trends, change))
+    marks: dict[str, Any] = {"ls": "none", "mec": "none", "ms": 9}
+    key = {text: Line2D([], [], ls="none") for text in STATED}
+    key["all six hold"] = Line2D([], [], marker="o", mfc=COLOURS[2], **marks)
+    key["claims that do not hold"] = Line2D([], [], marker="s", mfc="0.9", **marks)
+    legend_below(figure, [*key.values()], [*key], 3)
+    headline(
+        figure,
+        f"The six claims hold together at {100 * float(held.all('claim').mean()):.0f} % of grid points, "
+        f"{100 * shares['all six']:.0f} % of samples",
+    )
+    return figure
+
+
+def _shares(ax: Axes, held: xr.DataArray) -> dict[str, float]:
+    """Draw and return the share of the samples in which each claim and all six are true."""
+    shares = {str(c): float(held.sel(claim=c).mean()) for c in TOGETHER}
+    shares["all six"] = float(held.all("claim").mean())
+    for k, (name, share) in enumerate(shares.items()):
+        bar = ax.barh(k, 100.0 * share, color=COLOURS[2] if name == "all six" else COLOURS[0])
+        ax.bar_label(bar, fmt="%.0f", fontsize="x-small", padding=2)
+    ax.set_yticks(range(len(shares)), list(shares))
+    ax.invert_yaxis()
+    panel_title(ax, "samples of the unspecified inputs")
+    ax.set_xlim(0, 112)
+    ax.set_xlabel(f"share of {held.sizes['sample']} samples (%)")
+    return shares
+
+
+def solvers(small_deflection: xr.Dataset) -> Figure:
+    """Difference of the two solvers over the deflection."""
+    figure, (ax,) = panels()
+    largest = abs(small_deflection["x"].sel(solver=BEAM)).max(("time", "s"))
+    apart = differences(small_deflection)
+    for colour, (name, label) in zip(
+        COLOURS[1:], (("bending_moment", "bending moment"), ("x", "deflection")), strict=False
+    ):
+        ax.loglog(largest, 100.0 * apart[name], "o-", color=colour, label=label)
+    ax.loglog(largest, 100.0 * float(apart["x"][-1]) * (largest / largest[-1]) ** 2, ":", color=GREY,
+              label="square of the deflection")  # fmt: skip
+    ax.set_xticks(largest.values, [f"{value:.2g}" for value in largest.values])
+    ax.minorticks_off()
+    panel_title(ax, "riser of the paper, 2000 m; one mark per tide")
+    ax.set_xlabel("largest deflection (m)")
+    ax.set_ylabel("difference / largest value (%)")
+    ax.yaxis.set_major_formatter("{x:g}")
+    for line, side in zip(ax.lines, (5.0, 5.0, -5.0), strict=True):
+        label_line(ax, line, 0.5, (-side, side))
+    far = {name: 100.0 * float(apart[name].max()) for name in ("x", "bending_moment")}
+    headline(
+        figure,
+        f"Lumped masses and beam differ by up to {far['x']:.2g} % in deflection, "
+        f"{far['bending_moment']:.0f} % in moment",
+    )
+    return figure
+
+
+def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
+    """Error over element length; elapsed times of single runs, which scatter, as ranges over the steps."""
+    figure, (left, right) = panels(1, 2, 3.6)
+    error, elements = 100.0 * grid_error(grid_test), [str(e) for e in grid_test["element"].values]
+    lengths = [float(element.split()[0]) for element in elements]
+    steps = grid_test["time_step"].values
+    shades = viridis(np.linspace(0.0, 0.85, len(steps)))
+    sizes = np.linspace(10.0, 3.0, len(steps))  # one in another: steps change little
+    for colour, size, step in zip(shades, sizes, steps, strict=True):
+        curve = error.sel(time_step=step)
+        style: dict[str, Any] = {"color": colour, "ms": size, "mfc": "none", "mew": 1.3}
+        left.loglog(
+            lengths, curve.where(curve > 0.0), "o-", lw=0.35 * size, label=f"steps of {step:g} s", **style
+        )  # fmt: skip
+    left.set_xticks(lengths, [f"{length:g}" for length in lengths])
+    left.xaxis.set_minor_locator(NullLocator())
+    left.yaxis.set_major_formatter("{x:g}")
+    left.set_xlabel("length of the elements (m)")
+    left.set_ylabel("error of deflection or moment,\nthe larger (%)")
+    step = float(
+        own_setting["time_step"].min()
+    )  # the paper's own, or the nearest to it at this tier
+    whole = float(own_setting["solve_seconds"].sel(time_step=step))
+    length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
+    steps_of = f"steps of {step:g} s"
+    if not np.isclose(step, PAPER_STEP):
+        steps_of += f" (paper: {PAPER_STEP:g} s)"
+    star: dict[str, Any] = {"color": BLACK, "marker": "*", "ms": 11, "ls": "none"}
+    own = GRID_TIME / DURATION * whole
+    right.plot([own], [len(elements)], **star)
+    seconds = grid_test["solve_seconds"]
+    low, high = seconds.min("time_step"), seconds.max("time_step")
+    span: dict[str, Any] = {"color": GREY, "linewidth": 2.0}
+    for row, ends in enumerate(zip(low.values, high.values, strict=True)):
+        right.plot(ends, [row, row], "|-", ms=9, mew=2.0, **span)
+    left.plot([], [], label="(b) range over these steps", **span)
+    left.plot([], [], label=f"paper's {length:g} m, {steps_of}, scaled from {DURATION:g} s", **star)
+    rows = [*(f"{one:g}" for one in lengths), f"{length:g}, paper"]
+    right.set_yticks(range(len(rows)), rows)
+    right.set_ylabel("length of the elements (m)")
+    right.set_ylim(len(rows) - 0.5, -0.5)
+    right.set_xscale("log")
+    right.xaxis.set_major_formatter("{x:g}")
+    right.set_xlabel(f"elapsed time of {GRID_TIME:g} simulated seconds (s)")
+    key_below(figure, left, 3)
+    alike = f"{length:g} m"  # elements as long as the paper's
+    longer = own / float(high.sel(element=alike))
+    slow = ""
+    if longer > 2.0 and np.isclose(step, PAPER_STEP):
+        slow = f"; its steps take {longer:.0f} times longer"
+        right.annotate(
+            f"{longer:.0f} times the longest\nof {alike} above", (own, len(elements)), xytext=(-9, 0),
+            textcoords="offset points", ha="right", va="center", fontsize="small",
+        )  # fmt: skip
+    most = float(error.sel(element=alike).max())
+    headline(figure, f"Errors of the paper's elements reach {most:.1f} %{slow}")
+    return figure
+
+
+def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
+    """Envelopes of the API riser by both solvers, and over its surge; and how far the solvers are apart."""
+    figure, axes = panels(1, 3, 4.0)
+    for ax, name, scale, label in (
+        (axes[0], "x", 1.0, "displacement x (m)"),
+        (axes[1], "bending_moment", 1e-3, "bending moment (kN m)"),
+    ):
+        over = ("surge_amplitude", "surge_phase")
+        low, high = (
+            scale * api2j_surge[f"{name}_min"].min(over),
+            scale * api2j_surge[f"{name}_max"].max(over),
+        )
+        ax.fill_betweenx(
+            api2j_surge["s_node"], low, high, color="0.88", linewidth=0,
+            label="range over all assumed surges",
+        )  # fmt: skip
+        for solver, style in ((BEAM, WIDE), (LUMPED, DASHED)):
+            run = api2j.sel(solver=solver)
+            for side in ("min", "max"):
+                word = f"smallest and largest, {solver}" if side == "min" else None
+                ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
+        ax.set_xlabel(label)
+        ax.set_ylabel(HEIGHT)
+    panel_title(axes[0], "riser of API Bulletin 2J")
+    panel_title(axes[2], "largest along the riser")
+    both = api2j[["x", "bending_moment"]]
+    apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
+    largest = abs(both.sel(solver=BEAM)).max(("time", "s"))
+    for colour, (name, label) in zip(
+        COLOURS[1:], (("bending_moment", "moment"), ("x", "displacement")), strict=False
+    ):
+        axes[2].plot(apart["time"], 100.0 * apart[name] / largest[name], color=colour, label=label)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel("difference / largest value (%)")
+    axes[2].set_ylim(0.0, 1.15 * axes[2].get_ylim()[1])
+    key_below(figure, axes[0], 3)
+    headline(
+        figure,
+        "Lumped masses and beam agree to "
+        f"{float((apart['bending_moment'] / largest['bending_moment']).max()):.2%} of the moment, "
+        f"{float((apart['x'] / largest['x']).max()):.2%} of the displacement".replace("%", " %"),
+    )
+    for line in axes[2].lines:
+        values = np.asarray(line.get_ydata())
+        label_line(axes[2], line, float(values.argmax()) / (values.size - 1), (4.0, 3.0))
+    return figure

@@ -1,0 +1,233 @@
+"""What length, tension ratio and buoyant factor change."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import to_rgba
+from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from chapters.fem_riser.along import (
+    amplitude_at,
+    angles,
+    drift_rate,
+    measures,
+    period_of,
+    stress_factor,
+    without_drift,
+)
+from chapters.fem_riser.claims import (
+    BEAM,
+    LUMPED,
+)
+from chapters.fem_riser.figures.shared import (
+    ANGLE,
+    BLACK,
+    BLUE,
+    DEFLECTION,
+    HEIGHT,
+    RED,
+    STRESS,
+)
+from riserstudy.figures.style import (
+    GREY,
+    headline,
+    legend_below,
+    panels,
+)
+
+FILL = 0.25  # opacity of ranges, of which three overlap
+APART = "vibration amplitude,\ndrift (m)"
+SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leaves
+DRIFTS = 10.0 * SEEN  # m, the least largest drift that is shown; others change sign
+SIMPLE = {0.5: ("halves", "halving"), 2.0: ("doubles", "doubling"), 3.0: ("triples", "tripling")}
+ABOUT = 0.1  # share by which a ratio differs from the one that a title names
+
+
+def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
+    """Three lengths; colours as the text has them, where it says."""
+    runs = (length_500, length_1000, length_1500)
+    cases = {f"riser of {float(of['s_node'][-1]):g} m": of for of in runs}
+    figure = envelopes(cases, (BLUE, BLACK, RED))
+    changed = _ratios(length_500, length_1500)
+    longer = float(length_1500["s_node"][-1] / length_500["s_node"][-1])
+    deflection, vibration = (_multiplies(changed[of]) for of in ("deflection", "vibration"))
+    headline(
+        figure,
+        f"{_multiplies(longer, 'ing').capitalize()} the length {deflection} the deflection "
+        f"and {vibration} the vibration",
+    )
+    return figure
+
+
+def fig07(tension_ratio: xr.Dataset) -> Figure:
+    """Three top tension ratios; red as the text has it, the base case blue as in Figs 5 and 8."""
+    cases = _each(tension_ratio, "tension_ratio", "top tension ratio")
+    figure = envelopes(cases, (BLACK, BLUE, RED))
+    headline(figure, f"More top tension {_changes(tension_ratio, 'tension_ratio')}")
+    found = measures(tension_ratio.sel(solver=BEAM))
+    colours = (BLACK, BLUE, RED)
+    _largest(figure.axes[1], "largest\n(MPa):", 1e-6 * found["stress"], colours, (0.68, 0.6))
+    head = "largest\nvibration (m):"
+    _largest(figure.axes[3], head, found["vibration"], colours, (0.04, 0.245))
+    return figure
+
+
+def _largest(
+    ax: Axes, head: str, values: xr.DataArray, colours: tuple[str, ...], place: tuple[float, float]
+) -> None:
+    """Write the largest value of each case below a heading at a place (axes fractions)."""
+    across, up = place
+    rows = [(f"{float(value):.3g}", c) for value, c in zip(values, colours, strict=True)]
+    for k, (text, colour) in enumerate([(head, BLACK), *rows]):
+        ax.annotate(text, (across, up - 0.055 * k), xycoords="axes fraction", color=colour,
+                    va="bottom" if k == 0 else "center", fontsize="x-small")  # fmt: skip
+
+
+def fig08(buoyant_factor: xr.Dataset) -> Figure:
+    """Three buoyant factors; black as the text has it, the base case blue as in Figs 5 and 7."""
+    cases = _each(buoyant_factor, "buoyant_factor", "buoyant factor")
+    figure = envelopes(cases, (RED, BLUE, BLACK))
+    headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
+    stress = 1e-6 * measures(buoyant_factor.sel(solver=BEAM))["stress"]
+    _largest(figure.axes[1], "largest\n(MPa):", stress, (RED, BLUE, BLACK), (0.68, 0.6))
+    most = float(buoyant_factor["buoyant_factor"].max())
+    runs = buoyant_factor.sel(buoyant_factor=most)
+    near = 0.93 * float(runs["s_node"][-1])
+    dashed = runs["bending_moment_min"].sel(solver=LUMPED).sel(s_node=near, method="nearest")
+    figure.axes[1].annotate(
+        f"dashed, {most:g}:\nlumped-mass\nriser's top\nis lower in\nthe wave",
+        (float(stress_factor(runs) * dashed) / 1e6, float(dashed["s_node"])),
+        (0.03, 0.72), textcoords="axes fraction", va="top", fontsize="x-small",
+        arrowprops={"arrowstyle": "-", "linewidth": 0.6, "relpos": (0.5, 1.0)},
+    )  # fmt: skip
+    return figure
+
+
+def _multiplies(ratio: float, ending: str = "s") -> str:
+    """A ratio as a verb, within a tenth of a simple one: halves, tripling."""
+    for simple, verbs in SIMPLE.items():
+        if abs(ratio / simple - 1.0) < ABOUT:
+            return verbs[ending == "ing"]
+    return f"{'multiplying' if ending == 'ing' else 'multiplies'} by {ratio:.2g}"
+
+
+def _changes(runs: xr.Dataset, axis: str) -> str:
+    """What decreases and what increases throughout along an axis, by the paper's beam."""
+    found = measures(runs.sel(solver=BEAM)).sortby(axis)
+    ways: dict[str, list[str]] = {"decreases": [], "increases": []}
+    for name in ("deflection", "stress", "angle", "vibration"):
+        steps = found[name].diff(axis)
+        for word, sign in (("decreases", -1.0), ("increases", 1.0)):
+            if bool((sign * steps > 0.0).all()):
+                ways[word].append(name)
+    phrases = [f"{word} {_listed(names)}" for word, names in ways.items() if names]
+    return ", and ".join(phrases) or "changes no result throughout"
+
+
+def _listed(names: list[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
+
+
+def _ratios(first: xr.Dataset, last: xr.Dataset) -> dict[str, float]:
+    """What a case has of deflection and vibration over another, by the paper's beam."""
+    old, new = (measures(runs.sel(solver=BEAM)) for runs in (first, last))
+    return {name: float(new[name] / old[name]) for name in ("deflection", "vibration")}
+
+
+def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
+    return {f"{word} {value:g}": runs.sel({axis: value}) for value in runs[axis].values}
+
+
+def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
+    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
+    figure, axes = panels(1, 4, 4.2, sharey=True)
+    pairs = list(zip(colours, cases.values(), strict=True))
+    # the widest first, as ranges of others are within it
+    pairs.sort(key=lambda pair: -float(abs(pair[1]["bending_moment_min"].sel(solver=BEAM)).max()))
+    for colour, runs in pairs:
+        factor = stress_factor(runs) / 1e6
+        period = period_of(runs)
+        for solver in (BEAM, LUMPED):
+            run = runs.sel(solver=solver)
+            x = run["x"].dropna("s", how="all")
+            angle: xr.DataArray = xr.apply_ufunc(np.rad2deg, angles(run))
+            nodes, length = run["s_node"], float(run["s_node"][-1])
+            still = without_drift(x, period)
+            low, high = (factor * run[f"bending_moment_{side}"] for side in ("min", "max"))
+            fields = (
+                (still.min("time"), still.max("time"), x["s"]),
+                (low, high, nodes),
+                (angle.min("time"), angle.max("time"), length * angle["middle"]),
+            )
+            for ax, (least, most, s) in zip(axes, fields, strict=False):
+                _envelope(ax, least, most, s, colour, filled=solver == BEAM)
+            line = "-" if solver == BEAM else "--"
+            vibration = _around_largest(amplitude_at(x, period))
+            axes[3].plot(vibration, vibration["s"], line, color=colour, linewidth=0.9)
+            if solver == BEAM:
+                span = float(x["time"][-1] - x["time"][0])
+                drift = span * abs(drift_rate(x, period))
+                if float(drift.max()) > DRIFTS:
+                    drift = _around_largest(drift)
+                    axes[3].plot(drift, drift["s"], ":", color=colour, linewidth=1.2)
+    for ax, label in zip(axes, (DEFLECTION, STRESS, ANGLE, APART), strict=True):
+        ax.set_xlabel(label)
+    _frame(axes, max(float(runs["s_node"][-1]) for runs in cases.values()))
+    known: dict[str, Any] = {
+        name: Patch(facecolor=to_rgba(colour, FILL), edgecolor=colour)
+        for name, colour in zip(cases, colours, strict=False)
+    }
+    dotted = Line2D([], [], color=GREY, linewidth=1.2, linestyle=":")
+    known |= {
+        "(d) vibration, beam": Line2D([], [], color=GREY, linewidth=0.9),
+        "(a–d) lumped masses": Line2D([], [], color=GREY, linewidth=0.9, linestyle="--"),
+        f"(d) drift, if its maximum exceeds {100.0 * DRIFTS:g} cm; removed from (a)": dotted,
+    }
+    legend_below(figure, [*known.values()], [*known], 3)
+    (legend,) = figure.legends
+    legend.set_title("(a–c) filled: range in 261 to 300 s, beam", FontProperties(size="small"))
+    return figure
+
+
+def _around_largest(values: xr.DataArray) -> xr.DataArray:
+    """Values along the riser from the largest to the first below what is seen, on either side."""
+    seen = values.values >= SEEN
+    most = int(values.argmax("s"))
+    below, above = np.flatnonzero(~seen[:most]), np.flatnonzero(~seen[most:])
+    start = int(below[-1]) if below.size else 0
+    end = most + int(above[0]) if above.size else seen.size - 1
+    return values.isel(s=slice(start, end + 1))
+
+
+def _frame(axes: list[Axes], length: float) -> None:
+    """Axes around all that is drawn, with room at both ends of the riser, where stresses peak."""
+    axes[0].set_ylabel(HEIGHT)
+    axes[0].set_ylim(-0.03 * length, 1.03 * length)
+    for ax in axes[:3]:
+        ax.margins(x=0.08)
+    axes[3].set_xscale("log")
+    axes[3].set_xlim(left=SEEN)
+    ticks = [tick for tick in (SEEN, 0.01, 0.1, 1.0) if tick <= axes[3].get_xlim()[1]]
+    axes[3].set_xticks(ticks, [f"$10^{{{np.log10(tick):.0f}}}$" for tick in ticks])
+    low, high = axes[2].get_xlim()  # no label at its end, beside the first of the next panel
+    axes[2].set_xticks([t for t in axes[2].get_xticks() if low < t < high - 0.05 * (high - low)])
+
+
+def _envelope(
+    ax: Axes, low: xr.DataArray, high: xr.DataArray, s: xr.DataArray, colour: str, *, filled: bool
+) -> None:
+    """Range along the riser: filled within its outline, or the outline alone, dashed."""
+    if filled:
+        ax.fill_betweenx(s, low, high, color=colour, alpha=FILL, linewidth=0)  # below all outlines
+    style: dict[str, Any] = {"linewidth": 0.6} if filled else {"linewidth": 0.8, "linestyle": "--"}
+    around = np.concatenate([low.values, high.values[::-1], low.values[:1]])
+    heights = np.concatenate([s.values, s.values[::-1], s.values[:1]])
+    ax.plot(around, heights, color=colour, **style)

@@ -1,0 +1,151 @@
+"""When limits are reached, and what disconnecting by then leaves."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from chapters.liu2017.figures.shared import (
+    REFERENCE,
+    draw_limits,
+    mark_both,
+    mark_stroke_out,
+    name_limits,
+    plasma,
+    set_title,
+)
+from chapters.liu2017.limits import LIMITS
+from riserstudy.design.watch_circles import TOO_LATE
+from riserstudy.figures.direct import label_ends, label_line, named
+from riserstudy.figures.style import COLOURS, legend_below, panel_title, panels
+
+DRIFT_OFF = "all thrust lost"  # the scenario that is no drive-off
+TITLES = {
+    "unlimited thrust": "drive-off, unlimited thrust",
+    "thrust of 4.5 MN": "drive-off, thrust limited to 4.5 MN",
+    DRIFT_OFF: f"drift-off, {DRIFT_OFF}",
+}
+LOSSES = {"drive-off": "unlimited thrust", "drift-off": DRIFT_OFF}
+
+
+def losses(losses: xr.Dataset) -> Figure:
+    """Shares of the limits in a drive-off and in a drift-off."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    for ax, (loss, thrust) in zip(axes, LOSSES.items(), strict=True):
+        run = losses.sel(loss=loss).dropna("time", how="all")
+        draw_limits(ax, run["limit_share"])
+        end = float(run["limit_time"].sel(limit="telescopic joint"))
+        if np.isfinite(end):
+            mark_stroke_out(ax, end, 1.0)
+        panel_title(ax, f"{loss}, {thrust}")
+    lost = losses["limit_time"].sel(loss="drift-off")
+    end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
+    set_title(
+        figure,
+        f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
+    )
+    mark_both(axes[1], end, stress, "s")
+    axes[0].set_ylabel("utilisation of the limit")
+    axes[0].set_ylim(bottom=-0.05)
+    name_limits(figure, axes)
+    return figure
+
+
+def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
+    """When limits are reached, and where the alarm must be, by angle to the environment.
+
+    ``station``: radius within which the platform keeps its station (m); a smaller red circle is too late.
+    """
+    scenarios = disconnect["scenario"].values
+    figure, axes = panels(2, len(scenarios), 3.2, sharex=True)
+    above, below = axes[: len(scenarios)], axes[len(scenarios) :]
+    for times, circles, scenario in zip(above, below, scenarios, strict=True):
+        run = disconnect.sel(scenario=scenario)
+        _limit_times(times, run)
+        _circles(circles, run, station)
+        circles.axhline(station, label=_station(station), **REFERENCE)
+        panel_title(times, TITLES.get(str(scenario), str(scenario)))
+        circles.set_xlabel("angle between hull and\nenvironment (°)")
+        circles.set_xticks(range(0, 181, 45))
+    for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
+        top = max(ax.get_ylim()[1] for ax in row)
+        for ax in row:
+            ax.set_ylim(-0.04 * top, 1.13 * top)  # so that what is nearly zero is seen
+            ax.tick_params(labelleft=ax is row[0])
+        row[0].set_ylabel(label)
+    set_title(figure, _slowest_in_time(disconnect, station))
+    line = below[0].lines[-1]
+    legend_below(figure, [line], [str(line.get_label())], 1)
+    _name_lines(above, below[-1])
+    return figure
+
+
+def _station(station: float) -> str:
+    return f"station keeping within {station:g} m (assumed); a red circle below this line: too late"
+
+
+def _name_lines(above: list[Axes], last: Axes) -> None:
+    """Names of limits unless the panel to the left has them; times of disconnects at the right."""
+    places = {"upper flex joint": (0.0, -5.0, "left"), "conductor": (0.5, 4.0, "center")}
+    beneath = (0.5, -15.0, "center")  # a hill's top, with another line just above
+    labelled: set[str] = set()
+    for ax in above:
+        names = [str(line.get_label()) for line in named(ax)]
+        for line, name in zip(named(ax), names, strict=True):
+            if name in labelled:
+                continue
+            other = beneath if "conductor" in names else (0.0, 5.0, "left")
+            share, up, across = places.get(name, other)
+            label_line(ax, line, share, (0.0, up), ha=across)
+        labelled = set(names)
+    lines = [line for line in named(last) if str(line.get_label()).startswith("disconnect")]
+    times = [str(line.get_label()).removeprefix("disconnect ") for line in lines]
+    label_ends(last, lines, names=[f"disconnect\n{times[0]}", *times[1:]])
+
+
+def _limit_times(ax: Axes, run: xr.Dataset) -> None:
+    for colour, name in zip(COLOURS, LIMITS, strict=False):
+        times = run["limit_time"].sel(limit=name)
+        beginning = times.where(np.isfinite(times))
+        if bool(beginning.notnull().any()):
+            ax.plot(run["environment_heading"], beginning, ".-", color=colour, label=name)
+
+
+def _circles(ax: Axes, run: xr.Dataset, station: float) -> None:
+    """Radius over the environment's angle to the hull; a note names disconnects that are not in time."""
+    times = run["eds_time"].values
+    for colour, eds in zip(plasma(np.linspace(0.0, 0.85, len(times))), times, strict=True):
+        circle = run.sel(eds_time=eds)
+        radius = circle["red_circle_radius"].where(circle["red_circle_outcome"] != TOO_LATE)
+        label = f"disconnect in {eds:g} s"
+        ax.plot(run["environment_heading"], radius, ".-", color=colour, label=label)
+    late = ~_in_time(run, station)
+    if bool(late.any()):
+        *first, last = [f"{eds:g}" for eds in times[late.values]]
+        longer = f"{', '.join(first)} or {last}" if first else last
+        words = f"too late:\ndisconnect in {longer} s"
+        ax.text(0.5, 0.95, words, transform=ax.transAxes, ha="center", va="top", fontsize="small")
+
+
+def _in_time(disconnect: xr.Dataset, station: float) -> xr.DataArray:
+    """Whether the red circle exceeds the radius (m) of station keeping, whatever the direction."""
+    return (disconnect["red_circle_radius"] >= station).all("environment_heading")
+
+
+def _slowest_in_time(disconnect: xr.Dataset, station: float) -> str:
+    """Of each scenario the longest tested disconnect that is in time whatever the direction, and the next."""
+    tested = disconnect["eds_time"]
+    longest = tested.where(_in_time(disconnect, station)).max("eds_time")
+    if bool(longest.isnull().any()):
+        never = longest["scenario"].values[np.isnan(longest.values)]
+        return f"No tested disconnect is in time in every direction ({', '.join(map(str, never))})"
+    least = float(longest.min())
+    shortest = longest["scenario"].values[longest.values == least]
+    longer = tested.values[tested.values > least]
+    late = f", {longer.min():g} s too late" if longer.size else ""
+    where = f"Under {', '.join(map(str, shortest))}"
+    if set(shortest) == set(longest["scenario"].values) - {DRIFT_OFF}:
+        where = "In a drive-off"
+    return f"{where} a {least:g} s disconnect is in time{late}"

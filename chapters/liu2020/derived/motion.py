@@ -1,0 +1,291 @@
+"""Liu et al. 2020, motions of the platform: surge, roll, response in waves, three hours of a sea."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+import xarray as xr
+from scipy.signal import welch
+
+from chapters.liu2020.below_ring import RING, at_depths, first_at, on_riser, ring_of
+from chapters.liu2020.periods import beats, first_harmonic, half_swing, settling
+from riserstudy.dataset.describe import described, sampled, scenes_of
+from riserstudy.model.rao import operator
+from riserstudy.scene.resolve import Resolved
+
+PAPER = "liu2020"
+SURGE_PERIOD = 15.0  # s
+DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+PERIODS = np.arange(5.0, 30.01, 0.1)  # s, of the responses drawn, as in Figs 21 and 22
+ARRIVED = 0.05  # of the largest displacement at a depth, by which its motion counts as begun
+
+
+# surge
+
+
+def surge(surge_case: xr.Dataset) -> xr.Dataset:
+    """Motion at four depths over (tensioner_model, depth), and when it begins."""
+    riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
+    x = _between_nodes(riser)
+    dataset = _moved(x, lag_at(DEPTHS, riser, SURGE_PERIOD)).assign(arrival=first_at(x, ARRIVED))
+    return described(dataset, PAPER, "displacement under surge at four depths")
+
+
+def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of the unspecified inputs, once settled."""
+    x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
+    dataset = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
+    return described(
+        dataset, PAPER, "displacement under surge, for samples of the unspecified inputs"
+    )
+
+
+def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
+    """When surge is first felt at four depths, for every sample of the unspecified inputs."""
+    return _arrivals(surge_start, "surge, for samples of the unspecified inputs")
+
+
+def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
+    """When roll is first felt at four depths."""
+    riser = roll_case["x"].sel(s=roll_case["s"] <= RING + 1e-6, time=slice(0.0, 60.0))
+    dataset = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
+    return described(dataset, PAPER, "when roll is first felt")
+
+
+def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of the unspecified inputs."""
+    return _arrivals(roll_start, "when roll is first felt, for samples of the unspecified inputs")
+
+
+def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:
+    x = at_depths(runs["x"], ring_of(runs), DEPTHS)
+    dataset = xr.Dataset({"arrival": first_at(x, ARRIVED)}).assign(sampled(runs))
+    return described(dataset, PAPER, title)
+
+
+def _between_nodes(riser: xr.DataArray) -> xr.DataArray:
+    depth = xr.DataArray(list(DEPTHS), dims="depth", name="depth")
+    return riser.interp(s=RING - depth, method="cubic").assign_coords(depth=depth).drop_vars("s")
+
+
+def _moved(x: xr.DataArray, lag: xr.DataArray) -> xr.Dataset:
+    """Amplitude and lag behind the platform down the riser, how settled, and how far from the gas law's."""
+    last = x.sel(time=slice(float(x["time"][-1]) - SURGE_PERIOD, None))
+    law = last.sel(tensioner_model="gas law", drop=True)
+    over = ["time", "depth"]
+    return xr.Dataset(
+        {
+            "displacement_amplitude": half_swing(x, SURGE_PERIOD),
+            "displacement_lag": lag,
+            "displacement_apart": np.sqrt(((last - law) ** 2).mean(over) / (law**2).mean(over)),
+            "settling": settling(x, SURGE_PERIOD),
+        }
+    )
+
+
+def lag_at(depths: Sequence[float], x: xr.DataArray, period: str | float) -> xr.DataArray:
+    """Lag of the first harmonic at depths below the ring, counted on from node to node from there.
+
+    Between depths far apart the lag may grow by more than half a turn, between nodes it does not.
+
+    Parameters
+    ----------
+    depths : below the ring (m), in any order.
+    x : displacement over ``time``, ``s`` and more, at the nodes of the riser (m).
+    period : as in ``first_harmonic``.
+
+    Returns
+    -------
+    Lag over ``depth`` and what else the displacement has (rad), within half a turn at the ring.
+    """
+    depth = xr.DataArray(list(depths), dims="depth", name="depth")
+    down = x.sel(s=x["s"] <= RING + 1e-6).sortby("s", ascending=False)
+    near = _lag(down, period, "s").interp(s=RING - depth, method="linear")
+    exact = _lag(down.interp(s=RING - depth, method="cubic"), period, "depth")
+    turns = np.round((near - exact) / (2.0 * np.pi))
+    return (exact + 2.0 * np.pi * turns).drop_vars("s").assign_coords(depth=depth)
+
+
+def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
+    """Lag of the first harmonic, unwrapped along a dimension (rad)."""
+    lag = -xr.apply_ufunc(np.angle, first_harmonic(x, period))
+    unwrapped: xr.DataArray = xr.apply_ufunc(
+        np.unwrap, lag, input_core_dims=[[along]], output_core_dims=[[along]]
+    )
+    return unwrapped
+
+
+# roll
+
+
+def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
+    """Largest bending moment over (roll_amplitude, roll_period), and how settled it is."""
+    both = [
+        xr.Dataset(
+            {
+                "largest_bending_moment": runs["largest_bending_moment"],
+                "settling": beats(runs["bending_moment"].isel(s=-1, drop=True), "roll_period"),
+            }
+        ).reset_coords(drop=True)
+        for runs in (roll_small, roll_runs)
+    ]
+    made = described(
+        xr.concat(both, "roll_amplitude"),
+        PAPER,
+        "largest bending moment under roll, centre of rotation calibrated",
+    )
+    made["settling"].attrs["long_name"] = (
+        "largest change of the moment amplitude at the ring between successive periods, "
+        "divided by the largest amplitude"
+    )
+    return made
+
+
+def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
+    """The same about an assumed centre."""
+    return _rolled(roll_base, "largest bending moment under roll, centre of rotation assumed")
+
+
+def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of the unspecified inputs."""
+    return _rolled(roll_open, "roll, for samples of the unspecified inputs")
+
+
+def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
+    """The same over (variant, roll_period)."""
+    return _rolled(roll_variants, "largest bending moment under roll, in variants of the riser")
+
+
+def roll_ways(roll_geometry: xr.Dataset) -> xr.Dataset:
+    """The same over (geometry, tensioner_model, roll_amplitude, roll_period)."""
+    return _rolled(roll_geometry, "largest bending moment under roll, for several geometries")
+
+
+def roll_about_joint(roll_geometry: xr.Dataset) -> xr.Dataset:
+    """The same on the cylinders, the platform turning about the upper flex joint."""
+    geometry = next(str(g) for g in roll_geometry["geometry"].values if "in the flex joint" in g)
+    runs = roll_geometry.sel(geometry=geometry, tensioner_model="gas law", drop=True)
+    return _rolled(runs, "largest bending moment under roll about the upper flex joint")
+
+
+def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
+    """Largest moment on the curve; settled motion bends as far to one side as to the other."""
+    high = runs["bending_moment_max"].max("s_node")
+    low = runs["bending_moment_min"].min("s_node")
+    largest = runs["largest_bending_moment"]
+    dataset = xr.Dataset(
+        {"largest_bending_moment": largest, "settling": abs(high + low) / (high - low)}
+    )
+    made = described(dataset.assign(sampled(runs)), PAPER, title)
+    made["settling"].attrs["long_name"] = (
+        "difference of largest and smallest moment, as magnitudes, divided by their sum"
+    )
+    return made
+
+
+# response in waves
+
+
+def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
+    """Response amplitudes of the platforms over (platform_unit, wave_period), a metre of wave amplitude."""
+    period = xr.DataArray(PERIODS, dims="wave_period", name="wave_period")
+    names = {"surge": "rao_surge", "heave": "rao_heave", "pitch": "rao_pitch"}
+    one = rao_runs.isel(reference=[0], motion=[0], wave_period=[0])
+    units = {}
+    for place, scene in scenes_of(one):
+        response = scene.platform and scene.platform.response
+        if not response:
+            raise TypeError("a scene without response")
+        w = 2.0 * math.pi / PERIODS
+        units[place["platform_unit"]] = xr.Dataset(
+            {
+                variable: period.copy(data=np.abs(operator(response, name, w)))
+                for name, variable in names.items()
+            }
+        )
+    label = xr.DataArray(list(units), dims="platform_unit", name="platform_unit")
+    dataset = xr.concat(units.values(), label).assign_coords(wave_period=period)
+    return described(dataset, PAPER, "response of three generic semi-submersibles")
+
+
+def rao(rao_runs: xr.Dataset) -> xr.Dataset:
+    """Largest stress amplitude along the riser by each motion, and each motion's share of their sum."""
+    swing = half_swing(fibre_stress(rao_runs), "wave_period").max(["s", "side"])
+    return described(
+        _shared(swing), PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
+    )
+
+
+def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
+    """The same for every sample of the unspecified inputs."""
+    ring = ring_of(rao_open)
+    swings = []
+    for period in rao_open["wave_period"].values:  # one at a time, or histories fill the memory
+        stress = fibre_stress(rao_open.sel(wave_period=period), ring)
+        swings.append(half_swing(stress, float(period)).max(["s", "side"]))
+    dataset = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
+    return described(
+        dataset, PAPER, "stress amplitude by motion, for samples of the unspecified inputs"
+    )
+
+
+def waves(wave_runs: xr.Dataset) -> xr.Dataset:
+    """Largest stress amplitude along the riser by all motions at once, waves on the riser or not."""
+    swing = half_swing(fibre_stress(wave_runs), "wave_period").max(["s", "side"])
+    dataset = swing.to_dataset(name="stress_amplitude")
+    return described(dataset, PAPER, "stress amplitude in waves of 3 m that act on the riser too")
+
+
+def _shared(stress: xr.DataArray) -> xr.Dataset:
+    return xr.Dataset({"stress_amplitude": stress, "stress_share": stress / stress.sum("motion")})
+
+
+def fibre_stress(runs: xr.Dataset, ring: xr.DataArray | None = None) -> xr.DataArray:
+    """Stress along the riser of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa).
+
+    Parameters
+    ----------
+    runs : with histories of tension and moment.
+    ring : arclength of the ring (m); absent: 533 m.
+    """
+    _, scene = next(scenes_of(runs.isel({dim: [0] for dim in runs["point_key"].dims})))
+    area, modulus = section(scene)
+    up_to = xr.DataArray(RING) if ring is None else ring
+    bending = runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    side = xr.DataArray([1.0, -1.0], dims="side")
+    return on_riser(runs["effective_tension"], up_to) / area + side * bending
+
+
+def section(scene: Resolved) -> tuple[float, float]:
+    """Area (m2) and section modulus (m3) of the riser's pipe."""
+    pipe = scene.riser[0]
+    outer, inner = pipe.outer_diameter or 0.0, pipe.inner_diameter or 0.0
+    second = math.pi / 64.0 * (outer**4 - inner**4)
+    return 0.25 * math.pi * (outer**2 - inner**2), 2.0 * second / outer
+
+
+# three hours of a sea
+
+
+def storm(sea: xr.Dataset) -> xr.Dataset:
+    """Histories of the sea's response with extremes, standard deviations and spectra over frequency."""
+    run = sea.squeeze("tensioner_model", drop=True)
+    interval = float(run["time"][1] - run["time"][0])
+    records: dict[str, xr.DataArray] = {}
+    for name in ("x", "effective_tension", "bending_moment", "stroke", "ufj_angle", "lfj_angle"):
+        values = run[name]
+        records |= {
+            name: values,
+            f"{name}_max": values.max("time"),
+            f"{name}_min": values.min("time"),
+            f"{name}_deviation": values.std("time"),
+        }
+        frequency, density = welch(
+            values.values, 1.0 / interval, nperseg=1024, axis=values.dims.index("time")
+        )
+        dims = ["frequency" if dim == "time" else dim for dim in values.dims]
+        spectrum = xr.DataArray(density, dims=dims, coords={"frequency": frequency})
+        records[f"{name}_spectrum"] = spectrum
+    return described(xr.Dataset(records), PAPER, "three hours of an irregular sea")

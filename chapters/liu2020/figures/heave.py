@@ -1,0 +1,232 @@
+"""Effective tension under heave, and where the tensioners reach their stroke."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from chapters.liu2020.figures.colours import (
+    LINEAR,
+    LINEARISED,
+    ON_TENSIONERS,
+    VERTICAL_CYLINDERS,
+)
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.insets import enlarge
+from riserstudy.figures.style import (
+    GREY,
+    field,
+    headline,
+    key_below,
+    panel_title,
+    panels,
+    shades,
+)
+
+DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
+DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
+RING = 533.0  # m, arclength of the riser's top
+ALIKE = 0.02  # of amplitudes, below which no difference can be seen
+STROKE = 7.5  # m, either way
+ABOUT_ZERO = (6.6, 7.5), (-0.6, 1.4)  # heave (m) and tension (MN) of the inset
+TENSION = "effective tension (kN)"
+AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
+
+
+def fig13(heave_case: xr.Dataset) -> Figure:
+    """Effective tension over depth and time."""
+    figure, (ax,) = panels(height=3.8)
+    tension = _by_depth(heave_case.sel(tensioner_model="gas law"))["effective_tension"] / 1e3
+    field(figure, ax, tension, "time", "depth", TENSION)
+    ax.set_xlabel(TIME)
+    ax.set_ylabel(DEPTH)
+    ax.invert_yaxis()
+    top, bottom = (
+        0.5 * float(at.max() - at.min()) for at in (tension.isel(depth=0), tension.isel(depth=-1))
+    )
+    headline(
+        figure,
+        f"Heave varies the tension alike at all depths, by ±{0.5 * (top + bottom):.0f} kN"
+        if abs(top / bottom - 1.0) < ALIKE
+        else f"Heave gives a tension amplitude of {top:.0f} kN at the top, {bottom:.0f} kN at the bottom",
+    )
+    return figure
+
+
+def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
+    """Effective tension over time at four depths; at the first, what other models differ by."""
+    figure, (ax, below) = panels(2, 1, 2.8, sharex=True)
+    tension = _by_depth(heave_case)["effective_tension"] / 1e3
+    law = tension.sel(tensioner_model="gas law")
+    for colour, depth in zip(shades(ON_TENSIONERS, len(DEPTHS)), DEPTHS, strict=True):
+        curve = law.interp(depth=depth)
+        ax.plot(curve["time"], curve, color=colour, linewidth=1.3, label=f"at {depth:.0f} m")
+    vertical = _by_depth(heave_upright)["effective_tension"].squeeze("tensioner_model") / 1e3
+    others = {
+        LINEARISED: (LINEAR, tension.sel(tensioner_model="linear")),
+        "vertical cylinders": (VERTICAL_CYLINDERS, vertical),
+    }
+    for label, (colour, other) in others.items():
+        apart = (other - law).interp(depth=DEPTHS[0])
+        below.plot(apart["time"], apart, color=colour, linewidth=1.3, label=label)
+    panel_title(ax, "gas law, inclined cylinders")
+    panel_title(below, f"other models minus (a), at {DEPTHS[0]:.0f} m")
+    below.axhline(0.0, color=GREY, linewidth=0.8)
+    below.set_xlabel(TIME)
+    ax.set_ylabel(TENSION)
+    below.set_ylabel("difference (kN)")
+    swing = 0.5 * (law.max("time") - law.min("time"))
+    share = 100.0 * float(swing.isel(depth=0) / law.isel(depth=0).mean())
+    headline(
+        figure,
+        f"Heave gives a tension amplitude of up to {float(swing.max()):.0f} kN, {share:.0f} % of the tension",
+    )
+    for panel in (ax, below):
+        label_ends(panel)
+    return figure
+
+
+def fig15(heave: xr.Dataset) -> Figure:
+    """Amplitude of the effective tension over heave amplitude, of all periods, and over period."""
+    figure, axes = panels(1, 2, 3.8, sharey=True)
+    law, line = heave["axial_force_amplitude"] / 1e3, heave["axial_force_amplitude_linear"] / 1e3
+    at = law["heave_amplitude"]
+    axes[0].fill_between(
+        at, law.min("heave_period"), law.max("heave_period"), color=ON_TENSIONERS, alpha=0.3, lw=0.0,
+        label=f"gas law, {float(law['heave_period'].min()):g} to {float(law['heave_period'].max()):g} s",
+    )  # fmt: skip
+    middle = {"heave_period": 15.0}
+    axes[0].plot(at, law.sel(middle), ".-", color=ON_TENSIONERS, label="gas law, 15 s")
+    axes[0].plot(at, line.sel(middle), "--", color=LINEAR, label=f"{LINEARISED}, 15 s")
+    for amplitude in at.values:
+        curve = law.sel(heave_amplitude=amplitude)
+        axes[1].plot(
+            curve["heave_period"], curve, ".-", color=ON_TENSIONERS, ms=4, label=f"{amplitude:g} m"
+        )
+    axes[0].set_xlabel(AMPLITUDE)
+    axes[0].set_ylabel("amplitude of the effective tension (kN)")
+    axes[1].set_xlabel(PERIOD)
+    panel_title(axes[0], "over heave amplitude")
+    panel_title(axes[1], "over period, gas law, by heave amplitude")
+    spread = (law.max("heave_period") / law.min("heave_period") - 1.0).max()
+    headline(
+        figure,
+        "Heave amplitude sets the tension amplitude; the period adds at most "
+        f"{100.0 * float(spread):.1f} %",
+    )
+    key_below(figure, axes[0], 3)
+    label_ends(axes[1])
+    axes[1].margins(x=0.02)  # so that marks are whole
+    return figure
+
+
+def heave_limit(heave_limit: xr.Dataset) -> Figure:
+    """Stroke and tension up to and beyond the end stops."""
+    figure, axes = panels(1, 2, 3.6)
+    reach = heave_limit["tensioner_stroke"].isel(cylinder=0)
+    tension = heave_limit["effective_tension"].isel(s=0) / 1e6
+    stops = heave_limit["stop_stiffness"].values
+    colours = shades(VERTICAL_CYLINDERS, len(stops))
+    for colour, width, stiffness in zip(colours, (5.0, 3.0, 1.2), stops, strict=False):
+        for quantity, ax in ((reach, axes[0]), (tension, axes[1])):
+            curve = quantity.sel(stop_stiffness=stiffness)
+            for side in ("max", "min"):
+                ends = getattr(curve, side)("time")
+                label = f"stop stiffness {stiffness:g} MN/m" if side == "max" else None
+                ax.plot(
+                    ends["heave_amplitude"],
+                    ends,
+                    color=colour,
+                    linewidth=width,
+                    marker=".",
+                    label=label,
+                )
+    for limit, name in ((-STROKE, "stop, retracted"), (STROKE, "stop, extended")):
+        axes[0].axhline(limit, color="black", linewidth=1.0)
+        axes[0].annotate(
+            f"{name}: {limit:+g} m".replace("-", "−"), (0.02, limit), xycoords=("axes fraction", "data"),
+            xytext=(0, 4 if limit > 0.0 else -4), textcoords="offset points", fontsize="small",
+            va="bottom" if limit > 0.0 else "top",
+        )  # fmt: skip
+    axes[0].margins(y=0.15)
+    axes[1].axhline(0.0, color="black", linewidth=1.0)
+    axes[1].annotate(
+        "negative below", (0.02, 0.0), xycoords=("axes fraction", "data"), xytext=(0, -4),
+        textcoords="offset points", fontsize="small", va="top",
+    )  # fmt: skip
+    axes[0].set_ylabel("stroke of a cylinder (m)")
+    axes[1].set_ylabel("effective tension (MN)")
+    panel_title(axes[0], "largest and smallest stroke")
+    panel_title(axes[1], "largest and smallest tension at the bottom")
+    for ax in axes:
+        ax.set_xlabel(AMPLITUDE)
+    negative = _from(-tension.min(("time", "stop_stiffness")), 0.0)
+    free, stopped = _between(abs(reach).max(("time", "stop_stiffness")), STROKE)
+    if stopped is not None:
+        _shade(axes, free, stopped)
+    if negative is not None:
+        name = f"negative from\n{negative:.1f} m of heave"
+        _mark(axes[1], (negative, 0.0), name, (-14.0, -62.0))
+        _near_zero(axes[1])
+    words = "Tension stays positive" if negative is None else (
+        f"Tension becomes negative at {negative:.1f} m of heave"
+    )  # fmt: skip
+    acts = "no stop acts" if stopped is None else f"a stop acts at {stopped:g} m"
+    first = negative is not None and stopped is not None and negative <= free
+    headline(figure, f"{words}, before a stop acts" if first else f"{words}; {acts}")
+    key_below(figure, axes[0], 3)
+    return figure
+
+
+def _between(values: xr.DataArray, level: float) -> tuple[float, float | None]:
+    """Heave (m) of the last run below a level and of the first beyond it, the latter None where nowhere."""
+    heave, over = values["heave_amplitude"].values, values.values > level
+    if not over.any():
+        return float(heave[-1]), None
+    k = int(np.argmax(over))
+    return float(heave[max(k - 1, 0)]), float(heave[k])
+
+
+def _shade(axes: list[Axes], free: float, stopped: float) -> None:
+    """Between which runs a stop is first reached."""
+    for ax in axes:
+        ax.axvspan(free, stopped, color="0.85", lw=0.0, zorder=0)
+    axes[0].annotate(
+        "first contact with a stop\nbetween these runs", (0.5 * (free + stopped), 0.0), xytext=(-24.0, 0.0),
+        textcoords="offset points", ha="right", va="center", fontsize="small",
+        arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 0.0},
+    )  # fmt: skip
+
+
+def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, float]) -> None:
+    """Where a curve first reaches a level, with a text so many points away."""
+    ax.plot(*at, "o", color="black", ms=7, mfc="none", mew=1.2, zorder=5)
+    ax.annotate(
+        text, at, xytext=offset, textcoords="offset points", ha="center", va="bottom",
+        fontsize="small", arrowprops={"arrowstyle": "-", "lw": 0.7, "shrinkB": 4.0},
+    )  # fmt: skip
+
+
+def _near_zero(ax: Axes) -> None:
+    """The tension about the heave (m) at which it becomes negative, enlarged where the panel is empty."""
+    enlarge(ax, (0.1, 0.6, 0.36, 0.3), *ABOUT_ZERO, 3.0)
+
+
+def _from(values: xr.DataArray, level: float) -> float | None:
+    """Heave (m) from which on values exceed a level, straight between simulated ones; None where nowhere."""
+    heave, over = values["heave_amplitude"].values, values.values - level
+    if not (over > 0.0).any():
+        return None
+    k = int(np.argmax(over > 0.0))
+    if not k:
+        return float(heave[0])
+    return float(np.interp(0.0, over[k - 1 : k + 1], heave[k - 1 : k + 1]))
+
+
+def _by_depth(runs: xr.Dataset) -> xr.Dataset:
+    """Over depth below the riser's top instead of arclength from its bottom."""
+    runs = runs.sel(s=runs["s"] <= RING + 1e-6)
+    length = float(np.max(runs["s"]))
+    return runs.assign_coords(depth=length - runs["s"]).swap_dims(s="depth").sortby("depth")

@@ -1,0 +1,164 @@
+"""Figures 11 and 12 of Liu et al. 2020: the riser in a current, on the tensioners and without them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Literal
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from chapters.liu2020.figures.colours import (
+    ALL,
+    CARRIED,
+    NAMES,
+    OF_TOP,
+    ON_PLATFORM,
+    ONE,
+    VERTICAL,
+)
+from chapters.liu2020.figures.motion_shared import DEPTH, RING
+from riserstudy.figures.direct import legible
+from riserstudy.figures.insets import enlarge
+from riserstudy.figures.style import headline, panel_title, panels, shades
+
+Place = Literal["outside lower left", "outside lower right"]
+SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
+NEAR = 120.0  # m below the ring
+#: dashes that show each of those that coincide with tensioners, which are drawn wide
+LINES: dict[str, Any] = {
+    "gas law": "-",
+    "constant": (0, (4, 4)),
+    VERTICAL: "--",
+    CARRIED: (5, (2, 6)),
+    ON_PLATFORM: "-",
+}
+#: currents and drag so that the cylinders push back with 8765 N, and what they are
+CALIBRATIONS = {
+    ALL: "calibrated: exponential 50 m, drag coefficient 0.7",
+    ONE: "calibrated: exponential 200 m, drag coefficient 1.112",
+}
+
+
+def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
+    """Displacement in currents, on the tensioners and on a constant tension."""
+    title = "1 m/s, tensioners and four interpretations of 232 t"
+    figure = _at_rest(1.0 * statics_calibrated["x_static"], title, "lateral displacement (m)")
+    low, high = _times(statics_tuned, "largest_displacement")
+    headline(
+        figure,
+        f"At all speeds a vertical force multiplies the displacement by {low:.1f} to {high:.1f}",
+    )
+    _keys(figure)
+    return figure
+
+
+def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
+    """Bending moment in currents, on the tensioners and on a constant tension."""
+    title = f"upper {NEAR:.0f} m, 1 m/s: the other three interpretations"
+    figure = _at_rest(
+        1e-3 * statics_calibrated["bending_moment_static"], title, "bending moment (kN m)",
+        right=[model for model in NAMES if model != VERTICAL],
+    )  # fmt: skip
+    for left, right in zip(figure.axes[::2], figure.axes[1::2], strict=True):
+        right.set_ylim(NEAR, -0.05 * NEAR)
+        right.set_ylabel(DEPTH)
+        low, high = right.get_xlim()
+        enlarge(left, (0.1, 0.09, 0.6, 0.44), (low, high), (-0.05 * NEAR, NEAR), 2.0)
+        _compare_largest(left)
+    low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
+    headline(
+        figure,
+        f"At all speeds a vertical force multiplies the largest moment by {low:.0f} to {high:.0f}",
+    )
+    _keys(figure)
+    return figure
+
+
+def _compare_largest(ax: Axes) -> None:
+    """The largest moments near the ring in the fastest current, by a vertical force and on tensioners."""
+    of_models = {}
+    for model in (VERTICAL, "gas law"):
+        (line,) = (
+            line
+            for line in ax.get_lines()
+            if line.get_label() == f"{SPEEDS[-1]:g} m/s, {NAMES[model]}"
+        )
+        moments, depths = (np.asarray(values, float) for values in line.get_data())
+        near = np.flatnonzero(depths <= NEAR)
+        k = near[np.argmax(abs(moments[near]))]
+        of_models[model] = moments[k], depths[k]
+    (vertical, depth), (tensioners, _) = of_models.values()
+    vertically, tensioned = (
+        f"{float(f'{m:.3g}'):g} kN m".replace("-", "−") for m in (vertical, tensioners)
+    )
+    text = (
+        f"{SPEEDS[-1]:g} m/s: {vertically}, {vertical / tensioners:.0f} times\n"
+        f"the {tensioned} on tensioners"
+    )
+    ax.annotate(
+        text, (vertical, depth), xytext=(0.06, 0.8), textcoords="axes fraction", fontsize="small",
+        color=legible(OF_TOP[VERTICAL]), va="top",
+        arrowprops={
+            "arrowstyle": "-|>", "lw": 0.8, "color": legible(OF_TOP[VERTICAL]), "shrinkB": 1.0,
+            "relpos": (0.0, 1.0),
+        },
+    )  # fmt: skip
+
+
+def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
+    """A quantity under a vertical force over that on tensioners: least and most of currents and speeds."""
+    at = tuned[name]
+    ratio = at.sel(tensioner_model=VERTICAL) / at.sel(tensioner_model="gas law")
+    return float(ratio.min()), float(ratio.max())
+
+
+def _at_rest(
+    values: xr.DataArray, title: str, across: str, right: Sequence[str] = tuple(NAMES)
+) -> Figure:
+    """A row for each calibrated current: the paper's comparison, and interpretations (``right``) at 1 m/s."""
+    figure, axes = panels(2, 2, 4.2)
+    for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
+        here = values.sel(calibration=calibration)
+        for model in ("gas law", VERTICAL):
+            # the fastest as in the other panel, which has that speed alone
+            colours = shades(OF_TOP[model], 2 * len(SPEEDS) - 1)[: len(SPEEDS)]
+            for speed, colour in zip(SPEEDS, colours, strict=True):
+                curve = here.sel(tensioner_model=model, surface_speed=speed)
+                width = 2.8 if model == "gas law" else 1.3
+                label = f"{speed:g} m/s, {NAMES[model]}"
+                _by_depth(row[0], curve, LINES[model], colour, label, width)
+        for model in right:
+            curve = here.sel(tensioner_model=model, surface_speed=1.0)
+            width = 3.5 if model == "gas law" else 1.3
+            _by_depth(row[1], curve, LINES[model], OF_TOP[model], NAMES[model], width)
+        panel_title(row[0], CALIBRATIONS[calibration])
+        panel_title(row[1], title)
+        row[0].set_ylabel(DEPTH)
+    for ax in axes[2:]:
+        ax.set_xlabel(across)
+    return figure
+
+
+def _by_depth(
+    ax: Axes, curve: xr.DataArray, line: Any, colour: str, label: str, width: float
+) -> None:
+    riser = curve.where(curve["s_node"] < RING + 1e-6).dropna("s_node")
+    style: dict[str, Any] = {"linestyle": line, "color": colour, "linewidth": width}
+    ax.plot(riser, RING - riser["s_node"], label=label, **style)
+    ax.set_ylim(560.0, -20.0)
+
+
+def _keys(figure: Figure) -> None:
+    """Keys of the left and of the right panels, below them."""
+    places: tuple[Place, Place] = ("outside lower left", "outside lower right")
+    titles = ("(a), (c):", "(b), (d):")
+    for ax, place, title, columns in zip(figure.axes[:2], places, titles, (2, 1), strict=True):
+        lines, names = ax.get_legend_handles_labels()
+        key = figure.legend(
+            lines, names, loc=place, ncols=columns, fontsize="small", title=title,
+            title_fontsize="small",
+        )  # fmt: skip
+        key.set_alignment("left")

@@ -1,0 +1,56 @@
+"""Mao, Zeng, Liu: sentences on speed, tension and the top end, beside those of Figs 9 to 14."""
+
+from __future__ import annotations
+
+import xarray as xr
+
+from chapters.mao_hangoff.claims.towed import TIMES
+from chapters.mao_hangoff.runs import distance, moments_over_time, with_printed_lmrp
+from riserstudy.grading.grade import Found, judged
+from riserstudy.grading.margin import above, everywhere
+from riserstudy.grading.word import Word
+from riserstudy.grading.yardstick import all_along, growing, more, more_on_the_whole
+
+UNSTEADY = (70.0, 130.0)  # s, in which the riser is towed at full speed
+
+
+def speed_grows_with_mass(limits: xr.Dataset, larger: Word) -> Found:
+    """A heavier LMRP allows a larger speed, in every case; value: least ratio of the ends."""
+    speed = limits["speed_limit"]
+    others = [str(dim) for dim in speed.dims if dim != "lmrp_mass"]
+    ratio = speed.isel(lmrp_mass=-1, drop=True) / speed.isel(lmrp_mass=0, drop=True)
+    return judged(ratio.min(), all_along(growing(speed, "lmrp_mass", larger), others))
+
+
+def tension_range_grows_with_length(limits: xr.Dataset, larger: Word) -> Found:
+    """A longer riser has a larger range of tension, in every heave; value: least ratio of the ends."""
+    spread = limits["tension_range"]
+    others = [str(dim) for dim in spread.dims if dim not in ("riser_length", "mode")]
+    ratio = spread.isel(riser_length=-1, drop=True) / spread.isel(riser_length=0, drop=True)
+    return judged(ratio.min(others), all_along(growing(spread, "riser_length", larger), others))
+
+
+def upper_half_moves_faster(runs: xr.Dataset, faster: Word) -> Found:
+    """Between the times of Fig 9c the upper half moves faster than the lower; value: ratio of their ways."""
+    x = with_printed_lmrp(runs["x"]).sel(time=TIMES)
+    middle = 0.5 * (float(x["s"][0]) + float(x["s"][-1]))
+    way = abs(x.diff("time"))
+    upper, lower = (way.where(part).mean("s") for part in (x["s"] >= middle, x["s"] <= middle))
+    ratio = upper.sum("time") / lower.sum("time")
+    return judged(ratio, more_on_the_whole(upper, lower, faster, "time"))
+
+
+def top_end_decides(runs: xr.Dataset, larger: Word) -> Found:
+    """The joint's stiffness makes the riser deform more; value: distance, clamped over free."""
+    x = distance(runs)
+    clamped, free = (x.sel(variant=f"joint {name}", drop=True) for name in ("clamped", "free"))
+    return judged(clamped / free, more(clamped, free, larger))
+
+
+def moments_vary(runs: xr.Dataset, depths: list[float], evident: Word) -> Found:
+    """Moments at depths vary in time; value: least range over the largest."""
+    size = moments_over_time(runs).sel(time=slice(*UNSTEADY))
+    s = xr.DataArray([float(size["s"][-1]) - depth for depth in depths], dims="depth")
+    there = size.sel(s=s, method="nearest")
+    share = (there.max("time") - there.min("time")) / there.max("time")
+    return judged(share.min("depth"), everywhere(above(share, evident.bound), "depth"))

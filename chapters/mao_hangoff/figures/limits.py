@@ -1,0 +1,206 @@
+"""Figures beyond Mao, Zeng, Liu: what limits a captain's speed, and a riser's tension in heave."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import xarray as xr
+from matplotlib import colormaps
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from matplotlib.text import Annotation
+from matplotlib.ticker import NullFormatter
+from numpy.typing import NDArray
+
+from chapters.mao_hangoff.figures.colours import OF_INPUT
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.style import (
+    GREY,
+    headline,
+    legend_below,
+    panel_title,
+    panels,
+    shades,
+)
+from riserstudy.scene.origin import unwrap
+
+PERIODS = (5.0, 8.0)  # s, of heave: the least, and one in which heavy risers keep tension
+HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
+MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
+KEPT, LOST = "Blues", "Oranges"  # of tension ranges
+HEAVES = "Greens_r"  # of heave amplitudes, of which the least is the worst
+
+
+def speed_limits(speed_limits: xr.Dataset) -> Figure:
+    """Largest speed over ground over length, a line an LMRP mass, a panel a current; marks: what governs."""
+    currents = speed_limits["current_speed"].values
+    figure, axes = panels(1, len(currents), 3.6, sharey=True)
+    names = [str(name) for name in speed_limits["limit"].values]
+    governing = np.unique(speed_limits["governing_limit"].values.astype(int))
+    for ax, current in zip(axes, currents, strict=True):
+        at = speed_limits.sel(current_speed=current)
+        _speeds(ax, at, governing)
+        knots = float((at["speed_through_water"] - at["speed_limit"]).mean())
+        words = f"current against: {current:g} m/s ({knots:.1f} kn)"
+        panel_title(ax, words if current else "no current")
+        ax.set_xticks(at["riser_length"].values)
+        ax.set_xlabel("riser length (m)")
+    axes[0].set_ylabel("largest speed over ground (kn)")
+    if len(governing) > 1 or governing[0] < 0:
+        marks = [
+            Line2D([], [], ls="none", marker=MARKS[which], color=GREY, label=_governs(which, names))
+            for which in governing
+        ]
+        legend_below(figure, marks, [str(mark.get_label()) for mark in marks], 4)
+    else:
+        axes[0].annotate(
+            _limit_in_words(speed_limits, names[governing[0]]), (0.05, 0.05), xycoords="axes fraction",
+            fontsize="small",
+        )  # fmt: skip
+    headline(figure, _slowest_and_fastest(speed_limits, names))
+    for ax in axes[:-1]:
+        ax.margins(x=0.0)
+    label_ends(axes[-1])
+    for ax in axes:
+        ax.margins(x=0.05)  # so that marks are whole, and numbers of neighbours apart
+    highest = max(float(text.xy[1]) for text in axes[-1].texts if isinstance(text, Annotation))
+    axes[-1].annotate(
+        "LMRP\nmass", (1.0, highest), xycoords="axes fraction", xytext=(4.0, 7.0), fontsize="small",
+        textcoords="offset points", va="bottom", annotation_clip=False,
+    )  # fmt: skip
+    return figure
+
+
+def _speeds(ax: Axes, at: xr.Dataset, governing: NDArray[np.int_]) -> None:
+    masses = at["lmrp_mass"].values
+    for colour, mass in zip(shades(OF_INPUT["lmrp_mass"], len(masses)), masses, strict=True):
+        one = at.sel(lmrp_mass=mass)
+        ax.plot(one["riser_length"], one["speed_limit"], color=colour, label=f"{mass:g} t")
+        for which in governing:
+            held = one["speed_limit"].where(one["governing_limit"] == which)
+            ax.plot(one["riser_length"], held, MARKS[which], color=colour, ms=5)
+
+
+def _governs(which: int, names: list[str]) -> str:
+    return "no limit reached up to this speed" if which < 0 else f"{names[which]} governs"
+
+
+def _limit_in_words(speed_limits: xr.Dataset, name: str) -> str:
+    """A limit that governs everywhere, with its value and whether that is assumed."""
+    plain, given, _ = unwrap(json.loads(speed_limits.attrs["settings"]))
+    setting = name.replace(" ", "_")
+    status = f" ({given[setting].status})" if setting in given else ""
+    return f"on all lines the {name}\nreaches {plain[setting].replace(' deg', '°')}{status}"
+
+
+def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
+    """Where the limits allow the least speed, and where the most, and which of them governs."""
+    speed = speed_limits["speed_limit"]
+    which = sorted(set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1})
+    held = " or ".join(names[k] for k in which)
+    low, high = float(speed.min()), float(speed.max())
+    return f"The {held or 'grid'} limits the speed to between {low:.1f} and {high:.1f} kn"
+
+
+def hang_off(tension_limits: xr.Dataset) -> Figure:
+    """Tension range over heave, soft and hard; the heave that loses tension, hard, over the riser."""
+    figure, axes = panels(2, 2, 3.6)
+    of_paper = tension_limits.isel(riser_length=-1, lmrp_mass=-1)
+    spread = of_paper["tension_range"].transpose("mode", "heave_amplitude", "heave_period") / 1e6
+    norm = LogNorm(float(spread.min()), float(spread.max()))
+    for ax, mode in zip(axes, ("soft", "hard"), strict=False):
+        at = of_paper.sel(mode=mode)
+        slack = at["smallest_tension"].transpose("heave_amplitude", "heave_period") < 0.0
+        _cells(ax, spread.sel(mode=mode), norm, slack)
+        riser = f"{float(of_paper['riser_length']):g} m, {float(of_paper['lmrp_mass']):g} t"
+        panel_title(ax, f"{HUNG[mode]} ({mode}), {riser}")
+        ax.set_xlabel("heave period (s)")
+        ax.set_ylabel("heave amplitude (m)")
+    _bar(figure, axes[:2], norm, LOST, "range of top tension (MN)\n(darker is worse)")
+    _bar(figure, axes[:2], norm, KEPT, "")
+    lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
+    most = float(tension_limits["heave_amplitude"].max())
+    for ax, wanted in zip(axes[2:], PERIODS, strict=True):
+        hard = lost.sel(mode="hard").sel(heave_period=wanted, method="nearest")
+        _cells(ax, hard, Normalize(0.0, most), colours=HEAVES)
+        period = float(hard["heave_period"])
+        panel_title(ax, f"locked, heave of {period:g} s, all risers")
+        ax.set_xlabel("riser length (m)")
+        ax.set_ylabel("LMRP mass (t)")
+    _bar(
+        figure,
+        axes[2:],
+        Normalize(0.0, most),
+        HEAVES,
+        "amplitude at negative tension (m)\n(darker is worse)",
+    )
+    kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
+    key = {
+        "(a, b) tension stays positive": Patch(color=kept),
+        "(a, b) tension becomes negative": Patch(color=gone),
+    }
+    legend_below(figure, [*key.values()], [*key], 2)
+    papers = lost.isel(riser_length=-1, lmrp_mass=-1)
+    on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
+    headline(
+        figure,
+        f"Tension becomes negative, locked {locked}, on tensioners {on_tensioners}"
+        if on_tensioners
+        else f"Only the locked riser's tension becomes negative, {locked}",
+    )
+    return figure
+
+
+def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str) -> None:
+    """One colour bar for panels that have the same colours; without a label only the unit, below."""
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01)
+    bar.ax.yaxis.set_major_formatter("{x:g}" if label else NullFormatter())
+    if not label:
+        bar.ax.set_xlabel("(MN)", loc="left", fontsize="small")  # below both
+    bar.ax.yaxis.set_minor_formatter(NullFormatter())
+
+
+def _loses(lost: xr.DataArray) -> str:
+    """From which heave on a riser's tension is negative, and in which period: the worst; "" where none is."""
+    if bool(lost.isnull().all()):
+        return ""
+    worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
+    return f"from {_two_digits(float(worst))} m amplitude at {float(worst['heave_period']):g} s"
+
+
+def _two_digits(value: float) -> str:
+    """A number to two significant digits, a zero among them."""
+    return f"{value:#.2g}".removesuffix(".")
+
+
+def _cells(
+    ax: Axes,
+    values: xr.DataArray,
+    norm: Normalize,
+    lost: xr.DataArray | None = None,
+    colours: str = KEPT,
+) -> None:
+    """A table in colours, a cell a pair of coordinates; no number: beyond the scale."""
+    up, across = values.dims
+    kept = values if lost is None else values.where(~lost)
+    beyond = xr.where(
+        values.isnull(), norm.vmax, np.nan
+    )  # in the colour of the largest that is shown
+    layers = ((kept, colours), (values.where(kept.isnull()), LOST), (beyond, colours))
+    for drawn, shade in layers:
+        ax.pcolormesh(drawn.values, norm=norm, cmap=shade, edgecolors="white")
+    for i, row in enumerate(values.values):
+        for j, value in enumerate(row):
+            share = 1.0 if np.isnan(value) else float(norm(value))
+            dark = share < 0.35 if colours.endswith("_r") else share > 0.6
+            colour = "white" if dark else "black"
+            text = f"> {norm.vmax:g}" if np.isnan(value) else _two_digits(value)
+            ax.text(j + 0.5, i + 0.5, text, ha="center", va="center", size="small", color=colour)
+    ax.set_xticks(np.arange(values.sizes[across]) + 0.5, [f"{x:g}" for x in values[across].values])
+    ax.set_yticks(np.arange(values.sizes[up]) + 0.5, [f"{x:g}" for x in values[up].values])
+    ax.grid(visible=False)

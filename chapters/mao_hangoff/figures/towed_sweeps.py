@@ -1,0 +1,272 @@
+"""Figures of Mao, Zeng, Liu on what mass, speeds, track and length change for a riser that is towed."""
+
+from __future__ import annotations
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
+from chapters.mao_hangoff.figures.towed_shared import (
+    AGAINST,
+    ASTERN,
+    MOMENT,
+    NESTED,
+    RISE,
+    TIME,
+    changes,
+    down,
+    name_upright,
+    rise_and_differences,
+    towed_panels,
+)
+from chapters.mao_hangoff.runs import STATED, as_drawn
+from chapters.mao_hangoff.towed import displacement
+from riserstudy.figures.direct import label_line
+from riserstudy.figures.insets import enlarge
+from riserstudy.figures.style import (
+    GREY,
+    PRINTED,
+    headline,
+    key_below,
+    legend_below,
+    mosaic,
+    panel_title,
+    panels,
+)
+
+MASSES = (140.0, 130.0, 120.0)  # t, of the LMRP
+UPPER = (
+    (0.0, 9.0),
+    (-10.0, 290.0),
+)  # |moment| (kN m) and depth (m) that are enlarged in Figs 11 and 12
+TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
+ALIKE = 1.0  # %, by which curves may differ that are drawn in each other
+ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
+
+
+def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
+    """Shapes, moments and axial motions with three LMRPs, and the differences from the heaviest.
+
+    ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
+    """
+    figure, axes = mosaic(["a b c", "d e f"], (3.3, 2.6))
+    colours = ordered(OF_INPUT["lmrp_mass"], MASSES)
+    curves = {
+        AGAINST: (-lmrp_mass["displacement_along"].sel(time=STATED), "m"),
+        "size of the moment": (lmrp_mass["bending_moment_size"] / 1e3, "kN m"),
+    }
+    depth = float(lmrp_mass["s"][-1]) - lmrp_mass["s"]
+    for ax, below, (title, (values, unit)) in zip(axes[:2], axes[3:5], curves.items(), strict=True):
+        first = values.sel(lmrp_mass=MASSES[0])
+        for colour, mass, width in zip(colours, MASSES, NESTED, strict=True):
+            of = values.sel(lmrp_mass=mass)
+            ax.plot(of, depth, color=colour, lw=width, label=f"LMRP {mass:g} t")
+            if mass != MASSES[0]:
+                below.plot(of - first, depth, color=colour)
+        panel_title(ax, title)
+        panel_title(below, f"differences from {MASSES[0]:g} t")
+        down(below, f"difference ({unit})")
+    for ax, label, value, unit in zip(
+        axes, (ASTERN, MOMENT), (heavy, moment), ("m", "kN m"), strict=False
+    ):
+        down(ax, label)
+        ax.axvline(value, **PRINTED)
+        name_upright(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
+    rise_and_differences(axes[2], axes[5], lmrp_mass, "lmrp_mass", MASSES, "{:g} t")
+    axes[3].axvline(light - heavy, **PRINTED)
+    axes[3].set_xlim(right=1.08 * (light - heavy))
+    name_upright(axes[3], light - heavy, 0.5, f"120 t, printed:\n{light - heavy:.1f} m")
+    lightest = axes[3].lines[1]
+    farther = float(np.asarray(lightest.get_xdata())[0])
+    label_line(axes[3], lightest, 0.0, (5.0, 2.0), name=f"120 t: {farther:.1f} m")
+    lines = axes[0].lines[:4]
+    names = [str(line.get_label()) for line in lines[:3]]
+    legend_below(figure, lines, [*names, "printed"], 4)
+    change = changes(lmrp_mass, "lmrp_mass", 140.0, 120.0)["displacement"]
+    headline(
+        figure,
+        f"A lighter LMRP trails {change:.0f} % farther; published: {100.0 * (light / heavy - 1.0):.0f} %",
+    )
+    return figure
+
+
+def fig11(current_speed: xr.Dataset) -> Figure:
+    """The same for three speeds of the current, in two profiles."""
+    held = "current along, platform 1.289 m/s"
+    label = "current {:.1f} m/s"
+    figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), label, held)
+    headline(figure, _by_profile("current", current_speed, "current_speed", 1.0, 1.2))
+    return figure
+
+
+def fig12(platform_speed: xr.Dataset) -> Figure:
+    """The same for three speeds of the platform, in two profiles."""
+    held = "current 1.2 m/s, along"
+    label = "platform {:g} kn"
+    figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), label, held)
+    headline(figure, _by_profile("platform", platform_speed, "platform_speed", 2.4, 2.6))
+    return figure
+
+
+def _two_profiles(
+    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str
+) -> Figure:
+    """Panels in the profile that is drawn first; dashed, shapes and moments in the other.
+
+    ``held``: speed and direction that panel (a) states.
+    """
+    names = [str(name) for name in runs["current_profile"].values]
+    figure = towed_panels(as_drawn(runs), axis, values, label, held)
+    axes = figure.axes
+    other = runs.isel(current_profile=-1, drop=True)
+    change = changes(other, axis, values[0], values[-1])["displacement"]
+    alike = abs(change) < ALIKE
+    widths = NESTED if alike else (1.2, 1.2, 1.2)
+    for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, widths, strict=True):
+        dashes = (0, (4.0 / width, 2.0 / width))  # as long whatever the width, which scales them
+        run = other.sel({axis: value}, method="nearest")
+        shape = run["displacement_along"].sel(time=STATED).dropna("s")
+        moment = run["bending_moment_size"].dropna("s") / 1e3
+        for ax, curve in zip(axes, (-shape, moment), strict=False):
+            depth = float(curve["s"][-1]) - curve["s"]
+            ax.plot(curve, depth, color=colour, lw=width, ls=dashes)
+    if alike:
+        axes[0].annotate(
+            f"the three dashed\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
+            ha="right", va="top", fontsize="small",
+        )  # fmt: skip
+    enlarge(axes[1], (0.45, 0.32, 0.37, 0.42), *UPPER)
+    axes[0].plot([], [], color=GREY, label=f"(a–d) {names[0]} (assumed)")
+    axes[0].plot([], [], "--", color=GREY, label=f"(a, b) {names[-1]} (assumed)")
+    key_below(figure, axes[0], 5)
+    return figure
+
+
+def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
+    """The same for three angles of the track, both speeds in one profile; dash-dotted, separate speeds.
+
+    In addition, displacement along and across the track over its angle.
+    """
+    figure, axes = panels(2, 2, 3.6)
+    shapes = displacement(track_one_profile).sel(time=STATED)
+    moments = abs(track_one_profile["bending_moment"].sel(time=STATED)) / 1e3
+    z = track_one_profile["z"].isel(s=0)
+    depth = float(shapes["s"][-1]) - shapes["s"]
+    colours = ordered(OF_INPUT["track_angle"], [*TRACKS])
+    widths = (1.0, *NESTED[1:])  # two of the three nearly coincide in (c)
+    for colour, track, angle, width in zip(colours, ONE_PROFILE, TRACKS, widths, strict=True):
+        axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=TRACKS[angle])
+        axes[1].plot(moments.sel(track=track), depth, color=colour)
+        risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
+        axes[2].plot(risen["time"], risen, color=colour, lw=width)
+        apart = track_angle.sel(track_angle=angle)
+        shape = apart["displacement_along"].sel(time=STATED)
+        own = float(shape["s"][-1]) - shape["s"]
+        axes[0].plot(-shape, own, "-.", color=colour, lw=0.8)
+        axes[1].plot(apart["bending_moment_size"] / 1e3, own, "-.", color=colour, lw=0.8)
+        axes[3].plot(angle, float(-shape.isel(s=0)), "o", color=colour, ms=5, zorder=3)
+    axes[0].plot([], [], color=GREY, label="both speeds in one profile")
+    axes[0].plot([], [], "-.", color=GREY, lw=0.8, label="separate speeds of water and platform")
+    axes[0].axvline(0.0, color=GREY, lw=0.6)
+    _ahead_and_astern(axes[0])
+    titles = (
+        "current 3 m/s, power 1/4 (assumed)",
+        "size of the moment",
+        "axial motion, one profile",
+        "displacement over track angle, separate speeds",
+    )
+    for ax, title in zip(axes, titles, strict=True):
+        panel_title(ax, title)
+    down(axes[0], ASTERN)
+    down(axes[1], MOMENT)
+    axes[2].set_xlabel(TIME)
+    axes[2].set_ylabel(RISE)
+    _along_and_across(axes[3], track_angle)
+    key_below(figure, axes[0], 3)
+    astern = {
+        angle: (float(-shapes.sel(track=track).isel(s=0)),
+                float(-track_angle["lmrp_displacement"].sel(time=STATED, track_angle=angle)))
+        for angle, track in zip(TRACKS, ONE_PROFILE, strict=True)
+    }  # fmt: skip
+    headline(figure, _where_astern(astern))
+    return figure
+
+
+def _ahead_and_astern(ax: Axes) -> None:
+    """Name the sides of an upright at zero."""
+    for side, word, to in ((-0.03, "ahead ←", "right"), (0.03, "→ astern", "left")):
+        ax.annotate(
+            word, (0.0, 1.0), xycoords=("data", "axes fraction"), xytext=(100.0 * side, -3.0),
+            textcoords="offset points", ha=to, va="top", fontsize="x-small",
+        )  # fmt: skip
+
+
+def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
+    """Displacement of the LMRP along and across the track over its angle."""
+    at = track_angle.sel(time=STATED)
+    across = abs(at["lmrp_displacement_cross"])
+    for values, line, label, share, offset in (
+        (-at["lmrp_displacement"], "-.", "along (positive astern)", 0.9, (-8.0, 0.0)),
+        (across, ":", "across", 0.3, (-5.0, 2.0)),
+    ):
+        (drawn,) = ax.plot(
+            at["track_angle"], values, line, color="black", lw=1.0, label=f"_{label}"
+        )
+        label_line(ax, drawn, share, offset, name=label)
+    most = across.isel(track_angle=int(across.argmax("track_angle")))
+    ax.annotate(
+        f"{float(most):.0f} m", (float(most["track_angle"]), float(most)), xytext=(0.0, 4.0),
+        textcoords="offset points", ha="center", va="bottom", fontsize="small",
+    )  # fmt: skip
+    ax.axhline(0.0, color=GREY, lw=0.6)
+    ax.set_xlabel("track angle (°)")
+    ax.set_ylabel("LMRP displacement (m)")
+    ax.set_xticks(np.arange(0.0, 181.0, 45.0))
+
+
+def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
+    """On which tracks the LMRP is ahead of the platform (m, by both interpretations), and on which astern."""
+    ahead = [angle for angle, found in astern.items() if max(found) < 0.0]
+    trailing = [angle for angle, found in astern.items() if min(found) > 0.0]
+    if len(ahead) + len(trailing) < len(astern) or (
+        ahead and trailing and max(ahead) > min(trailing)
+    ):
+        return "Whether the LMRP is ahead of the platform depends on interpretation and track"
+    if not (ahead and trailing):
+        return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
+    return f"On tracks up to {max(ahead):g}° the LMRP is ahead, at {min(trailing):g}° astern"
+
+
+def fig14(riser_length: xr.Dataset) -> Figure:
+    """The same for three lengths of riser."""
+    lengths = (1800.0, 1500.0, 1200.0)  # the base case first, as in Figs 9 and 10
+    figure = towed_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
+    shapes, moments = figure.axes[:2]
+    for of_shape, of_moment in zip(shapes.lines, moments.lines, strict=True):
+        label_line(shapes, of_shape, 0.0, (-5.0, 0.0))
+        name = str(of_shape.get_label()).removeprefix("riser ")
+        x = np.asarray(of_moment.get_xdata(), dtype=float)
+        share = float(np.argmax(x[: len(x) // 2])) / (len(x) - 1)  # of the peak at the LMRP
+        label_line(moments, of_moment, share, (5.0, 0.0), name=name)
+    change = changes(riser_length, "riser_length", 1200.0, 1800.0)
+    least = min(change, key=lambda name: change[name])
+    verb = "decreases" if change[least] < 0.0 else "increases"
+    headline(
+        figure,
+        f"A longer riser {verb} the {least} by {abs(change[least]):.0f} %; published: an increase",
+    )
+    return figure
+
+
+def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: float) -> str:
+    """How the displacement changes along an axis in the two profiles that are drawn, in words."""
+    profiles = [runs.isel(current_profile=k, drop=True) for k in (0, -1)]
+    found = sorted(changes(run, axis, first, last)["displacement"] for run in profiles)
+    low, high = (f"{abs(change):{'.0f' if round(change) else '.1g'}}" for change in found)
+    if found[0] < 0.0 < found[1]:
+        return f"A faster {quantity} changes the displacement by −{low} or +{high} %, depending on profile"
+    verb, least, most = ("increases", low, high) if found[1] > 0.0 else ("decreases", high, low)
+    between = f"{least} or {most}" if least != most else most
+    return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"

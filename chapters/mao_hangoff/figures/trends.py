@@ -1,0 +1,94 @@
+"""What a change of each input changes, of a riser that is towed."""
+
+from __future__ import annotations
+
+import textwrap
+
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from chapters.mao_hangoff.figures.colours import OF_INPUT
+from chapters.mao_hangoff.runs import STATED
+from riserstudy.figures.names import in_words
+from riserstudy.figures.style import GREY, headline, key_below, panel_title, panels
+
+RESULTS = ("displacement astern", "largest moment", "joint angle")
+LETTERS = 28  # in a line of a current's name beside a panel
+#: points, of inputs whose lines nearly coincide: the later is drawn on the earlier
+WIDTHS = {"lmrp_mass": 3.5, "current_speed": 1.2}
+NAMES = {
+    "lmrp_mass": "LMRP {:.0f} to {:.0f} t, current against",
+    "current_speed": "current {:.1f} to {:.1f} m/s, along",
+    "platform_speed": "platform {:.1f} to {:.1f} kn, current along",
+    "riser_length": "riser {:.0f} to {:.0f} m, current against",
+}
+
+
+def trends(
+    lmrp_mass: xr.Dataset,
+    current_speed: xr.Dataset,
+    platform_speed: xr.Dataset,
+    riser_length: xr.Dataset,
+) -> Figure:
+    """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %.
+
+    A row a profile of the current.
+    """
+    figure, axes = panels(2, 3, 2.7)
+    runs = {
+        "lmrp_mass": lmrp_mass,
+        "current_speed": current_speed,
+        "platform_speed": platform_speed,
+        "riser_length": riser_length,
+    }
+    profiles = [str(name) for name in current_speed["current_profile"].values]
+    most: set[str] = set()
+    for k, (row, profile) in enumerate(zip((axes[:3], axes[3:]), profiles, strict=True)):
+        last = profile == profiles[-1]
+        here = {
+            axis: run.isel(current_profile=k, drop=True) if "current_profile" in run.dims else run
+            for axis, run in runs.items()
+            if "current_profile" in run.dims or last
+        }
+        steepest = _changes_over_inputs(row, here)
+        most |= steepest
+        for ax, result in zip(row, RESULTS, strict=True):
+            panel_title(ax, result)
+            ax.set_xlabel("change of input (%)")
+        current = textwrap.fill(f"current: {profile}", LETTERS)
+        row[0].set_ylabel(f"{current}\nchange of result (%)")
+    headline(figure, _matters_most(most))
+    key_below(figure, axes[3], 2)
+    return figure
+
+
+def _changes_over_inputs(axes: list[Axes], runs: dict[str, xr.Dataset]) -> set[str]:
+    """Draw changes of the results over those of inputs; which input has the largest quotient in any panel."""
+    quotients: dict[str, list[float]] = {}
+    for axis, run in runs.items():
+        values = run[axis].values
+        along = 100.0 * (values / values[0] - 1.0)
+        name, width = NAMES[axis].format(values[0], values[-1]), WIDTHS.get(axis, 1.5)
+        for ax, curve in zip(axes, _at_the_stated_time(run), strict=True):
+            change = 100.0 * (curve / curve.isel({axis: 0}) - 1.0)
+            ax.plot(along, change, color=OF_INPUT[axis], lw=width, label=name)
+            quotients.setdefault(axis, []).append(abs(float(change[-1]) / along[-1]))
+    for ax in axes:
+        ax.axhline(0.0, color=GREY, linewidth=0.8, zorder=1.0)
+    return {max(runs, key=lambda axis: quotients[axis][k]) for k in range(len(axes))}
+
+
+def _matters_most(inputs: set[str]) -> str:
+    """To which inputs results are most sensitive, per cent of result for per cent of input."""
+    names = sorted(in_words(axis) for axis in inputs)
+    if len(names) == 1:
+        return f"Per 1 % of input, {names[0]} has the largest effect in each profile"
+    return f"Results are most sensitive to the {' or the '.join(names)}, depending on profile and result"
+
+
+def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:
+    """Displacement of the LMRP, largest moment and angle of the joint."""
+    at = runs.sel(time=STATED)
+    moment = runs["bending_moment_size"].max("s")
+    return [abs(at["lmrp_displacement"]), moment, abs(at["ufj_angle"])]
