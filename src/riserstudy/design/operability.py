@@ -22,7 +22,7 @@ from riserstudy.dataset.limits import BOUNDED, Error, demand_of, error_of
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
-from riserstudy.scene.at_rest import at_rest
+from riserstudy.scene.at_rest import at_rest, static
 from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
@@ -127,10 +127,7 @@ class AtRest:
             When no equilibrium is found.
         """
         if offset not in self.estimated:
-            still = {"duration": None, "output": None, "step": None, "start": None, "method": None}
-            analysis = self.scene.analysis.model_copy(update=still)
-            scene = self.scene.model_copy(update={"analysis": analysis, "fatigue": None})
-            self.estimated[offset] = run(moved(scene, offset)).facts
+            self.estimated[offset] = run(moved(static(self.scene), offset)).facts
         return error_of(output, self.estimated[offset], own_mesh=True)
 
 

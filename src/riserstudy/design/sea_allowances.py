@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of
 from riserstudy.errors import InputError
-from riserstudy.scene.at_rest import at_rest
+from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -43,7 +43,7 @@ def allowances(
     scene = file.resolved()
     _refuse_departures(file.source, scene)
     limits = scene.limits or []
-    rest = _extremes(_still(scene))
+    rest = _extremes(static(scene))
     added = np.zeros((seeds, len(limits)))
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
@@ -71,12 +71,6 @@ def _refuse_departures(source: str, scene: Resolved) -> None:
 def allowance(added: FloatArray) -> float:
     """What nine seas in ten do not exceed, by what each seed added, (seeds,), in its unit; not below zero."""
     return max(demand(added, "largest", 1.0).value, 0.0)
-
-
-def _still(scene: Resolved) -> Resolved:
-    """The scene at rest, without time."""
-    still = {"duration": None, "output": None, "step": None, "start": None}
-    return at_rest(scene).model_copy(update={"analysis": scene.analysis.model_copy(update=still)})
 
 
 def _extremes(scene: Resolved) -> list[dict[str, Any]]:

@@ -20,3 +20,10 @@ def at_rest(scene: Resolved) -> Resolved:
     if scene.current:
         changed["current"] = scene.current.model_copy(update={"ramp": None})
     return scene.model_copy(update=changed)
+
+
+def static(scene: Resolved) -> Resolved:
+    """The scene at rest, without a time history and what is computed from one; mesh and accuracy stay."""
+    none = dict.fromkeys(("duration", "output", "step", "start", "method"))
+    analysis = scene.analysis.model_copy(update=none)
+    return at_rest(scene).model_copy(update={"analysis": analysis, "fatigue": None})

@@ -15,21 +15,17 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
-from riserstudy.model import rao
 from riserstudy.model.build import build
 from riserstudy.model.current_jump import spread, up_to_surface, within
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.sea import current_velocity, still_surface
+from riserstudy.model.warnings_of_scene import warnings_of
 from riserstudy.scene.analysis import Newmark
 from riserstudy.scene.ends import Rotation
 from riserstudy.scene.forcing import Translation
-from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.wave_forces import without_inertia
-from riserstudy.scene.weight import doubts
-from riserstudy.scene.without_time import without_time
 from riserstudy.solve.hermite import dynamics, in_still_water, statics
 from riserstudy.solve.hermite_beam import Beam, End, HermiteError, Motion, Response, Stepping, Waves
 
@@ -88,13 +84,7 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         "effects": effects_of(scene),
         "elements": len(mesh.l0),
         "directions": 2,
-        "warnings": [
-            *doubts(scene),
-            *without_time(scene),
-            *uncovered(scene),
-            *without_inertia(scene),
-            *rao.doubts(scene),
-        ],
+        "warnings": warnings_of(scene),
         "smallest_tension": float(tension[lowest]),
         "smallest_tension_s": float(mesh.s[lowest]),
     }

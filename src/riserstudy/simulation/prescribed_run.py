@@ -7,7 +7,7 @@ from itertools import pairwise
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.at_rest import at_rest
+from riserstudy.scene.at_rest import static
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
@@ -71,9 +71,7 @@ def _in_soil(scene: Resolved, elements: int, result: Result, watch: Watch) -> di
     """
     if scene.soil is None:
         return {}
-    still = dict.fromkeys(("duration", "output", "step", "method", "start", "mesh"))
-    analysis = scene.analysis.model_copy(update=still)
-    rest = at_rest(scene).model_copy(update={"analysis": analysis, "fatigue": None})
+    rest = static(scene)
     own = prescribed(scene, elements)
     try:
         chosen = coarsest_mesh(rest)

@@ -10,19 +10,14 @@ from typing import TYPE_CHECKING
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, StepFailed, TakesTooLong
-from riserstudy.model import rao
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
+from riserstudy.model.warnings_of_scene import warnings_of
 from riserstudy.records.seen import Seen
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.limits import ANGLES
-from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.sudden import sudden_wave
-from riserstudy.scene.wave_forces import without_inertia
-from riserstudy.scene.weight import doubts
-from riserstudy.scene.without_time import without_time
 from riserstudy.simulation import audit, outputs, vibration
 from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
@@ -148,14 +143,7 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
         "elements": len(mesh.l0),
         "directions": len(rest.model.s.dim),
         "statics_iterations": rest.iterations,
-        "warnings": [
-            *doubts(scene),
-            *without_time(scene),
-            *uncovered(scene),
-            *without_inertia(scene),
-            *sudden_wave(scene),
-            *rao.doubts(scene),
-        ],
+        "warnings": warnings_of(scene),
     }
     if scene.vessel:
         facts["coupling"] = {"scheme": "as one"}
