@@ -293,6 +293,10 @@ def viv(
         f"vortices are shed at {shed.min():.3g} to {shed.max():.3g} Hz, by a Strouhal number of "
         f"{strouhal:g}; the table depends on reduced velocities, not on this number"
     )
+    if any(section.viv for section in file.resolved().riser):
+        print(
+            f"keys `viv` of sections are not used: lift of {lift:g} can act on the whole riser in water"
+        )
     if plot is not None:
         from riserstudy.figures.vortex_frequencies import vortex_frequencies
 

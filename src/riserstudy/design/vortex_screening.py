@@ -88,7 +88,7 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
     Raises
     ------
     InputError
-        When the scene has no current, or coefficients cannot be meant.
+        When the scene has no current, or tows the riser, or coefficients cannot be meant.
     SimulationError
         When there is no equilibrium.
     """
@@ -97,6 +97,10 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
     if scene.current is None:
         allowed = "allowed is a scene with a current: without one no vortices are shed"
         raise InputError(file.source, "current", "missing", allowed)
+    if scene.platform and scene.platform.cruise:
+        towed = "tows the riser through the water, which the screening leaves out"
+        allowed = "Remove it, and give the speed of the water past the riser as the current"
+        raise InputError(file.source, "platform.cruise", towed, allowed)
     flow = flow_along(scene, given)
     found = modes_of(scene, FIRST)
     highest = float((flow.speed / flow.diameter).max()) / given.slowest
@@ -127,22 +131,31 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     tangent[axes] = model.s.tangent
     across = water - (water * tangent).sum(axis=0) * tangent
     z = 0.5 * (model.s.r[-1, :n] + model.s.r[-1, 1 : n + 1])
-    speed = np.linalg.norm(across, axis=0)
-    if scene.water and scene.water.surface is not None:
-        speed = np.where(z > scene.water.surface, 0.0, speed)
+    wet = _in_water(scene, z)
+    speed = np.where(wet, np.linalg.norm(across, axis=0), 0.0)
     diameter, drag = np.full(n, math.nan), np.zeros(n)
     for e, k in enumerate(mesh.section):
         if k < len(scene.riser):  # else it is the telescopic joint's
             section = scene.riser[k]
             size = section.drag.diameter if section.drag else section.outer_diameter
             diameter[e] = size or math.nan
-            drag[e] = given.drag or _coefficient(section, float(z[e]))
+            if wet[e]:
+                drag[e] = given.drag or _coefficient(section, float(z[e]))
     bare = np.isnan(diameter)  # nothing to shed from
     sideways = None
     if d == len("xyz"):
         sideways = np.cross(tangent, across, axis=0) / np.where(speed > 0.0, speed, np.inf)
     speed, diameter = np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter)
     return Flow(z, mesh.l0, speed, diameter, drag, sideways)
+
+
+def _in_water(scene: Resolved, z: FloatArray) -> NDArray[np.bool_]:
+    """Which elevations (m) are between the ground and the water's surface, as far as these are known."""
+    water, soil = scene.water, scene.soil
+    surface = water.surface if water else None
+    ground = soil.mudline if soil else water.seabed if water else None
+    below = np.full(len(z), True) if surface is None else z <= surface
+    return below if ground is None else below & (z >= ground)
 
 
 def _coefficient(section: Section, z: float) -> float:
