@@ -217,3 +217,28 @@ def test_a_riser_that_does_not_stay_has_no_allowance_for_a_sea(seed, what):
         tree["platform"]["cruise"] = {"speed": 0.2}
     with pytest.raises(InputError, match=f"{what}: .*during the runs in a sea"):
         allowances(SceneFile("rig.yaml", written(tree)), Sea(2.0, 10.0), 5)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_allowances_are_those_of_the_scene_that_counts_no_damage(seed):
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    limits = [{"output": "lfj_angle", "largest": "9 deg", "mode": "connected"}]
+    sea = {"significant_height": "2 m", "peak_period": "10 s", "peak_enhancement": 2.0}
+    sea |= {"components": 10, "seed": 1, "above_mean_level": "none", "ramp": "5 s"}
+    analysis = {"duration": 30.0, "step": 0.5, "mesh": {"elements": 20}}
+    analysis |= {"output": {"interval": 0.1}}
+    tree |= {"limits": limits, "wave": sea, "analysis": analysis}
+    detail = {
+        "name": "weld",
+        "at": tree["riser"][-1]["name"],
+        "face": "outside",
+        "stress_concentration": 1.2,
+        "safety_factor": 10,
+    }
+    detail |= {"curve": {"detail_class": "D", "environment": "air"}}
+    found = [
+        allowances(SceneFile("rig.yaml", written(tree | more)), Sea(2.0, 10.0), 5)
+        for more in ({}, {"fatigue": {"angles": 8, "details": [detail]}})
+    ]
+    assert found[0] == found[1]
+    assert found[0][0] > 0.0

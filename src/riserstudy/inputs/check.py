@@ -10,6 +10,7 @@ from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit, joined
 
 T = TypeVar("T", bound=BaseModel)
+TYPES = frozenset(("bool", "float", "int", "str"))  # as pydantic names them, among alternatives
 
 
 def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
@@ -69,5 +70,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
 
 
 def _names_alternative(step: object) -> bool:
-    """Whether a step of a fault's place names one of several models, which is no field."""
-    return isinstance(step, str) and (step[:1].isupper() or "[" in step or "-" in step)
+    """Whether a step of a fault's place names one of several models or types, which is no field."""
+    if not isinstance(step, str):
+        return False
+    return step in TYPES or step[:1].isupper() or "[" in step or "-" in step
