@@ -147,8 +147,14 @@ def _with_mud_above(one: Checked, mud: float) -> Checked:
         return one
     if use(one.side, one.demand - mud, one.allowable) <= 1.0:
         return one
-    why = f"contents above the riser's upper end, which decrease the tension by {1e-3 * mud:.3g} kN"
-    return one._replace(verdict=UNKNOWN, missing=why)
+    return one._replace(verdict=UNKNOWN, missing=taken_by(mud))
+
+
+def taken_by(mud: float) -> str:
+    """What a smallest tension is not known for: the weight of the mud above the riser (N)."""
+    return (
+        f"contents above the riser's upper end, which decrease the tension by {1e-3 * mud:.3g} kN"
+    )
 
 
 def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from riserstudy.dataset.limits import BOUNDED, Error, demand_of, error_of
+from riserstudy.dataset.limits import BOUNDED, Error, demand_of, error_of, taken_by
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
@@ -26,6 +26,7 @@ from riserstudy.scene.at_rest import at_rest, static
 from riserstudy.scene.forcing import Position
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import Limit
+from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import single
@@ -194,7 +195,8 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
         if over(inside) > 0.0:
             inside = _least(over, inside, tried)
         if over(inside) > 0.0:
-            return Offsets(math.nan, math.nan)
+            mud = not_in_demand(at.scene, limit)
+            return Offsets(math.nan, math.nan, taken_by(mud) if over(inside) <= mud else "")
         found = Offsets(_edge(over, inside, at, -1), _edge(over, inside, at, 1))
         return _if_sure(at, limit, found)
     except SimulationError as failure:
@@ -232,7 +234,7 @@ def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
     if limit.side == "mean":
         return found[0] - limit.allowable
     if limit.side == "smallest":
-        return limit.allowable + allowance - found[0]
+        return limit.allowable + allowance + not_in_demand(at.scene, limit) - found[0]
     return found[0] + allowance - limit.allowable
 
 

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from riserstudy.scene.geometry import span
 
 if TYPE_CHECKING:
+    from riserstudy.scene.limits import Limit
     from riserstudy.scene.parts import Parts
 
 FloatArray = NDArray[np.float64]
@@ -70,3 +71,9 @@ def not_in_tension(scene: Parts) -> float:
     """That weight (N) where tensioners or a joint pull, whose pull is the tension of a run; else 0."""
     pulled = scene.top.tensioners or scene.top.telescopic_joint
     return mud_above_the_riser(scene) if pulled and not scene.disconnect else 0.0
+
+
+def not_in_demand(scene: Parts, limit: Limit) -> float:
+    """That weight (N) where a limit is a smallest tension: what must be left for it to be met; else 0."""
+    smallest_tension = limit.output == "effective_tension" and limit.side == "smallest"
+    return not_in_tension(scene) if smallest_tension else 0.0

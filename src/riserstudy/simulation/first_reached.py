@@ -13,6 +13,7 @@ from riserstudy.dataset.limits import SIGNED, sections_of
 from riserstudy.dataset.place_of_crossing import place_of_crossing
 from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limits import ALONG, Limit
+from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.extremes import places
 
@@ -39,7 +40,7 @@ def first_reached(
     """When each limit is first reached.
 
     Straight between the steps, or between the outputs where steps are not known. A mean is reached at no
-    time: UNKNOWN.
+    time: UNKNOWN. A smallest tension is reached where the mud above the riser takes what is left.
 
     Parameters
     ----------
@@ -57,7 +58,8 @@ def first_reached(
             continue
         sign = -1.0 if limit.side == "smallest" else 1.0
         times = seen["time"]
-        time = place_of_crossing(sign * values, sign * limit.allowable, times)
+        allowable = limit.allowable + not_in_demand(scene, limit)
+        time = place_of_crossing(sign * values, sign * allowable, times)
         word = UNKNOWN if math.isnan(time) else NEVER
         error = 0.0 if by_steps else _error(times, values, time)
         found.append(Reached(time if math.isfinite(time) else word, error))
