@@ -121,13 +121,12 @@ def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
     """
     if scene.current is None:
         return 0.0
-    z, velocity = current_velocity(scene.current, scene.water)
-    foot, within = scene.bottom.elevation or 0.0, 0.0
+    foot, within = _lower_end(scene), 0.0
     for section in scene.riser:
         length = section.total_length
         if section.viv:
             middles = foot + length * (np.arange(PLACES) + 0.5) / PLACES
-            speed = np.sqrt(sum(np.interp(middles, z, part) ** 2 for part in velocity))
+            speed = _speed(scene, middles)
             low, high = (end * speed / section.viv.diameter for end in section.viv.frequencies[::2])
             reached = (low <= frequency * (1.0 + edge)) & (frequency * (1.0 - edge) <= high)
             within += length * float(reached.mean())
@@ -144,13 +143,12 @@ def slowest(scene: Resolved) -> float:
     """
     if scene.current is None or not shedding(scene):
         return 0.0
-    z, velocity = current_velocity(scene.current, scene.water)
-    foot = scene.bottom.elevation or 0.0
+    foot = _lower_end(scene)
     rates, frequencies = [], []
     for section in scene.riser:
         if section.viv:
             places = np.linspace(foot, foot + section.total_length, PLACES)
-            speed = np.sqrt(sum(np.interp(places, z, part) ** 2 for part in velocity))
+            speed = _speed(scene, places)
             rates.append(section.viv.diameter * speed**3 * section.total_length)
             frequencies.append(section.viv.frequencies[0] * speed / section.viv.diameter)
         foot += section.total_length
@@ -160,6 +158,25 @@ def slowest(scene: Resolved) -> float:
     order = each.argsort()
     taken = power[order].cumsum() / power.sum()
     return 0.5 * float(each[order][int(np.searchsorted(taken, IDLE))])
+
+
+def _lower_end(scene: Resolved) -> float:
+    """Elevation of the riser's lower end before it stretches (m)."""
+    if scene.bottom.hold != "free":
+        return scene.bottom.elevation or 0.0
+    joint = scene.top.telescopic_joint
+    hung = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
+    return (scene.top.elevation or 0.0) - hung
+
+
+def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
+    """Speed of the current at elevations (m) in the water (m/s), 0 above it."""
+    if scene.current is None:
+        return np.zeros_like(elevations)
+    z, velocity = current_velocity(scene.current, scene.water)
+    speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
+    surface = scene.water.surface if scene.water else None
+    return speed if surface is None else np.where(elevations > surface, 0.0, speed)
 
 
 def first_phases(scene: Resolved, mesh: Mesh, model: Model) -> None:
