@@ -43,7 +43,8 @@ def test_what_leaves_takes_its_motion_with_it(d):
         N, np.interp(clock[0], rig.record.time, rig.record.acceleration)
     )
     _, along = rig.flow()
-    up = (rig.record.change * (rig.s.r[-1, :-1] + rig.s.r[-1, 1:])).sum() * 0.5 * GRAVITY
+    above = rig.s.r[-1, :-1] + rig.s.r[-1, 1:] - 2.0 * rig.record.level
+    up = (rig.record.change * above).sum() * 0.5 * GRAVITY
     assert along == pytest.approx(thrust + up, rel=1e-9)
     assert grown < 0.0
     assert supplied - up - _work(rig, d) == pytest.approx(grown, rel=1e-6)

@@ -46,6 +46,7 @@ class Draining(NamedTuple):
     dead: np.ndarray  # (n+1,) the same at the release (N)
     inside: np.ndarray  # (n,) that of `AddedMass` (kg)
     minus: np.ndarray  # (n,) the same, negative (kg)
+    level: float  # that of `Weight` (m)
 
 
 @inner
@@ -144,7 +145,8 @@ def power(column, s):
         change = column.change[e]
         if change == 0.0:
             continue
-        s.flow[SUPPLIED] += 0.5 * column.gravity * change * (s.r[up, e] + s.r[up, e + 1])
+        above = s.r[up, e] + s.r[up, e + 1] - 2.0 * column.level
+        s.flow[SUPPLIED] += 0.5 * column.gravity * change * above
         low, high = _across(s, e), _across(s, e + 1)
         square = own * (dot(low, low) + dot(high, high)) + 2.0 * other * dot(low, high)
         s.flow[SUPPLIED] += 0.5 * change * square

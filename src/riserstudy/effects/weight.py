@@ -24,6 +24,7 @@ class Weight(NamedTuple):
 
     direction: int  # 0 ... d-1, the last is up
     load: np.ndarray  # (n+1,) at the nodes (N)
+    level: float = 0.0  # from which its energy counts, near what leaves where the load changes (m)
 
 
 @inner
@@ -39,7 +40,7 @@ def energy(weight, s):
     """Potential energy (J)."""
     total = 0.0
     for i in range(s.l0.shape[0] + 1):
-        total -= weight.load[i] * s.r[weight.direction, i]
+        total -= weight.load[i] * (s.r[weight.direction, i] - weight.level)
     return total
 
 

@@ -46,6 +46,7 @@ def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
         dead=weight.load.copy(),
         inside=moving[0],
         minus=moving[1],
+        level=weight.level,
     )
     yield Effect("draining contents", record, "disconnect.drain")
 

@@ -26,7 +26,8 @@ def riser(of: Layout) -> Iterator[Effect]:
     if of.m:
         yield from bending(of, relaxation[0])
     if np.any(of.weight):
-        weight = Weight(of.d - 1, halves(-of.weight * l0))
+        top = (of.scene.bottom.elevation or 0.0) + float(l0.sum())
+        weight = Weight(of.d - 1, halves(-of.weight * l0), top)
         yield Effect("weight", weight, "riser.submerged_weight")
     load = of.per_segment(lambda k: sections[k].lateral_load or 0.0)
     if np.any(load) and of.d > 1:

@@ -70,6 +70,7 @@ def march_on(
         )
         if outcome != DONE:
             break
+        move_to(model.programs, model.state, stop)  # outputs between steps have moved its effects
     return outcome
 
 

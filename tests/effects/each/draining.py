@@ -38,7 +38,7 @@ def draining(record, s):
 @cache
 def others(d: int) -> tuple[Weight, AddedMass]:
     """What the column writes: each case has one set of arrays."""
-    return Weight(d - 1, np.zeros(N + 1)), AddedMass(FULL.copy(), -FULL, 0)
+    return Weight(d - 1, np.zeros(N + 1), 55.0), AddedMass(FULL.copy(), -FULL, 0)
 
 
 def _column(d: int) -> Draining:
@@ -60,6 +60,7 @@ def _column(d: int) -> Draining:
         dead=np.linspace(-3e5, -1e5, N + 1),
         inside=inside.mass,
         minus=inside.minus,
+        level=weight.level,
     )
 
 
