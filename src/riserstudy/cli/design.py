@@ -70,7 +70,7 @@ ShareOption = Annotated[
     typer.Option(
         min=0.01,
         max=1.0,
-        help="largest allowed setting as a fraction of --dynamic-limit, such as 0.9",
+        help="largest allowed tension setting as a fraction of --dynamic-limit, such as 0.9",
     ),
 ]
 OverpullOption = Annotated[
@@ -85,7 +85,7 @@ OverpullOption = Annotated[
 def tension(
     scene: SceneArgument,
     units: Annotated[int, typer.Option(min=1, help="number of tensioner units")],
-    failed: Annotated[int, typer.Option(min=0, help="number of failed units")],
+    failed: Annotated[int, typer.Option(min=0, help="number of failed tensioner units")],
     tension_ratio: TensionRatioOption,
     weight: WeightOption,
     buoyancy: BuoyancyOption,
@@ -97,13 +97,13 @@ def tension(
     csv: CsvOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Compute the minimum top tension, and the window of the tension setting.
+    """Compute the minimum top tension, and the window (allowed range) of the tension setting.
 
     The minimum tension is computed by the standard formula and by simulation. In the simulation, a constant
-    tension replaces the tensioners. The window is the allowed range of the tension setting. It ends at
-    --share times --dynamic-limit. It begins at the minimum tension or at the tension that lifts the LMRP off
-    with --overpull, whichever requires the larger setting. The exit status is 4 if the scene lacks an input,
-    such as separate weights of steel and buoyancy.
+    tension replaces the tensioners. The window ends at --share times --dynamic-limit. The window begins at
+    the minimum tension or at the tension that lifts the LMRP off with --overpull, whichever requires the
+    larger tension setting. The exit status is 4 if the scene lacks an input, such as separate weights of
+    steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -266,7 +266,8 @@ def viv(
     drag_gain: Annotated[
         float,
         typer.Option(
-            help="relative increase of drag per amplitude in diameters; in the literature 1.1 to 2.1"
+            help="coefficient g of the factor 1 + g A / D by which a vibration of amplitude A increases "
+            "the drag; in the literature 1.1 to 2.1"
         ),
     ] = 2.1,
     settings: SetOption = None,

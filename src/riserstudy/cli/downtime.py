@@ -78,7 +78,8 @@ PersistenceOption = Annotated[
     typer.Option(
         min=LEAST_PERSISTENCE,
         max=MOST_PERSISTENCE,
-        help="Hurst exponent of the workable shares of years; with 0.5, years are independent",
+        help="Hurst exponent of the yearly workable shares: how strongly they follow the shares of the "
+        "years before; with 0.5, years are independent",
     ),
 ]
 HoldBackOption = Annotated[
@@ -88,8 +89,8 @@ HoldBackOption = Annotated[
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="compute only the hours, with this value of the scene, such as platform.position.surge='5 m'; "
-        "may be repeated, and each value gives one result",
+        help="print only the workable hours, with this value of the scene, such as "
+        "platform.position.surge='5 m'; may be repeated, and each value gives one row per mode",
         metavar="PATH=VALUE",
     ),
 ]

@@ -27,7 +27,10 @@ if TYPE_CHECKING:
 
 StudyArgument = Annotated[
     Path,
-    typer.Argument(help="dataset of a study, or of a run, with damage_rate", metavar="STUDY.nc"),
+    typer.Argument(
+        help="dataset of a study or of a run that contains damage_rate, the damage per year",
+        metavar="STUDY.nc",
+    ),
 ]
 ScatterOption = Annotated[
     Path | None,
@@ -42,14 +45,14 @@ GammaOption = Annotated[
     typer.Option(
         min=1.0,
         max=7.0,
-        help="JONSWAP gamma that converts zero-crossing periods of a record to peak periods; "
-        "default: that of the study",
+        help="peak enhancement (JONSWAP gamma) with which zero-crossing periods of a record are converted to "
+        "peak periods; default: that of the study",
     ),
 ]
 CalmOption = Annotated[
     bool,
     typer.Option(
-        "--calm", help="treat seas below the lowest simulated height or period as the lowest one"
+        "--calm", help="treat heights and periods below the lowest simulated value as this value"
     ),
 ]
 WithoutOption = Annotated[
@@ -62,12 +65,12 @@ WithoutOption = Annotated[
 ]
 AlongOption = Annotated[
     Path | None,
-    typer.Option(help="also write the damage along the riser here", metavar="OUT.csv"),
+    typer.Option(help="also write the damage along the riser to this CSV file", metavar="OUT.csv"),
     Writes("table"),
 ]
 BySeaOption = Annotated[
     Path | None,
-    typer.Option(help="also write the damage by sea state here", metavar="OUT.csv"),
+    typer.Option(help="also write the damage by sea state to this CSV file", metavar="OUT.csv"),
     Writes("table"),
 ]
 

@@ -40,7 +40,9 @@ class PlotKind(StrEnum):
 def plot(
     dataset: DatasetArgument,
     output: FigureOutput,
-    kind: Annotated[PlotKind, typer.Option(help="kind of plot")] = PlotKind.RANGE,
+    kind: Annotated[
+        PlotKind, typer.Option(help="extremes along the riser (range), time series, or shape")
+    ] = PlotKind.RANGE,
     of: Annotated[
         list[str] | None,
         typer.Option(

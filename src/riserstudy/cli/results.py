@@ -20,7 +20,9 @@ ResultsOption = Annotated[Path, typer.Option("--results", help="results folder",
 
 CsvOption = Annotated[
     Path | None,
-    typer.Option("--csv", help="write the result to a file instead", metavar="FILE.csv"),
+    typer.Option(
+        "--csv", help="write the result to this file instead of printing it", metavar="FILE.csv"
+    ),
     Writes("table"),
 ]
 
@@ -52,8 +54,9 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    If the arguments are words, the command lists the points that contain all of them in their key, study,
-    axis values, scene, engine, time or effects.
+    If the arguments are words, the command lists the points (single simulations) that contain every word.
+    It searches the key (the name in the store), study, axis values, scene, engine, effects and warnings of a
+    point.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, opened
@@ -143,7 +146,9 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
 def prune(
     every: Annotated[
         bool,
-        typer.Option("--all", help="also remove points of this engine that no study here uses"),
+        typer.Option(
+            "--all", help="also remove points of the present engine version that no study here uses"
+        ),
     ] = False,
     yes: Annotated[bool, typer.Option("--yes", help="do not ask for confirmation")] = False,
     config: Annotated[
@@ -154,8 +159,8 @@ def prune(
     """Remove stored points that no result needs, after confirmation; their size is shown first.
 
     A point is one stored simulation of a study. The command removes damaged points, and points of other
-    engine versions or former file formats. ``--all`` also removes points of this engine that this folder
-    does not need. Other folders that share the store may still need these points.
+    engine versions or former file formats. ``--all`` also removes points of the present engine version that
+    this folder does not need. Other folders that share the store may still need these points.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded

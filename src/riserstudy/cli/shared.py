@@ -136,7 +136,7 @@ PlotOption = Annotated[
 ]
 CsvOption = Annotated[
     Path | None,
-    typer.Option("--csv", help="also write the table here", metavar="OUT.csv"),
+    typer.Option("--csv", help="also write the printed table to this CSV file", metavar="OUT.csv"),
     Writes("table"),
 ]
 
