@@ -73,7 +73,7 @@ class Tilt(Harmonic):
 
 
 class Cruise(Strict):
-    """Constant speed, reached linearly over the ramp, by default suddenly. By default it is along x."""
+    """Constant speed, along x by default. It is reached linearly over the ramp, by default suddenly."""
 
     speed: u.Speed
     heading: u.Angle | None = None
