@@ -119,10 +119,11 @@ class Bottom(Strict):
 
 
 class JointStop(Strict):
-    """Stops of a telescopic joint: largest extension and compression from its length, and their stiffness.
+    """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
-    ``stroke``: largest extension. ``collapse``: largest compression, at which the barrels meet and push. A
-    stop that is not given does not exist. Both stops are elastic, without energy loss.
+    Both are measured like the stroke of the joint. ``stroke``: largest extension. ``collapse``: largest
+    compression, at which the barrels meet and push. A stop that is not given does not exist. Both stops are
+    elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None

@@ -143,7 +143,10 @@ class Position(Strict):
 
 
 class Centre(Strict):
-    """The point about which the platform turns, at rest. Without x or y it is above the well."""
+    """Centre of rotation of the platform, where it is when the platform is at rest.
+
+    Without x or y the centre is vertically above the well.
+    """
 
     x: u.Length | None = None
     y: u.Length | None = None

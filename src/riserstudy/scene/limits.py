@@ -25,7 +25,7 @@ ABOVE = ", above water"  # what the upper part of a section is called that leave
 
 
 class Limit(Strict):
-    """The allowable of one output: its largest or smallest value, or its mean over time.
+    """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
     For outputs whose sign is a convention, such as moments and angles, the limit applies to the magnitude.
     ``at``: a section of the riser; ``lower end of`` or ``upper end of`` a section; or the lowest and the

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 class Modules(Strict):
     """Buoyancy modules of one joint. A section without ``joints`` counts as one joint.
 
-    ``lift``: net lift of the modules in water, after subtraction of their own weight. Above the water their
-    mass counts as weight.
+    ``lift``: net lift of the modules in water, after subtraction of their own weight. Above the
+    water, the weight of the modules is their mass times gravity.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

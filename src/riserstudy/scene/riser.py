@@ -179,7 +179,10 @@ class InnerJoint(Strict):
 
 
 class Guide(Strict):
-    """Spring that keeps the lower end of a section above the well, the same in all horizontal directions."""
+    """Spring between the lower end of a section and the vertical axis of the well.
+
+    Its stiffness is the same in all horizontal directions.
+    """
 
     stiffness: Annotated[u.Stiffness, POSITIVE]
 

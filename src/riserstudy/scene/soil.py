@@ -101,12 +101,12 @@ class TabulatedSoil(Strict):
 
 
 class SoilDamping(DampingAtPeriod):
-    """Dashpots parallel to the soil springs, instead of hysteresis: ratio of critical damping at one period.
+    """Dashpots parallel to the soil springs, which represent the hysteresis of the soil.
 
-    In a cycle with the period ``at_period`` and the displacement ``at_displacement``, a spring and its
-    dashpot dissipate 4 pi ``ratio`` times the energy that a linear spring with the secant stiffness stores.
-    At longer periods, the energy loss of a dashpot decreases, while the energy loss of hysteresis would
-    remain the same.
+    ``ratio`` is the ratio of critical damping at one period of motion. In a cycle with the period
+    ``at_period`` and the displacement ``at_displacement``, a spring and its dashpot dissipate 4 pi ``ratio``
+    times the energy that a linear spring with the secant stiffness stores. At longer periods, the energy loss
+    of a dashpot decreases, while the energy loss of hysteresis would remain the same.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -162,7 +162,7 @@ class Vessel(Strict):
     one system.
 
     A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
-    motion of the vessel. The riser's top, deck and tension ring move with the sum. Hull drag,
+    motion of the vessel. The riser's top, deck and tension ring move with the sum of both motions. Hull drag,
     inertia and thrusters respond only to the slow motion, and so does the mean wave drift that is given here.
     The outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the slow motion, ``platform_surge`` and
     ``platform_sway`` the sum.
