@@ -168,7 +168,7 @@ def statistics(
     over: Annotated[
         str | None,
         typer.Option(
-            help="axis of seeds, over which a Gumbel distribution is fitted to extremes",
+            help="axis of seeds (random phases of the sea); a Gumbel distribution is fitted to the extremes",
             metavar="AXIS",
         ),
     ] = None,

@@ -67,7 +67,8 @@ def seas(
     record: RecordArgument = None,
     synthetic: SyntheticOption = None,
     seed: Annotated[
-        int | None, typer.Option(min=0, help="seed of the synthetic record; default: 1")
+        int | None,
+        typer.Option(min=0, help="seed (start value) of the random synthetic record; default: 1"),
     ] = None,
     gamma: GammaOption = None,
     near: NearOption = None,

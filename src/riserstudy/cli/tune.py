@@ -30,7 +30,9 @@ def tune(
     points: Annotated[
         int, typer.Option(min=FEWEST, max=256, help="number of points to tune on")
     ] = 12,
-    seed: Annotated[int, typer.Option(min=0, help="seed of the random draw of these points")] = 1,
+    seed: Annotated[
+        int, typer.Option(min=0, help="seed (start value) of the random draw of points")
+    ] = 1,
     write: Annotated[
         bool, typer.Option("--write", help="write the settings into the study file")
     ] = False,

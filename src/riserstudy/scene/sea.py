@@ -54,7 +54,7 @@ class RegularWave(Swell, Wave):
 
 
 class Storm(Strict):
-    """A JONSWAP spectrum: components of equal energy, with random phases drawn from a seed."""
+    """A JONSWAP spectrum: components of equal energy, whose random phases depend on ``seed``."""
 
     significant_height: Annotated[u.Length, POSITIVE]
     peak_period: Annotated[u.Time, POSITIVE]
@@ -69,7 +69,7 @@ class Storm(Strict):
 
 
 class IrregularSea(Storm, Wave):
-    """A sea with a JONSWAP spectrum: components of equal energy, with random phases drawn from a seed.
+    """A sea with a JONSWAP spectrum: components of equal energy, whose random phases depend on ``seed``.
 
     By default the sea travels along x, and it acts from t = 0 without a ramp, on a riser in static
     equilibrium. ``above_mean_level`` is as for a regular wave.
