@@ -1,1 +1,1 @@
-"""One physical idea a file: a record, its force, its tangent, its energy or its power."""
+"""One file per physical effect: a record, its force, its tangent, and its energy or its power."""

@@ -29,7 +29,7 @@ class AddedMass(NamedTuple):
 
     mass: np.ndarray  # (n,) of the segments (kg)
     minus: np.ndarray  # (n,) the same, negative
-    horizontal: int  # 1 where it acts horizontally, 0 across the pipe
+    horizontal: int  # 1: acts horizontally, 0: acts across the pipe
 
 
 @inner

@@ -16,7 +16,7 @@ from riserstudy.solve.jit import inner
 
 @inner
 def _about(k, angle, rate, bend, p, v, a):
-    """Turn a moving vector (p, its rate v, that one's rate a) about axis k by a moving angle."""
+    """Rotate a moving vector (position p, velocity v, acceleration a) about axis k by a moving angle."""
     i, j = (k + 1) % 3, (k + 2) % 3
     c, s = cos(angle), sin(angle)
     pi, pj = c * p[i] - s * p[j], s * p[i] + c * p[j]
@@ -30,7 +30,7 @@ def _about(k, angle, rate, bend, p, v, a):
 
 @inner
 def turned(platform, p, v, a):
-    """Turn a vector fixed to the platform, (3,) in place; its rates are written to ``v`` and ``a``."""
+    """Rotate a vector fixed to the platform, (3,), in place; its velocity and acceleration go to v and a."""
     for k in range(3):
         v[k], a[k] = 0.0, 0.0
     for k in range(3):

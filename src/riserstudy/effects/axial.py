@@ -7,8 +7,8 @@ unstretched length, and pressures need no separate forces.
 
 References
 ----------
-Elementary: Hooke's law. That no pressure appears in it: Sparks (1984), "The influence of tension, pressure
-and weight on pipe and riser deformations and stresses", *Journal of Energy Resources Technology* 106, 46-54.
+Elementary: Hooke's law. For the absence of pressures: Sparks (1984), "The influence of tension, pressure and
+weight on pipe and riser deformations and stresses", *Journal of Energy Resources Technology* 106, 46-54.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from riserstudy.solve.vec import add, at, mul, outer, plus, plus_block, sub, uni
 class Axial(NamedTuple):
     """Axial stiffness of the segments."""
 
-    stiffness: np.ndarray  # (n,) EA over the unstretched length (N/m)
+    stiffness: np.ndarray  # (n,) EA divided by the unstretched length (N/m)
 
 
 @inner
@@ -39,7 +39,7 @@ def force(axial, s):
 
 @inner
 def tangent(axial, s):
-    """Elastic stiffness along the segment, T / length across it."""
+    """Elastic stiffness along the segment, and T / length across it."""
     unit = unity(s.dim)
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)

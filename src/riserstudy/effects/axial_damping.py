@@ -39,14 +39,14 @@ def force(damper, s):
 
 @inner
 def tangent(damper, s):
-    """Derivative by velocity and by the direction of the segment."""
+    """Derivative with respect to the velocity and the direction of the segment."""
     unit = unity(s.dim)
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
         relative = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
         rate = dot(t, relative)
         along = outer(t, t)
-        turning = sub(relative, mul(rate, t))  # what changes the direction of the segment
+        turning = sub(relative, mul(rate, t))  # part that changes the direction of the segment
         c = damper.damping[e]
         slope = add(
             mul(s.rate[VELOCITY], along),

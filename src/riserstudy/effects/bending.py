@@ -48,7 +48,7 @@ def twice_arctan(half):
 
 @inner
 def compliance(bending, s):
-    """Enter the flexibility of the pipe."""
+    """Add the flexibility of the pipe."""
     for i in range(bending.flex.shape[0]):
         s.flex[i] += bending.flex[i]
     for e in range(bending.flex_up.shape[0]):
@@ -58,7 +58,7 @@ def compliance(bending, s):
 
 @inner
 def turn(bending, s):
-    """By how much the turning angles miss the moments."""
+    """Residual of the turning angles: their difference from the angles that follow from the moments."""
     n = s.l0.shape[0]
     t, moment, missing, flex, flex_up = s.tangent, s.moment, s.turn, s.flex, s.flex_up
     missing[0, 0] -= flex[0] * moment[0, 0] + flex_up[0] * moment[0, 1]
@@ -90,7 +90,7 @@ def force(bending, s):
 
 @inner
 def tangent(bending, s):
-    """How angles at inner nodes follow the nodes, and shear the direction of the segment."""
+    """Derivative of the turning angles by node positions, and of the shear by the segment's direction."""
     n = s.l0.shape[0]
     t, moment = s.tangent, s.moment
     for i in range(1, n):

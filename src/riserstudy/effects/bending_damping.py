@@ -51,7 +51,7 @@ def _segment_rate(s, e):
 
 @inner
 def turn(damping, s):
-    """Turning angles grow by tau times their rates."""
+    """Add tau times their rates to the turning angles."""
     for e in range(s.l0.shape[0]):
         extra = mul(damping.time, _segment_rate(s, e))
         plus(s.turn, e, extra)
@@ -61,7 +61,7 @@ def turn(damping, s):
 
 @inner
 def tangent(damping, s):
-    """Derivative of the rates by velocity and by the chord of the segment."""
+    """Derivative of the rates with respect to the velocity and the chord of the segment."""
     for e in range(s.l0.shape[0]):
         t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]
         apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
@@ -78,7 +78,7 @@ def tangent(damping, s):
 
 @inner
 def _viscous_moments(damping, s):
-    """Part of the moments that the rates cause: the flexibility matrix solved for tau times rate."""
+    """Viscous part of the moments: the flexibility matrix solved for tau times the rates."""
     rate, moment = damping.rate, damping.moment
     rate[:] = 0.0
     for e in range(s.l0.shape[0]):
@@ -93,7 +93,7 @@ def _viscous_moments(damping, s):
 
 @inner
 def energy(damping, s):
-    """What the strain energy of the total moments holds too much: they are partly viscous (J)."""
+    """Correction of the strain energy (J), which the total moments overstate: a part of them is viscous."""
     _viscous_moments(damping, s)
     total = 0.0
     for u in range(damping.rate.shape[0]):

@@ -46,7 +46,7 @@ class SpatialBending(NamedTuple):
 
 @inner
 def turn(bending, s):
-    """By how much the rotations miss the moments."""
+    """Residual of the rotations: their difference from the rotations that follow from the moments."""
     n = s.l0.shape[0]
     moment, missing = s.moment, s.turn
     for i in range(n + 1):
@@ -73,7 +73,7 @@ def force(bending, s):
 
 @inner
 def tangent(bending, s):
-    """How rotations and shear follow the nodes."""
+    """Derivative of rotations and shear by node positions."""
     n = s.l0.shape[0]
     for e in range(n):
         t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]

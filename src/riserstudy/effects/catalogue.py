@@ -20,7 +20,7 @@ def catalogue() -> dict[str, Called]:
 
 
 def changes() -> Iterator[Change]:
-    """All that takes an effect out of a scene, then all that puts one in."""
+    """All changes that remove an effect from a scene, then all changes that add one."""
     every = [change for effect in catalogue().values() for change in effect.changes]
     yield from (change for change in every if change.kind == "removed")
     yield from (change for change in every if change.kind == "added")

@@ -26,7 +26,7 @@ class Current(NamedTuple):
     speed: np.ndarray  # (k,) (m/s)
     heading: np.ndarray  # (d-1,) unit vector of the flow in the horizontal directions
     near: np.ndarray  # (n+1,) scratch: the interval of the table in which a node was last
-    ramp: float  # time over which the current grows linearly from nothing (s), 0 for at once
+    ramp: float  # time over which the current increases linearly from zero (s), 0 for a step
 
 
 @inner
@@ -44,7 +44,7 @@ def drive(current, s):
         if here >= z[last]:
             value = speed[last]
         elif here > z[0]:
-            k = current.near[i]  # it has hardly moved
+            k = current.near[i]  # start from the previous interval: the node has hardly moved
             while z[k + 1] <= here:
                 k += 1
             while z[k] > here:

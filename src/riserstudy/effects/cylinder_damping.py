@@ -17,14 +17,14 @@ from riserstudy.solve.state import DISSIPATED, VELOCITY
 
 
 class CylinderDamping(NamedTuple):
-    """One damper a cylinder."""
+    """One damper per cylinder."""
 
     damping: np.ndarray  # (c,) (N s/m)
 
 
 @inner
 def force(damper, s):
-    """Pull grows with the rate of extension."""
+    """Add damping times the rate of extension to the pull."""
     for c in range(damper.damping.shape[0]):
         s.pull[c] += damper.damping[c] * s.reach_rate[c]
         s.k_pull[c] += s.rate[VELOCITY] * damper.damping[c]

@@ -35,25 +35,25 @@ from riserstudy.solve.state import SUPPLIED, VELOCITY
 
 
 class CylindersInSpace(NamedTuple):
-    """Where the cylinders are; the ring is a node with one segment below and one above it."""
+    """Positions of the cylinders; the ring is a node with one segment below and one above it."""
 
     node: int  # tension ring
-    vessel: int  # node of a vessel that the deck moves with, 0 where its motion is prescribed
-    centre: np.ndarray  # (3,) centre of rotation at rest (m), x and y from a vessel if there is one
-    deck: np.ndarray  # (3, c) deck points from that centre (m)
+    vessel: int  # node of the vessel that the deck moves with, 0 if its motion is prescribed
+    # (3,) centre of rotation at rest (m), x and y relative to a vessel if there is one
+    centre: np.ndarray
+    deck: np.ndarray  # (3, c) deck points relative to that centre (m)
     ring: np.ndarray  # (3, c) ring points from the ring's centre, riser upright (m)
     length: np.ndarray  # (c,) at mid-stroke (m)
-    below: (
-        np.ndarray
-    )  # (2,) flexibility of the segment below: upper end by its own, by the far moment
-    above: np.ndarray  # (2,) of the segment above: lower end by its own, by the far moment
+    # (2,) rotation of the upper end of the segment below, per moment there and at its far end
+    below: np.ndarray
+    above: np.ndarray  # (2,) the same of the segment above, at its lower end (rad/(N m))
     work: np.ndarray  # (3, 3) scratch
     base: np.ndarray  # (2, 3) scratch: place and velocity of the vessel
 
 
 @inner
 def place(cylinders, s):
-    """Deck points at this time, from where a vessel is."""
+    """Deck points at this time, relative to a vessel if there is one."""
     point, w = s.deck, cylinders.work
     for c in range(cylinders.length.shape[0]):
         for k in range(3):
@@ -68,7 +68,7 @@ def place(cylinders, s):
 
 @inner
 def _lay(s, source, e, into):
-    """A vector of the model as one of x, y, z."""
+    """Convert a vector of the model's directions to x, y, z."""
     d = len(s.dim)
     into[0] = source[0, e] if d > 1 else 0.0
     into[1] = source[1, e] if d > 2 else 0.0
@@ -77,7 +77,7 @@ def _lay(s, source, e, into):
 
 @inner
 def _tilt(cylinders, s, w):
-    """Direction of the ring's axis into w[0]: the riser's tangent at its top."""
+    """Write the direction of the ring's axis, the riser's tangent at its top, to w[0]."""
     d, i = len(s.dim), cylinders.node
     _lay(s, s.tangent, i - 1, w[0])
     own, far = cylinders.below[0], cylinders.below[1]
@@ -99,7 +99,7 @@ def _tilt(cylinders, s, w):
 
 @inner
 def _base(cylinders, s, into):
-    """Place of a vessel without its first-order motion, and velocity, each of x, y, z; else nothing."""
+    """Position and velocity (x, y, z) of a vessel without first-order motion; zeros without a vessel."""
     i = cylinders.vessel
     for row in range(2):
         for k in range(3):
@@ -111,7 +111,7 @@ def _base(cylinders, s, into):
 
 @inner
 def drive(cylinders, s):
-    """Reach, its rate, and lines of the cylinders."""
+    """Reach of the cylinders, its rate, and their axes."""
     i, w, arm, line = cylinders.node, cylinders.work, s.arm, s.line
     d, base = len(s.dim), cylinders.base
     _base(cylinders, s, base)
@@ -125,7 +125,7 @@ def drive(cylinders, s):
         arm[0, c] = x + tx * z - tx * turn
         arm[1, c] = y + ty * z - ty * turn
         arm[2, c] = tz * z - tx * x - ty * y
-    # rate of the ring: that of the segment below
+    # the ring rotates as the segment below
     _lay(s, s.v, i, w[1])
     _lay(s, s.v, i - 1, w[2])
     rx, ry, rz = 0.0, 0.0, 0.0
@@ -157,7 +157,7 @@ def drive(cylinders, s):
 
 @inner
 def turn(cylinders, s):
-    """The moment of the pulls about the ring's centre, and how it bends the joint above."""
+    """The moment of the pulls about the ring's centre, and the angles that it adds in the joint above."""
     arm, line, moment = s.arm, s.line, s.ring_moment
     moment[:] = 0.0
     for c in range(cylinders.length.shape[0]):
@@ -166,7 +166,7 @@ def turn(cylinders, s):
         moment[1] += pull * (arm[2, c] * line[0, c] - arm[0, c] * line[2, c])
         moment[2] += pull * (arm[0, c] * line[1, c] - arm[1, c] * line[0, c])
     m, i = len(s.dof) - len(s.dim), cylinders.node
-    if m == 3 and i > 0:  # torsion is free: a torque about the ring's axis bends nothing
+    if m == 3 and i > 0:  # torsion is free: a torque about the ring's axis has no effect
         tx, ty, tz = s.tangent[0, i - 1], s.tangent[1, i - 1], s.tangent[2, i - 1]
         torque = tx * moment[0] + ty * moment[1] + tz * moment[2]
         moment[0] -= torque * tx
@@ -183,7 +183,7 @@ def turn(cylinders, s):
 
 @inner
 def shear(s, e):
-    """Shear that the moment of the pulls adds at the upper end of the joint, segment e, in x, y, z."""
+    """Shear (x, y, z) that the moment of the pulls adds at the upper end of the joint, segment e."""
     d, m, inverse = len(s.dim), s.ring_moment, s.inverse_length[e]
     tx, ty, tz = s.tangent[0, e], s.tangent[1, e] if d > 2 else 0.0, s.tangent[d - 1, e]
     return (
@@ -227,7 +227,7 @@ def tangent(cylinders, s):
                     stiff += across
                 if (
                     vessel != i or p == q == d - 1
-                ):  # a ring on the vessel itself only moves up and down
+                ):  # a ring on the vessel moves only vertically relative to it
                     s.k_node[i, p * d + q] += stiff
                 if vessel == i + 1:
                     if q < d - 1:
@@ -275,7 +275,7 @@ def _turning(cylinders, s, c):
 
 @inner
 def energy(cylinders, s):
-    """What the strain energy of the joint above holds too much: it bends under M - m (J)."""
+    """Correction of the strain energy of the joint above (J), which bends under M - m instead of M."""
     total = 0.0
     m, i = len(s.dof) - len(s.dim), cylinders.node
     if i == s.length.shape[0]:
@@ -289,9 +289,9 @@ def energy(cylinders, s):
 
 @inner
 def power(cylinders, s):
-    """Power that prescribed motion of the platform supplies through the cylinders (W).
+    """Power that the prescribed motion of the platform supplies through the cylinders (W).
 
-    A vessel passes the pull on its deck on to the riser, whose top it carries.
+    A vessel transfers the pull on its deck to the riser's top, which is its node.
     """
     for c in range(cylinders.length.shape[0]):
         for k in range(3):

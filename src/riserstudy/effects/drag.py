@@ -14,7 +14,7 @@ References
 Morison, O'Brien, Johnson and Schaaf (1950), "The force exerted by surface waves on piles", *Petroleum
 Transactions AIME* 189, 149-154: its drag term.
 
-Hoerner (1965), *Fluid-Dynamic Drag*: across an inclined cylinder the velocity across it counts.
+Hoerner (1965), *Fluid-Dynamic Drag*: the drag on an inclined cylinder follows from the velocity across it.
 """
 
 from __future__ import annotations
@@ -43,28 +43,29 @@ from riserstudy.solve.vec import (
     upward,
 )
 
-STILL = 1e-100  # (m/s) the square of a much slower speed is no number
+STILL = 1e-100  # (m/s) lower limit of a speed: the square of a much lower speed would underflow
 
 
 class Drag(NamedTuple):
     """Drag of the segments."""
 
     low: np.ndarray  # (n,) rho C_D D / 2 times length, as it loads the lower node (kg/m)
-    up: np.ndarray  # (n,) as it loads the upper node; the same where C_D is one in a segment
+    # (n,) as it loads the upper node (kg/m); the same where C_D is constant in a segment
+    up: np.ndarray
     force: np.ndarray  # (d, n+1) scratch: drag on the nodes (N)
-    horizontal: int  # 1 where the drag acts horizontally, 0 across the pipe
+    horizontal: int  # 1: the drag acts horizontally, 0: across the pipe
 
 
 @inner
 def _relative(drag, s, i):
-    """Velocity of the water that counts, seen from the pipe."""
+    """Component of the relative water velocity across the pipe, or horizontally, that causes drag."""
     u, t = sub(at(s.dim, s.water, i), at(s.dim, s.v, i)), axis(s, drag.horizontal, i)
     return sub(u, mul(dot(u, t), t))
 
 
 @inner
 def press(drag, s):
-    """Load over its coefficient at the nodes, into ``s.density``."""
+    """Write the load divided by its coefficient at the nodes to ``s.density``."""
     for i in range(s.l0.shape[0] + 1):
         u = _relative(drag, s, i)
         put(s.density, i, mul(norm_across(u, axis(s, drag.horizontal, i)), u))
@@ -80,7 +81,7 @@ def force(drag, s):
 
 @inner
 def tangent(drag, s):
-    """Derivative by velocity, by elevation where the current is sheared, by the pipe's direction."""
+    """Derivative by velocity, by elevation in a sheared flow, and by the pipe's direction."""
     unit, up = unity(s.dim), upward(s.dim)
     for i in range(s.l0.shape[0] + 1):
         u, t = _relative(drag, s, i), axis(s, drag.horizontal, i)
@@ -99,7 +100,7 @@ def tangent(drag, s):
 
 @inner
 def _turning(drag, s):
-    """Derivative by the nodes between which the pipe's direction is taken."""
+    """Derivative by the positions of the nodes that define the pipe's direction."""
     unit, n = unity(s.dim), s.l0.shape[0]
     for i in range(n + 1):
         first, last = max(i - 1, 0), min(i + 1, n)

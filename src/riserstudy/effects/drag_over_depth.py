@@ -26,18 +26,18 @@ from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import OTHER, OWN
 
-LEVEL = 1e-6  # rise of a segment over its length below which it lies at one elevation
+LEVEL = 1e-6  # ratio of rise to length below which a segment counts as horizontal
 
 
 class DragOverDepth(NamedTuple):
-    """Drag of the segments that share a table."""
+    """Drag of the segments whose coefficients are from one table."""
 
-    low: np.ndarray  # (n,) rho C_D D / 2 times length (kg/m), filled in as the riser moves
+    low: np.ndarray  # (n,) rho C_D D / 2 times length (kg/m), updated as the riser moves
     up: np.ndarray  # (n,)
     force: np.ndarray  # (d, n+1) scratch: drag on the nodes (N)
-    horizontal: int  # 1 where the drag acts horizontally, 0 across the pipe
+    horizontal: int  # 1: the drag acts horizontally, 0: across the pipe
     scale: np.ndarray  # (n,) rho D / 2 times length (kg/m), 0 in segments without this table
-    elevation: np.ndarray  # (k,) not falling (m)
+    elevation: np.ndarray  # (k,) never decreasing (m)
     coefficient: np.ndarray  # (k,) C_D there; beyond the table its end values hold
     slope: np.ndarray  # (3, n) derivatives of the means, see `means`, times the scale (kg/m2)
 
@@ -46,8 +46,8 @@ class DragOverDepth(NamedTuple):
 def means(drag, s, e):
     """Means of C over a segment for its lower and upper node, and their derivatives.
 
-    Returns c_low, c_up, and the derivatives of c_low by z_low, of either by the other's end, and of
-    c_up by z_up.
+    Returns c_low, c_up, and three derivatives: of c_low by z_low; of c_low by z_up, which equals that of c_up
+    by z_low; and of c_up by z_up.
     """
     z, c = drag.elevation, drag.coefficient
     foot = s.r[len(s.dim) - 1, e]
@@ -69,7 +69,7 @@ def means(drag, s, e):
         width, middle = abs(b - a) / 3.0, 0.5 * (before + after)  # Simpson's, twice the integral
         up += width * (a * before + 4.0 * m * middle + b * after)
         low += width * ((1.0 - a) * before + 4.0 * (1.0 - m) * middle + (1.0 - b) * after)
-        # a straight piece and a jump alike: what C changes by, at the mean of the weights over it
+        # for a linear piece and for a jump: the change of C, times the mean of the weights over it
         share = (after - before) / (3.0 * abs(rise))
         up_up += share * (a * a + 4.0 * m * m + b * b)
         low_up += share * (a * (1.0 - a) + 4.0 * m * (1.0 - m) + b * (1.0 - b))
@@ -90,7 +90,7 @@ def at_level(z, c, k, level):
 
 @inner
 def weigh(drag, s):
-    """Fill in the coefficients of the segments where they are, and how they change with that."""
+    """Update the coefficients of the segments at their present elevations, and the derivatives of these."""
     for e in range(s.l0.shape[0]):
         drag.low[e], drag.up[e] = 0.0, 0.0
         drag.slope[0, e], drag.slope[1, e], drag.slope[2, e] = 0.0, 0.0, 0.0
@@ -105,7 +105,7 @@ def weigh(drag, s):
 
 @inner
 def tangent(drag, s):
-    """Derivative of the drag, and by elevation through its coefficients."""
+    """Derivative of the drag, with the dependence of its coefficients on elevation."""
     tangent_at_rest(drag, s)
     press(drag, s)
     d, q = len(s.dim), s.density

@@ -29,29 +29,29 @@ from riserstudy.solve.vec import add, at, dot, mul, outer, plus, plus_block, sub
 
 
 class Draining(NamedTuple):
-    """Column over time, what it fills, and the arrays of other effects that it writes."""
+    """The column over time, the segments that it fills, and the arrays of other effects that it writes."""
 
-    time: np.ndarray  # (k,) rising evenly from the release on (s)
+    time: np.ndarray  # (k,) at equal intervals from the release on (s)
     acceleration: np.ndarray  # (k,) of the column, downwards (m/s2)
     top: np.ndarray  # (k,) level above the riser's lower end (m)
-    water: np.ndarray  # (k,) level below which sea water has come in (m)
-    foot: np.ndarray  # (n,) of each segment above the riser's lower end (m)
+    water: np.ndarray  # (k,) level up to which sea water has entered (m)
+    foot: np.ndarray  # (n,) height of each segment's lower end above the riser's lower end (m)
     bore: np.ndarray  # (n,) inner area of the segments that hold contents, else 0 (m2)
     densities: tuple[float, float]  # of contents and of sea water (kg/m3)
     gravity: float  # (m/s2)
     mass: np.ndarray  # (n,) inside each segment now (kg)
     change: np.ndarray  # (n,) its rate (kg/s)
     full: np.ndarray  # (n,) inside each at the release (kg)
-    load: np.ndarray  # (n+1,) that of `Weight` (N)
+    load: np.ndarray  # (n+1,) the array of `Weight` (N)
     dead: np.ndarray  # (n+1,) the same at the release (N)
-    inside: np.ndarray  # (n,) that of `AddedMass` (kg)
+    inside: np.ndarray  # (n,) the array of `AddedMass` (kg)
     minus: np.ndarray  # (n,) the same, negative (kg)
     level: float  # that of `Weight` (m)
 
 
 @inner
 def _now(column, s):
-    """The piece of the table that holds this time, and the share of it that is over; 0 before it."""
+    """The interval of the table that contains this time, and its elapsed share; 0 before the table."""
     last = column.time.shape[0] - 1
     x = (s.clock[0] - column.time[0]) / (column.time[1] - column.time[0])
     x = min(max(x, 0.0), float(last))
@@ -75,7 +75,7 @@ def _held(column, s, e, top, water):
 
 @inner
 def place(column, s):
-    """Mass, and load and mass of the effects that hold it, at this time."""
+    """Update the mass in each segment, and the load and mass of the effects that use it, to this time."""
     k, x = _now(column, s)
     span = column.time[1] - column.time[0]
     top = (1.0 - x) * column.top[k] + x * column.top[k + 1]
@@ -97,7 +97,7 @@ def place(column, s):
 
 @inner
 def _thrust(column, s, e):
-    """Half of what the column's acceleration does along a segment (N)."""
+    """Half of the force of the column's acceleration along a segment (N)."""
     k, x = _now(column, s)
     rate = (1.0 - x) * column.acceleration[k] + x * column.acceleration[k + 1]
     return 0.5 * column.mass[e] * rate
@@ -105,7 +105,7 @@ def _thrust(column, s, e):
 
 @inner
 def force(column, s):
-    """What the column's acceleration takes off its weight, along the riser."""
+    """Force along the riser by which the column's acceleration reduces its weight."""
     for e in range(s.l0.shape[0]):
         push = mul(_thrust(column, s, e), at(s.dim, s.tangent, e))
         plus(s.force, e, push)
@@ -115,7 +115,7 @@ def force(column, s):
 
 @inner
 def tangent(column, s):
-    """It turns with the segment."""
+    """Derivative by the direction of the segment."""
     unit = unity(s.dim)
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
@@ -136,7 +136,7 @@ def _across(s, i):
 
 @inner
 def power(column, s):
-    """Power of the column's acceleration, of what hangs less, and of what leaves with its motion (W)."""
+    """Power (W) of the column's acceleration, of the decreasing weight, and of the mass that leaves."""
     up = len(s.dim) - 1
     own, other = s.share[0], s.share[1]
     for e in range(s.l0.shape[0]):

@@ -29,7 +29,7 @@ class EndMass(NamedTuple):
     """One concentrated mass."""
 
     node: int
-    weight: float  # in water, positive down (N)
+    weight: float  # submerged weight, positive down (N)
     mass: np.ndarray  # (d,) mass with added mass, by direction (kg)
     drag: np.ndarray  # (2,) rho C_D A / 2 horizontally and vertically (kg/m)
 
@@ -49,7 +49,7 @@ def force(body, s):
 
 @inner
 def tangent(body, s):
-    """Derivative of the drag by velocity."""
+    """Derivative of the drag with respect to velocity."""
     d, up, i = len(s.dim), len(s.dim) - 1, body.node
     sideways = 0.0
     for k in range(up):

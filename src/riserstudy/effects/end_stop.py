@@ -16,7 +16,7 @@ from riserstudy.solve.jit import inner
 
 
 class EndStop(NamedTuple):
-    """Two stops a cylinder."""
+    """Two stops per cylinder."""
 
     shortest: np.ndarray  # (c,) reach at which the lower stop touches (m)
     longest: np.ndarray  # (c,) reach at which the upper stop touches (m)
@@ -30,7 +30,7 @@ def _beyond(stop, reach, c):
 
 @inner
 def force(stop, s):
-    """Contact force beyond the limits, nothing between them."""
+    """Contact force beyond the limits, zero between them."""
     for c in range(stop.stiffness.shape[0]):
         beyond = _beyond(stop, s.reach[c], c)
         if beyond != 0.0:

@@ -14,7 +14,7 @@ platform at each time of the table.
 
 References
 ----------
-Elementary: cubic Hermite interpolation. Theory, (15a), tells the energy that the exchange makes.
+Elementary: cubic Hermite interpolation. Theory, (15a), gives the energy error of the exchange.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ from riserstudy.solve.state import SUPPLIED
 
 
 class ForceTable(NamedTuple):
-    """Force on a node over time, in its first directions; reports how the node moves."""
+    """Force on a node over time, in its first directions; reports the motion of the node."""
 
     node: int
     time: np.ndarray  # (k,) rising (s)
@@ -47,7 +47,7 @@ class MotionTable(NamedTuple):
 
 @inner
 def _piece(time, now):
-    """Piece of a table that holds a time, its length, and the share of it that is over."""
+    """Interval of a table that contains a time, its length, and its elapsed share."""
     last = time.shape[0] - 1
     inside = min(max(now, time[0]), time[last])
     k = min(max(np.searchsorted(time, inside, side="right") - 1, 0), last - 1)
@@ -57,7 +57,7 @@ def _piece(time, now):
 
 @inner
 def force(table, s):
-    """The load as it is now."""
+    """The load at this time."""
     k, _, x = _piece(table.time, s.clock[0])
     for c in range(table.load.shape[1]):
         s.force[c, table.node] += (1.0 - x) * table.load[k, c] + x * table.load[k + 1, c]
@@ -85,7 +85,7 @@ def probe(table, s):
 
 @inner
 def place(table, s):
-    """Put the node where it is told to be, with the velocity and acceleration it has there."""
+    """Set position, velocity and acceleration of the node to those of the table."""
     k, h, x = _piece(table.time, s.clock[0])
     path, i = table.path, table.node
     for c in range(path.shape[2]):

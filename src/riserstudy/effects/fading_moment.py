@@ -7,7 +7,7 @@ supplies the power theta dM_0/dt.
 
 References
 ----------
-Elementary: the load potential of a moment that is given.
+Elementary: the load potential of a given moment.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from riserstudy.solve.vec import at, plus, plus_block, upward
 
 
 class FadingMoment(NamedTuple):
-    """Moment of the lowest node, which the solver leaves alone."""
+    """Moment of the lowest node, which the solver does not change."""
 
     moment: np.ndarray  # (m,) at the beginning (N m)
     start: float  # t_0 (s)
@@ -34,7 +34,7 @@ class FadingMoment(NamedTuple):
 
 @inner
 def _phase(fading, s):
-    """From 0 at the beginning to pi, where it is gone."""
+    """Phase of the decrease: 0 at the beginning, pi at the end."""
     return pi * min(max((s.clock[0] - fading.start) / fading.over, 0.0), 1.0)
 
 
@@ -49,14 +49,14 @@ def place(fading, s):
 
 @inner
 def turn(fading, s):
-    """The direction of the riser's end: that of the lowest segment less its own bending."""
+    """The direction of the riser's end: direction of the lowest segment minus the bending of this segment."""
     plus(s.turn, 0, rotation(upward(s.dim), at(s.dim, s.tangent, 0)))
     return 0.0
 
 
 @inner
 def tangent(fading, s):
-    """How it follows the end segment."""
+    """Derivative of this direction by the end segment."""
     slope = rotation_by_second(upward(s.dim), at(s.dim, s.tangent, 0))
     plus_block(s.turn_low, 0, by_chord(s, 0, slope))
     return 0.0
@@ -64,7 +64,7 @@ def tangent(fading, s):
 
 @inner
 def energy(fading, s):
-    """Energy of the moment in its direction (J)."""
+    """Potential energy of the moment (J)."""
     total = 0.0
     for u in range(fading.moment.shape[0]):
         total += s.moment[u, 0] * s.turn[u, 0]
@@ -73,7 +73,7 @@ def energy(fading, s):
 
 @inner
 def power(fading, s):
-    """Power that fading supplies (W)."""
+    """Power that the decrease supplies (W)."""
     rate = -0.5 * sin(_phase(fading, s)) * pi / fading.over
     for u in range(fading.moment.shape[0]):
         s.flow[SUPPLIED] += rate * fading.moment[u] * s.turn[u, 0]

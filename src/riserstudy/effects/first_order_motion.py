@@ -27,7 +27,7 @@ from riserstudy.solve.jit import inner
 
 
 class FirstOrderMotion(NamedTuple):
-    """Motion of the riser's top beside that of the vessel that bears it."""
+    """First-order motion of the riser's top, in addition to the motion of the vessel."""
 
     node: int  # the riser's top
     free: int  # horizontal directions in which the vessel is free to move, 1 or 2
@@ -39,7 +39,7 @@ class FirstOrderMotion(NamedTuple):
 
 @inner
 def place(motion, s):
-    """Take the top from where it was carried to where it is carried now."""
+    """Replace the previous first-order motion in the top's position by the present one."""
     i, point = motion.node, motion.point
     for c in range(3):
         point[0, c] = motion.arm[c]
@@ -59,7 +59,7 @@ def place(motion, s):
 
 @inner
 def probe(motion, s):
-    """Report the vessel's own place and speed, from where it rests, by direction."""
+    """Report the low-frequency displacement and speed of the vessel, by direction."""
     for k in range(motion.free):
         s.probe[motion.probe + 2 * k] = s.r[k, motion.node] - s.carried[0, k] - motion.rest[k]
         s.probe[motion.probe + 2 * k + 1] = s.v[k, motion.node] - s.carried[1, k]

@@ -31,8 +31,8 @@ class FlexJoint(NamedTuple):
     node: int  # 0 or n
     flex: float  # 1/K (rad/(N m)), 0 for a clamp
     lean: np.ndarray  # (3,) held direction, unit vector
-    follows: int  # 1 when it turns with the platform, else 0
-    held: np.ndarray  # (3, 3) scratch: held direction now, its first and second rate
+    follows: int  # 1 if it rotates with the platform, else 0
+    held: np.ndarray  # (3, 3) scratch: held direction now, its first and second time derivative
 
 
 @inner
@@ -48,14 +48,14 @@ def place(joint, s):
 
 @inner
 def compliance(joint, s):
-    """Enter the flexibility of the joint."""
+    """Add the flexibility of the joint."""
     s.flex[joint.node] += joint.flex
     return 0.0
 
 
 @inner
 def turn(joint, s):
-    """The rotation between the held direction and the end segment is taken up by moments."""
+    """Add the rotation between the held direction and the end segment to the turning angles."""
     if joint.node == 0:
         plus(s.turn, 0, rotation(within(s.dim, joint.held, 0), at(s.dim, s.tangent, 0)))
     else:
@@ -66,7 +66,7 @@ def turn(joint, s):
 
 @inner
 def tangent(joint, s):
-    """How that rotation follows the end segment."""
+    """Derivative of this rotation by the end segment."""
     if joint.node == 0:
         slope = rotation_by_second(within(s.dim, joint.held, 0), at(s.dim, s.tangent, 0))
         plus_block(s.turn_low, 0, by_chord(s, 0, slope))
@@ -86,7 +86,7 @@ def energy(joint, s):
 
 @inner
 def power(joint, s):
-    """Power that the turning platform supplies through the joint (W)."""
+    """Power that the rotating platform supplies through the joint (W)."""
     turning = cross(within(s.dim, joint.held, 0), within(s.dim, joint.held, 1))
     sign = -1.0 if joint.node == 0 else 1.0
     s.flow[SUPPLIED] += sign * dot(bending_at(s.dim, s.moment, joint.node), turning)

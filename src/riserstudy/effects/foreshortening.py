@@ -8,8 +8,8 @@ second order in the segment length.
 
 References
 ----------
-Elementary: a chord of an arc is shorter by the square of its curvature times the cube of its length, over
-24. Theory, (1).
+Elementary: the chord of an arc is shorter than the arc by its squared curvature times its cubed length,
+divided by 24. Theory, (1).
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from riserstudy.solve.vec import at, mul, outer, plus, plus_block, sub, unity
 
 
 class Foreshortening(NamedTuple):
-    """Tension of a segment by its squared moments."""
+    """Tension of a segment due to its squared moments."""
 
     slope: np.ndarray  # (n,) EA l0^2 / (72 EI^2) (1/(N m2))
 
@@ -48,7 +48,7 @@ def force(bent, s):
 
 @inner
 def tangent(bent, s):
-    """Derivative by the moments, and by the direction of the segment."""
+    """Derivative with respect to the moments and the direction of the segment."""
     unit = unity(s.dim)
     d, m = len(s.dim), len(s.dof) - len(s.dim)
     for e in range(s.l0.shape[0]):

@@ -22,7 +22,7 @@ from riserstudy.solve.jit import inner
 
 
 class GasSpring(NamedTuple):
-    """One chamber a cylinder."""
+    """One chamber per cylinder."""
 
     area: np.ndarray  # (c,) piston area under gas (m2)
     pressure: np.ndarray  # (c,) at mid-stroke, absolute (Pa)
@@ -32,7 +32,7 @@ class GasSpring(NamedTuple):
 
 @inner
 def force(gas, s):
-    """Gas pressure times area; infinite, not undefined, once the gas volume has closed."""
+    """Gas pressure times area; infinite once the gas volume is zero or less."""
     for c in range(gas.area.shape[0]):
         left = gas.volume[c] - gas.area[c] * s.reach[c]
         if left <= 0.0:

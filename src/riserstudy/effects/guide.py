@@ -19,7 +19,7 @@ from riserstudy.solve.jit import inner
 
 
 class Guide(NamedTuple):
-    """Lateral spring at a node, slack on the vertical through the well."""
+    """Lateral spring at a node, without force on the vertical through the well."""
 
     node: int
     stiffness: float  # (N/m)

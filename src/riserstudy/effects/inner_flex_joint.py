@@ -23,7 +23,7 @@ class InnerFlexJoint(NamedTuple):
 
     node: int
     flex: float  # 1/K (rad/(N m))
-    probe: int  # of the angle; in space its rotation about x, y and z follows
+    probe: int  # probe of the angle; in space, the rotations about x, y and z are the next ones
 
 
 @inner
@@ -36,7 +36,7 @@ def _square(joint, s):
 
 @inner
 def compliance(joint, s):
-    """Enter the flexibility of the joint."""
+    """Add the flexibility of the joint."""
     s.flex[joint.node] += joint.flex
     return 0.0
 
@@ -49,7 +49,7 @@ def energy(joint, s):
 
 @inner
 def probe(joint, s):
-    """Report the angle, in a plane towards +x, in space its size and the rotation (rad)."""
+    """Report the angle (rad): in a plane, positive towards +x; in space, its magnitude and the rotation."""
     moment = s.moment[0, joint.node] if len(s.dim) == 2 else sqrt(_square(joint, s))
     s.probe[joint.probe] = joint.flex * moment
     if len(s.dim) == 3:

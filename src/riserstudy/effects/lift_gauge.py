@@ -1,4 +1,4 @@
-r"""A gauge of where the riser's lower end is above the stack, and aside from it; it exerts no force.
+r"""A gauge of the lower end's height above the stack and distance from the well; it exerts no force.
 
 .. math:: \ell = z_0 - z_{stack}, \qquad a = \sqrt{x_0^2 + y_0^2}
 
@@ -20,7 +20,7 @@ class LiftGauge(NamedTuple):
     """Gauge at the lower end."""
 
     elevation: float  # of the stack's connector (m)
-    probe: int  # of the lift; the next ones are of its rate and of the distance from the well
+    probe: int  # probe of the lift; the next ones are its rate and the distance from the well
 
 
 @inner

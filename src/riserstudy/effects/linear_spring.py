@@ -16,7 +16,7 @@ from riserstudy.solve.jit import inner
 
 
 class LinearSpring(NamedTuple):
-    """One line a cylinder."""
+    """One linear law per cylinder."""
 
     tension: np.ndarray  # (c,) at mid-stroke (N)
     stiffness: np.ndarray  # (c,) (N/m)
@@ -24,7 +24,7 @@ class LinearSpring(NamedTuple):
 
 @inner
 def force(spring, s):
-    """The line."""
+    """Tension at mid-stroke plus stiffness times reach."""
     for c in range(spring.tension.shape[0]):
         s.pull[c] += spring.tension[c] + spring.stiffness[c] * s.reach[c]
         s.k_pull[c] += spring.stiffness[c]

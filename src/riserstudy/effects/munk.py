@@ -27,7 +27,8 @@ from riserstudy.effects.vessel import attitude, twisted, velocity
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import VELOCITY
 
-QUARTER = 0.25 * pi  # each derivative of the tensor by yaw is twice the last, turned so far
+# each derivative of the tensor by yaw is twice the previous one, with yaw + pi / 4
+QUARTER = 0.25 * pi
 
 
 class Munk(NamedTuple):
@@ -37,13 +38,13 @@ class Munk(NamedTuple):
     yaw: int  # loose node with the arc of the yaw in its last direction
     radius: float  # of the arc (m)
     heading: float  # of the hull at rest (rad)
-    difference: float  # added mass along less that across (kg)
+    difference: float  # added mass along the hull minus added mass across it (kg)
     current: np.ndarray  # (2,) surface current in x and y (m/s)
 
 
 @inner
 def _halfway(munk, s):
-    """Half the current's velocity less the platform's."""
+    """Half of the current's velocity minus the platform's velocity."""
     v = velocity(munk, s)
     return 0.5 * munk.current[0] - v[0], 0.5 * munk.current[1] - v[1]
 
@@ -63,7 +64,7 @@ def force(munk, s):
 
 @inner
 def tangent(munk, s):
-    """Derivative by yaw and by the velocities."""
+    """Derivative with respect to yaw and the velocities."""
     d, up, i = len(s.dim), len(s.dim) - 1, munk.node
     angle, rate = attitude(munk, s)
     twist = twisted(munk.difference, angle, munk.current)
@@ -78,7 +79,7 @@ def tangent(munk, s):
 
 @inner
 def energy(munk, s):
-    """Potential energy of the hull's angle to the current (J), but for a constant."""
+    """Potential energy of the hull in the current (J), except for a constant."""
     angle, _ = attitude(munk, s)
     a, b = munk.current[0], munk.current[1]
     twist = twisted(munk.difference, angle - QUARTER, munk.current)

@@ -43,7 +43,7 @@ class Harmonic(NamedTuple):
 
 
 class Encountered(NamedTuple):
-    """Sum of motions of a cruising platform, in waves that it meets on its way."""
+    """Sum of motions of a cruising platform, in the waves that it encounters."""
 
     motion: np.ndarray  # (k,) as in `Harmonic`
     amplitude: np.ndarray  # (k,) (m or rad)
@@ -68,7 +68,7 @@ class Series(NamedTuple):
 
     motion: int
     time: np.ndarray  # (k,) knots (s)
-    coefficient: np.ndarray  # (4, k-1) from the cube down, about the left knot
+    coefficient: np.ndarray  # (4, k-1) from the cubic term down, about the left knot
 
 
 @inner
@@ -85,7 +85,7 @@ def drive_harmonic(harmonic, s):
     motion, frequency, ramp = harmonic.motion, harmonic.frequency, harmonic.ramp
     t, first = s.clock[0], 0
     while first < motion.shape[0]:
-        after = first  # of those that move alike and grow alike, whose sums are taken together
+        after = first  # end of a group with the same motion and ramp, which is summed together
         while (
             after < motion.shape[0]
             and motion[after] == motion[first]
@@ -113,7 +113,7 @@ def drive_harmonic(harmonic, s):
 
 @kernel
 def _sailed(speed, ramp, t):
-    """Distance sailed (m), speed and acceleration; also called from plain Python."""
+    """Distance of the cruise (m), its speed and acceleration; also called from plain Python."""
     if t < ENDED * ramp:
         return 0.5 * speed * t * t / ramp, speed * t / ramp, speed / ramp
     if t > 0.0:
@@ -123,7 +123,7 @@ def _sailed(speed, ramp, t):
 
 @inner
 def drive_encountered(met, s):
-    """Add displacement, velocity, acceleration of the motions in waves that the cruise meets."""
+    """Add displacement, velocity and acceleration of the motions in the encountered waves."""
     t = s.clock[0]
     way, fast, gain = _sailed(met.speed, met.over, t)
     for k in range(met.motion.shape[0]):
@@ -146,7 +146,7 @@ def drive_encountered(met, s):
 
 @inner
 def drive_cruise(cruise, s):
-    """Add the distance sailed."""
+    """Add the distance of the cruise, its speed and acceleration."""
     m = cruise.motion
     way, speed, gain = _sailed(cruise.speed, cruise.ramp, s.clock[0])
     s.platform[0, m] += way
@@ -157,7 +157,7 @@ def drive_cruise(cruise, s):
 
 @inner
 def drive_series(series, s):
-    """Add the spline's value and derivatives; before and after its time it rests."""
+    """Add the spline's value and derivatives; before and after its times, the platform is at rest."""
     t, m, c = s.clock[0], series.motion, series.coefficient
     last = series.time.shape[0] - 1
     inside = min(max(t, series.time[0]), series.time[last])

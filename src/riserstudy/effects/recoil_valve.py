@@ -27,18 +27,19 @@ from riserstudy.solve.state import DISSIPATED, VELOCITY
 
 
 class RecoilValve(NamedTuple):
-    """One valve a cylinder; it acts on what the gas pulls, so its law comes after that of the gas."""
+    """One valve per cylinder. It acts on the pull of the gas, so it is evaluated after the gas law."""
 
     resistance: np.ndarray  # (c,) of the open valve (N s2/m2)
-    residual: np.ndarray  # (c,) share of the opening that is left, 1 where the valve fails to close
+    # (c,) share of the opening that remains, 1 for a valve that fails to close
+    residual: np.ndarray
     start: float  # t_0 (s)
     over: float  # tau (s), above 0
-    added: np.ndarray  # (c,) what was last added to the pull (N)
+    added: np.ndarray  # (c,) force that was last added to the pull (N)
 
 
 @inner
 def _resistance(valve, s, c):
-    """Resistance of a valve as far as it is open by now."""
+    """Resistance of a valve at its present opening."""
     phase = pi * min(max((s.clock[0] - valve.start) / valve.over, 0.0), 1.0)
     opening = valve.residual[c] + (1.0 - valve.residual[c]) * 0.5 * (1.0 + cos(phase))
     return valve.resistance[c] / (opening * opening)
@@ -46,7 +47,7 @@ def _resistance(valve, s, c):
 
 @inner
 def force(valve, s):
-    """The pressure drop on the piston, at most all that the gas pulls."""
+    """The force of the pressure drop on the piston, at most the pull of the gas."""
     for c in range(valve.resistance.shape[0]):
         resistance, rate = _resistance(valve, s, c), s.reach_rate[c]
         added = resistance * rate * abs(rate)

@@ -1,6 +1,6 @@
-"""What an effect says of itself: its name, what calls for it, what takes it out, which function does what.
+"""Registration of effects: name, key of the scene that includes the effect, changes, functions by role.
 
-Texts here are for people and for `advice.changes`: kernels never see them.
+The texts here are for people and for `advice.changes`; compiled functions do not use them.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ Need = Literal["dynamics", "lateral", "levels", "drag"]
 
 
 class Change(NamedTuple):
-    """One effect removed from a scene, or added to one.
+    """The removal of one effect from a scene, or the addition of one.
 
     Attributes
     ----------
-    where : the path in a scene that has it, or lacks it; ``[*]`` stands for every section.
-    set : path and value of what to set; a text that starts with ``=`` follows from the scene.
-    needs : what a scene must be for the effect to matter.
-    because : what was chosen, where it is added.
+    where : path in a scene, present for a removal and absent for an addition; ``[*]`` is every section.
+    set : paths and values to set; a text that starts with ``=`` is computed from the scene.
+    needs : conditions that a scene must meet for the effect to matter.
+    because : for an addition, the reason for the values that were chosen.
     """
 
     name: str
@@ -33,29 +33,29 @@ class Change(NamedTuple):
 
     @property
     def label(self) -> str:
-        """How figures and tables name it."""
+        """Name of the change in figures and tables."""
         return f"{'without' if self.kind == 'removed' else 'with'} {self.name}"
 
 
 def taken_out(name: str, where: str, *needs: Need, sets: Mapping[str, Any] | None = None) -> Change:
-    """An effect taken out: what calls for it made absent, or other values set."""
+    """The removal of an effect: its key in the scene is removed, or other values are set."""
     return Change(name, "removed", where, sets or {where: None}, needs)
 
 
 def put_in(name: str, where: str, sets: Mapping[str, Any], because: str, *needs: Need) -> Change:
-    """An effect put in, with values that a riser might have."""
+    """The addition of an effect, with plausible values."""
     return Change(name, "added", where, sets, needs, because)
 
 
 class Called(NamedTuple):
-    """An effect as users meet it.
+    """An effect as users see it.
 
     Attributes
     ----------
-    name : in lists, datasets and messages.
-    section : of a scene, that calls for it.
-    changes : what takes it out or puts it in, when effects are compared.
-    example : path and value that call for it in a plain riser held at both ends, where no common scene does.
+    name : name in lists, datasets and messages.
+    section : key of a scene that includes it.
+    changes : changes that remove or add it, when effects are compared.
+    example : path and value that include it in a plain riser held at both ends, if no common scene has it.
     """
 
     name: str
@@ -70,18 +70,18 @@ NAMES: dict[type, tuple[str, ...]] = {}
 
 
 def register(record: type, *called: Called | str, **functions: Callable) -> None:
-    """Say how an effect is called, and what its functions are for.
+    """Register an effect: its names, and its functions by role.
 
     Parameters
     ----------
-    called : as users meet it, several where records of one kind serve several; only the name where another
-        record's file says the rest; none where a scene cannot call for it.
-    functions : the roles are the fields of ``Programs``.
+    called : the effect as users see it; several if records of this kind serve several effects. Only the name,
+        if another record's file registers the effect; nothing, if no key of a scene includes it.
+    functions : functions by role; the roles are the fields of ``Programs``.
 
     Raises
     ------
     TypeError
-        When there is no such role, or one of two that must be given together, or a name is taken.
+        When a role does not exist, only one of ``mass`` and ``lump`` is given, or a name is already used.
     """
     if unknown := set(functions) - set(Programs._fields):
         raise TypeError(f"{record.__name__}: no such role: {', '.join(sorted(unknown))}")
@@ -95,12 +95,12 @@ def register(record: type, *called: Called | str, **functions: Callable) -> None
 
 
 def call(effect: Called) -> None:
-    """Put an effect on the list, once.
+    """Add an effect to the list; a repeated identical entry has no effect.
 
     Raises
     ------
     TypeError
-        When there is another of that name.
+        When another effect has the same name.
     """
     if CALLED.setdefault(effect.name, effect) != effect:
         raise TypeError(f"two effects are called {effect.name!r}")

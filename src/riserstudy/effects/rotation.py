@@ -1,4 +1,4 @@
-"""The rotation vector that turns one direction into another, and its derivatives by both.
+"""The rotation vector that turns one direction into another, and its derivatives by both directions.
 
 In the plane of x and z it has one component, the angle about y, from z towards x.
 
@@ -29,7 +29,7 @@ from riserstudy.solve.vec import (
 
 @inner
 def angle_over_sine(cosine):
-    """Phi / sin phi of an angle, and its derivative by the cosine."""
+    """Ratio phi / sin(phi) for an angle phi with a given cosine, and its derivative by the cosine."""
     q = (1.0 - cosine) / (1.0 + cosine)  # the half angle's tangent squared
     if q < 0.05**2:
         ratio = 1.0 - q * (1 / 3 - q * (1 / 5 - q * (1 / 7 - q * (1 / 9 - q / 11))))
@@ -64,7 +64,7 @@ def rotation_by_second(a, b):
 
 @inner
 def by_chord(s, e, by_direction):
-    """A derivative by a segment's direction as one by its chord, laid out as the solver wants it."""
+    """Convert a derivative by a segment's direction to one by its chord, in the layout of the solver."""
     t = at(s.dim, s.tangent, e)
     turning = mul(s.inverse_length[e], sub(unity(s.dim), outer(t, t)))
     return transposed(times(by_direction, turning))

@@ -21,7 +21,7 @@ from riserstudy.solve.vec import add, at, mul, outer, plus, plus_block, sub, uni
 
 
 class SlidingTension(NamedTuple):
-    """Tension of one segment, whatever its length."""
+    """Tension of one segment, which depends on its length only at the stops."""
 
     segment: int
     tension: float  # T_0 (N)
@@ -51,7 +51,7 @@ def force(joint, s):
 
 @inner
 def tangent(joint, s):
-    """The stops along the joint, T / length across it."""
+    """Stiffness of the stops along the joint, and T / length across it."""
     e = joint.segment
     t, unit = at(s.dim, s.tangent, e), unity(s.dim)
     along = outer(t, t)

@@ -31,7 +31,7 @@ class LinearSoil(NamedTuple):
     """Springs of constant stiffness."""
 
     node: np.ndarray  # (k,)
-    stiffness: np.ndarray  # (k,) times the length of conductor they stand for (N/m)
+    stiffness: np.ndarray  # (k,) times the length of conductor that they represent (N/m)
 
 
 class SoftClay(NamedTuple):
@@ -44,7 +44,7 @@ class SoftClay(NamedTuple):
 
 
 class TabulatedSprings(NamedTuple):
-    """Springs by tables, one a node."""
+    """Springs by tables, one for each node."""
 
     node: np.ndarray  # (k,)
     places: np.ndarray  # (k, j + 1) displacements at which pieces begin and end, from zero (m)
@@ -54,7 +54,7 @@ class TabulatedSprings(NamedTuple):
 
 @inner
 def _away(s, i):
-    """Distance of a node from where the conductor stood."""
+    """Distance of a node from the initial axis of the conductor."""
     square = 0.0
     for c in range(len(s.dim) - 1):
         square += s.r[c, i] ** 2
@@ -63,7 +63,7 @@ def _away(s, i):
 
 @inner
 def _resist(s, i, y, p):
-    """Force p at node i against a displacement of size y."""
+    """Apply a force p at node i against its displacement of magnitude y."""
     for c in range(len(s.dim) - 1):
         s.force[c, i] -= p * s.r[c, i] / y
     return 0.0
@@ -71,7 +71,7 @@ def _resist(s, i, y, p):
 
 @inner
 def _stiffen(s, i, y, p, slope):
-    """Stiffness of node i: the slope along its displacement of size y, p / y across it."""
+    """Stiffness of node i: the slope along its displacement of magnitude y, and p / y across it."""
     d = len(s.dim)
     across = p / y if y > 0.0 else slope
     for a in range(d - 1):
@@ -146,7 +146,7 @@ def py_of_clay(soil, k, y):
         return p * first * q / q0, p * first / (q0 * y50), 0.5 * p * y50 * first * q * q / q0
     q = min(q, YIELD)
     root = q ** (1.0 / 3.0)
-    # integral of the line up to q0, of the cube root from there
+    # integral of the straight line up to q0, and of the cube root beyond
     stored = 0.5 * first * q0 + 0.375 * (q * root - q0 * q0 ** (1.0 / 3.0))
     if y >= YIELD * y50:
         return p, 0.0, p * y50 * (stored + y / y50 - YIELD)

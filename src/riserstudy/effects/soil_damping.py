@@ -42,7 +42,7 @@ def force(dashpots, s):
 
 @inner
 def tangent(dashpots, s):
-    """Minus the derivative of the force by velocity."""
+    """Minus the derivative of the force with respect to velocity."""
     d = len(s.dim)
     for k in range(dashpots.node.shape[0]):
         for c in range(d - 1):

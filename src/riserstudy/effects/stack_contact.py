@@ -16,7 +16,7 @@ from riserstudy.solve.jit import inner
 
 
 class StackContact(NamedTuple):
-    """What the riser's lowest node stands on."""
+    """The one-sided spring below the riser's lowest node."""
 
     elevation: float  # z_0, of the stack's connector (m)
     stiffness: float  # k (N/m)
@@ -29,7 +29,7 @@ def _below(contact, s):
 
 @inner
 def force(contact, s):
-    """Push upwards below the connector, nothing above it."""
+    """Upward force below the connector, zero above it."""
     s.force[len(s.dim) - 1, 0] += contact.stiffness * _below(contact, s)
     return 0.0
 

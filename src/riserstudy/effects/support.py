@@ -21,7 +21,7 @@ class Support(NamedTuple):
 
     node: int
     place: np.ndarray  # (3,) position with the platform at rest (m)
-    axis: np.ndarray  # (d,) which of x, y, z each direction is
+    axis: np.ndarray  # (d,) index of each direction among x, y, z
     held: np.ndarray  # (d,) 1 where held, else 0
     follows: np.ndarray  # (d,) 1 where it moves with the platform, else 0
     arm: np.ndarray  # (3,) from the platform's centre of rotation (m)
@@ -30,7 +30,7 @@ class Support(NamedTuple):
 
 @inner
 def place(support, s):
-    """Put the node where it is held, with the velocity and acceleration it has there."""
+    """Set position, velocity and acceleration of the node in its held directions."""
     i, point = support.node, support.point
     for c in range(3):
         point[0, c] = support.arm[c]

@@ -25,8 +25,8 @@ The phase and both mean squares of each node are internal variables of the model
 References
 ----------
 Thorsen, Sævik and Larsen (2014), "A simplified method for time domain simulation of cross-flow
-vortex-induced vibrations", *Journal of Fluids and Structures* 49, 135-148: the model, but for the limits
-where nothing moves.
+vortex-induced vibrations", *Journal of Fluids and Structures* 49, 135-148: the model, except for the limits
+without motion.
 """
 
 from __future__ import annotations
@@ -38,23 +38,24 @@ from riserstudy.solve.state import ENDED
 from riserstudy.solve.vec import at, dot, mul, norm, sub
 
 PHASE, OF_VELOCITY, OF_ACCELERATION = 0, 1, 2  # rows of a node's internal variables
-VARIABLES = 3  # of them
+VARIABLES = 3  # number of these rows
 FREE, FALL, RISE, MEMORY = (
     0,
     1,
     2,
     3,
 )  # rows of a record's ``shedding``: f_0, f_0 - f_min, f_max - f_0, T
-STILL = 1e-9  # (m/s) slower water sheds nothing
-LEAST = 1e-3  # epsilon: velocity over that of the flow below which motion is none
+STILL = 1e-9  # (m/s) flow speed below which no vortices are shed
+# epsilon: ratio of the pipe's velocity to the flow speed below which the pipe counts as at rest
+LEAST = 1e-3
 FLAT = 0.05  # delta
-MOST = 30  # iterations of a phase
-ROUNDING = 1e-13  # of a phase (rad)
+MOST = 30  # largest number of iterations of a phase
+ROUNDING = 1e-13  # tolerance of a phase (rad)
 
 
 @inner
 def grown(record, s):
-    """Share of the force that acts; none in statics, which are before all motion."""
+    """Share of the force that acts at this time, by the ramp; zero in statics."""
     t = s.clock[0]
     if t <= 0.0:
         return 0.0
@@ -63,7 +64,7 @@ def grown(record, s):
 
 @inner
 def past(s, i):
-    """Velocity of the water across the pipe, seen from it, and its size."""
+    """Relative velocity of the water across the pipe, and its magnitude."""
     w, t = sub(at(s.dim, s.water, i), at(s.dim, s.v, i)), at(s.dim, s.direction, i)
     u = sub(w, mul(dot(w, t), t))
     return u, norm(u)
@@ -71,7 +72,7 @@ def past(s, i):
 
 @inner
 def rest(record, s, i):
-    """Leave a node's internal variables as they are: nothing is shed there."""
+    """Keep a node's internal variables constant, because no vortices are shed there."""
     for k in range(record.first, record.first + VARIABLES):
         s.internal[k, i] = s.internal_known[k, i]
         s.internal_rate[k, i] = 0.0
@@ -80,7 +81,7 @@ def rest(record, s, i):
 
 @inner
 def _mean_square(record, s, row, i, value, speed):
-    """A running mean square and the share of it that is this value's."""
+    """A running mean square, and the weight of the present value in it."""
     rate = speed / (record.shedding[MEMORY, i] * record.diameter[i])
     share = s.internal_share[0] * rate
     mean = (s.internal_known[row, i] + share * value * value) / (1.0 + share)
@@ -91,12 +92,13 @@ def _mean_square(record, s, row, i, value, speed):
 
 @inner
 def synchronise(record, s, i, speed, y_v, y_a):
-    """Solve for the internal variables of a node, and tell how its phase follows.
+    """Solve for the internal variables of a node, and compute the derivatives of its phase.
 
     Parameters
     ----------
-    record : of the force: ``diameter`` and ``shedding`` at the nodes, ``first`` of its internal variables.
-    speed : of the water past the pipe (m/s).
+    record : record of the force, with ``diameter`` and ``shedding`` at the nodes, and ``first``, the first
+        row of its internal variables.
+    speed : relative speed of the water across the pipe (m/s).
     y_v, y_a : velocity (m/s) and acceleration (m/s2) of the pipe along the force.
 
     Returns
@@ -107,7 +109,7 @@ def synchronise(record, s, i, speed, y_v, y_a):
     mean_v, mine = _mean_square(record, s, record.first + OF_VELOCITY, i, y_v, speed)
     mean_a, _ = _mean_square(record, s, record.first + OF_ACCELERATION, i, y_a, speed)
     least = LEAST * speed
-    # stages of high order may leave a little less than nothing of a mean square that was none
+    # stages of high order may make a mean square of zero slightly negative
     square_v = max(mean_v, 0.0) + least * least
     square_a = max(mean_a, 0.0) + (least * f0 * turn) ** 2
     p, r = y_v / sqrt(square_v), -y_a / sqrt(square_a)
@@ -115,7 +117,7 @@ def synchronise(record, s, i, speed, y_v, y_a):
 
     share, row = s.internal_share[0], record.first + PHASE
     known = s.internal_known[row, i]
-    phase = known + share * s.internal_rate[row, i]  # as fast as last
+    phase = known + share * s.internal_rate[row, i]  # first guess: with the previous rate
     for _ in range(MOST):
         c, sine = cos(phase), sin(phase)
         slip = (r * c - p * sine) / size
@@ -134,7 +136,7 @@ def synchronise(record, s, i, speed, y_v, y_a):
     if share == 0.0:
         return 0.0, 0.0, 0.0
 
-    # how the phase follows: by p and r, then these by motion and speed
+    # derivatives of the phase: by p and r, and of p and r by motion and speed
     damping = 1.0 + share * turn * gain * (r * sine + p * c) / size
     by_p = share * turn * gain * (-sine - slip * p / size) / size / damping
     by_r = share * turn * gain * (c - slip * r / size) / size / damping

@@ -25,7 +25,7 @@ from riserstudy.solve.jit import inner
 class TabulatedLaw(NamedTuple):
     """One table for all cylinders."""
 
-    reach: np.ndarray  # (p+1,) where pieces begin and end (m)
+    reach: np.ndarray  # (p+1,) reach at which pieces begin and end (m)
     force: np.ndarray  # (4, p) a, b, c, d of each piece (N, m)
     energy: np.ndarray  # (5, p) the same for the integral of the force, zero at mid-stroke (J, m)
     working: np.ndarray  # (c,) 1 for a cylinder that works, 0 for one that failed
@@ -33,7 +33,7 @@ class TabulatedLaw(NamedTuple):
 
 @inner
 def _piece(law, x):
-    """Index of the piece at a reach; the outer ones serve beyond the table too."""
+    """Index of the piece at a reach; the first and the last piece continue beyond the table."""
     low, high = 0, law.force.shape[1] - 1
     while low < high:
         middle = (low + high + 1) // 2
@@ -46,7 +46,7 @@ def _piece(law, x):
 
 @inner
 def force(law, s):
-    """The cubic, and its slope."""
+    """Pull by the cubic of the table, and its slope."""
     for c in range(law.working.shape[0]):
         k = _piece(law, s.reach[c])
         t = s.reach[c] - law.reach[k]

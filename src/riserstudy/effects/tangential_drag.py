@@ -8,8 +8,8 @@ exact, and the load never supplies energy to a pipe in still water.
 
 References
 ----------
-The same with the circumference as area: Hall and Goupee (2015), "Validation of a lumped-mass mooring line
-model with DeepCwind semisubmersible model test data", *Ocean Engineering* 104, 590-603.
+The same equation, with the circumference as area: Hall and Goupee (2015), "Validation of a lumped-mass
+mooring line model with DeepCwind semisubmersible model test data", *Ocean Engineering* 104, 590-603.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class TangentialDrag(NamedTuple):
 
 @inner
 def _slip(s, e):
-    """Velocity of the water seen from a segment, mean of its ends."""
+    """Relative velocity of the water along a segment, as the mean of its two ends."""
     below = sub(at(s.dim, s.water, e), at(s.dim, s.v, e))
     above = sub(at(s.dim, s.water, e + 1), at(s.dim, s.v, e + 1))
     return mul(0.5, add(below, above))
@@ -51,7 +51,7 @@ def _slip(s, e):
 
 @inner
 def force(drag, s):
-    """Drag on the nodes, halves of each segment's."""
+    """Drag on the nodes, half of each segment's drag at each end."""
     for e in range(s.l0.shape[0]):
         t = at(s.dim, s.tangent, e)
         u = dot(t, _slip(s, e))
@@ -63,7 +63,7 @@ def force(drag, s):
 
 @inner
 def tangent(drag, s):
-    """Derivative by velocity, by elevation where the current is sheared, by the segment's direction."""
+    """Derivative by velocity, by elevation in a sheared flow, and by the segment's direction."""
     unit, up = unity(s.dim), upward(s.dim)
     for e in range(s.l0.shape[0]):
         t, c = at(s.dim, s.tangent, e), 0.5 * drag.low[e]

@@ -23,7 +23,7 @@ from riserstudy.solve.state import SUPPLIED
 
 
 class TensionLoss(NamedTuple):
-    """Load that comes on against a pull."""
+    """Load that increases against a constant pull."""
 
     node: int
     load: np.ndarray  # (d,) once all is lost (N)
@@ -33,7 +33,7 @@ class TensionLoss(NamedTuple):
 
 @inner
 def _share(loss, s):
-    """How much is lost by now."""
+    """Share of the loss at this time."""
     t = (s.clock[0] - loss.start) / loss.over
     if t <= 0.0:
         return 0.0

@@ -16,7 +16,7 @@ responds only to the slow motion.
 References
 ----------
 Elementary: proportional and derivative control with a limit, and a lag of first order. Liu et al. (2017)
-name the proportional part alone.
+give the proportional part alone.
 """
 
 from __future__ import annotations
@@ -40,17 +40,17 @@ class Thrusters(NamedTuple):
     gain: np.ndarray  # (2, 2) G (N/m)
     damping: np.ndarray  # (2, 2) D (N s/m)
     command: np.ndarray  # (2,) x_c (m)
-    rise: float  # t_r (s), 0 for at once
+    rise: float  # t_r (s), 0 for a step
     saturation: float  # largest thrust (N), infinite for none
     lag: float  # tau (s), 0 for none; else the next node's first directions hold q
     mass: float  # m (kg)
-    arm: float  # by which the reported thrust is a moment (m), 1 for a force
+    arm: float  # lever arm that converts the reported thrust to a moment (m), 1 for a force
     probe: int  # first of its probes
 
 
 @inner
 def _wanted(thrusters, s):
-    """Thrust that the law asks for, before it is limited."""
+    """Thrust by the control law, before it is limited."""
     grown = 1.0
     if thrusters.rise > 0.0:
         grown -= exp(-max(s.clock[0], 0.0) / thrusters.rise)
@@ -70,7 +70,7 @@ def _wanted(thrusters, s):
 
 @inner
 def _commanded(thrusters, s):
-    """The same, limited, and the share that the limit leaves."""
+    """Thrust by the control law, limited, and the ratio of limited to unlimited thrust."""
     a, b = _wanted(thrusters, s)
     size = sqrt(a * a + b * b)
     share = thrusters.saturation / size if size > thrusters.saturation else 1.0
@@ -89,7 +89,7 @@ def _acting(thrusters, s):
 
 @inner
 def force(thrusters, s):
-    """Thrust on the platform; what drives the lag."""
+    """Thrust on the platform, and the force on the lag's unit mass."""
     acting = _acting(thrusters, s)
     for k in range(thrusters.count):
         s.force[thrusters.first + k, thrusters.node] += acting[k]
@@ -104,7 +104,7 @@ def force(thrusters, s):
 
 @inner
 def _stiffness(thrusters, s, share, a, b, k, q):
-    """Minus the derivative of the limited thrust in direction k by position q, its velocity's included."""
+    """Minus the derivative of the limited thrust in direction k by position q, velocity terms included."""
     gain, damping, rate = thrusters.gain, thrusters.damping, s.rate[VELOCITY]
     own = gain[k, q] + rate * damping[k, q]
     if share == 1.0:
@@ -115,7 +115,7 @@ def _stiffness(thrusters, s, share, a, b, k, q):
 
 @inner
 def tangent(thrusters, s):
-    """Derivative by position and velocity."""
+    """Derivative with respect to position and velocity."""
     d, i, first = len(s.dim), thrusters.node, thrusters.first
     a, b, share = _commanded(thrusters, s)
     for k in range(thrusters.count):
@@ -133,7 +133,7 @@ def tangent(thrusters, s):
 
 @inner
 def inertia(thrusters, s):
-    """Inertia of the lag's kilogram."""
+    """Inertial force of the lag's unit mass."""
     if thrusters.lag > 0.0:
         for k in range(thrusters.count):
             s.force[k, thrusters.node + 1] -= s.a[k, thrusters.node + 1]
@@ -142,7 +142,7 @@ def inertia(thrusters, s):
 
 @inner
 def mass(thrusters, s):
-    """Its mass times d a / d r."""
+    """Unit mass of the lag times d a / d r."""
     if thrusters.lag > 0.0:
         for k in range(thrusters.count):
             s.k_node[thrusters.node + 1, k * len(s.dim) + k] += s.rate[ACCELERATION]
@@ -160,7 +160,7 @@ def lump(thrusters, s):
 
 @inner
 def kinetic(thrusters, s):
-    """Its kinetic energy (J)."""
+    """Kinetic energy of the lag's unit mass (J)."""
     total = 0.0
     if thrusters.lag > 0.0:
         for k in range(thrusters.count):

@@ -22,12 +22,12 @@ class Torsion(NamedTuple):
     """Spring on the yaw of a platform."""
 
     yaw: int  # loose node with the arc of the yaw in its last direction
-    stiffness: float  # by the arc (N/m)
+    stiffness: float  # force per displacement of the arc (N/m)
 
 
 @inner
 def force(torsion, s):
-    """Pull back."""
+    """Restoring force on the arc."""
     up = len(s.dim) - 1
     s.force[up, torsion.yaw] -= torsion.stiffness * s.r[up, torsion.yaw]
     return 0.0
@@ -35,7 +35,7 @@ def force(torsion, s):
 
 @inner
 def tangent(torsion, s):
-    """Minus the derivative of the force by the arc."""
+    """Minus the derivative of the force with respect to the arc."""
     s.k_node[torsion.yaw, len(s.dim) ** 2 - 1] += torsion.stiffness
     return 0.0
 

@@ -24,7 +24,7 @@ from riserstudy.solve.jit import inner
 
 
 class TwoChamberGas(NamedTuple):
-    """Two chambers a cylinder, each with its side of the piston."""
+    """Two chambers per cylinder, one on each side of the piston."""
 
     high_area: np.ndarray  # (c,) under high pressure (m2)
     high_pressure: np.ndarray  # (c,) at mid-stroke, absolute (Pa)
@@ -38,7 +38,7 @@ class TwoChamberGas(NamedTuple):
 
 @inner
 def force(gas, s):
-    """Pressures times areas; infinite, not undefined, once a volume has closed."""
+    """Pressures times areas; infinite once a gas volume is zero or less."""
     for c in range(gas.exponent.shape[0]):
         high = gas.high_volume[c] - gas.high_area[c] * s.reach[c]
         low = gas.low_volume[c] + gas.low_area[c] * s.reach[c]
@@ -55,7 +55,7 @@ def force(gas, s):
 
 @inner
 def energy(gas, s):
-    """Work stored in both gases since mid-stroke, and the height of the piston (J)."""
+    """Work stored in both gases since mid-stroke, and potential energy of the piston (J)."""
     total = 0.0
     for c in range(gas.exponent.shape[0]):
         k = gas.exponent[c]

@@ -19,8 +19,8 @@ all other unknowns. Without sway the node is held across x; without yaw the hull
 
 References
 ----------
-Elementary: Lagrange's equations of a rigid body. Loads by the square of the relative velocity, and a mean
-wave drift: Liu et al. (2017), whose squares have no sign.
+Elementary: Lagrange's equations of a rigid body. For loads by the square of the relative velocity and a mean
+wave drift: Liu et al. (2017), in which the squares have no sign.
 """
 
 from __future__ import annotations
@@ -44,14 +44,14 @@ class Vessel(NamedTuple):
     radius: float  # of the arc (m)
     heading: float  # of the hull at rest (rad)
     mass: np.ndarray  # (2,) m_k with added mass, along and across the hull (kg)
-    turning: float  # I over the radius squared (kg)
+    turning: float  # I divided by the squared radius (kg)
     hull: np.ndarray  # (2,) C_k along and across the hull (kg/m)
-    spin: float  # C_r over the radius cubed (kg/m)
+    spin: float  # C_r divided by the cubed radius (kg/m)
     current: np.ndarray  # (2,) surface current in x and y (m/s)
     area: float  # C_w (kg/m)
     wind: np.ndarray  # (2,) wind in x and y (m/s)
     drift: np.ndarray  # (2,) F_d in x and y (N)
-    cylinders: int  # in space, whose deck ends it bears; 0: none
+    cylinders: int  # number of cylinders in space with their deck ends on the vessel; 0: none
     probe: int  # first of its probes
 
 
@@ -76,7 +76,7 @@ def velocity(vessel, s):
 
 @inner
 def _pressure(along, across, u, angle):
-    """Quadratic force of a flow on the hull, along and across it, and what it follows from."""
+    """Quadratic force of a flow on the hull, and the flow's velocity and speed; along and across the hull."""
     c, e = cos(angle), sin(angle)
     p, q = c * u[0] + e * u[1], c * u[1] - e * u[0]
     speed = sqrt(p * p + q * q)
@@ -85,7 +85,7 @@ def _pressure(along, across, u, angle):
 
 @inner
 def _in_plane(pair, angle):
-    """A vector along and across the hull, in x and y."""
+    """Convert a vector along and across the hull to x and y."""
     c, e = cos(angle), sin(angle)
     return c * pair[0] - e * pair[1], e * pair[0] + c * pair[1]
 
@@ -117,7 +117,7 @@ def force(vessel, s):
 
 @inner
 def _slope(along, across, u, angle):
-    """Derivative of a quadratic force by the flow's velocity, in x and y, row by row."""
+    """Derivative of a quadratic force by the flow's velocity, in x and y, as a matrix row by row."""
     _, p, q, speed = _pressure(along, across, u, angle)
     share = 1.0 / speed if speed > 0.0 else 0.0
     pp, pq = along * (speed + share * p * p), along * share * p * q
@@ -133,7 +133,7 @@ def _slope(along, across, u, angle):
 
 @inner
 def tangent(vessel, s):
-    """Derivative by velocity, and by yaw where the hull resists differently along and across."""
+    """Derivative by velocity, and by yaw if the hull's drag differs along and across the hull."""
     d, up, i = len(s.dim), len(s.dim) - 1, vessel.node
     angle, _ = attitude(vessel, s)
     _, _, water, air = _flows(vessel, s)
@@ -156,7 +156,7 @@ def tangent(vessel, s):
 
 @inner
 def _tensor(vessel, angle):
-    """Mass in x and y: xx, xy, yy."""
+    """Mass tensor in x and y: xx, xy, yy."""
     mean = 0.5 * (vessel.mass[0] + vessel.mass[1])
     half = 0.5 * (vessel.mass[0] - vessel.mass[1])
     c, e = half * cos(2.0 * angle), half * sin(2.0 * angle)
@@ -165,14 +165,14 @@ def _tensor(vessel, angle):
 
 @inner
 def twisted(difference, angle, u):
-    """Derivative of the mass tensor by yaw, times a vector; ``difference`` of mass along and across."""
+    """Derivative of the mass tensor by yaw, times a vector; ``difference``: mass along minus mass across."""
     c, e = difference * cos(2.0 * angle), difference * sin(2.0 * angle)
     return c * u[1] - e * u[0], c * u[0] + e * u[1]
 
 
 @inner
 def inertia(vessel, s):
-    """Inertial force, with what a turning hull adds to it."""
+    """Inertial force, with the terms of a rotating hull."""
     up, i = len(s.dim) - 1, vessel.node
     angle, rate = attitude(vessel, s)
     xx, xy, yy = _tensor(vessel, angle)
@@ -192,7 +192,7 @@ def inertia(vessel, s):
 
 @inner
 def mass(vessel, s):
-    """Mass times d a / d r; the hull's turning changes little over a step and is left out."""
+    """Mass times d a / d r; the rotation of the hull changes little over a time step and is omitted."""
     d, up, i = len(s.dim), len(s.dim) - 1, vessel.node
     angle, _ = attitude(vessel, s)
     xx, xy, yy = _tensor(vessel, angle)
@@ -237,7 +237,8 @@ def kinetic(vessel, s):
 def power(vessel, s):
     """Power dissipated into water and air; supplied by their motion and by wave drift (W).
 
-    What makes the first-order motion supplies the power of all that the vessel passes on to the riser.
+    The forces that the vessel transmits to the riser's top also do work on the first-order motion. The cause
+    of this prescribed motion supplies their power.
     """
     water, air, past, blown = _flows(vessel, s)
     v = velocity(vessel, s)
@@ -255,10 +256,10 @@ def power(vessel, s):
 
 @inner
 def probe(vessel, s):
-    """Report speed, the riser's force on the platform and the environment's, by direction; then yaw."""
+    """Report speed, riser's force and environment's force on the platform, by direction; then yaw."""
     water, air, _, _ = _flows(vessel, s)
     k = vessel.probe
-    by_ring = shear(s, s.length.shape[0] - 1)  # none where no ring is turned
+    by_ring = shear(s, s.length.shape[0] - 1)  # zero without cylinders in space
     for c in range(len(s.dim) - 1):
         s.probe[k] = s.v[c, vessel.node] - s.carried[1, c] + s.platform[1, c]
         s.probe[k + 1] = s.ends[0, 1, c] + s.ends[1, 1, c] + by_ring[c]

@@ -16,9 +16,9 @@ elevation.
 References
 ----------
 Ulveseter, Sævik and Larsen (2017), "Time domain model for calculation of pure in-line vortex-induced
-vibrations", *Journal of Fluids and Structures* 68, 158-173: the time-varying drag whose phase is drawn to
-that of the in-line vibration. They have two ranges of frequencies with coefficients that depend on amplitude;
-here it is one range, and one coefficient.
+vibrations", *Journal of Fluids and Structures* 68, 158-173: the time-varying drag whose phase synchronises
+with the in-line vibration. Their model has two frequency ranges, with coefficients that depend on amplitude.
+This model has one range and one coefficient.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ class VortexDrag(NamedTuple):
     force: np.ndarray  # (d, n+1) scratch: force on the nodes (N)
     diameter: np.ndarray  # (n+1,) D at the nodes (m), 0 where nothing is shed
     shedding: np.ndarray  # (4, n+1) f_0, f_0 - f_min, f_max - f_0, T (1)
-    ramp: float  # time over which the force comes up (s)
+    ramp: float  # time over which the force increases to its full value (s)
     first: int  # row of the phases among the internal variables
     follow: (
         np.ndarray
@@ -62,7 +62,7 @@ class VortexDrag(NamedTuple):
 
 @inner
 def internal(vortices, s):
-    """Phases and mean squares of the nodes, their rates, and how the phases follow the motion."""
+    """Phases and mean squares of the nodes, their rates, and the derivatives of the phases by the motion."""
     for i in range(s.l0.shape[0] + 1):
         for k in range(VARIABLES):
             vortices.follow[k, i] = 0.0
@@ -76,7 +76,7 @@ def internal(vortices, s):
 
 @inner
 def _shed(vortices, s, i, n, speed):
-    """What `internal` does at a node whose water flows along ``n``."""
+    """The computation of `internal` at one node, with a relative flow along ``n``."""
     e = cross(at(s.dim, s.direction, i), n)
     v, a = at(s.dim, s.v, i), at(s.dim, s.a, i)
     by_v, by_a, by_speed = synchronise(vortices, s, i, speed, dot(v, n), dot(a, n))
@@ -100,7 +100,7 @@ def force(vortices, s):
 
 @inner
 def tangent(vortices, s):
-    """Derivative by velocity and acceleration, phases included, and by elevation in sheared water."""
+    """Derivative by velocity and acceleration, phases included, and by elevation in a sheared flow."""
     acts, up = grown(vortices, s), upward(s.dim)
     if acts == 0.0:
         return 0.0

@@ -39,7 +39,7 @@ from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
 from riserstudy.solve.vec import add, at, cross, dot, mul, outer, put, put_block, sub, upward
 
-#: calls for lift and for excitation in line with the flow, which is part of the same section of a scene
+#: includes lift and excitation in line with the flow, which are in the same section of a scene
 EXAMPLE = {
     "riser[0].viv": {"model": "synchronisation", "diameter": "0.5 m", "coefficient": 1.2}
     | {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 1, "ramp": "0.1 s"}
@@ -55,7 +55,7 @@ class VortexLift(NamedTuple):
     force: np.ndarray  # (d, n+1) scratch: lift on the nodes (N)
     diameter: np.ndarray  # (n+1,) D at the nodes (m), 0 where nothing is shed
     shedding: np.ndarray  # (4, n+1) f_0, f_0 - f_min, f_max - f_0, T (1)
-    ramp: float  # time over which the lift comes up (s)
+    ramp: float  # time over which the lift increases to its full value (s)
     first: int  # row of the phases among the internal variables
     follow: (
         np.ndarray
@@ -64,7 +64,7 @@ class VortexLift(NamedTuple):
 
 @inner
 def internal(lift, s):
-    """Phases and mean squares of the nodes, their rates, and how the phases follow the motion."""
+    """Phases and mean squares of the nodes, their rates, and the derivatives of the phases by the motion."""
     for i in range(s.l0.shape[0] + 1):
         for k in range(VARIABLES):
             lift.follow[k, i] = 0.0
@@ -78,7 +78,7 @@ def internal(lift, s):
 
 @inner
 def _shed(lift, s, i, n, speed):
-    """What `internal` does at a node whose water flows along ``n``."""
+    """The computation of `internal` at one node, with a relative flow along ``n``."""
     e = cross(at(s.dim, s.direction, i), n)
     v, a = at(s.dim, s.v, i), at(s.dim, s.a, i)
     by_v, by_a, by_speed = synchronise(lift, s, i, speed, dot(v, e), dot(a, e))
@@ -104,7 +104,7 @@ def force(lift, s):
 
 @inner
 def tangent(lift, s):
-    """Derivative by velocity and acceleration, phases included, and by elevation in sheared water."""
+    """Derivative by velocity and acceleration, phases included, and by elevation in a sheared flow."""
     acts, up = grown(lift, s), upward(s.dim)
     if acts == 0.0:
         return 0.0

@@ -29,21 +29,21 @@ DRAG, ADDED, CARRIED = 0, 1, 2  # rows of the full coefficients
 
 
 class Waterline(NamedTuple):
-    """Coefficients of segments under water, and those in use, which other effects read."""
+    """Coefficients of fully wet segments, and the present coefficients, which other effects read."""
 
     surface: float  # elevation of the mean level (m)
     full: np.ndarray  # (3, n) drag (kg/m), added mass, mass that waves accelerate (kg)
-    wet: np.ndarray  # (n,) share of each segment that the others were last given
-    # (n,) the array of `Drag` or `TangentialDrag`, or the scale of `DragOverDepth`, which comes later
+    wet: np.ndarray  # (n,) wet share of each segment that the present coefficients have
+    # (n,) the array of `Drag` or `TangentialDrag`, or the scale of `DragOverDepth`, which is evaluated later
     drag: np.ndarray
-    added: np.ndarray  # (n,) those of `AddedMass`
-    minus: np.ndarray  # (n,)
-    carried: np.ndarray  # (n,) that of `WaveForce`
+    added: np.ndarray  # (n,) the array of `AddedMass` (kg)
+    minus: np.ndarray  # (n,) the same, negative (kg)
+    carried: np.ndarray  # (n,) the array of `WaveForce` (kg)
 
 
 @inner
 def _share(low, up):
-    """Share of a segment under water, by the depths of its ends."""
+    """Share of a segment under water, from the depths of its ends."""
     if low >= 0.0 and up >= 0.0:
         return 1.0
     if low <= 0.0 and up <= 0.0:
@@ -53,7 +53,7 @@ def _share(low, up):
 
 @inner
 def drive(line, s):
-    """Give every segment its share; no water at nodes above it whose segments are dry."""
+    """Update the wet share of every segment; no water motion at nodes above the surface in dry segments."""
     top, n = len(s.dim) - 1, s.l0.shape[0]
     low = line.surface + s.level[0] - s.r[top, 0]
     before = 0.0

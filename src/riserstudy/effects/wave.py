@@ -38,8 +38,8 @@ from riserstudy.solve.jit import inner
 from riserstudy.solve.state import ENDED
 
 NONE, CONSTANT, STRETCHED = 0, 1, 2
-DEEP = 37.0  # k times depth below which exp(-kz) is rounding
-BED, SPEED, ANGLE = 0, 1, 2  # rows of what belongs to a component at a time
+DEEP = 37.0  # k times depth beyond which exp(-kz) is below rounding
+BED, SPEED, ANGLE = 0, 1, 2  # rows of the values of each component at a time
 
 
 class Wave(NamedTuple):
@@ -59,7 +59,7 @@ class Wave(NamedTuple):
 
 @inner
 def growth(wave, t):
-    """Share of the wave that acts at a time, and its rate."""
+    """Share of the wave that acts at a time, by the ramp, and its rate."""
     if t <= 0.0:
         return 0.0, 0.0
     if t >= ENDED * wave.ramp:
@@ -81,7 +81,7 @@ def drive(wave, s):
     for i in range(s.l0.shape[0] + 1):
         squeeze = s.density[0, i]
         z = (s.r[up, i] - wave.surface + wave.depth) * squeeze - wave.depth
-        z = min(z, 0.0) if squeeze > 0.0 else 0.0  # at the surface, but for rounding
+        z = min(z, 0.0) if squeeze > 0.0 else 0.0  # at most the surface, without rounding errors
         along, upwards = _sums(wave, _along(wave, s, i), z)
         slope = squeeze * grown
         for c in range(up):
@@ -96,7 +96,7 @@ def drive(wave, s):
 
 @inner
 def _at_the_time(wave, t):
-    """Fill what belongs to a component and a time, whatever the place."""
+    """Compute the values of each component that depend on time but not on position."""
     here = wave.scratch
     for k in range(wave.amplitude.shape[0]):
         bed = exponential(max(-2.0 * wave.number[k] * wave.depth, -2.0 * DEEP))
@@ -107,11 +107,11 @@ def _at_the_time(wave, t):
 
 @inner
 def _sums(wave, x, z):
-    """Velocity, its change with elevation, and rate of the fully grown waves: along the heading, upwards."""
+    """Velocity, its change with elevation, and its rate, without ramp: along the heading, and upwards."""
     here, number, frequency = wave.scratch, wave.number, wave.frequency
     last = number.shape[0]
     while last > 0 and number[last - 1] * z < -DEEP:
-        last -= 1  # the shortest waves come last: none of them reaches so deep
+        last -= 1  # the shortest waves are last; their motion is negligible at this depth
     u = u_slope = u_rate = w = w_slope = w_rate = 0.0
     for k in range(last):
         # cosh and sinh k(z+d) over sinh kd, without overflow at any depth
@@ -139,9 +139,9 @@ def _along(wave, s, i):
 
 @inner
 def _immerse(wave, s, grown):
-    """By how much heights over the bed are squeezed at the nodes, into ``s.density``; 0 out of the water.
+    """Write the factor on heights above the seabed at the nodes to ``s.density``; 0 above the water.
 
-    The height of the water over the mean level is added to ``s.level`` where something asks for it.
+    The wave elevation above the mean level is added to ``s.level`` if another effect needs it.
     """
     up = len(s.dim) - 1
     components = wave.amplitude.shape[0]

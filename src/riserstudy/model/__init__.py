@@ -1,1 +1,1 @@
-"""A scene on a mesh: state, effects with their records, and why each is there."""
+"""A scene on a mesh: the state, and the effects with their records and the reason for each."""

@@ -9,10 +9,10 @@ _ASKS = f", and {SIDEWAYS}"
 
 
 def absent(present: set[str]) -> dict[str, str]:
-    """Effects that are not among those present, by what would call for them.
+    """Effects that are not present, each with the reason, which is the missing input of the scene.
 
-    Where nothing moves a riser sideways, that is the reason: what else the effect asks for may be there.
-    A riser that has an effect which asks for lateral freedom has this freedom, named or not.
+    If nothing moves the riser sideways, this is the reason for every effect that requires lateral freedom. A
+    riser that has one of these effects has lateral freedom, whether or not ``present`` contains it.
     """
     sections = {name: effect.section for name, effect in catalogue().items()}
     sideways = any(sections.get(name, "").endswith(_ASKS) for name in present)

@@ -1,4 +1,4 @@
-"""Which effects a scene has and which it lacks, with the reason for each."""
+"""The effects that a scene has and the effects that it lacks, with the reason for each."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Row(NamedTuple):
 
 
 def ledger(scene: Resolved) -> list[Row]:
-    """All effects, those that are on first."""
+    """All effects; the effects that the scene has come first."""
     model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0)
     on = {effect.name: effect.because for effect in model.effects}
     if scene.lateral:

@@ -1,4 +1,4 @@
-"""Bending of the string, and what holds its ends in direction."""
+"""Bending of the string, and the joints and clamps that hold the direction of its ends."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def flexibility(of: Layout) -> NDArray[np.float64]:
 
 
 def shared_flexibility(of: Layout) -> NDArray[np.float64]:
-    """Turn of a segment's end by its own and by the far moment, (n, 2), rad/(N m).
+    """Rotation of a segment's end per moment at this end and per moment at the far end, (n, 2), rad/(N m).
 
-    The moment is a parabola over three nodes; it is straight where it has a corner or an end holds it.
+    The moment is a parabola over three nodes; it is linear in segments next to a corner or to a held end.
     """
     own, other = np.full(of.last, OWN), np.full(of.last, OTHER)
     straight = [0] if flexibility_of(of.scene.bottom.rotation) is not None else []
@@ -43,7 +43,7 @@ def shared_flexibility(of: Layout) -> NDArray[np.float64]:
 
 
 def bending(of: Layout, relaxation: float) -> Iterator[Effect]:
-    """Bending and its damping, with the time (s) by which moments lag behind curvature; end joints."""
+    """Bending, its damping with the relaxation time (s) of structural damping, and the end joints."""
     why = "riser.young_modulus or bending_stiffness"
     own, other = shared_flexibility(of).T
     flex = np.zeros(of.last + 1)

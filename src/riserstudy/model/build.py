@@ -1,4 +1,4 @@
-"""A scene and a mesh become a model: which effects there are, with which records, and why."""
+"""Builds the model of a scene on a mesh: its effects, their records and the reason for each."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from riserstudy.model.vortices import first_phases
 from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.state import OTHER, OWN
 
-TAUT = 1e-6  # strain of a hanging riser in the first shape
+TAUT = 1e-6  # strain of a hanging riser in the initial shape
 
 
 def build(
@@ -41,15 +41,15 @@ def build(
 
     Parameters
     ----------
-    ring_elevation : elevation of the riser's top found by an earlier statics (m): where it is held.
-    d : directions, if more than the scene needs (modes, stability).
+    ring_elevation : elevation of the riser's top from an earlier static solution (m), at which it is held.
+    d : number of directions, if more than the scene needs (modes, stability).
     """
     of = layout_of(scene, mesh, ring_elevation, d or directions(scene))
     cylinders = scene.top.tensioners.count if scene.top.tensioners else 0
     probes: list[str] = []
 
     def report(*names: str) -> int:
-        """Have effects report under some names; the place of the first."""
+        """Reserve reported values under some names; returns the index of the first."""
         probes.extend(names)
         return 2 * cylinders + len(probes) - len(names)
 
@@ -76,7 +76,7 @@ def build(
 
 
 def effects_of(of: Layout, report: Report) -> Iterator[Effect]:
-    """All effects of a scene, in the order in which they act."""
+    """All effects of a scene, in the order in which they are evaluated."""
     yield from motions(of.scene)
     yield from supports(of)
     yield from first_order(of, report)
@@ -111,6 +111,6 @@ def first_shape(of: Layout) -> NDArray[np.float64]:
         weight = float(of.weight @ mesh.l0)
         shape = between_ends(mesh, offset, rise, weight, float(of.axial.min()))
     shape[2] += of.bottom
-    if scene.bottom.hold == "free":  # slack and straight it would swing without resistance
+    if scene.bottom.hold == "free":  # without tension, a straight riser has no lateral stiffness
         shape[2] -= TAUT * (total - mesh.s)
     return shape[AXES[of.d]]

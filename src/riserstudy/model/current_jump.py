@@ -1,12 +1,13 @@
-r"""Jumps of a current over elevation, on a mesh whose nodes see the water where they are.
+r"""Jumps of a current over elevation, on a mesh that evaluates the current at its nodes only.
 
-A load of drag goes with the square of the speed, and its nodes stand for lengths of riser. Over the length h
-of the segment around a jump the current is therefore replaced by the one whose load is the mean over h,
+Drag is proportional to the square of the speed, and each node represents a length of riser. Over the length h
+of the segment around a jump, the current is therefore replaced by a current whose load is the mean over h,
 
 .. math:: |\bar u|\,\bar u = (1 - a)\,|u_-|\,u_- + a\,|u_+|\,u_+,\qquad a = \tfrac12 + (z - z_j)/h
 
-between the velocities below and above it. The whole load on a riser at rest then is that of the jump wherever
-the nodes are, and its place errs by the square of h; no load jumps while a node passes.
+between the velocities below and above the jump. The total load on a riser at rest is then exact for any
+position of the nodes, and the position of the load has an error of order h squared. No load jumps when a node
+passes the jump.
 
 References
 ----------
@@ -21,7 +22,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
-EDGE = 1e-6  # share of a segment over which a jump at an end of the riser, or beyond it, is spread
+# share of a segment over which a jump at an end of the riser, or beyond the end, is spread
+EDGE = 1e-6
 SHARES = 0.5 - 0.5 * np.cos(
     np.linspace(0.0, np.pi, 33)
 )  # of the way over a jump, close at its ends
@@ -30,7 +32,7 @@ SHARES = 0.5 - 0.5 * np.cos(
 def spread(
     z: FloatArray, velocity: FloatArray, width: Callable[[float], float]
 ) -> tuple[FloatArray, FloatArray]:
-    """A table of a current in which no elevation stands twice.
+    """A table of a current in which no elevation occurs twice.
 
     Parameters
     ----------
@@ -40,7 +42,7 @@ def spread(
 
     Returns
     -------
-    z, velocity : the same without jumps, each spread over the length of the segment around it.
+    z, velocity : the table without jumps; each is spread over the length of the segment around it.
     """
     while len(jumps := np.flatnonzero(np.diff(z) == 0.0)):
         z, velocity = _one_spread(z, velocity, int(jumps[0]), width(float(z[jumps[0]])))
@@ -48,9 +50,9 @@ def spread(
 
 
 def within(width: float, at: float, low: float, high: float) -> float:
-    """Length over which a jump at an elevation is spread, at most up to the riser's ends (m).
+    """Length over which a jump at an elevation is spread; it does not reach beyond the riser's ends (m).
 
-    Beyond these there is no riser that the other part of its load could act on.
+    Beyond the ends there is no riser on which part of the load could act.
     """
     return max(min(width, 2.0 * (at - low), 2.0 * (high - at)), EDGE * width)
 
@@ -58,11 +60,11 @@ def within(width: float, at: float, low: float, high: float) -> float:
 def up_to_surface(
     z: FloatArray, velocity: FloatArray, surface: float
 ) -> tuple[FloatArray, FloatArray]:
-    """A table of the water below its surface at rest (m), whose velocity there holds above.
+    """The table up to the still-water surface (m); above it, the velocity at the surface applies.
 
-    The loads of a segment that reaches through the surface are those of its wet share. A jump of the current
-    at the surface, spread over this segment, would reduce them once more. ``z``: (k,) elevations (m), rising;
-    ``velocity``: (parts, k) (m/s).
+    The loads of a segment that crosses the surface are multiplied by its wet share. A jump of the current at
+    the surface, spread over this segment, would reduce these loads a second time. ``z``: (k,) elevations (m),
+    rising; ``velocity``: (parts, k) (m/s).
     """
     below = int(np.searchsorted(z, surface))
     if below == len(z):
@@ -77,7 +79,7 @@ def up_to_surface(
 def _one_spread(
     z: FloatArray, velocity: FloatArray, k: int, width: float
 ) -> tuple[FloatArray, FloatArray]:
-    """The table without its jump between points k and k + 1 of one elevation."""
+    """The table without the jump between points k and k + 1, which have the same elevation."""
     low, high = z[k] - 0.5 * width, z[k] + 0.5 * width
     levels = low + width * SHARES
     below = np.array([np.interp(levels, z[: k + 1], part[: k + 1]) for part in velocity])

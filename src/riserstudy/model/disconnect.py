@@ -1,4 +1,4 @@
-"""A model part of which is let go: the same state, without what held it or pulled."""
+"""The model after a disconnect: the same state, with the lower end released."""
 
 from __future__ import annotations
 
@@ -18,26 +18,26 @@ from riserstudy.model.model import Effect, Model, Report
 from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import forces_and_tangent, shape_of
 
-LIFT = ("lift", "lift_rate", "lift_aside")  # what the gauge reports
+LIFT = ("lift", "lift_rate", "lift_aside")  # quantities that the gauge reports
 
 
 def lift_gauge(of: Layout, report: Report) -> Iterator[Effect]:
-    """What reports how far the lower end is above the stack."""
+    """The gauge that reports the position of the lower end relative to the stack."""
     if of.scene.disconnect:
         yield Effect("lift gauge", LiftGauge(of.bottom, report(*LIFT)), "disconnect")
 
 
 def stack_contact(scene: Resolved) -> Iterator[Effect]:
-    """What the lower end may come down on."""
+    """The contact of the lower end with the stack below it."""
     if scene.disconnect and (stack := scene.disconnect.stack):
         contact = StackContact(scene.bottom.elevation or 0.0, stack.stiffness)
         yield Effect("stack contact", contact, "disconnect.stack")
 
 
 def released(model: Model, more: Sequence[Effect] = ()) -> Model:
-    """The model in the same state with its lower end free, and moments that belong to that.
+    """The model in the same state with its lower end free, and with moments that fit this end.
 
-    ``more``: what acts from now on, such as what still holds it for a while.
+    ``more``: effects that act from the release on, such as the fading force of the connector.
     """
     kept = [e for e in model.effects if not _at_the_lower_end(e.record)] + list(more)
     moments = range(model.unknowns.moments)
@@ -49,7 +49,7 @@ def released(model: Model, more: Sequence[Effect] = ()) -> Model:
 
 
 def fading(model: Model, at: float, over: float) -> list[Effect]:
-    """Force and moment of the connector, from a time on fading over another (s)."""
+    """Force and moment of the connector, which decrease to zero from the time ``at`` within ``over`` (s)."""
     forces_and_tangent(model.programs, model.state)
     load = -model.s.force[:, 0]
     moment = model.s.moment[:, 0].copy()
@@ -66,7 +66,7 @@ def _at_the_lower_end(record: object) -> bool:
 
 
 def _settle_moments(model: Model) -> None:
-    """Moments follow from the shape: the flexibility matrix solved for the turning angles, theory (2)."""
+    """Compute the moments from the shape: solve the flexibility matrix for the turning angles, theory (2)."""
     from scipy.linalg import solve
 
     s = model.s

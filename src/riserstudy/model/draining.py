@@ -1,4 +1,4 @@
-"""The record of contents that run out: the column over time, and whose arrays it writes."""
+"""The record of draining contents: the column over time, and the arrays of other effects that it writes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from riserstudy.scene.resolve import Resolved
 
 
 def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
-    """What the contents do from the release on, in a model that is let go."""
+    """The effect of draining contents, in the released model."""
     column = flow_of(scene)
     if scene.disconnect is None or column is None:
         return
@@ -52,12 +52,12 @@ def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
 
 
 def flow_of(scene: Resolved) -> Flow | None:
-    """How a scene's contents run out; None where they stay.
+    """The flow of a scene's contents as they drain; None where they do not drain.
 
     Raises
     ------
     SimulationError
-        When all of them run out.
+        When all contents drain before the end of the run.
     """
     release, water, end = scene.disconnect, scene.water, scene.analysis.duration
     if release is None or release.drain is None or end is None:

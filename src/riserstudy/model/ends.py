@@ -1,4 +1,4 @@
-"""What is attached to the riser's ends: bodies, constant tension and its loss, a lateral force."""
+"""Bodies and loads at the riser's ends: masses, constant tension and its loss, a lateral force."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def ends(of: Layout) -> Iterator[Effect]:
 
 
 def body(of: Layout, body: Body, node: int, share: float, why: str) -> Effect:
-    """A share of a body at a node."""
+    """The effect of a share of a body, at a node."""
     extra = body.added_mass or BodyAddedMass()
     area = body.drag_area or Areas()
     mass = np.full(of.d, body.mass)

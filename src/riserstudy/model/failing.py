@@ -1,4 +1,4 @@
-"""Models in which something stops to pull: cylinders, bottles, a part of the tension."""
+"""Models in which a part of the tension is lost: failed cylinders, gas bottles that are shut off."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.model import Effect, Model
 from riserstudy.solve.evaluate import shape_of
 
-#: what of a law is a cylinder's own strength
+#: fields of a tensioner record to set to zero for a failed cylinder
 STRENGTH: dict[type, tuple[str, ...]] = {
     GasSpring: ("area",),
     TwoChamberGas: ("high_area", "low_area", "weight"),
@@ -32,7 +32,7 @@ STRENGTH: dict[type, tuple[str, ...]] = {
 
 
 def without_cylinders(model: Model, cylinders: list[int]) -> Model:
-    """The model in the same state, some of whose cylinders pull nothing."""
+    """The model in the same state, in which some cylinders exert no force."""
 
     def changed(record: Any) -> Any:
         values = {name: getattr(record, name).copy() for name in STRENGTH.get(type(record), ())}
@@ -44,7 +44,7 @@ def without_cylinders(model: Model, cylinders: list[int]) -> Model:
 
 
 def without_tension(model: Model, share: float) -> Model:
-    """The model in the same state, that a share of its constant tension no longer pulls."""
+    """The model in the same state, without a share of its constant top tension."""
 
     def changed(effect: Effect) -> Effect:
         if not (isinstance(effect.record, DeadLoad) and effect.because == "top.tension"):
@@ -59,12 +59,12 @@ def without_tension(model: Model, share: float) -> Model:
 def without_bottles(model: Model, volume: float) -> Model:
     """The model in the same state, with a volume (m3) of each cylinder's gas shut off.
 
-    Pressure goes on from where it is, on the gas that is left.
+    The pressure does not jump; from now on it follows the law of the remaining gas.
 
     Raises
     ------
     SimulationError
-        When that is no gas at all.
+        When no gas would remain.
     """
     shape_of(model.programs, model.state)
     reach = model.s.reach.copy()

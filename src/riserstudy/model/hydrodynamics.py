@@ -1,4 +1,4 @@
-"""What fluid around and inside does to the riser string: contents, added mass, force of waves, drags."""
+"""Effects of the fluids around and inside the riser string: contents, added mass, wave force, drag."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}
 
 
 def current(of: Layout) -> Iterator[Effect]:
-    """Steady flow over elevation, where the riser can move across it."""
+    """The current, if the riser can move laterally."""
     flow = of.scene.current
     if flow is None or of.d == 1:
         return
@@ -62,14 +62,14 @@ def current(of: Layout) -> Iterator[Effect]:
 
 
 def wave(of: Layout) -> Iterator[Effect]:
-    """Flow under waves, where the riser can move across it."""
+    """The flow of waves, if the riser can move laterally."""
     sea, water = of.scene.wave, of.scene.water
     if sea and water and of.d > 1:
         yield Effect("wave", wave_of(sea, water, of.gravity, of.along(sea.heading)), "wave")
 
 
 def hydrodynamics(of: Layout) -> Iterator[Effect]:
-    """What water around and contents within do; along a line there is none but tangential drag."""
+    """Effects of water and contents; a model with one direction has only tangential drag."""
     scene, mesh, rho = of.scene, of.mesh, of.density
     across = of.d > 1
     added = [*_added_mass(scene, mesh, rho)] if across else []
@@ -93,7 +93,7 @@ def _contents(scene: Resolved, mesh: Mesh) -> Iterator[Effect]:
 
 
 def _added_mass(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
-    """What goes with the pipe, normal to it or horizontal."""
+    """Added mass of water that moves with the pipe, across the pipe or horizontally."""
     for direction in (None, "horizontal"):
         _, added = _accelerated(scene, mesh, rho, direction)
         if np.any(added):
@@ -102,7 +102,7 @@ def _added_mass(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
 
 
 def _wave_force(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
-    """What goes with the water's acceleration: water displaced, and added mass."""
+    """The force in proportion to the water's acceleration, of displaced water and added mass."""
     force = np.zeros(len(mesh.l0))
     for direction in (None, "horizontal"):
         displaced, added = _accelerated(scene, mesh, rho, direction)
@@ -115,7 +115,7 @@ def _wave_force(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Eff
 def _accelerated(
     scene: Resolved, mesh: Mesh, rho: float, direction: str | None
 ) -> tuple[FloatArray, FloatArray]:
-    """Mass of water displaced and added mass of the segments that have it in a direction, (n,), kg."""
+    """Displaced and added mass of the segments whose added mass has a direction, (n,) each, kg."""
     around = [s.added_mass for s in scene.riser]
     these = [a if a and a.direction == direction else None for a in around]
     displaced = [a.displaced(rho) if a else 0.0 for a in these]
@@ -159,7 +159,7 @@ def _tangential(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
 def _waterline(
     scene: Resolved, drags: list[Effect], added: list[Effect], waves: list[Effect], n: int
 ) -> Iterator[Effect]:
-    """What wets segments in part, by changing the arrays of the others, where there is a surface."""
+    """Effects that reduce drag, added mass and wave force to wet shares, by writing those effects' arrays."""
     if scene.water is None or scene.water.surface is None:
         return
     resisting: list[Any] = [effect.record for effect in drags]
@@ -185,7 +185,7 @@ def _waterline(
 def wave_of(
     sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray
 ) -> Wave:
-    """Components of a wave or sea, travelling along a horizontal unit vector, (d - 1,); gravity in m/s2."""
+    """The record of a wave or sea that travels along a horizontal unit vector, (d - 1,); gravity in m/s2."""
     if water.surface is None or water.seabed is None:
         raise TypeError("waves on water without levels")  # refused by the scene
     depth = water.surface - water.seabed
@@ -198,5 +198,5 @@ def wave_of(
 
 
 def over(mesh: Mesh, value: Sequence[float]) -> FloatArray:
-    """Values per metre of the sections times lengths of segments (m), (n,); none in a telescopic joint."""
+    """Section values per metre times segment lengths (m), (n,); zero in a telescopic joint."""
     return np.array([*value, 0.0])[mesh.section] * mesh.l0

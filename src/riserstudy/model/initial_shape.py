@@ -12,21 +12,21 @@ from riserstudy.model.mesh import Mesh
 FloatArray = NDArray[np.float64]
 
 
-MOST = 0.01  # strain of a first guess
+MOST = 0.01  # largest strain of the initial shape
 
 
 def between_ends(
     mesh: Mesh, offset: float, rise: float, weight: float, stiffness: float
 ) -> FloatArray:
-    """Straight from end to end, or sagging where the riser is longer than that.
+    """A straight line from end to end, or a sagging curve if the riser is longer than this line.
 
-    A string that sags is stretched by the tension it then has, W L / (8 sag): without tension nothing holds
-    it sideways, and the search for equilibrium may end in kinks.
+    A sagging string is stretched by its tension, W L / (8 sag). Without tension it would have no lateral
+    stiffness, and the search for equilibrium could end in kinks.
 
     Parameters
     ----------
-    offset, rise : of the upper end from the lower one (m).
-    weight : W of the whole, in water (N).
+    offset, rise : horizontal and vertical distance of the upper end from the lower end (m).
+    weight : W, submerged weight of the whole string (N).
     stiffness : EA (N).
 
     Returns
@@ -46,13 +46,13 @@ def between_ends(
 def under_a_joint(
     mesh: Mesh, foot: int, strain: FloatArray, offset: float, rise: float
 ) -> FloatArray:
-    """Upright to its flex joint, leaning above it; what is left is in the telescopic joint.
+    """Upright below its flex joint and inclined above it; the telescopic joint fills the rest.
 
     Parameters
     ----------
-    foot : node that the riser leans above.
-    strain : of the riser's segments, (n-1,).
-    offset, rise : of the upper end from the lower one (m).
+    foot : node above which the riser is inclined.
+    strain : strain of the riser's segments, (n-1,).
+    offset, rise : horizontal and vertical distance of the upper end from the lower end (m).
 
     Returns
     -------
@@ -67,14 +67,14 @@ def under_a_joint(
 
 
 def above_ground(mesh: Mesh, foot: int, offset: float, rise: float) -> FloatArray:
-    """Upright to where the riser leaves its conductor or stack, straight to its upper end above.
+    """Upright along conductor and stack, and straight from there to the riser's upper end.
 
-    A conductor that leant with the riser would be pressed into the soil all along.
+    A conductor that was inclined with the riser would be pushed into the soil over its whole length.
 
     Parameters
     ----------
-    foot : node that the riser leans above.
-    offset, rise : of the upper end from the lower one (m).
+    foot : node above which the riser is inclined.
+    offset, rise : horizontal and vertical distance of the upper end from the lower end (m).
 
     Returns
     -------
@@ -87,13 +87,13 @@ def above_ground(mesh: Mesh, foot: int, offset: float, rise: float) -> FloatArra
 
 
 def sagging(s: FloatArray, offset: float, rise: float) -> FloatArray:
-    """Points at arclengths ``s`` (m) of the parabola as long as the riser, (2, n+1), m."""
+    """Points at arclengths ``s`` (m) on the parabola that is as long as the riser, (2, n+1), m."""
     curve = _parabola(offset, rise, sag_of(float(s[-1]), offset, rise))
     return np.stack([np.interp(s, _arclength(curve), row) for row in curve])
 
 
 def sag_of(length: float, offset: float, rise: float) -> float:
-    """Sag of the parabola of some length, below the middle of the chord (m)."""
+    """Sag of a parabola of a length, below the middle of its chord (m)."""
     from scipy.optimize import brentq  # which takes longer to load than most runs take
 
     sag: float = brentq(lambda h: _arclength(_parabola(offset, rise, h))[-1] - length, 0.0, length)

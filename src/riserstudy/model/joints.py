@@ -1,4 +1,4 @@
-"""What stands within and at the top of the riser string: inner joints, guides, a sliding joint, a gauge."""
+"""Effects within and at the top of the riser string: inner joints, guides, a telescopic joint, a gauge."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from riserstudy.model.space_out import joint_of
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.riser import Section
 
-#: what an inner flex joint in space reports after its angle: its rotation about x, y and z
+#: quantities that an inner flex joint in space reports after its angle: its rotation about x, y and z
 TURNS = tuple(f"lfj_angle about {axis}" for axis in "xyz")
 
 
@@ -33,7 +33,7 @@ def inner_joints(of: Layout, report: Report) -> Iterator[Effect]:
 
 
 def guides(of: Layout) -> Iterator[Effect]:
-    """Springs to the vertical through the well, below sections."""
+    """Guides below sections: springs towards the vertical through the well."""
     for k, section in enumerate(of.scene.riser if of.d > 1 else []):
         if section.guide_below:
             record = Guide(of.mesh.foot(k), section.guide_below.stiffness)
@@ -50,7 +50,7 @@ def sliding_joint(of: Layout) -> Iterator[Effect]:
 
 
 def stress_gauge(of: Layout, report: Report) -> Iterator[Effect]:
-    """What reports the largest stress in a section."""
+    """The gauge that reports the largest stress in a section."""
     output = of.scene.analysis.output
     if output and output.stress_in:
         k = [section.name for section in of.scene.riser].index(output.stress_in)

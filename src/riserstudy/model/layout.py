@@ -17,7 +17,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
-AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # which of x, y, z a model of so many directions has
+AXES = {1: [2], 2: [0, 2], 3: [0, 1, 2]}  # axes (x, y, z) of a model, by its number of directions
 
 
 class Stiffness(NamedTuple):
@@ -41,14 +41,14 @@ def directions(scene: Resolved) -> int:
 
 
 def flexibility_of(rotation: Rotation | None) -> float | None:
-    """1/K of what holds an end in direction (rad/(N m)), 0 for a clamp, None where it turns freely."""
+    """1/K of an end's rotational support (rad/(N m)), 0 for a clamp, None for an end that rotates freely."""
     if isinstance(rotation, FlexJoint):
         return 1.0 / rotation.stiffness if rotation.stiffness > 0.0 else None
     return 0.0 if rotation == "fixed" else None
 
 
 class Layout(NamedTuple):
-    """What the effects of a scene on a mesh are made from."""
+    """A scene on a mesh, with the arrays that its effects are built from."""
 
     scene: Resolved
     mesh: Mesh
@@ -63,12 +63,12 @@ class Layout(NamedTuple):
 
     @property
     def gravity(self) -> float:
-        """Of bodies in free fall (m/s2), 0 where the scene has none."""
+        """Acceleration of gravity (m/s2), 0 where the scene has none."""
         return self.scene.gravity or 0.0
 
     @property
     def density(self) -> float:
-        """Of the water (kg/m3), 0 without water."""
+        """Density of the water (kg/m3), 0 without water."""
         return self.scene.water.density if self.scene.water else 0.0
 
     @property
@@ -85,14 +85,14 @@ class Layout(NamedTuple):
         return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
 
     def width_at(self, elevation: float) -> float:
-        """Length over which a jump at an elevation is spread: of its segment, the riser upright (m)."""
+        """Length over which a jump is spread (m): of the segment at this elevation, for an upright riser."""
         s = self.mesh.s
         e = int(np.searchsorted(s[1:-1], elevation - self.bottom, side="right"))
         return within(float(self.mesh.l0[e]), elevation - self.bottom, 0.0, float(s[-1]))
 
     @property
     def cornered(self) -> list[int]:
-        """Sections at whose lower end shear may jump: by a joint, a guide or a rigid body below."""
+        """Sections at whose lower end the shear may jump, due to a joint, a guide or a rigid body below."""
         body = self.scene.bottom.body
         first = [1] if body and body.reach else []
         return [*first, *(k for k, s in enumerate(self.scene.riser) if s.corner_below)]
@@ -103,7 +103,7 @@ def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int)
 
     Parameters
     ----------
-    ring_elevation : elevation of the riser's top found by an earlier statics (m), None before.
+    ring_elevation : elevation of the riser's top from an earlier static solution (m); None without one.
     """
     sections = [stiffness(section) for section in scene.riser]
     bends = d > 1 and all(section.bending > 0 for section in sections)
@@ -141,7 +141,7 @@ def per_segment(
 
 
 def halves(segment: FloatArray) -> FloatArray:
-    """Half of each segment's load, (n,), to either node, (n + 1,), in the unit of the load."""
+    """Loads of the nodes, (n + 1,): half of each segment's load, (n,), at each of its nodes; same unit."""
     nodes = np.zeros(len(segment) + 1)
     nodes[:-1] += 0.5 * segment
     nodes[1:] += 0.5 * segment
@@ -149,9 +149,10 @@ def halves(segment: FloatArray) -> FloatArray:
 
 
 def corners(of: Layout) -> list[int]:
-    """Nodes at which shear may jump, so that the moment's slope does: ends, ring, `Layout.cornered`, mudline.
+    """Nodes at which the shear, hence the slope of the moment, may jump.
 
-    At the mudline the resistance of the soil jumps; as springs at nodes, it makes shear jump there.
+    These are the ends, the ring, `Layout.cornered` and the mudline. At the mudline the resistance of the soil
+    jumps; since springs at nodes represent it, the shear jumps there.
     """
     soil = of.scene.soil
     mudline = [int(np.abs(of.bottom + of.mesh.s - soil.mudline).argmin())] if soil else []

@@ -1,4 +1,4 @@
-"""Where the nodes are: equal segments, or segments graded towards layers of bending, halved per level."""
+"""Meshes: equal segments, or segments graded towards bending layers; each refinement halves them."""
 
 from __future__ import annotations
 
@@ -11,19 +11,21 @@ from numpy.typing import NDArray
 from riserstudy.model.space_out import joint_of
 from riserstudy.scene.resolve import Resolved
 
-GROWTH = 0.15  # by which segments grow away from a held end, metre by metre
-LAYER = 0.5  # first segment of a layer, in layer lengths sqrt(EI/T), on the coarsest mesh
-COARSEST = 8  # segments over the riser
-GRADED = 16  # before grading
+GROWTH = 0.15  # increase of the segment length per metre of distance from a bending layer
+# first segment of a layer on the coarsest mesh, as a share of the layer length sqrt(EI/T)
+LAYER = 0.5
+COARSEST = 8  # segments of the coarsest mesh
+GRADED = 16  # segments of a graded mesh before its grading
 FINE = 4000  # points of the mapping that a graded mesh follows
 
 
 class Mesh(NamedTuple):
     """Unstretched segment lengths (m) and the section that each segment belongs to.
 
-    A telescopic joint is one more segment at the top, of a section of its own, never cut; so is the lowest
-    section where it stands for a body that turns with the riser's end. A graded mesh keeps the mapping that
-    it follows, one array of positions over a section's nodes: finer meshes then grade as smoothly.
+    A telescopic joint is one additional segment at the top, with a separate section number; it is never
+    divided. If the lowest section represents a body that turns with the riser's end, it is never divided
+    either. A graded mesh keeps its mapping, one array of positions for each section; finer meshes therefore
+    have the same smooth grading.
     """
 
     l0: NDArray[np.float64]
@@ -52,7 +54,7 @@ class Mesh(NamedTuple):
         return int(np.searchsorted(self.section, section))
 
     def halved(self) -> Mesh:
-        """Twice as many segments in the riser."""
+        """The mesh with twice the number of segments in the riser."""
         if not self.mapping:
             cuts = np.full(len(self.l0), 2)
             cuts[self.ring :] = 1
@@ -63,7 +65,7 @@ class Mesh(NamedTuple):
         return self._scaled(2.0)
 
     def _scaled(self, times: float) -> Mesh:
-        """A graded mesh with so many times the segments in the riser."""
+        """The graded mesh with ``times`` the number of segments in the riser."""
         natural = np.bincount(self.section[: self.ring])
         counts = np.maximum(1, np.round(times * natural).astype(int))
         counts[: int(self.body)] = 1
@@ -74,14 +76,14 @@ class Mesh(NamedTuple):
         )
 
     def with_about(self, elements: int) -> Mesh:
-        """A graded mesh of about so many segments, spread as these are."""
+        """The graded mesh with about ``elements`` segments, graded in the same way."""
         return self._scaled(elements / self.ring)
 
 
 def _laid(
     mapping: tuple[NDArray[np.float64], ...], counts: list[int]
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Segments and their sections, so many a section, by the mappings of the sections."""
+    """Segment lengths and their sections, by the number of segments and the mapping of each section."""
     share = np.linspace(0.0, 1.0, FINE + 1)
     pieces = [
         np.diff(np.interp(np.linspace(0.0, 1.0, k + 1), share, place))
@@ -91,13 +93,13 @@ def _laid(
 
 
 def lowest_leaning(scene: Resolved, mesh: Mesh) -> int:
-    """The lowest node above which a riser leans: at its inner flex joint, on the ground, or at its end."""
+    """The lowest node above which a riser is inclined: at its inner flex joint, the ground, or its end."""
     lowest = scene.lowest_riser_section or int(scene.soil is not None)
     return min(mesh.foot(lowest), len(mesh.l0) - 1)
 
 
 def prescribed(scene: Resolved, elements: int) -> Mesh:
-    """Segments as the scene's own mesh has them, equal or finer towards ends, but so many."""
+    """The mesh that the scene prescribes, equal or with layers, but with ``elements`` segments."""
     layers = scene.analysis.mesh and scene.analysis.mesh.layers
     if not layers:
         return even(scene, elements)
@@ -107,7 +109,7 @@ def prescribed(scene: Resolved, elements: int) -> Mesh:
 
 
 def even(scene: Resolved, elements: int) -> Mesh:
-    """Equal segments within each section, ``elements`` in all or a few more."""
+    """Equal segments within each section, about ``elements`` in total."""
     lengths = [section.total_length for section in scene.riser]
     size = sum(lengths) / elements
     counts = [max(1, round(length / size)) for length in lengths]
@@ -127,12 +129,12 @@ def _with_joint(scene: Resolved, l0: NDArray[np.float64], section: NDArray[np.in
 
 
 def _has_body(scene: Resolved) -> bool:
-    """Whether the lowest section stands for a body that turns with the riser's end."""
+    """Whether the lowest section represents a body that turns with the riser's end."""
     return scene.bottom.body is not None and scene.bottom.body.reach > 0.0
 
 
 class Layer(NamedTuple):
-    """Where bending is confined to a length sqrt(EI/T): at an end, or around a joint."""
+    """A bending layer: bending is confined to a length sqrt(EI/T), at an end or around a joint."""
 
     place: float  # arclength (m)
     length: float  # (m), infinite where nothing is confined
@@ -146,7 +148,7 @@ def graded(
 ) -> Mesh:
     """Segments of about equal length, finer towards places where bending is confined to a layer.
 
-    ``longest``: length of segments (m), at most, in some sections.
+    ``longest``: largest segment length (m), by index of the section.
     """
     lengths = [section.total_length for section in scene.riser]
     total = sum(lengths)
@@ -170,10 +172,10 @@ def graded(
 
 
 def blend_by_weight(blend: NDArray[np.float64], mesh: Mesh, weight: NDArray[np.float64]) -> None:
-    """Share of the segment above in the tension at nodes where sections of different weight meet.
+    """Set the share of the upper segment in the tension at nodes where sections of different weight meet.
 
-    Tension has a corner there, and lies between those of its segments by their weights. Above a body that
-    turns with the riser's end it jumps: that of the riser counts.
+    The tension has a corner there, and is a mean of the tensions of both segments, by their weights.
+    Above a body that turns with the riser's end the tension jumps, and the tension of the riser is used.
 
     Parameters
     ----------

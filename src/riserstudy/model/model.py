@@ -13,12 +13,12 @@ from riserstudy.solve.evaluate import Programs, set_compliance
 from riserstudy.solve.program import Frozen, assemble
 from riserstudy.solve.state import OTHER, OWN, State, new_state
 
-#: takes names that an effect reports under, and tells the place of the first
+#: reserves reported values under the names that an effect gives, and returns the index of the first
 Report = Callable[..., int]
 
 
 class Effect(NamedTuple):
-    """One effect of a model and the reason why it is there."""
+    """One effect of a model, and the input of the scene that includes it."""
 
     name: str
     record: NamedTuple
@@ -26,7 +26,7 @@ class Effect(NamedTuple):
 
 
 class Unknowns(NamedTuple):
-    """What a state holds: segments, unknowns a node, and what effects report."""
+    """Sizes of a state: segments, unknowns per node, and values that effects report."""
 
     l0: NDArray[np.float64]  # (n,) unstretched lengths of the segments (m)
     directions: int
@@ -35,10 +35,10 @@ class Unknowns(NamedTuple):
         OWN,
         OTHER,
     )  # of a segment's mass that its nodes carry, see `State`
-    cylinders: int = 0  # of the tensioners
-    probes: Sequence[str] = ()  # names of what effects report besides the cylinders
-    loose: int = 0  # nodes beyond the riser's
-    internal: int = 0  # internal variables of effects, a node of the riser
+    cylinders: int = 0  # number of tensioner cylinders
+    probes: Sequence[str] = ()  # names of the values that effects report, without the cylinders'
+    loose: int = 0  # number of nodes that do not belong to the riser
+    internal: int = 0  # number of internal variables of effects per node of the riser
     ring: int | None = None  # node above which a telescopic joint carries no tension
 
 
@@ -47,15 +47,15 @@ class Model:
 
     Parameters
     ----------
-    effects : in the order in which they act.
-    fixed : (node, unknown) pairs that the solver leaves alone; moments count before positions.
+    effects : in the order in which they are evaluated.
+    fixed : (node, unknown) pairs that the solver does not change; moments are numbered before positions.
     afloat : (node, unknown) pairs that are held in statics only.
 
     Attributes
     ----------
-    state, spare : frozen states, the one that solvers move and one for evaluations aside.
+    state, spare : frozen states: the one that solvers change, and one for separate evaluations.
     programs : frozen programs.
-    hinged : (n + 1 + loose,) true where no moment is carried.
+    hinged : (n + 1 + loose,) true for nodes that carry no moment.
     """
 
     def __init__(
@@ -98,26 +98,26 @@ class Model:
             set_compliance(self.programs, state, self.hinged)
 
     def has(self, kind: type) -> bool:
-        """Whether an effect of a kind of record is there."""
+        """Whether the model has an effect whose record is of this kind."""
         return any(isinstance(effect.record, kind) for effect in self.effects)
 
     def extended(self, effects: Sequence[Effect], fixed: Sequence[tuple[int, int]]) -> Model:
-        """A model in the same state with more effects, and more (node, unknown) pairs left alone."""
+        """A model in the same state with additional effects and additional fixed (node, unknown) pairs."""
         return self.changed([*self.effects, *effects], [*self.pairs, *fixed])
 
     def changed(self, effects: Sequence[Effect], fixed: Sequence[tuple[int, int]]) -> Model:
-        """A model in the same state with other effects and other (node, unknown) pairs left alone."""
+        """A model in the same state with other effects and other fixed (node, unknown) pairs."""
         other = Model(self.unknowns, effects, fixed)
         other.take_state(self)
         return other
 
     @property
     def pairs(self) -> list[tuple[int, int]]:
-        """The (node, unknown) pairs that the solver leaves alone."""
+        """The (node, unknown) pairs that the solver does not change."""
         return [(int(node), int(unknown)) for node, unknown in self.fixed]
 
     def take_state(self, other: Model) -> None:
-        """Be where another model of the same unknowns is, and move as it does."""
+        """Copy positions and motion from another model with the same unknowns."""
         for mine, theirs in ((self.s, other.s), (self.spare.value, other.spare.value)):
             for name in (
                 "clock",
@@ -149,6 +149,6 @@ class Model:
 
     @property
     def s(self) -> State:
-        """The arrays of the state that solvers move."""
+        """The arrays of the state that solvers change."""
         state: State = self.state.value
         return state

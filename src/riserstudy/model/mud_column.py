@@ -1,13 +1,14 @@
-r"""The column of contents that runs out of an open riser, sea water following it where it swings back.
+r"""The column of contents that drains from an open riser; sea water enters when the column flows back.
 
 .. math::
 
    (\rho_m L_m + \rho_w L_w)\,\dot V = g\,(\rho_m L_m + \rho_w L_w - \rho_w h)
        - \Big(f\,\frac{\rho_m L_m + \rho_w L_w}{D} + K \rho\Big) \frac{V|V|}{2},\qquad \dot L = -V
 
-with V downwards and L = L_m + L_w: contents of the height L_m above sea water of the height L_w, the sea
-standing h above the lower end. Contents leave while V > 0 and no sea water is below them; where V < 0
-sea water comes in, and leaves first. K counts heads of velocity lost at the ends, of what passes there.
+with V downwards and L = L_m + L_w: contents of the height L_m above sea water of the height L_w. The sea
+surface is at the height h above the lower end. Contents leave while V > 0 and no sea water is below them.
+While V < 0, sea water enters; it later leaves before the contents. K is the number of velocity heads lost at
+the ends, with the density of the fluid that passes there.
 
 References
 ----------
@@ -26,9 +27,9 @@ from numpy.typing import NDArray
 from riserstudy.errors import SimulationError
 
 FloatArray = NDArray[np.float64]
-SPACING = 0.02  # of the table (s)
-TOLERANCE = 1e-9  # of the integration, relative and in m and m/s
-SHORTEST = 1.0  # column that is followed (m)
+SPACING = 0.02  # largest time interval of the table (s)
+TOLERANCE = 1e-9  # of the integration: relative, and absolute in m and m/s
+SHORTEST = 1.0  # column length at which the computation ends (m)
 
 
 class Column(NamedTuple):
@@ -41,11 +42,11 @@ class Column(NamedTuple):
     sea: float  # density (kg/m3)
     gravity: float  # (m/s2)
     friction: float  # Darcy's factor
-    losses: float  # heads of velocity
+    losses: float  # velocity heads lost at the ends
 
 
 class Flow(NamedTuple):
-    """The column over time, (k,) each, evenly from the release on."""
+    """The column over time, (k,) each, at equal intervals from the release on."""
 
     time: FloatArray  # (s)
     speed: FloatArray  # downwards (m/s)
@@ -56,12 +57,12 @@ class Flow(NamedTuple):
 
 @lru_cache(maxsize=64)
 def flow(column: Column, duration: float) -> Flow:
-    """The column from its release on, for a time (s).
+    """The column from its release on, for a duration (s).
 
     Raises
     ------
     SimulationError
-        When all contents run out.
+        When all contents drain within the duration.
     """
     from scipy.integrate import solve_ivp  # loads half of scipy
 
@@ -90,7 +91,7 @@ def flow(column: Column, duration: float) -> Flow:
 
 
 def _acceleration(column: Column, total: float, contents: float, speed: float) -> float:
-    """Acceleration downwards (m/s2) of a column of a length (m), of which so much is contents (m)."""
+    """Acceleration downwards (m/s2) of a column of length ``total`` (m), with ``contents`` (m) of mud."""
     contents = min(contents, total)
     mass = column.contents * contents + column.sea * (total - contents)
     passing = column.contents if speed > 0.0 and contents >= total else column.sea

@@ -1,4 +1,4 @@
-"""The records that move a platform, and what is fixed to it."""
+"""The records of a platform's position and motion."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ MOTIONS = (*TRANSLATIONS, *TILTS)
 
 
 def motions(scene: Resolved) -> Iterator[Effect]:
-    """What displaces and moves the platform of a scene, in the scene's wave if it has one."""
+    """Effects that displace and move the platform of a scene, in the scene's wave if it has one."""
     platform = scene.platform
     if platform is None:
         return
@@ -105,14 +105,14 @@ def displacement(scene: Resolved, times: NDArray[np.float64]) -> NDArray[np.floa
         state = SimpleNamespace(clock=np.array([time]), platform=np.zeros((3, 6)))
         for effect in effects:
             drive = ROLES[type(effect.record)]["motion"]
-            # as plain Python: a few hundred calls are not worth compiling for
+            # as plain Python: compiling would take longer than a few hundred calls
             getattr(drive, "py_func", drive)(effect.record, state)
         rows.append(state.platform[0])
     return np.array(rows)
 
 
 def centre(platform: Platform | None) -> NDArray[np.float64]:
-    """The point about which the platform turns, (3,), at rest (m); any where it does not turn."""
+    """The centre of rotation of the platform at rest, (3,), m; arbitrary if the platform does not rotate."""
     about = platform.centre_of_rotation if platform else None
     if about is None:
         return np.zeros(3)

@@ -23,11 +23,12 @@ from riserstudy.scene.sea import Storm, Swell, Wave
 
 FloatArray = NDArray[np.float64]
 
-GRAVITY = 9.80665  # m/s2, for judging sizes where the scene gives none
-STEEP = 5.0  # slopes of the waves, above which no platform turns on the median: degrees are 57
-TURNS = 4.0 * math.pi  # rad, more than phases need
-CLOSE = 1e-9  # headings that are one (rad)
-WIDEST = 0.5 * math.pi  # gap between headings that is filled (rad)
+GRAVITY = 9.80665  # m/s2, for plausibility checks of a scene without gravity
+# largest plausible median ratio of angle to wave slope; degrees read as radians give about 57
+STEEP = 5.0
+TURNS = 4.0 * math.pi  # rad, largest plausible phase
+CLOSE = 1e-9  # headings closer than this (rad) are equal
+WIDEST = 0.5 * math.pi  # largest gap between headings over which R is interpolated (rad)
 
 
 class Harmonics(NamedTuple):
@@ -42,14 +43,14 @@ class Harmonics(NamedTuple):
 def operator(
     response: Response, motion: str, frequency: FloatArray, heading: float = 0.0
 ) -> NDArray[np.complex128]:
-    """R of one motion in waves that go to a heading (rad), leading phases positive.
+    """R of one motion in waves that travel to a heading (rad), with leading phases positive.
 
-    It has the shape of the frequencies (rad/s); per metre of wave, m/m or rad/m.
+    R has the shape of the frequencies (rad/s), and is per metre of wave amplitude, in m/m or rad/m.
 
     Raises
     ------
     InputError
-        When the operators do not reach the heading.
+        When the operators do not cover the heading.
     """
     tables = response.by_heading
     if None in tables:
@@ -91,7 +92,7 @@ def _over_frequency(
 
 
 def doubts(scene: Resolved) -> list[str]:
-    """What there is to tell of a response: components beyond its operators, sizes that look like slips."""
+    """Warnings about a response: wave components outside its operators, and values in the wrong unit."""
     response = scene.platform and scene.platform.response
     wave = response and (response.wave or scene.wave)
     if not response or not wave:
@@ -109,10 +110,10 @@ def doubts(scene: Resolved) -> list[str]:
 
 
 def slips(response: Response, gravity: float) -> list[str]:
-    """Angles that look like degrees under a heading of radians, or the other way round.
+    """Warnings about angles that look like degrees in a column of radians, or radians in a column of degrees.
 
-    Long waves turn a platform by their slope, w^2 amplitude / g (gravity in m/s2), shorter ones by less;
-    only near resonance by several times it. The median of a table is judged.
+    Long waves rotate a platform by their slope, w^2 amplitude / g (gravity in m/s2), and shorter waves by
+    less. Only near resonance is the rotation several times the slope. The median of a table is checked.
     """
     sentences = []
     rows = response.operators
@@ -140,7 +141,7 @@ def slips(response: Response, gravity: float) -> list[str]:
 
 
 def _beyond(response: Response, frequency: FloatArray) -> NDArray[np.bool_]:
-    """Which frequencies (rad/s) lie outside the operators."""
+    """For each frequency (rad/s), whether it is outside the operators."""
     low, high = _range(response)
     return np.asarray((frequency < low * (1.0 - 1e-9)) | (frequency > high * (1.0 + 1e-9)))
 
@@ -151,7 +152,7 @@ def _range(response: Response) -> tuple[float, float]:
 
 
 def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray) -> str:
-    """How much of a sea the operators do not cover."""
+    """A statement of the share of a sea that the operators do not cover."""
     beyond = _beyond(response, frequency)
     periods = 2.0 * math.pi / frequency[beyond]
     low, high = _range(response)
@@ -165,16 +166,16 @@ def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray)
 
 
 def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float = 0.0) -> Harmonics:
-    """Harmonic motions that a wave or sea gives the platform.
+    """Harmonic motions of the platform in a wave or sea.
 
     Parameters
     ----------
-    lag : (components,) phase by which each is later at the platform than at the origin (rad).
+    lag : (components,) phase by which each component is later at the platform than at the origin (rad).
 
     Raises
     ------
     InputError
-        When the operators do not reach a period or the heading of the wave.
+        When the operators do not cover a period or the heading of the wave.
     """
     amplitude, frequency, phase = components_of(wave)
     beyond = _beyond(response, frequency)

@@ -1,4 +1,4 @@
-"""What the riser string is by itself: elasticity, weight, inertia, structural damping."""
+"""Effects of the riser string without water: elasticity, weight, inertia, structural damping."""
 
 from __future__ import annotations
 

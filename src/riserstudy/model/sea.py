@@ -1,4 +1,4 @@
-"""The sea of a scene in numbers: current over elevation, components of its waves."""
+"""The sea of a scene as arrays: current over elevation, components of its waves."""
 
 from __future__ import annotations
 
@@ -12,21 +12,23 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
 
 FloatArray = NDArray[np.float64]
-PROFILE_POINTS = 2001  # of a named current profile
-BELOW = 1e-9  # share of a profile by which the water at the surface is below a jump there
+PROFILE_POINTS = 2001  # points of a named current profile
+# depth below the surface at which its velocity is evaluated, as a share of the profile's height
+BELOW = 1e-9
 
-SHALLOW = 1e-12  # kd tanh kd below which tanh kd is kd to twelve digits, and kd too small to be searched for
+# kd tanh kd below which tanh kd equals kd to twelve digits, and a search for kd would fail
+SHALLOW = 1e-12
 
 
 def current_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
-    """Elevations (m), rising, and speeds (m/s) where there is one direction, (k,); end values hold beyond."""
+    """Rising elevations (m) and speeds (m/s) of a current of one direction, (k,); end values hold beyond."""
     if current.turns:
         raise TypeError("a current whose direction changes is not defined by its speed alone")
     return _ended(current, *_as_table(current, water))
 
 
 def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
-    """Elevations (m), rising, (k,), and parts along x and y (m/s), (2, k); end values hold beyond."""
+    """Rising elevations (m), (k,), and velocities along x and y (m/s), (2, k); end values hold beyond."""
     if not current.turns:
         z, speed = current_table(current, water)
         return z, np.outer(_unit(current.towards), speed)
@@ -41,9 +43,9 @@ def current_velocity(current: Current, water: Water | None) -> tuple[FloatArray,
 
 
 def surface_current(current: Current, water: Water | None) -> FloatArray:
-    """Velocity of a current at the mean level along x and y (m/s), (2,), in the water where it jumps there.
+    """Velocity of a current at the mean level along x and y (m/s), (2,); at a jump there, just below it.
 
-    Without a level it is that of the profile's upper end.
+    Without a level, it is the velocity at the profile's upper end.
     """
     z, velocity = current_velocity(current, water)
     level = float(z[-1]) if water is None or water.surface is None else water.surface
@@ -67,7 +69,7 @@ def _unit(heading: float | FloatArray) -> FloatArray:
 
 
 def _ended(current: Current, z: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """The same, with jumps to nothing where the water beyond is still."""
+    """The table; if the water beyond its ends is still, with jumps to zero at its ends."""
     if current.beyond != "zero":
         return z, values
     low, high = (int(np.any(values[..., end] != 0.0)) for end in (0, -1))
@@ -76,7 +78,7 @@ def _ended(current: Current, z: FloatArray, values: FloatArray) -> tuple[FloatAr
 
 
 def _as_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatArray]:
-    """Elevations and speeds; of parts that turn with depth none."""
+    """Elevations and speeds; parts whose direction changes with depth are not included."""
     if isinstance(current.profile, list):
         elevations, speeds = current.table(water)
         return np.array(elevations), np.array(speeds)
@@ -90,7 +92,7 @@ def _as_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatA
 
 
 def _spiral(part: WindDrift, span: tuple[float, float], z: FloatArray, wind: float) -> FloatArray:
-    """Ekman's drift under a wind that goes to a heading (rad), along x and y (m/s), (2, k)."""
+    """Ekman's drift under a wind that blows to a heading (rad), along x and y (m/s), (2, k)."""
     drift, angle = _drift(part, span, np.clip(z, *span))
     side = -1.0 if part.hemisphere == "northern" else 1.0  # from x towards y is to the left
     return drift * _unit(wind + side * angle)
@@ -99,14 +101,14 @@ def _spiral(part: WindDrift, span: tuple[float, float], z: FloatArray, wind: flo
 def _drift(
     part: WindDrift, span: tuple[float, float], inside: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """Speed of the drift (m/s), and its angle off the wind (rad): 45 degrees at the surface, more below."""
+    """Speed of the drift (m/s), and its angle from the wind (rad): 45 degrees at the surface, more below."""
     strength = part.wind_speed / math.sqrt(math.sin(part.latitude))
     fall = math.pi * (inside - span[1]) / (part.depth_factor * strength)
     return part.surface_factor * strength * np.exp(fall), 0.25 * math.pi - fall
 
 
 def levels(part: Shape | WindDrift, water: Water | None) -> tuple[float, float]:
-    """Elevations of seabed and surface that a profile lies between (m)."""
+    """Elevations of the seabed and the surface that a profile extends between (m)."""
     own = (part.seabed, part.surface) if isinstance(part, Shape) else (None, None)
     of_water = (water.seabed, water.surface) if water else (None, None)
     low, high = (a if a is not None else b for a, b in zip(own, of_water, strict=True))
@@ -116,7 +118,7 @@ def levels(part: Shape | WindDrift, water: Water | None) -> tuple[float, float]:
 
 
 def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -> FloatArray:
-    """Speed of one named profile (m/s), shape of the elevations (m); end values of its span beyond.
+    """Speed of one named profile (m/s), in the shape of the elevations (m); end values hold beyond its span.
 
     References
     ----------
@@ -146,7 +148,7 @@ def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -
 
 def wave_number(frequency: float, depth: float, gravity: float) -> float:
     """Wave number k (rad/m) of w^2 = g k tanh(k d)."""
-    from scipy.optimize import brentq  # which takes longer to load than most runs take
+    from scipy.optimize import brentq  # loading it takes longer than most runs
 
     shape = frequency**2 * depth / gravity  # kd tanh kd
     if shape < SHALLOW:
@@ -156,13 +158,13 @@ def wave_number(frequency: float, depth: float, gravity: float) -> float:
 
 
 def wave_numbers(frequency: FloatArray, water: Water, gravity: float) -> FloatArray:
-    """Wave numbers (rad/m) of components of a wave or sea, (components,), by their frequencies (rad/s)."""
+    """Wave numbers (rad/m) of the components of a wave or sea, (components,), for frequencies in rad/s."""
     depth = (water.surface or 0.0) - (water.seabed or 0.0)
     return np.array([wave_number(w, depth, gravity) for w in frequency])
 
 
 def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: float) -> float:
-    """Depth 1/k over which the shortest waves that matter fade (m)."""
+    """Depth 1/k (m) over which the motion of the shortest relevant waves decays by a factor of e."""
     frequency = 2.0 * math.pi / sea.shortest_period
     return 1.0 / wave_number(frequency, (water.surface or 0.0) - (water.seabed or 0.0), gravity)
 
@@ -182,8 +184,8 @@ def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArra
 def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
     """Frequencies (rad/s) and amplitudes (m), (components,), that share the energy of the sea equally.
 
-    Each stands at the middle of its share of the energy, so that no two are commensurate and the
-    record does not repeat.
+    Each frequency is at the middle of its share of the energy. The frequencies are therefore incommensurate,
+    and the record does not repeat.
     """
     from scipy.integrate import cumulative_trapezoid
 
@@ -197,7 +199,7 @@ def components(sea: Storm) -> tuple[FloatArray, FloatArray]:
 
 
 def jonswap(w: FloatArray, peak: float, enhancement: float) -> FloatArray:
-    """JONSWAP spectrum at frequencies ``w`` (rad/s), of their shape, up to its scale; the peak in rad/s.
+    """JONSWAP spectrum except for its scale, at frequencies ``w`` (rad/s), in their shape; the peak in rad/s.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Soil around a conductor: springs, linear, of soft clay, of sand or by a table, and dashpots beside them."""
+"""Soil around a conductor: springs that are linear, of soft clay, sand or a table, and parallel dashpots."""
 
 from __future__ import annotations
 
@@ -27,11 +27,12 @@ if TYPE_CHECKING:
     from scipy.interpolate import PPoly
 
 FloatArray = NDArray[np.float64]
-DEEP = 9.0  # ultimate resistance over shear strength and diameter where clay flows around the conductor
+# ultimate resistance / (shear strength x diameter) where clay flows around the conductor
+DEEP = 9.0
 SHALLOW = 3.0  # the same at the mudline
-CYCLIC = 0.9  # A of sand
-SATURATED = 8.0  # argument of the tangent beyond which sand gives no more: 1 - tanh is 2e-7
-PIECES = 64  # of a curve of sand
+CYCLIC = 0.9  # A of sand under cyclic loading
+SATURATED = 8.0  # argument of tanh from which the resistance of sand is constant: 1 - tanh is 2e-7
+PIECES = 64  # pieces of a curve of sand
 AT_REST = 0.4  # coefficient of earth pressure at rest
 
 
@@ -51,7 +52,7 @@ def soil(of: Layout) -> Iterator[Effect]:
 def springs(
     soil: Soil, riser: list[Section], mesh: Mesh, bottom: float
 ) -> LinearSoil | SoftClay | TabulatedSprings:
-    """Springs at the nodes, each for the part of its two half segments that is below the mudline.
+    """Springs at the nodes; each represents the part of its two half segments that is below the mudline.
 
     ``bottom``: elevation of the lowest node (m).
     """
@@ -65,7 +66,8 @@ def springs(
     of = soil.resistance
     if isinstance(of, ElasticSoil):
         return LinearSoil(held, of.stiffness * length)
-    section = mesh.section[np.maximum(held - 1, 0)]  # the one below a node, which is in the soil
+    # section of the segment below a node, in the soil
+    section = mesh.section[np.maximum(held - 1, 0)]
     diameter = np.array([riser[k].outer_diameter or 0.0 for k in section])
     if isinstance(of, Matlock):
         y50 = 2.5 * of.strain_at_half_strength * diameter
@@ -79,7 +81,7 @@ def springs(
 def secant_stiffness(
     springs: LinearSoil | SoftClay | TabulatedSprings, displacement: float | None
 ) -> FloatArray:
-    """Resistance over a displacement (m), (k,) of the springs, N/m; of linear springs at any."""
+    """Ratio of resistance to displacement (m) of each spring, (k,), N/m; constant for linear springs."""
     if isinstance(springs, LinearSoil):
         return springs.stiffness
     if displacement is None:
@@ -94,7 +96,7 @@ def secant_stiffness(
 def ultimate_resistance(
     clay: Matlock, depth: FloatArray, diameter: float | FloatArray
 ) -> FloatArray:
-    """Largest resistance per length of conductor (N/m), shape of the depths below the mudline (m).
+    """Largest resistance per length of conductor (N/m), in the shape of the depths below the mudline (m).
 
     References
     ----------
@@ -110,12 +112,12 @@ def ultimate_resistance(
 
 
 def sand_coefficients(friction_angle: float) -> tuple[float, float, float]:
-    """C1, C2 and C3 of the ultimate resistance of sand, by its angle of internal friction (rad).
+    """C1, C2 and C3 of the ultimate resistance of sand, for an angle of internal friction (rad).
 
     References
     ----------
     Reese, Cox and Koop (1974), OTC 2080: a wedge near the mudline and flow deeper down; API RP 2A-WSD, 6.8.6,
-    draws the three as curves.
+    plots the three as curves.
     """
     phi, a, b = friction_angle, 0.5 * friction_angle, 0.25 * math.pi + 0.5 * friction_angle
     active = math.tan(0.25 * math.pi - 0.5 * phi) ** 2
@@ -128,7 +130,7 @@ def sand_coefficients(friction_angle: float) -> tuple[float, float, float]:
 
 
 def sand_resistance(sand: Sand, depth: FloatArray, diameter: FloatArray) -> FloatArray:
-    """A p_u of sand (N/m), the most that it resists, shape of the depths (m) and diameters (m)."""
+    """A p_u of sand (N/m), its largest resistance, in the shape of the depths (m) and diameters (m)."""
     c1, c2, c3 = sand_coefficients(sand.friction_angle)
     weight = sand.submerged_unit_weight * depth
     ultimate = np.minimum((c1 * depth + c2 * diameter) * weight, c3 * diameter * weight)
@@ -138,7 +140,7 @@ def sand_resistance(sand: Sand, depth: FloatArray, diameter: FloatArray) -> Floa
 
 
 def _py_of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPoly]:
-    """Curves of sand, by its values and slopes."""
+    """p-y curves of sand, interpolated by values and slopes."""
     from scipy.interpolate import CubicHermiteSpline, PPoly  # loaded where needed: it takes long
 
     most = sand_resistance(sand, depth, diameter)
@@ -147,14 +149,14 @@ def _py_of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPo
     curve = CubicHermiteSpline(share, rise, 1.0 - rise**2)
     found = []
     for p, stiffness in zip(most, sand.initial_modulus * depth, strict=True):
-        size = p / stiffness  # displacement of an argument of one (m)
+        size = p / stiffness  # displacement at which the argument of tanh is 1 (m)
         powers = np.array([size**-3, size**-2, 1.0 / size, 1.0])[:, None]
         found.append(PPoly(p * curve.c * powers, size * share))
     return found
 
 
 def _py_of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
-    """Curves of a table at depths (m): the cubics of both neighbours, straight between them."""
+    """p-y curves of a table at depths (m), interpolated linearly between the cubics of adjacent depths."""
     from scipy.interpolate import PchipInterpolator, PPoly  # loaded where needed: it takes long
 
     known = np.array([*of.curves])
@@ -184,7 +186,7 @@ def _py_of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
 def _tabulated(
     node: NDArray[np.int64], length: FloatArray, curves: list[PPoly]
 ) -> TabulatedSprings:
-    """Springs by curves per length of conductor, one a node."""
+    """Springs with curves per length of conductor, one for each node."""
     force = [own * curve.c for own, curve in zip(length, curves, strict=True)]
     energy = [own * curve.antiderivative().c for own, curve in zip(length, curves, strict=True)]
     return TabulatedSprings(
@@ -193,9 +195,9 @@ def _tabulated(
 
 
 def pile_length(soil: Soil, conductor: Section, bending: float) -> float:
-    """Length (4 EI / k)^(1/4) of a conductor in bending (m), with soil as stiff as a diameter deep.
+    """Length (4 EI / k)^(1/4) of a conductor in bending (m), with the soil stiffness k one diameter deep.
 
-    Of clay and sand at half of their resistance, of a table to its first point.
+    For clay and sand, k is the secant at half of the resistance; for a table, the secant to its first point.
     """
     of, diameter = soil.resistance, conductor.outer_diameter or 0.0
     deep = np.array([diameter])

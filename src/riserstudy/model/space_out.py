@@ -1,11 +1,11 @@
-r"""Space-out: where the ring is, and how long a telescopic joint, with the riser plumb and in equilibrium.
+r"""Space-out: elevation of the ring and length of a telescopic joint, with the riser vertical in equilibrium.
 
-A riser that is pulled by P at its ring stretches by
+Under the pull P at its ring, a riser stretches by
 
 .. math:: e = \sum_k \frac{L_k}{2 EA_k} (T_k^- + T_k^+),\qquad T(s) = P - \int_s^L w\,ds
 
-with the tensions at the ends of its sections; P depends on e by the law and the inclination of tensioners.
-The joint is then as long as what is left up to its top. Cylinders at mid-stroke pull by their own tension.
+with the tensions at the ends of its sections. P depends on e by the law and the inclination of tensioners.
+The joint has the length from the ring to its top. Cylinders at mid-stroke pull with their mid-stroke tension.
 
 References
 ----------
@@ -24,12 +24,12 @@ from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Arrangement, Tensioners
 
-HALVINGS = 60  # of the range in which the stretch is looked for
-FURTHEST = 0.05  # share of its length by which no riser stretches
+HALVINGS = 60  # number of halvings of the range in which the stretch is searched
+FURTHEST = 0.05  # upper limit of the stretch, as a share of the riser's length
 
 
 def joint_of(scene: Resolved) -> TelescopicJoint | None:
-    """The telescopic joint of a scene, by its length at mid-stroke; None without one."""
+    """The telescopic joint of a scene with its length at mid-stroke; None without a joint."""
     joint = scene.top.telescopic_joint
     if joint is None or joint.mid_stroke is None:
         return joint
@@ -39,10 +39,10 @@ def joint_of(scene: Resolved) -> TelescopicJoint | None:
 
 
 def ring_at_mid_stroke(scene: Resolved) -> float:
-    """Elevation (m) of the ring with all cylinders at mid-stroke, the riser plumb in still water.
+    """Elevation (m) of the ring with all cylinders at mid-stroke and the riser vertical in still water.
 
-    It is that of the rig, wherever its platform is and whatever flows: cylinders that start off the well,
-    or are brought there, have the same stroke.
+    It is a property of the rig, independent of offset and current. Cylinders of a platform that starts at an
+    offset, or moves to this offset, therefore have the same stroke.
     """
     rig, ring, constant = scene.top.tensioners, _unstretched(scene), _constant(scene)
     all_of_them = rig.count * tension_at_mid_stroke(rig, scene.gravity or 0.0) if rig else 0.0
@@ -54,21 +54,19 @@ def ring_at_mid_stroke(scene: Resolved) -> float:
 
 
 def stretch(scene: Resolved) -> float:
-    """By how much a riser is longer, plumb and in equilibrium under what pulls its ring (m)."""
+    """Stretch (m) of a vertical riser in equilibrium under the pull at its ring."""
     return _longer(scene, _pull(scene))
 
 
 def _longer(scene: Resolved, pull: Callable[[float], float]) -> float:
-    """By how much a plumb riser is longer (m) under a vertical pull at its ring (N), by how much it is."""
+    """Stretch (m) of a vertical riser; ``pull`` is the vertical pull at its ring (N) for a stretch."""
     most = FURTHEST * sum(section.total_length for section in scene.riser)
     low, high = -most, most
     place = scene.top.tensioners and scene.top.tensioners.arrangement
-    if place:  # above the deck ends cylinders would pull downwards
+    if place:  # with the ring above the deck, cylinders would pull downwards
         high = min(high, place.deck_elevation - _unstretched(scene))
-    with np.errstate(
-        invalid="ignore"
-    ):  # a gas volume that is closed pulls without bound: no number
-        for _ in range(HALVINGS):  # what pulls falls with the stretch
+    with np.errstate(invalid="ignore"):  # the pull of a gas volume of zero is infinite
+        for _ in range(HALVINGS):  # the pull decreases with the stretch
             middle = 0.5 * (low + high)
             within = _stretched_by(scene, pull(middle)) <= middle
             low, high = (low, middle) if within else (middle, high)
@@ -81,7 +79,7 @@ def _unstretched(scene: Resolved) -> float:
 
 
 def _stretched_by(scene: Resolved, pull: float) -> float:
-    """Stretch (m) of a plumb riser under a vertical pull at its ring (N)."""
+    """Stretch (m) of a vertical riser under a constant vertical pull at its ring (N)."""
     gravity = scene.gravity or 0.0
     water = scene.water.density if scene.water else 0.0
     body = scene.top.body
@@ -96,7 +94,7 @@ def _stretched_by(scene: Resolved, pull: float) -> float:
 
 
 def _pull(scene: Resolved) -> Callable[[float], float]:
-    """What pulls the ring vertically (N), by the stretch of the riser (m)."""
+    """Vertical pull at the ring (N), as a function of the stretch of the riser (m)."""
     rig, constant = scene.top.tensioners, _constant(scene)
     if rig is None:
         return lambda _: constant
@@ -115,12 +113,12 @@ def _pull(scene: Resolved) -> Callable[[float], float]:
 def _vertical(
     place: Arrangement, ring: float, pulls: Callable[[float], float]
 ) -> Callable[[float], float]:
-    """Vertical part of the pulls of inclined cylinders (N), by the stretch of the riser (m).
+    """Vertical pull of inclined cylinders (N), as a function of the stretch of the riser (m).
 
     Parameters
     ----------
     ring : elevation of the ring before the riser stretches (m).
-    pulls : of all cylinders along their axes (N), by their length (m).
+    pulls : pull of all cylinders together along their axes (N), as a function of their length (m).
     """
     aside = place.deck_radius - place.ring_radius
 
@@ -133,13 +131,13 @@ def _vertical(
 
 
 def _constant(scene: Resolved) -> float:
-    """What pulls the ring whatever its stroke (N)."""
+    """Pull at the ring that does not depend on the stroke (N)."""
     joint = scene.top.telescopic_joint
     return (scene.top.tension or 0.0) + ((joint.tension if joint else None) or 0.0)
 
 
 def _law(rig: Tensioners, gravity: float) -> Callable[[float], float]:
-    """Pull of one cylinder (N) by its reach (m)."""
+    """Pull of one cylinder (N), as a function of its reach (m)."""
     if rig.table:
         table = table_law(rig.table, rig.interpolation)
         return lambda reach: float(table(reach))

@@ -1,4 +1,4 @@
-"""Contact with stops, of tensioners and of a telescopic joint, at all steps or as far as outputs tell."""
+"""Warnings about contact with stops of tensioners and telescopic joint, at all time steps or at outputs."""
 
 from __future__ import annotations
 
@@ -9,19 +9,20 @@ from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.tensioners import Tensioners
 
 FloatArray = NDArray[np.float64]
-MEET, PART = 0.5, 2.0  # of its length, between which two barrels can be
+# shortest and longest possible joint of two barrels, as multiples of its length
+MEET, PART = 0.5, 2.0
 
 
 def stops_touched(
     rig: Tensioners, reach: FloatArray, time: FloatArray | None = None, all_steps: bool = False
 ) -> list[str]:
-    """A warning when cylinders are at their end stops.
+    """A warning when cylinders reach their end stops.
 
     Parameters
     ----------
-    reach : of the cylinders, (c,) at rest or (k, c) over time (m).
-    time : (k,) of the outputs or steps (s); contact between two of them is not seen.
-    all_steps : whether these are all steps of the run.
+    reach : extension of the cylinders, (c,) at rest or (k, c) over time (m).
+    time : (k,) times of the outputs or time steps (s); contact between two of them is not detected.
+    all_steps : whether these are all time steps of the run.
     """
     if rig.stroke is None:
         return []
@@ -36,13 +37,13 @@ def joint_stops_touched(
     time: FloatArray | None = None,
     all_steps: bool = False,
 ) -> list[str]:
-    """Warnings when a telescopic joint is at a stop, one for each.
+    """Warnings when a telescopic joint reaches a stop, one for each stop.
 
     Parameters
     ----------
-    length : of the joint, (1,) at rest or (k, 1) over time (m).
-    time : (k,) of the outputs or steps (s); contact between two of them is not seen.
-    all_steps : whether these are all steps of the run.
+    length : length of the joint, (1,) at rest or (k, 1) over time (m).
+    time : (k,) times of the outputs or time steps (s); contact between two of them is not detected.
+    all_steps : whether these are all time steps of the run.
     """
     if joint.stop is None:
         return []
@@ -64,12 +65,13 @@ def joint_stops_touched(
 def beyond_its_barrels(joint: TelescopicJoint, length: FloatArray) -> list[str]:
     """Warnings when a joint without a stop is shorter or longer than two barrels can be.
 
-    At its length they overlap. Compressed, it is as long as the longer barrel, which is more than half of its
-    length; drawn out, it is as long as both together, which is less than twice its length.
+    At the joint's length, the barrels overlap. Fully compressed, the joint is as long as the longer barrel,
+    which is more than half of its length. Fully extended, it is as long as both barrels together, which is
+    less than twice its length.
 
     Parameters
     ----------
-    length : of the joint, any shape (m).
+    length : length of the joint, any shape (m).
     """
     stop, sentences = joint.stop, []
     shortest, longest = float(length.min()), float(length.max())
@@ -88,7 +90,7 @@ def beyond_its_barrels(joint: TelescopicJoint, length: FloatArray) -> list[str]:
 def _forces_in_words(
     stop: str, force: FloatArray, each: str, time: FloatArray | None, all_steps: bool
 ) -> list[str]:
-    """A sentence on forces (N), the columns over time, where there is any."""
+    """A sentence about forces (N), one column each over time; "" without forces."""
     if not force.any():
         return []
     if time is None:

@@ -1,4 +1,4 @@
-"""What holds the riser's ends, and the unknowns that solvers leave alone for it."""
+"""Supports of the riser's ends, and the unknowns that solvers therefore do not change."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from riserstudy.model.model import Effect, Report
 from riserstudy.model.platform_motion import centre
 from riserstudy.model.vessel import unknowns
 
-#: place and speed of a vessel without its first-order motion, direction by direction
+#: names of position and speed of a vessel without its first-order motion, direction by direction
 LOW_FREQUENCY = (
     "low_frequency_surge",
     "low_frequency_speed_x",
@@ -22,11 +22,11 @@ LOW_FREQUENCY = (
     "low_frequency_speed_y",
 )
 
-Pairs = list[tuple[int, int]]  # (node, unknown); moments count before positions
+Pairs = list[tuple[int, int]]  # (node, unknown); moments are numbered before positions
 
 
 class Hold(NamedTuple):
-    """Where and in which of x, y, z a node is held, and which of them follow the platform."""
+    """A held node, the directions x, y, z in which it is held, and those that follow the platform."""
 
     node: int
     place: list[float]  # m
@@ -36,7 +36,7 @@ class Hold(NamedTuple):
 
 
 def holds(of: Layout) -> Iterator[Hold]:
-    """How the ends are held."""
+    """Supports of the riser's ends."""
     bottom, top = of.scene.bottom, of.scene.top
     if bottom.hold in ("wellhead", "foot"):
         sideways = bottom.hold == "wellhead"
@@ -52,16 +52,16 @@ def holds(of: Layout) -> Iterator[Hold]:
 
 
 def top_at_rest(of: Layout) -> list[float]:
-    """Where the upper end is at rest with the platform in its place (m).
+    """Position of the upper end at rest, with the platform in its rest position (m).
 
-    Free in z, it turns with the platform from where the riser ends before it stretches.
+    If the upper end is free in z, its elevation is that of the unstretched riser.
     """
     high = of.bottom + float(of.mesh.l0.sum()) if of.top is None else of.top
     return [of.scene.top.offset or 0.0, 0.0, high]
 
 
 def first_order(of: Layout, report: Report) -> Iterator[Effect]:
-    """First-order motion of the platform beside that of a vessel; ``report`` as `model.vessel` takes it."""
+    """First-order motion of the platform, added to that of a vessel; ``report`` as in `model.vessel`."""
     if of.scene.vessel is None or of.scene.platform is None:
         return
     rest = np.array(top_at_rest(of))
@@ -73,7 +73,7 @@ def first_order(of: Layout, report: Report) -> Iterator[Effect]:
 
 
 def supports(of: Layout) -> Iterator[Effect]:
-    """Effects that keep held nodes in their places."""
+    """Effects that hold nodes in their positions."""
     axes = np.array(AXES[of.d])
     for hold in holds(of):
         record = Support(
@@ -89,7 +89,7 @@ def supports(of: Layout) -> Iterator[Effect]:
 
 
 def fixed(of: Layout) -> Pairs:
-    """Unknowns that stay as they are: held positions, moments of ends that turn freely, loose nodes."""
+    """Unknowns that solvers do not change: held positions, moments of free ends, unused loose unknowns."""
     pairs = [
         (hold.node, of.m + k)
         for hold in holds(of)
@@ -105,5 +105,5 @@ def fixed(of: Layout) -> Pairs:
 
 
 def afloat(of: Layout) -> Pairs:
-    """Unknowns that are free because a vessel floats, though held at rest."""
+    """Unknowns that are free in a dynamic run because a vessel floats, but held in statics."""
     return [(node, of.m + k) for node, k in unknowns(of.scene, of.d, of.last)]

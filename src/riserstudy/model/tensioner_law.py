@@ -1,4 +1,4 @@
-"""The law of one tensioner cylinder: its pull over its reach, and the straight line in its place."""
+"""The law of one tensioner cylinder: its pull over its reach, and the linearised law."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ FloatArray = NDArray[np.float64]
 
 
 def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
-    """Force of the gas of one cylinder (N), shape of its reach from mid-stroke (m): theory (12), (12a)."""
+    """Gas force of one cylinder (N), in the shape of its reach from mid-stroke (m): theory (12), (12a)."""
     if isinstance(gas, TwoChamberGas):
         up, down, k = gas.high, gas.low, gas.exponent
         high = (up.volume / (up.volume - up.area * reach)) ** k
@@ -29,7 +29,7 @@ def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
 
 
 def table_law(table: list[TableRow], interpolation: str | None = None) -> PPoly:
-    """Force of one cylinder (N) over its reach (m): the table joined, and straight pieces at its ends.
+    """Force of one cylinder (N) over its reach (m): the interpolated table, continued linearly at its ends.
 
     ``interpolation``: ``linear``, else the monotone cubic.
     """
@@ -52,7 +52,7 @@ def table_law(table: list[TableRow], interpolation: str | None = None) -> PPoly:
 
 
 def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
-    """A warning when cylinders, by their reach (m), any shape, leave their table."""
+    """A warning when the reach of cylinders (m), of any shape, is outside of their table."""
     if rig.table is None:
         return []
     first, last = rig.table[0].reach, rig.table[-1].reach
@@ -65,9 +65,9 @@ def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
 
 
 def linear_law(rig: Tensioners, gravity: float = 0.0) -> tuple[float, float]:
-    """Tension at mid-stroke (N) and stiffness (N/m) of one cylinder made linear; gravity acts on pistons.
+    """Tension at mid-stroke (N) and stiffness (N/m) of one linearised cylinder; gravity acts on pistons.
 
-    Least squares are those of the continuous law over the stroke range.
+    A least-squares line is fitted to the continuous law over the stroke range.
     """
     if rig.linear:
         return rig.linear.tension, rig.linear.stiffness

@@ -50,9 +50,9 @@ def tensioners(of: Layout) -> Iterator[Effect]:
 
 
 def laws(rig: Tensioners, gravity: float, throttled: Iterable[Effect] = ()) -> Iterator[Effect]:
-    """How each cylinder pulls, with the gravity (m/s2) that acts on pistons.
+    """The laws that give the pull of each cylinder, with the gravity (m/s2) that acts on pistons.
 
-    ``throttled``: what acts on the pull of the gas alone.
+    ``throttled``: effects on the pull of the gas alone, such as a recoil valve.
     """
     each = np.array(rig.working)
     record: Any
@@ -98,7 +98,7 @@ def laws(rig: Tensioners, gravity: float, throttled: Iterable[Effect] = ()) -> I
 
 
 def outside(force: NDArray[np.float64], name: str, why: str) -> Iterator[Effect]:
-    """What the pressure around takes off the pull of gas, (cylinders,), N."""
+    """The reduction of the gas pull by the external pressure, (cylinders,), N."""
     if np.any(force):
         yield Effect(name, LinearSpring(-force, np.zeros(len(force))), why)
 
@@ -135,16 +135,16 @@ def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:
 
 
 def upright(rig: Tensioners, ring: int, elevation: float) -> Effect:
-    """Cylinders that stay upright, at mid-stroke with the ring at an elevation (m)."""
+    """Vertical cylinders, at mid-stroke when the ring is at an elevation (m)."""
     record = Upright(ring, np.full(rig.count, elevation))
     return Effect("tensioner cylinders", record, "top.tensioners")
 
 
 def in_space(of: Layout, rig: Tensioners, place: Arrangement, elevation: float) -> CylindersInSpace:
-    """Cylinders in space, at mid-stroke with the ring at an elevation (m) below the middle of the deck.
+    """Cylinders in space, at mid-stroke when the ring is at an elevation (m) below the centre of the deck.
 
-    That middle is straight above the riser's top: an offset of the top is one of what it hangs from, and
-    places count from a vessel if there is one.
+    The centre of the deck is vertically above the riser's top, so an offset of the top moves the deck, too.
+    In a scene with a vessel, positions are relative to the vessel.
     """
     top, vessel = of.scene.top, of.last if of.scene.vessel else 0
     middle = np.zeros((3, 1))

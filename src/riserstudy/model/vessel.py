@@ -1,4 +1,4 @@
-"""The records of a platform that floats freely, its thrusters, and the riser that it twists."""
+"""The records of a freely floating platform: hull, thrusters, and torsion of the riser."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ SWAY = 1  # direction
 
 
 def loose_nodes(scene: Resolved, d: int) -> int:
-    """Nodes beyond the riser: yaw and the lag of the thrust share one, the lag of the moment is one more."""
+    """Number of nodes beyond the riser: one for yaw and lag of the thrust, one for the lag of the moment."""
     of = scene.vessel
     if of is None:
         return 0
@@ -34,7 +34,7 @@ def loose_nodes(scene: Resolved, d: int) -> int:
 
 
 def unknowns(scene: Resolved, d: int, top: int) -> list[tuple[int, int]]:
-    """(node, direction) pairs that are free because the vessel is, though held at rest."""
+    """(node, direction) pairs that are free in a dynamic run of a floating vessel, but held in statics."""
     of = scene.vessel
     if of is None:
         return []
@@ -50,13 +50,13 @@ def unknowns(scene: Resolved, d: int, top: int) -> list[tuple[int, int]]:
 
 
 def floating(scene: Resolved, d: int, node: int, probe: Report) -> Iterator[Effect]:
-    """Effects of a vessel at a node; ``probe`` takes names and tells where they are reported."""
+    """Effects of a vessel at a node; ``probe`` reserves reported values by name and returns their index."""
     of = scene.vessel
     if of is None:
         return
     sway, yaw = of.sway or scenes.Sway(), of.yaw if d == 3 else None
     inertia = yaw.inertia + (yaw.added_inertia or 0.0) if yaw else 0.0
-    # of the inertia, so that the arc of the yaw has the inertia of the mass
+    # radius of gyration: the arc of the yaw then has the vessel's mass as its inertia
     radius = math.sqrt(inertia / of.mass) if yaw else 1.0
     loose = node + 1 if yaw else 0
     names = [f"{name}_{axis}" for axis in "xy"[: d - 1] for name in AHEAD]
@@ -103,7 +103,7 @@ def _thrusters(
     d: int,
     probe: Report,
 ) -> Iterator[Effect]:
-    """Thrust in the plane, moment on the yaw."""
+    """Effects of thrust in the horizontal plane, and of the moment about the vertical axis."""
     across = law.sway.gain if law.sway else 0.0
     slowing = (law.sway.velocity_gain or 0.0) if law.sway else 0.0
     count = 2 if of.sway and d == 3 else 1
@@ -148,11 +148,11 @@ def _surface_current(scene: Resolved) -> FloatArray:
 
 
 def _towards(size: float, heading: float | None) -> FloatArray:
-    """A vector in x and y."""
+    """The vector in x and y of a size along a heading."""
     return size * np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])
 
 
 def _turned(along: float, across: float, heading: float) -> FloatArray:
-    """Coefficients along and across the hull as a matrix in x and y."""
+    """The matrix in x and y of coefficients along and across the hull."""
     ahead, aside = _towards(1.0, heading), _towards(1.0, heading + 0.5 * math.pi)
     return along * np.outer(ahead, ahead) + across * np.outer(aside, aside)

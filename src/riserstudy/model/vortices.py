@@ -1,4 +1,4 @@
-"""Vortices of a riser's sections: lift, varying drag, and the phases that these begin with."""
+"""Vortex forces on a riser's sections: lift, varying drag, and their initial phases."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
 FloatArray = NDArray[np.float64]
-#: coefficient and frequencies of a section's force, and the rest of what it sheds by; None of one without
+#: coefficient and frequencies of a section's force, and its other inputs; None for a section without force
 Shed = tuple[float, list[float], VortexInducedVibration] | None
-VORTICES = 10  # over which lift comes up where the scene does not say
-PLACES = 200  # of a section, at which the current is looked at
-IDLE = 0.01  # of the power that vortices take
-WAVES = 16  # cosines along the riser of which phases at the begin are made
+VORTICES = 10  # default ramp of the lift, in shedding periods
+PLACES = 200  # number of places along a section at which the current is evaluated
+IDLE = 0.01  # share of the vortices' power that is neglected
+WAVES = 16  # number of cosines along the riser whose sum is the initial phase
 
 
 def vortex_forces(of: Layout) -> Iterator[Effect]:
-    """Lift, and varying drag, of the sections that shed vortices, in space."""
+    """Lift and varying drag of the sections that shed vortices, in a model in space."""
     sections = [section.viv for section in of.scene.riser]
     if of.d < 3:
         return
@@ -46,7 +46,7 @@ def vortex_forces(of: Layout) -> Iterator[Effect]:
 
 
 def _record(of: Layout, each: list[Shed], first: int) -> tuple[Any, ...]:
-    """Fields of a record of either force, of what sections shed.
+    """Fields of the record of one of the forces, from the inputs of the sections.
 
     Parameters
     ----------
@@ -66,13 +66,13 @@ def _record(of: Layout, each: list[Shed], first: int) -> tuple[Any, ...]:
 
 
 def _column(frequencies: list[float], viv: VortexInducedVibration) -> list[float]:
-    """Diameter (m), free frequency, how far it falls and rises, and memory (1)."""
+    """Diameter (m), free frequency, its largest decrease and increase, and memory (1)."""
     low, free, high = frequencies
     return [viv.diameter, free, free - low, high - free, viv.memory]
 
 
 def at_nodes(mesh: Mesh, values: FloatArray, there: NDArray[np.bool_]) -> FloatArray:
-    """Values of sections (sections, k), in their unit, at the nodes (k, n+1): means by length."""
+    """Values of sections, (sections, k), at the nodes, (k, n+1): means by length, in the same unit."""
     section = np.minimum(mesh.section, len(values) - 1)
     length = np.where(there[section] & (mesh.section < len(values)), mesh.l0, 0.0)
     weight = np.zeros(len(mesh.l0) + 1)
@@ -84,12 +84,12 @@ def at_nodes(mesh: Mesh, values: FloatArray, there: NDArray[np.bool_]) -> FloatA
 
 
 def shedding(scene: Resolved) -> list[VortexInducedVibration]:
-    """What sections shed vortices by; ramp and seed are the same in all of them."""
+    """Inputs of the sections that shed vortices; ramp and seed are the same in all of them."""
     return [section.viv for section in scene.riser if section.viv]
 
 
 def ramp_of(scene: Resolved) -> float:
-    """Time over which lift comes up (s)."""
+    """Time over which the lift increases to its full value (s)."""
     ramp = shedding(scene)[0].ramp
     if ramp is not None:
         return ramp
@@ -99,9 +99,9 @@ def ramp_of(scene: Resolved) -> float:
 
 
 def shedding_period(scene: Resolved, free: bool = False) -> float:
-    """Shortest period of vortices in the current (s), infinite for none.
+    """Shortest period of vortices in the current (s); infinite without vortices.
 
-    ``free``: that of lift on a riser at rest; else of the highest frequency of lift or varying drag.
+    ``free``: period of the lift on a riser at rest; else of the highest frequency of lift or varying drag.
     """
     if scene.current is None or not shedding(scene):
         return math.inf
@@ -115,9 +115,9 @@ def shedding_period(scene: Resolved, free: bool = False) -> float:
 
 
 def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
-    """Share of the riser's length (1) along which vortices of the current may lift it at a frequency (Hz).
+    """Share of the riser's length (1) along which vortices can excite it at a frequency (Hz).
 
-    ``edge``: by which part of it the frequency may lie outside of theirs.
+    ``edge``: relative margin by which the frequency may be outside the range of the vortices.
     """
     if scene.current is None:
         return 0.0
@@ -135,11 +135,12 @@ def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
 
 
 def slowest(scene: Resolved) -> float:
-    """Frequency (Hz) of the slowest motion that vortices of the current make: slower motion is no vibration.
+    """Lowest frequency (Hz) of vortex-induced vibration in the current; slower motion is not counted as such.
 
-    Half of the lowest frequency at which they lift the riser where it takes power from the flow, as the
-    cube of the speed; places that are slower take no more than `IDLE` of it. As the vibration grows and
-    falls, so does the drag, and the riser swings along the flow more slowly than that. 0 without current.
+    It is half of the lowest synchronisation frequency along the riser. Places with slow flow are neglected
+    that together receive at most the share `IDLE` of the power, which is proportional to the cube of the
+    speed. A vibration whose amplitude varies also varies the drag, and the riser then moves along the flow
+    more slowly than this frequency. 0 without current.
     """
     if scene.current is None or not shedding(scene):
         return 0.0
@@ -180,7 +181,7 @@ def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
 
 
 def first_phases(scene: Resolved, mesh: Mesh, model: Model) -> None:
-    """Give a model the phases that its lift begins with: smooth along the riser, whatever the mesh."""
+    """Set the initial phases of the lift in a model: smooth along the riser, and the same on any mesh."""
     if not len(model.s.internal):
         return
     random = np.random.default_rng(shedding(scene)[0].seed)

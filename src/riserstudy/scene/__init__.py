@@ -1,1 +1,1 @@
-"""Scenes: what is there, in the units of its source, and where each value comes from."""
+"""Scenes: the parts of a riser system, in the units of their source, with the origin of each value."""

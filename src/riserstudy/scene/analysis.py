@@ -1,4 +1,4 @@
-"""What is computed, and how."""
+"""Settings of the computation: duration, mesh, method and output."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 
 MOST_OUTPUTS = 1_000_000
 MOST_STEPS = 1_000_000_000
-MOST_PERIODS = 40_000_000  # of the shortest motion, each of 24 steps or more
-MOST_VALUES = 300_000_000  # of a history at all its times and places: 2.4 GB
+# largest number of periods of the shortest motion, each of 24 time steps or more
+MOST_PERIODS = 40_000_000
+MOST_VALUES = 300_000_000  # largest number of values of a history over all times and places: 2.4 GB
 
 
 class Layers(Strict):

@@ -1,4 +1,4 @@
-"""A scene at rest: what it is before anything moves, whatever its run begins with."""
+"""A scene at rest: platform in calm water and full current, however the run itself begins."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ from riserstudy.scene.resolve import Resolved
 
 
 def at_rest(scene: Resolved) -> Resolved:
-    """The scene with its platform where it is in calm water, and with the whole of its current.
+    """The scene with its platform in its position in calm water, and with its full current.
 
-    A run begins wherever a motion without a ramp is at its start, and before a current with a ramp flows.
+    A run itself can begin in another state: a motion without a ramp may start displaced, and a current with
+    a ramp starts from zero.
     """
     changed: dict[str, Any] = {}
     if scene.platform:

@@ -10,7 +10,8 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene.base import Positive
 from riserstudy.scene.riser import Section
 
-#: share of the dry weight that is left along the riser, and that the top tension is a multiple of
+#: for each interpretation, functions of the factor: the share of the dry weight that remains along the riser,
+#: and the share of the dry weight that the tension ratio multiplies
 READINGS = {
     "R1": lambda b: (1.0 - b, 1.0 - b),
     "R2": lambda b: (b, b),

@@ -1,4 +1,4 @@
-"""Damping in proportion to stiffness, that of the pipe and of the soil."""
+"""Damping in proportion to stiffness, of the pipe and of the soil."""
 
 from __future__ import annotations
 
@@ -18,5 +18,5 @@ class DampingAtPeriod(Strict):
 
     @property
     def time(self) -> float:
-        """Damping over stiffness (s)."""
+        """Ratio of damping to stiffness (s)."""
         return self.ratio * self.at_period / math.pi

@@ -1,4 +1,4 @@
-"""The emergency disconnect: the lower end lets go of the stack while the scene goes on."""
+"""The emergency disconnect: the wellhead releases the lower end during the run."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 
-SAME = 1e-9  # share of a period by which a phase may be missed
+SAME = 1e-9  # share of a period within which a phase counts as reached
 
 
 class Valve(Strict):
@@ -91,7 +91,7 @@ class Disconnect(Strict):
     stack: Stack | None = None
 
     def timed(self, period: float, phase: float) -> Disconnect:
-        """The release at the time of its phase, under a heave of a period (s) and a first phase (rad)."""
+        """The release at the time of its phase, in heave of a period (s) with an initial phase (rad)."""
         turn = ((self.phase or 0.0) - phase) / (2.0 * math.pi)
         turns = math.ceil(self.at / period - turn - SAME)
         return self.model_copy(update={"at": (turns + turn) * period})

@@ -1,4 +1,4 @@
-"""What holds the riser's ends and what is attached to them."""
+"""The riser's ends: their supports, and the bodies attached to them."""
 
 from __future__ import annotations
 
@@ -64,9 +64,10 @@ class Body(Strict):
 
     @property
     def reach(self) -> float:
-        """Distance from the riser's end to the centre of percussion (m), 0 for a point.
+        """Distance from the riser's end to the body's centre of percussion (m), 0 for a point.
 
-        Two masses, at the end and there, with the same sum and centre have the same rotary inertia.
+        Two point masses, one at the end and one at the centre of percussion, with the body's mass and centre
+        of mass have the body's rotary inertia, too.
         """
         if self.centre_below is None:
             return 0.0
@@ -76,11 +77,11 @@ class Body(Strict):
 
     @property
     def weightless(self) -> bool:
-        """Whether nothing tells its weight."""
+        """Whether the scene gives nothing that its weight follows from."""
         return self.submerged_weight is None and self.displaced_volume is self.density is None
 
     def weight(self, gravity: float, water: float) -> float:
-        """Weight in water of a density (N)."""
+        """Submerged weight (N); ``gravity`` in m/s2, density of the ``water`` in kg/m3."""
         displaced = self.mass / self.density if self.density else self.displaced_volume
         if displaced is None:
             return self.submerged_weight or 0.0

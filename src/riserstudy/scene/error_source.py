@@ -1,4 +1,4 @@
-"""Which file is at fault: the scene, the layer or the table that set what a scene cannot have."""
+"""The file that an error belongs to: the scene, layer or table that set the wrong value."""
 
 from __future__ import annotations
 
@@ -16,12 +16,14 @@ from riserstudy.scene.paths import within, without_indices
 def attribute_error(
     error: InputError, layers: dict[str, str], tables: dict[str, str]
 ) -> InputError:
-    """The same error at the file that set the value, or at the scene together with those that may have.
+    """The same error, located at the file that set the value.
+
+    Where this file is not certain, the error names the scene together with all files that may have set it.
 
     Parameters
     ----------
-    layers : names of what sets values on top of a scene, by path.
-    tables : files that stand in for values, by path.
+    layers : names of the layers that override values of the scene, by path.
+    tables : files that replace values, by path.
     """
     every = layers | tables
     if error.also:
@@ -40,7 +42,7 @@ def attribute_error(
 
 
 def _between(error: InputError, every: dict[str, str]) -> InputError:
-    """An error of several places, at the scene together with each file that set one of them."""
+    """An error about several fields, located at the scene together with each file that set one of them."""
     places = (error.field, *error.also)
     files = {
         file
@@ -52,7 +54,7 @@ def _between(error: InputError, every: dict[str, str]) -> InputError:
 
 
 def _together(error: InputError, files: set[str]) -> str:
-    """The scene's file, with what set values on top of it."""
+    """The scene's file, with the files and layers that set values in it."""
     return f"{error.where} with {', '.join(sorted(files))}" if files else error.where
 
 
@@ -61,7 +63,7 @@ def is_known(path: str) -> bool:
     """Whether a scene can have something at a dotted path."""
     models: list[type[BaseModel]] = [Scene]
     for name in without_indices(path).split("."):
-        if not models:  # below plain data anything may stand
+        if not models:  # below plain data, any name is possible
             return True
         kinds = [m.model_fields[name].annotation for m in models if name in m.model_fields]
         if not kinds:

@@ -1,4 +1,4 @@
-"""Fatigue: details of the wall, their S-N curves, and where they are."""
+"""Fatigue: details of the wall, their S-N curves and their places."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
     pass
 
 DATA_FILES = ("sn_curves.yaml",)
-A_PERIOD = 8  # outputs, at least: fewer cut the peaks of stress off
+A_PERIOD = 8  # smallest number of outputs in a period: with fewer, outputs miss the peaks of stress
 
 
 class SNCurve(NamedTuple):
-    """Lines log10 N = log_a - m log10 S, S in MPa; the one with more cycles counts, as beyond the knee."""
+    """Lines log10 N = log_a - m log10 S, S in MPa; at each S the line with more cycles N applies."""
 
     exponents: tuple[float, ...]  # one or two, rising
     log_a: tuple[float, ...]
@@ -33,7 +33,7 @@ class SNCurve(NamedTuple):
     thickness_exponent: float
 
     def times(self, thickness: float) -> float:
-        """Factor (1) on the stress range of a thickness (m); below that of reference there is none."""
+        """Factor (1) on the stress range for a thickness (m); 1 up to the reference thickness."""
         over = max(thickness / self.reference_thickness, 1.0)
         return math.pow(over, self.thickness_exponent)
 
@@ -148,7 +148,7 @@ class Detail(Strict):
         return self
 
     def sections(self, names: Sequence[str]) -> list[str]:
-        """Those of a riser's sections, named from below, that have it; ValueError where there is none."""
+        """Names of the sections with this detail, of all ``names`` from below; ValueError if none has it."""
         return sections_at(self.at, names)
 
 

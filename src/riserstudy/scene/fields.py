@@ -1,4 +1,4 @@
-"""What a scene holds at a dotted path: how its models read a value there, and in which SI unit."""
+"""The field of a scene at a dotted path: how its models read a value there, and in which SI unit."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ from riserstudy.scene.paths import is_path, steps
 from riserstudy.scene.units import Unit
 
 
-@lru_cache(100_000, typed=True)  # True is not 1; samples are those of many studies
+# typed: True is not 1; large: the samples of many studies pass through here
+@lru_cache(100_000, typed=True)
 def in_si(path: str, value: Any) -> tuple[float | None, str | None]:
-    """The SI value of what stands at a path of a scene, and its unit; None for text."""
+    """The SI value of a scene's value at a path, and its SI unit; (None, None) for text and booleans."""
     if isinstance(value, bool):
         return None, None
     if isinstance(value, int | float):
@@ -34,7 +35,7 @@ def in_si(path: str, value: Any) -> tuple[float | None, str | None]:
 
 @cache
 def _readers(path: str) -> list[tuple[Any, str]]:
-    """How a scene reads text at a path, as its models say; several where it may be one of several."""
+    """Functions by which a scene's models read text at a path, with SI units; one per possible type."""
     if not is_path(path):
         return []
     kinds: list[tuple[Any, list[Any]]] = [(Scene, [])]
@@ -47,7 +48,7 @@ def _readers(path: str) -> list[tuple[Any, str]]:
 
 
 def _into(kind: Any, step: str | int) -> Iterator[tuple[Any, list[Any]]]:
-    """Types that stand one step below a type, with their metadata."""
+    """Types one step of a path below a type, with their metadata."""
     if isclass(kind) and issubclass(kind, BaseModel) and step in kind.model_fields:
         field = kind.model_fields[str(step)]
         yield from _apart(field.annotation, field.metadata)
@@ -59,7 +60,7 @@ def _into(kind: Any, step: str | int) -> Iterator[tuple[Any, list[Any]]]:
 
 
 def _apart(kind: Any, marks: list[Any]) -> Iterator[tuple[Any, list[Any]]]:
-    """The types of a union, and of what is annotated, with the metadata of each."""
+    """The types inside a union or an annotated type, each with its metadata."""
     if get_origin(kind) is Annotated:
         inner, *more = get_args(kind)
         for extra in more:

@@ -1,4 +1,4 @@
-"""What moves: platform and water."""
+"""Motions and flow: platform, water and current."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Positive
 from riserstudy.scene.rao import Response
 from riserstudy.scene.sea import WindDrift
 
-SMOOTH = 1e-6  # sine of a phase below which a motion sets in without a jolt
+SMOOTH = 1e-6  # sine of a phase below which a motion starts without a jump
 
 
 class Water(Strict):
@@ -46,7 +46,7 @@ class Harmonic(Strict):
 
     @property
     def jolts(self) -> list[float]:
-        """Times at which velocity or acceleration jumps (s): a half cosine begins and ends with a kink."""
+        """Times (s) at which velocity or acceleration jumps: start and end of the half cosine."""
         if self.ramp is None:
             return [0.0]
         phase = self.phase or 0.0
@@ -215,7 +215,7 @@ class Platform(Strict):
 
     @property
     def sudden(self) -> list[tuple[str, str]]:
-        """Lines by which a motion starts from rest with a speed, and the motion; time series aside."""
+        """Keys by which a motion starts with a speed, each with the motion; time series are not included."""
         names = [(name, name) for name, motion in self.harmonics if motion.sudden]
         if self.cruise and self.cruise.sudden:
             names.append(("cruise", "surge"))
@@ -224,7 +224,7 @@ class Platform(Strict):
         return names
 
 
-TURN = math.tau * (1.0 + 1e-9)  # rad, rounding told apart
+TURN = math.tau * (1.0 + 1e-9)  # rad, a full turn with room for rounding
 
 
 class Point(Strict):
@@ -250,7 +250,7 @@ class Point(Strict):
 
 
 def _within_a_turn(name: str, angle: float | None) -> None:
-    """See that an angle is no number of degrees in a column of radians."""
+    """Check that an angle is at most a turn, and so no number of degrees in a column of radians."""
     if angle is not None and abs(angle) > TURN:
         raise Misfit(
             "",
@@ -313,7 +313,7 @@ class Current(Strict):
 
     @property
     def towards(self) -> float:
-        """Where it flows to, from x towards y (rad)."""
+        """Direction that it flows to, from x towards y (rad)."""
         return (self.heading or 0.0) + (math.pi if self.headings == "from" else 0.0)
 
     @property
@@ -325,7 +325,7 @@ class Current(Strict):
 
     @property
     def directions(self) -> list[float]:
-        """Where it flows to at its points, from x towards y (rad), as its table has them; none by name."""
+        """Direction (rad, from x towards y) that it flows to at each row of `table`; empty without points."""
         points = self.profile if isinstance(self.profile, list) else []
         turn = math.pi if self.headings == "from" else 0.0
         angles = [self.towards if p.direction is None else p.direction + turn for p in points]
@@ -333,14 +333,14 @@ class Current(Strict):
 
     @property
     def leaves_plane(self) -> str:
-        """The line by which it flows across the plane of x and z, "" where it does not."""
+        """The key by which it flows out of the plane of x and z; "" where it stays in the plane."""
         if not self.turns:
             return "heading" if abs(math.sin(self.heading or 0.0)) > ALONG_X else ""
         across = any(abs(math.sin(angle)) > ALONG_X for angle in self.directions)
         return "profile" if across or not isinstance(self.profile, list) else ""
 
     def table(self, water: Water | None) -> tuple[list[float], list[float]]:
-        """Rising elevations (m) and speeds (m/s) of a profile by points."""
+        """Increasing elevations (m) and their speeds (m/s), of a profile by points."""
         points = self.profile if isinstance(self.profile, list) else []
         if self.by_depth:
             points = points[::-1]
@@ -350,12 +350,12 @@ class Current(Strict):
 
     @property
     def by_depth(self) -> bool:
-        """Whether its points count from the mean level of the water."""
+        """Whether its points are given by depth below the mean water level."""
         return isinstance(self.profile, list) and self.profile[0].depth is not None
 
     @property
     def parts(self) -> list[Shape | WindDrift]:
-        """Named profiles that add up; none where it is a table."""
+        """Named profiles whose sum is the profile; empty where it is given by points."""
         if isinstance(self.profile, list):
             return []
         return self.profile.sum if isinstance(self.profile, Combined) else [self.profile]

@@ -7,18 +7,18 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
-ROUNDED = 1.0  # m, to which decks are drawn
+ROUNDED = 1.0  # m, to which papers round elevations of decks
 
 
 class Span(NamedTuple):
-    """Elevations of a riser's ends, as given or as they are before it stretches (m)."""
+    """Elevations of a riser's ends (m), as given or, where they are not given, of the unstretched riser."""
 
     bottom: float
     top: float
 
 
 def span(scene: Parts) -> Span | None:
-    """Elevations of the riser's ends; None where its top hangs at no elevation."""
+    """Elevations of the riser's ends; None where the scene gives neither elevation."""
     length = length_of(scene)
     top = scene.top.elevation
     if scene.bottom.elevation is None:
@@ -39,6 +39,6 @@ def levels(scene: Parts, k: int) -> tuple[float, float] | None:
 
 
 def length_of(scene: Parts) -> float:
-    """From end to end along the riser, with its telescopic joint (m)."""
+    """Length along the riser from end to end, with its telescopic joint (m)."""
     joint = scene.top.telescopic_joint
     return sum(s.total_length for s in scene.riser) + (joint.length if joint else 0.0)

@@ -1,4 +1,4 @@
-"""What the output of a limit needs of its scene."""
+"""The inputs that a scene must give for the output of a limit."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 def lacks(scene: Parts, limit: Limit) -> list[str]:
-    """What a scene lacks for the output of a limit, by its fields; empty where it should be there."""
+    """The fields that a scene lacks for the output of a limit; empty where the output can be computed."""
     name = limit.output
     if name == "von_mises_stress":
         names = limit.sections([section.name for section in scene.riser])

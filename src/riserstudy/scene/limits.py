@@ -1,4 +1,4 @@
-"""Limits: what an output may be, in which mode of operation."""
+"""Limits: the allowable value of an output, and the mode of operation that it applies to."""
 
 from __future__ import annotations
 
@@ -12,16 +12,17 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.units import to_si
 
-#: outputs that may have a limit, and the unit that its text is read in
+#: outputs that may have a limit, with the SI unit that the text of the limit is converted to
 UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit}
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
-#: of which there is a value at every place along the riser
+#: outputs that have a value at every place along the riser
 ALONG = tuple(name for name in UNITS if QUANTITIES[name].along)
-#: of which a limit without a place is one of the riser alone: a stack and conductor stand, in other steel
+#: outputs of which a limit without a place covers only the riser: stack and conductor are of other steel and
+#: stand on the seabed
 OF_THE_RISER = ("effective_tension", "von_mises_stress")
 SIDES = ("largest", "smallest", "mean")
 ENDS = ("lower end of ", "upper end of ")
-ABOVE = ", above water"  # what the upper part of a section is called that leaves the water, after its name
+ABOVE = ", above water"  # suffix to the name of a section, for its part above the water surface
 
 
 class Limit(Strict):
@@ -74,11 +75,11 @@ class Limit(Strict):
 
     @property
     def place(self) -> str:
-        """Where it holds, in words; "" all along the riser."""
+        """The place that it applies to, in words; "" for the whole riser."""
         return place_of(self.at)
 
     def sections(self, names: Sequence[str]) -> list[str]:
-        """Those of a riser's sections, named from below, that it is about.
+        """Names of the sections that it applies to, of all ``names`` from below.
 
         Raises
         ------
@@ -88,7 +89,7 @@ class Limit(Strict):
         return sections_at(self.at, names)
 
     def places(self, names: Sequence[str]) -> list[str]:
-        """Where a value of a run may be that it is about, as extremes of runs name places."""
+        """Places that it applies to, named as in the extremes of runs."""
         if not self.at:
             return ["", *names]
         end = next((end for end in ENDS if self.place.startswith(end)), "")
@@ -97,12 +98,12 @@ class Limit(Strict):
 
     @property
     def side(self) -> str:
-        """Which of largest, smallest and mean has the allowable."""
+        """The one of ``largest``, ``smallest`` and ``mean`` that is given."""
         return next(side for side in SIDES if getattr(self, side) is not None)
 
     @property
     def allowable(self) -> float:
-        """In the SI unit of the output: N, N m, Pa, m or rad."""
+        """The allowable in the SI unit of the output: N, N m, Pa, m or rad."""
         return to_si(getattr(self, self.side), UNITS[self.output])
 
 
@@ -112,7 +113,7 @@ def place_of(at: str | list[str] | None) -> str:
 
 
 def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
-    """Those of a riser's sections, named from below, that a place is at.
+    """Names of the sections that belong to a place, of all ``names`` from below.
 
     Raises
     ------
@@ -134,7 +135,7 @@ def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
 
 
 def section_of(place: str) -> str:
-    """The section whose end, or all of which, a place is."""
+    """The section named by a place, which is the whole section or one of its ends."""
     for end in ENDS:
         place = place.removeprefix(end)
     return place

@@ -1,4 +1,4 @@
-"""From a YAML file to a checked scene: read safely, take origins off, apply overrides, validate."""
+"""From a YAML file to a checked scene: read safely, separate the origins, apply overrides, validate."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ from riserstudy.scene.tables import files_of_tables, fill_in_tables, names_of_ta
 
 @dataclass(frozen=True)
 class SceneFile:
-    """A scene as its file says it: plain tree, origins, and where it came from.
+    """A scene as written in its file: plain tree of values, origins, and the source.
 
-    ``layers``: who set values on top of the file, by their path. ``held``: texts of its tables by name, where
-    it comes out of a dataset; absent: its tables are files.
+    ``layers``: names of the layers that override values of the file, by path of the value. ``held``: texts of
+    the tables by name, if the scene comes from a dataset; absent: its tables are files.
     """
 
     source: str
@@ -35,13 +35,13 @@ class SceneFile:
     held: Mapping[str, str] | None = None
 
     def with_values(self, overrides: Mapping[str, Any], layer: str) -> SceneFile:
-        """The same with values set by dotted path; ``layer`` names who sets them in errors.
+        """A copy with values set by dotted path; errors call the source of these values ``layer``.
 
         Raises
         ------
         InputError
-            When a path leads nowhere, a value cannot be meant, or what is to be taken out is nothing that a
-            scene can have.
+            When a path does not exist in the scene, an origin is malformed, or null is to remove a key that
+            no scene can have.
         """
         touched = {first_step(path, layer) for path in overrides}
         tree = {k: _copied(v) if k in touched else v for k, v in self.tree.items()}
@@ -65,7 +65,7 @@ class SceneFile:
 
     @property
     def files(self) -> list[Path]:
-        """Files that the scene reads: its own, and its tables."""
+        """Files that the scene is read from: the scene file and its tables."""
         tables = names_of_tables(self.tree) if self.held is None else ()
         return [Path(self.source), *(Path(self.source).parent / name for name in tables)]
 
@@ -76,16 +76,16 @@ class SceneFile:
 
     @property
     def calibrated(self) -> frozenset[str]:
-        """Paths of the values that the scene fits to a published value."""
+        """Paths of the values that were fitted to a published value."""
         return frozenset(path for path, of in self.origins.items() if of.status == "calibrated")
 
     def scene(self) -> Scene:
-        """The checked scene as it is written, in SI.
+        """The checked scene as written, in SI units.
 
         Raises
         ------
         InputError
-            With the first fault: the file or layer it is in, its field, what was found and what is allowed.
+            With the first fault: its file or layer, its field, the value found and the allowed values.
         """
         folder = Path(self.source).parent
         try:
@@ -94,7 +94,7 @@ class SceneFile:
             raise self._attributed(error) from None
 
     def resolved(self) -> Resolved:
-        """The checked scene with what follows from its parts, checked and worked out once.
+        """The checked scene with all derived quantities, such as weights; computed once and kept.
 
         Raises
         ------
@@ -113,7 +113,7 @@ class SceneFile:
             raise self._attributed(error) from None
 
     def _attributed(self, error: InputError) -> InputError:
-        """The error at the file that set the value in question."""
+        """The error, located at the file that set the wrong value."""
         if error.where != self.source:
             return error
         files = files_of_tables(self.tree, Path(self.source).parent) if self.held is None else ()
@@ -128,12 +128,12 @@ def _copied(tree: Any) -> Any:
 
 
 def first_step(path: str, layer: str) -> str:
-    """The part of a scene that a path leads into.
+    """The first name of a path, which is a part of the scene.
 
     Raises
     ------
     InputError
-        When it is no path.
+        When the text is not a path.
     """
     try:
         return str(paths.steps(path)[0])
@@ -144,12 +144,12 @@ def first_step(path: str, layer: str) -> str:
 
 
 def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
-    """A scene file with its origins, not yet checked beyond being plain YAML; ``keep`` as above.
+    """A scene file with its origins; checked only to be plain YAML. ``keep`` caches the parsed data.
 
     Raises
     ------
     InputError
-        When it cannot be read, is not plain YAML, or an origin cannot be meant.
+        When the file cannot be read or is not plain YAML, or an origin is malformed.
     """
     data = read_yaml(Path(path), keep=keep)
     if not isinstance(data, dict):
@@ -173,12 +173,12 @@ def load_scene(path: str | Path, **overrides: Any) -> SceneFile:
     Returns
     -------
     SceneFile
-        The scene as its file and the overrides say it, for :func:`simulate` and :func:`sweep`.
+        The scene of the file with the overrides, for :func:`simulate` and :func:`sweep`.
 
     Raises
     ------
     InputError
-        With file, field, what was found and what is allowed.
+        With the file, the field, the value found and the allowed values.
     """
     scene = read_scene(path).with_values(overrides, "overrides")
     scene.resolved()

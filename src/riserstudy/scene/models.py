@@ -1,7 +1,7 @@
-"""The scene as its file says it: a riser and what acts on it, checked.
+"""The scene as written in its file, checked: a riser, its supports and its loads.
 
-Every section is present or absent; what is absent is not simulated. Fields hold SI once read. No field has
-a default that changes physics: an absent section stands for an absent effect, and its docstring says so.
+Every part is present or absent; an absent part is not simulated. Fields hold SI values once read. No field
+has a default that changes physics: an absent part means an absent effect, as its docstring states.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""What the pipe of a joint carries: buoyancy modules, choke and kill lines.
+"""Attachments to the pipe of a joint: buoyancy modules, choke and kill lines.
 
-Their mass, weight and stiffness are given apart from the pipe's, and added to it once a scene is whole.
+Their mass, weight and stiffness are given separately from the pipe, and added when the scene is resolved.
 """
 
 from __future__ import annotations
@@ -64,28 +64,28 @@ class Line(Strict):
 
     @property
     def number(self) -> int:
-        """How many there are."""
+        """Number of lines."""
         return self.count or 1
 
     @property
     def wall_area(self) -> float:
-        """Cross section of the walls of all (m2)."""
+        """Cross section of the walls of all lines together (m2)."""
         return self.number * _disc(self.outer_diameter) - self.number * _disc(self.inner_diameter)
 
     @property
     def all_mass(self) -> float:
-        """Mass of all with what is inside (kg/m)."""
+        """Mass of all lines together, with their contents (kg/m)."""
         own = (self.wall_density or 0.0) * self.wall_area + self.number * (self.mass or 0.0)
         return own + (self.contents or 0.0) * self.number * _disc(self.inner_diameter)
 
     @property
     def outside(self) -> float:
-        """Cross section of the water that all displace (m2)."""
+        """Cross section that all lines together displace (m2)."""
         return self.number * _disc(self.outer_diameter)
 
     @property
     def elasticity(self) -> tuple[float, float]:
-        """EA (N) and EI (N m2) that all add to the pipe's."""
+        """EA (N) and EI (N m2) that all lines together add to the pipe."""
         modulus = self.young_modulus or 0.0
         second = math.pi / 64.0 * (self.outer_diameter**4 - self.inner_diameter**4)
         axial = modulus * self.wall_area if self.tension == "shared" else 0.0
@@ -93,7 +93,7 @@ class Line(Strict):
 
 
 class Attached(NamedTuple):
-    """Mass (kg/m), weight (N/m) and lift of modules beyond their own weight (N/m) of what a pipe carries."""
+    """Mass (kg/m) and weight (N/m) of the attachments to a pipe, and net lift of the modules (N/m)."""
 
     mass: float
     weight: float
@@ -101,7 +101,7 @@ class Attached(NamedTuple):
 
 
 def attached(section: Section, gravity: float, water: float) -> Attached:
-    """What modules and lines of a section add, in gravity (m/s2) and water (kg/m3; 0 above it)."""
+    """Values that modules and lines add to a section, in gravity (m/s2) and water (kg/m3; 0 above it)."""
     lines = section.lines or []
     mass, outside = sum(line.all_mass for line in lines), sum(line.outside for line in lines)
     weight = gravity * (mass - water * outside)

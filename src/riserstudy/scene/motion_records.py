@@ -1,4 +1,4 @@
-"""Motions by points, as they were measured or computed by others: what they do not cover of a run."""
+"""Motions given as points, such as measured records: warnings about times of a run that they do not cover."""
 
 from __future__ import annotations
 
@@ -11,14 +11,15 @@ from riserstudy.scene.forcing import TILTS, TRANSLATIONS, TimeSeries
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
-WIDE = 4.0  # intervals of most points, from which a wider one is a gap
-RECORDED = 20  # points, from which a motion counts as a record with an interval
+WIDE = 4.0  # an interval longer than this multiple of the median interval is a gap
+# smallest number of points with which a motion counts as a record with a usual interval
+RECORDED = 20
 
 
 def uncovered(scene: Parts) -> list[str]:
     """A warning for each motion whose points begin after the run, end before it, or have a gap.
 
-    A motion that is at rest at an end, by two points of the same value, is meant to stay there.
+    If a motion has two points of equal value at an end, the platform is meant to rest there: no warning.
     """
     duration, platform = scene.analysis.duration, scene.platform
     if duration is None or platform is None:

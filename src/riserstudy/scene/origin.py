@@ -1,13 +1,13 @@
 """Where a value comes from: published, given, derived, assumed, calibrated or chosen.
 
-In a scene file a value may be wrapped to say so::
+In a scene file, a value may be wrapped to state its origin::
 
     count: {assumed: 6, options: [6, 7], because: "six make the 232 t the paper states"}
     roll_centre: {calibrated: 4.5 m, to: liu2020/N3, range: [0 m, 25 m]}
     added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
     interval: {chosen: 0.1 s, because: "what is kept of a run, no property of the riser"}
 
-``unwrap`` takes the wrappers off and keeps what they said, so that a study can vary every assumption.
+``unwrap`` separates values and origins. A study can therefore vary every assumption.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ COMPANIONS = {
     "chosen": {"because"},
 }
 NEEDED = {"assumed": ["because"], "derived": [], "calibrated": ["to"], "chosen": ["because"]}
-#: what a scene and its parts are called, by the last name of a path: no values
+#: last names of paths that hold names and notes of a scene and its parts, not values
 CALLED = ("title", "note", "paper", "name")
 
 
 @dataclass(frozen=True)
 class Origin:
-    """Status of one value; ``range`` and ``options`` hold values as the file writes them."""
+    """Origin of one value; ``range`` and ``options`` hold values as written in the file."""
 
     status: str
     value: Any
@@ -97,7 +97,7 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
 
 
 def plain_values(tree: dict[str, Any], origins: Mapping[str, Origin]) -> Iterator[tuple[str, Any]]:
-    """Values of a scene, by dotted path, that nothing is said of."""
+    """Values of a scene, by dotted path, whose origin is not stated."""
     for path, value in leaves(tree):
         called = last_name(path) in CALLED
         if not called and not any(within(path, place) for place in origins):

@@ -1,7 +1,7 @@
-"""Quantities that runs return: which scenes have each, and in which unit limits of it are read.
+"""Quantities that runs return: the scenes that have each quantity, and the unit of its limits.
 
-A new quantity is an entry here, its label in ``dataset/variables.yaml``, and the code that computes it:
-limits, plots, figures and names that axes may not take read this table.
+A new quantity requires an entry here, its label in ``dataset/variables.yaml``, and the code that computes it.
+Limits, plots, figures and the list of names that axes may not have use this table.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ class Quantity:
 
     Attributes
     ----------
-    needs : what a scene with it has, by its fields. Absent: every scene has it.
-    is_in : whether a scene has that.
-    limit_unit : unit that the text of a limit is read in. Absent: it has no limits.
-    along : whether there is a value at every place along the riser.
-    is_array : whether runs return it over the riser or time; else as a number alone.
+    needs : fields of the scene that the quantity requires. Absent: every scene has the quantity.
+    is_in : whether a scene has these fields.
+    limit_unit : SI unit that the text of a limit is converted to. Absent: the quantity has no limits.
+    along : whether the quantity has a value at every place along the riser.
+    is_array : whether runs return it over the riser or time; if not, runs return one number.
     """
 
     needs: str = ""
@@ -36,9 +36,9 @@ class Quantity:
 
 
 def wall_lacks(scene: Parts, section: Section) -> list[str]:
-    """What the stress of a section's wall lacks, by the fields of the scene; empty where it is known.
+    """Fields of the scene that are missing for the stress of a section's wall; empty if none is missing.
 
-    Contents are one column: below a section without contents, their pressure is not known.
+    The pressure of the contents is known only below an unbroken column: a section without contents breaks it.
     """
     names = [one.name for one in scene.riser]
     filled = [k for k, one in enumerate(scene.riser) if one.contents]
@@ -48,7 +48,7 @@ def wall_lacks(scene: Parts, section: Section) -> list[str]:
 
 
 def range_lacks(scene: Parts, section: Section) -> list[str]:
-    """What the range of a wall's stress over time lacks, to which a constant pressure adds nothing."""
+    """Fields missing for the range of a wall's stress over time; constant pressure does not change it."""
     lacks = [
         f"{name} of section {section.name!r}"
         for name in ("outer_diameter", "inner_diameter")
@@ -68,7 +68,7 @@ def _has_stroke(scene: Parts) -> bool:
 
 
 def _of_vessel(*parts: str, spatial: bool = False) -> Callable[[Parts], bool]:
-    """Whether a scene has a vessel with some parts, and moves out of the plane where that is needed."""
+    """Test of a scene for a vessel with some parts; with ``spatial``, also for motion out of the plane."""
 
     def is_in(scene: Parts) -> bool:
         there = all(getattr(scene.vessel, part) for part in parts) if scene.vessel else False

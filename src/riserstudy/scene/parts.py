@@ -1,4 +1,4 @@
-"""The parts of a scene, as its file holds them, and what they call for."""
+"""The parts of a scene as in its file, and properties that follow from them."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from riserstudy.scene.vessel import Vessel
 
 
 class Parts(Strict):
-    """A riser and what acts on it, part by part."""
+    """A riser, its supports and its loads, part by part."""
 
     title: str
     paper: str | None = None
@@ -56,7 +56,7 @@ class Parts(Strict):
     def lowest_riser_section(self) -> int:
         """Index of the riser's lowest section: the one above the inner flex joint, 0 without a joint.
 
-        Sections below it are the stack and the conductor, which stand instead of hanging.
+        Sections below it are the stack and the conductor, which stand on the seabed and do not hang.
         """
         jointed = (k for k, section in enumerate(self.riser) if section.flex_joint_below)
         return next(jointed, 0)
@@ -68,17 +68,17 @@ class Parts(Strict):
 
     @property
     def sections(self) -> list[Section]:
-        """Sections as the scene's file has them, without what stands for a body below them."""
+        """Sections as in the scene's file, without the section that represents a rigid body below them."""
         return [section for section in self.riser if not isinstance(section, RigidBody)]
 
     @property
     def bodies(self) -> list[Body]:
-        """What is attached to the riser's ends."""
+        """Bodies attached to the riser's ends."""
         return [end.body for end in (self.bottom, self.top) if end.body]
 
     @property
     def hanging(self) -> tuple[float, float]:
-        """Weight in water (N) and mass (kg) of riser, contents and bodies."""
+        """Submerged weight (N) and mass (kg) of riser, contents and bodies together."""
         gravity, water = self.gravity or 0.0, self.water.density if self.water else 0.0
         weight = sum(body.weight(gravity, water) for body in self.bodies)
         mass = sum(body.mass for body in self.bodies)
@@ -91,7 +91,7 @@ class Parts(Strict):
 
     @property
     def shortest_period(self) -> float | None:
-        """Shortest period of platform and waves (s)."""
+        """Shortest period of platform motions and waves (s); None without them."""
         platform = self.platform or Platform()
         periods = [motion.period for _, motion in platform.harmonics]
         swell = platform.response and platform.response.wave
@@ -102,7 +102,7 @@ class Parts(Strict):
     def jolts(self) -> list[float]:
         """Times from the start on at which accelerations jump (s), in order.
 
-        At the start they do where statics do not hold what acts then.
+        They jump at the start where the initial static state does not balance the loads at t = 0.
         """
         a = self.analysis
         times = self.platform.jolts if self.platform else []
@@ -114,7 +114,7 @@ class Parts(Strict):
 
     @property
     def built_up(self) -> float:
-        """Time from which on nothing grows any more by a ramp of the scene (s)."""
+        """Time at which the last ramp of the scene has ended (s)."""
         platform = self.platform or Platform()
         response = platform.response
         moving = [motion for _, motion in platform.harmonics]
@@ -123,7 +123,7 @@ class Parts(Strict):
 
     @property
     def events(self) -> list[float]:
-        """Times at which a part of the system is no longer what it was (s), in order."""
+        """Times at which a part of the system changes, such as a disconnect (s), in order."""
         release, loss, rig = self.disconnect, self.top.tension_loss, self.top.tensioners
         times = [release.at] if release else []
         if release and release.recoil_valve and (shut := release.recoil_valve.isolation):
@@ -136,7 +136,7 @@ class Parts(Strict):
 
     @property
     def lateral(self) -> str:
-        """The line of the scene that calls for lateral freedom, "" when none does."""
+        """The key of the scene that requires lateral freedom, "" when none does."""
         platform = self.platform or Platform()
         reasons = {
             "current": self.current,
@@ -161,7 +161,7 @@ class Parts(Strict):
 
     @property
     def spatial(self) -> str:
-        """The line of the scene that calls for motion out of the plane of x and z, "" when none does."""
+        """The key of the scene that requires motion out of the plane of x and z, "" when none does."""
         platform = self.platform or Platform()
         reasons = {
             f"platform.{where}{name}": getattr(of, name, None)

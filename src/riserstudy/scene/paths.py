@@ -19,7 +19,7 @@ def steps(path: str) -> tuple[Step, ...]:
     Raises
     ------
     ValueError
-        The part that is no step.
+        With the part of the text that is neither a name nor an index.
     """
     found: list[Step] = []
     for part in path.split("."):
@@ -31,12 +31,12 @@ def steps(path: str) -> tuple[Step, ...]:
 
 
 def is_path(path: str) -> bool:
-    """Whether a text is a path, of whatever scene."""
+    """Whether a text has the form of a path, whether or not a scene has it."""
     return all(map(_STEP.fullmatch, path.split(".")))
 
 
 def value_at(tree: Any, path: str) -> Any:
-    """What stands at a path; None where nothing does, as at what is no path."""
+    """The value at a path; None where there is none, or where the text is not a path."""
     if not is_path(path):
         return None
     here = tree
@@ -51,12 +51,12 @@ def value_at(tree: Any, path: str) -> Any:
 
 
 def put(tree: dict[str, Any], path: str, value: Any) -> None:
-    """Put a value at a path; None removes what is there.
+    """Put a value at a path; None removes the present value.
 
     Raises
     ------
     LookupError
-        The step that leads nowhere.
+        With the step of the path that does not exist.
     """
     *way, last = steps(path)
     here: Any = tree
@@ -77,7 +77,7 @@ def put(tree: dict[str, Any], path: str, value: Any) -> None:
 
 
 def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
-    """Values of a tree by path; what is absent or empty has none."""
+    """Values of a tree by path; absent and empty parts have none."""
     if isinstance(tree, dict):
         for key, value in tree.items():
             yield from leaves(value, f"{path}.{key}" if path else str(key))
@@ -89,12 +89,12 @@ def leaves(tree: Any, path: str = "") -> Iterator[tuple[str, Any]]:
 
 
 def within(path: str, place: str) -> bool:
-    """Whether a path is a place or lies below it."""
+    """Whether a path is ``place`` or is below it."""
     return path == place or path.startswith((f"{place}.", f"{place}["))
 
 
 def and_above(path: str) -> Iterator[str]:
-    """A path and all that it is below, the nearest first."""
+    """A path and all paths above it, the nearest first."""
     yield path
     for k in range(len(path) - 1, 0, -1):
         if path[k] in ".[":
@@ -102,7 +102,7 @@ def and_above(path: str) -> Iterator[str]:
 
 
 def parent(path: str) -> str:
-    """The path without its last name; empty where there is none above."""
+    """The path without its last name; empty for a path of one name."""
     return path.rpartition(".")[0]
 
 
@@ -112,12 +112,12 @@ def last_name(path: str) -> str:
 
 
 def without_indices(path: str) -> str:
-    """The same path in any of its sections, rows or cylinders."""
+    """A path without its indices, the same for all sections, rows or cylinders."""
     return _INDEX.sub("", path)
 
 
 def matches(path: str, pattern: str) -> bool:
-    """Whether a path is one of a pattern, in which ``[*]`` is any index."""
+    """Whether a path matches a pattern, in which ``[*]`` is any index."""
     return re.fullmatch(re.escape(pattern).replace(r"\[\*\]", r"\[\d+\]"), path) is not None
 
 

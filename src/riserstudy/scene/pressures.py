@@ -1,4 +1,4 @@
-r"""Gauge pressures inside and outside a riser: those of columns at rest.
+r"""Hydrostatic gauge pressures inside and outside a riser.
 
 .. math:: p_o = \rho_w g\,(z_s - z)_+,\quad p_i = \int_z^{z_m} \rho_m g\,\mathrm{d}z
 
@@ -33,8 +33,8 @@ def pressures(
 
     Parameters
     ----------
-    places : of each section of the riser along the last axis, both of its ends among them.
-    elevation : of the places (m), (..., n), from the lower end upwards.
+    places : slice of the last axis of ``elevation`` for each section, its two ends included.
+    elevation : elevation of each place (m), (..., n), from the lower end upwards.
     """
     gravity, water = scene.gravity or 0.0, scene.water
     inside, outside = np.zeros(elevation.shape), np.zeros(elevation.shape)
@@ -55,9 +55,9 @@ def pressures(
 
 
 def mud_above_the_riser(scene: Parts) -> float:
-    """Weight (N) on the bore of the mud that stands above the riser's upper end.
+    """Weight (N) of the mud column above the riser's upper end, over the area of the bore.
 
-    Its pressure there lowers the effective tension by as much.
+    The pressure of this column reduces the effective tension at the upper end by this weight.
     """
     last, ends = scene.riser[-1], span(scene)
     if last.contents is None or last.contents.level is None or ends is None:
@@ -68,7 +68,11 @@ def mud_above_the_riser(scene: Parts) -> float:
 
 
 def not_in_tension(scene: Parts) -> float:
-    """That weight (N) where tensioners or a joint pull, whose pull is the tension of a run; else 0."""
+    """Weight (N) of the mud above the riser's upper end that the tension of a run does not account for.
+
+    With tensioners or a telescopic joint, the tension of a run is their pull, and this weight is not
+    subtracted. Otherwise, and in a scene with a disconnect, the result is 0.
+    """
     pulled = scene.top.tensioners or scene.top.telescopic_joint
     return mud_above_the_riser(scene) if pulled and not scene.disconnect else 0.0
 

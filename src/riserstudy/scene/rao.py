@@ -1,4 +1,4 @@
-"""How a platform answers waves: response amplitude operators times a wave or a sea."""
+"""Platform motion in waves: response amplitude operators times a wave or a sea."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class Operator(Strict):
 
 
 class Mirror(NamedTuple):
-    """A plane of symmetry: the heading of waves that is another's image is ``turn`` less it."""
+    """A plane of symmetry: the mirror image of a heading is ``turn`` minus the heading."""
 
     turn: float  # rad
     reversed: tuple[str, ...]  # motions that change their sign
@@ -75,7 +75,7 @@ class Mirror(NamedTuple):
         return math.remainder(self.turn - heading, 2.0 * math.pi)
 
     def mirrored(self, row: Operator) -> Operator:
-        """The operator of the mirrored waves: motions that change their sign are half a turn later."""
+        """The operator for the mirrored waves: motions that change sign are half a turn later."""
         phases = {f"{name}_phase": getattr(row, f"{name}_phase") for name in self.reversed}
         turned = {name: phase + math.pi for name, phase in phases.items() if phase is not None}
         return row.model_copy(update=turned)
@@ -86,11 +86,11 @@ ENDS = Mirror(math.pi, ("surge", "pitch", "yaw"))
 MIRRORS = {None: 0, "sides": 1, "sides and ends": 2}
 
 
-CLOSE = 1e-6  # rad, headings that are one; share of a frequency, by which two are one
+CLOSE = 1e-6  # headings closer than this (rad) are equal, and frequencies closer than this share
 
 
 def _same(one: float | None, other: float | None) -> bool:
-    """Whether two headings (rad) are one: 0 and 360 deg are, and -180 and 180 deg."""
+    """Whether two headings (rad) are equal, such as 0 and 360 deg, or -180 and 180 deg."""
     if one is None or other is None:
         return one is other
     return abs(math.remainder(one - other, 2.0 * math.pi)) < CLOSE
@@ -193,9 +193,9 @@ class Response(Strict):
 
     @property
     def by_heading(self) -> dict[float | None, list[Operator]]:
-        """Operators by where waves go (rad), None where they hold for all; frequencies rise.
+        """Operators by the direction that waves travel to (rad; None: any), in order of frequency.
 
-        Headings a turn apart are one.
+        Headings that differ by a full turn are equal.
         """
         turn = math.pi if self.headings == "from" else 0.0
         tables: dict[float | None, list[Operator]] = {}
@@ -213,7 +213,7 @@ class Response(Strict):
 
     @property
     def moving(self) -> list[str]:
-        """Names of the motions that it gives, in order."""
+        """Names of the motions that it gives, in their usual order."""
         wanted = set(self.motions) if self.motions else self.operators[0].motions
         return [name for name in MOTIONS if name in wanted]
 
@@ -232,7 +232,7 @@ def _place_of(row: Operator) -> str:
 
 
 def _at(towards: float | None, headings: str | None) -> str:
-    """A heading in words, as the operators have it."""
+    """A heading in words, in the convention of the operators (towards or from)."""
     if towards is None:
         return ""
     given = towards - (math.pi if headings == "from" else 0.0)

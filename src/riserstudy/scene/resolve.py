@@ -1,6 +1,6 @@
-"""The scene as the model needs it: what its parts stand for put in their place.
+"""The scene as the model needs it, with all derived quantities computed.
 
-Each step takes a scene and returns one; what follows from several parts is done here, once.
+Each step takes a scene and returns one. Quantities that follow from several parts are computed here, once.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from riserstudy.scene.weight import weighed, with_attachments
 
 
 class Resolved(Parts):
-    """A scene in which nothing is left to work out: sections have weights, releases have times."""
+    """A scene with all derived quantities: sections have weights, releases have times."""
 
 
 def resolve(scene: Parts) -> Resolved:
-    """What the parts of a scene that fit together stand for.
+    """The scene with all quantities that follow from its parts, which must have passed `check_rules`.
 
     Raises
     ------
     Misfit
-        Where what follows from them cannot be.
+        If a quantity cannot be derived, or its value is impossible.
     """
     resolved = Resolved.model_construct(scene.model_fields_set, **dict(scene))
     for step in (_loaded, _sections, _carried, _timed, _valved, _with_rigid_body):
@@ -32,7 +32,7 @@ def resolve(scene: Parts) -> Resolved:
 
 
 def _loaded(scene: Resolved) -> Resolved:
-    """The scene with the weights and the top tension that a buoyant factor stands for."""
+    """The scene with the weights and the top tension that follow from a buoyant factor."""
     if scene.buoyancy is None:
         return scene
     path, sections = "buoyancy", scene.riser
@@ -54,7 +54,7 @@ def _loaded(scene: Resolved) -> Resolved:
 
 
 def _sections(scene: Resolved) -> Resolved:
-    """The scene with sections cut where they leave the water, weighed, and with modules and lines on them."""
+    """The scene with sections divided at the water surface, weighed, and with modules and lines added."""
     for sections in (cut, weighed, with_attachments):
         riser = sections(scene)
         scene = scene if riser is scene.riser else scene.model_copy(update={"riser": riser})
@@ -62,7 +62,7 @@ def _sections(scene: Resolved) -> Resolved:
 
 
 def _carried(scene: Resolved) -> Resolved:
-    """The scene with the straight lines of tensioners that are set to the weight on them."""
+    """The scene with the linear tensioner law that follows from the suspended weight."""
     rig, path = scene.top.tensioners, "top.tensioners.carried"
     if rig is None or rig.carried is None:
         return scene
@@ -81,7 +81,7 @@ def _carried(scene: Resolved) -> Resolved:
 
 
 def _timed(scene: Resolved) -> Resolved:
-    """The scene with the time of the release that a phase of heave stands for."""
+    """The scene with the time of the release that follows from its phase of heave."""
     release, path = scene.disconnect, "disconnect.phase"
     if release is None or release.phase is None:
         return scene
@@ -97,7 +97,7 @@ def _timed(scene: Resolved) -> Resolved:
 
 
 def _valved(scene: Resolved) -> Resolved:
-    """The scene with the tension that valves leave after the release."""
+    """The scene with the loss of top tension that valves cause after the release."""
     release = scene.disconnect
     if release is None or release.valve is None or not scene.top.tension:
         return scene
@@ -113,7 +113,7 @@ def _valved(scene: Resolved) -> Resolved:
 
 
 def _with_rigid_body(scene: Resolved) -> Resolved:
-    """The scene with a section below the riser for the body that turns with its end."""
+    """The scene with a rigid section below the riser, which represents the body that turns with its end."""
     body = scene.bottom.body
     if body is None or not body.reach:
         return scene

@@ -1,4 +1,4 @@
-"""The riser string: sections from the bottom up, and what is in and around them."""
+"""The riser string: sections from the bottom up, with contents, drag, added mass and vortices."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
 from riserstudy.scene.damping import DampingAtPeriod
 from riserstudy.scene.modules_and_lines import Line, Modules
 
-RIGID = 1e3  # bending stiffness of what does not bend, over that of its neighbour
+RIGID = 1e3  # ratio of the bending stiffness of a rigid body to that of the section above it
 
 
 class CoefficientAt(Strict):
@@ -50,13 +50,13 @@ class Drag(Strict):
 
     @property
     def table(self) -> tuple[tuple[float, float], ...]:
-        """Elevations (m) and coefficients (1); empty where there is only one coefficient."""
+        """Elevations (m) and coefficients (1); empty for a constant coefficient."""
         points = self.coefficient if isinstance(self.coefficient, list) else []
         return tuple((point.elevation, point.value) for point in points)
 
     @property
     def constant(self) -> float:
-        """The coefficient (1) where there is only one."""
+        """The coefficient (1), if it is constant."""
         if isinstance(self.coefficient, list):
             raise TypeError("a drag coefficient over elevation where one number is needed")
         return self.coefficient
@@ -77,7 +77,7 @@ class AddedMass(Strict):
     direction: Literal["horizontal"] | None = None
 
     def displaced(self, density: float) -> float:
-        """Mass of the water displaced (kg/m)."""
+        """Mass of the displaced water (kg/m)."""
         return density * 0.25 * math.pi * self.diameter**2
 
 
@@ -136,7 +136,7 @@ class VortexInducedVibration(Strict):
 
     @property
     def highest_frequency(self) -> float:
-        """Of the lift and of the excitation along the flow, over speed and diameter (1)."""
+        """Highest frequency of lift and in-line excitation, as a multiple of speed / diameter (1)."""
         return max(self.frequencies[2], self.in_line.frequencies[2] if self.in_line else 0.0)
 
     @model_validator(mode="after")
@@ -288,14 +288,14 @@ class Section(Strict):
 
     @property
     def twist(self) -> float:
-        """Angle of twist by torque, L / (G I_p) (rad/(N m)); 0 where it does not twist."""
+        """Angle of twist divided by torque, L / (G I_p) (rad/(N m)); 0 without a shear modulus."""
         outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
         polar = math.pi / 32.0 * (outer**4 - inner**4)
         return self.total_length / (self.shear_modulus * polar) if self.shear_modulus else 0.0
 
     @property
     def elasticity(self) -> tuple[float, float]:
-        """EA (N) and EI (N m2) of pipe and lines, 0 for a string."""
+        """EA (N) and EI (N m2) of pipe and lines; EI is 0 for a string."""
         axial, bending = self.pipe_elasticity
         if not bending:
             return axial, bending
@@ -304,7 +304,7 @@ class Section(Strict):
 
     @property
     def pipe_shares(self) -> tuple[float, float]:
-        """Shares of tension and bending moment that the pipe takes, the rest being the lines'."""
+        """Shares of tension and bending moment that the pipe carries; the lines carry the rest."""
         if not self.lines:
             return 1.0, 1.0
         own, whole = self.pipe_elasticity, self.elasticity
@@ -312,7 +312,7 @@ class Section(Strict):
 
     @property
     def pipe_elasticity(self) -> tuple[float, float]:
-        """EA (N) and EI (N m2) of the pipe alone, 0 for a string."""
+        """EA (N) and EI (N m2) of the pipe alone; EI is 0 for a string."""
         if self.young_modulus is None:
             return self.axial_stiffness or 0.0, self.bending_stiffness or 0.0
         outer, inner = self.outer_diameter or 0.0, self.inner_diameter or 0.0
@@ -320,7 +320,7 @@ class Section(Strict):
         return self.young_modulus * self.wall_area, self.young_modulus * second
 
     def rigid(self, name: str, length: float) -> RigidBody:
-        """A weightless section of a length (m) that does not bend, and stretches as this one does."""
+        """A weightless, nearly rigid section of a length (m), with the axial stiffness of this section."""
         axial, bending = self.elasticity
         body = RigidBody.model_construct(
             name=name,
@@ -334,16 +334,16 @@ class Section(Strict):
 
     @property
     def line(self) -> str:
-        """Path, in the scene's file, of what it stands for; "" for a section of no scene."""
+        """Path, in the scene's file, of the part that it represents; "" outside of a scene."""
         return self._line
 
     def stands_at(self, line: str) -> None:
-        """Note its path in the scene's file, which parts that are cut from it keep."""
+        """Store its path in the scene's file; sections that are divided from it keep this path."""
         self._line = line
 
     @property
     def corner_below(self) -> bool:
-        """Whether what is at the section's lower end makes shear jump there."""
+        """Whether the shear jumps at the section's lower end, due to a flex joint or guide."""
         return bool(self.flex_joint_below or self.guide_below)
 
     @property
@@ -361,4 +361,4 @@ class Section(Strict):
 
 
 class RigidBody(Section):
-    """What stands below the sections of a scene for a body that turns with the riser's end."""
+    """A section below the riser that represents a body which turns with the riser's end."""

@@ -1,4 +1,4 @@
-"""Waves, and the drift that wind makes of the sea's surface."""
+"""Waves, and the drift that wind causes in the upper sea."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from riserstudy.scene.base import POSITIVE, WHOLE, Positive
 
 
 class Wave(Strict):
-    """What regular wave and irregular sea share.
+    """Common fields of regular wave and irregular sea.
 
-    Absent heading: along x. Absent ramp: all at once, after a rest at t = 0.
+    Absent heading: along x. Absent ramp: the wave acts as a step from t = 0, on a riser at rest.
     """
 
     heading: u.Angle | None = None
@@ -64,7 +64,7 @@ class Storm(Strict):
 
     @property
     def shortest_period(self) -> float:
-        """Half the peak period: shorter waves hold a tenth of the energy (s)."""
+        """Half the peak period (s): waves with shorter periods have a tenth of the energy."""
         return 0.5 * self.peak_period
 
 

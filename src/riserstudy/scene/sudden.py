@@ -1,4 +1,4 @@
-"""What starts as a step: waves and motions without a ramp send short waves along the riser."""
+"""Loads and motions that start as a step, which sends short waves along the riser."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
 
 
 def sudden_starts(scene: Parts) -> list[str]:
-    """Lines of a scene by which something acts or moves as a step, without a ramp."""
+    """Keys of a scene by which a wave or a motion starts as a step, without a ramp."""
     lines = []
     if scene.wave and scene.wave.ramp is None:
         lines.append("wave")
@@ -19,7 +19,7 @@ def sudden_starts(scene: Parts) -> list[str]:
 
 
 def sudden_wave(scene: Parts) -> list[str]:
-    """A warning where a wave starts as a step and mesh and step are to be found for it."""
+    """A warning if a wave starts as a step, and the engine chooses mesh and time step."""
     a = scene.analysis
     chosen = a.duration is not None and a.mesh is None and a.solver is None
     damped = all(s.structural_damping for s in scene.riser) and a.output and a.output.start

@@ -1,4 +1,4 @@
-"""Tables beside a scene: a CSV file of a current, motion, tensioner or soil in place of points written out.
+"""Tables of a scene: a CSV file of a current, motion, RAO, tensioner or soil, instead of points in the scene.
 
 The first line names the columns with their units, as in ``elevation (m), speed (knot)``.
 """
@@ -28,15 +28,15 @@ _HEADING = re.compile(r"\s*(\w+)\s*\(([^)]+)\)\s*")
 
 
 class Place(NamedTuple):
-    """Where a table may stand, and what it holds."""
+    """A place in a scene where a table may be given, and the columns of this table."""
 
-    way: tuple[str, ...]  # path of its parent
+    way: tuple[str, ...]  # path of the parent field
     name: str
     row: type[Strict]
-    columns: tuple[tuple[str, ...], ...]  # that there must be, each under one of its names
+    columns: tuple[tuple[str, ...], ...]  # required columns, each with its alternative names
     optional: tuple[str, ...] = ()  # further columns, in any order
-    key: str = ""  # where its rows go, below its name
-    model: str = ""  # that it is a field of; absent: the one that its parent is named after
+    key: str = ""  # field below `name` that receives the rows; absent: `name` itself
+    model: str = ""  # model that has the field; absent: the model that the parent is named after
 
 
 PLACES = (
@@ -72,18 +72,18 @@ PLACES = (
 def fill_in_tables(
     tree: dict[str, Any], folder: Path, held: Mapping[str, str] | None = None
 ) -> dict[str, Any]:
-    """The tree with every ``{file: name.csv}`` replaced by its checked rows.
+    """The tree in which checked rows replace every ``{file: name.csv}``.
 
     Parameters
     ----------
-    tree : of a scene, or of a part of it.
-    folder : of the scene, from which its tables are seen.
-    held : texts of the tables by name, where a dataset brings them; no file is read then.
+    tree : plain data of a scene, or of a part of it.
+    folder : folder of the scene, to which paths of tables are relative.
+    held : texts of the tables by name, if the scene comes from a dataset; no file is then read.
 
     Raises
     ------
     InputError
-        With table, line and column of what cannot be read or meant.
+        With table, line and column, if a value cannot be read or is not allowed.
     """
     filled = dict(tree)
     for place in PLACES:
@@ -101,7 +101,7 @@ def fill_in_tables(
 
 
 def files_of_tables(tree: dict[str, Any], folder: Path) -> Iterator[tuple[str, Path]]:
-    """Tables that stand in a scene: dotted path and file."""
+    """Tables of a scene: dotted path and file."""
     for place in PLACES:
         here: Any = tree
         for step in (*place.way, place.name):
@@ -122,7 +122,7 @@ def is_table(path: Path) -> bool:
 
 
 def names_of_tables(tree: Any) -> Iterator[str]:
-    """Names of the tables that a tree, or a list of such, refers to."""
+    """Names of the tables that a tree, or a list of trees, refers to."""
     if isinstance(tree, dict):
         if isinstance(name := tree.get("file"), str):
             yield name
@@ -135,12 +135,12 @@ def names_of_tables(tree: Any) -> Iterator[str]:
 def texts_of_tables(
     tree: Any, folder: Path, held: Mapping[str, str] | None = None
 ) -> dict[str, str]:
-    """What the tables say that a tree refers to, by name; ``held`` as above.
+    """Texts of the tables that a tree refers to, by name; ``held`` as in `fill_in_tables`.
 
     Raises
     ------
     InputError
-        When one cannot be read.
+        When a table cannot be read.
     """
     names = sorted({*names_of_tables(tree)})
     if held is not None:
@@ -158,7 +158,7 @@ def _rows_of(
 
 
 def _held(name: object, held: Mapping[str, str]) -> str:
-    """Text of a table that a dataset brings; a scene from elsewhere reads no other."""
+    """Text of a table that a dataset contains; a scene from a dataset reads no other table."""
     if not isinstance(name, str) or name not in held:
         allowed = "a scene in a dataset reads only the tables that the dataset holds"
         raise InputError("dataset", "file", f"no table {name!r} in it", allowed)
@@ -166,13 +166,13 @@ def _held(name: object, held: Mapping[str, str]) -> str:
 
 
 def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, Any]:
-    """A copy of the tree with another value at the end of the way."""
+    """A copy of the tree with another value at the path ``way``."""
     step, *further = way
     return {**tree, step: _with(tree[step], tuple(further), value) if further else value}
 
 
 def _file(folder: Path, name: object) -> Path:
-    """Where a table stands; only tables are read, so that no scene shows what else is on a machine."""
+    """File of a table. Only tables are read, so a foreign scene cannot reveal other files of a machine."""
     if not isinstance(name, str) or not name.endswith(".csv"):
         allowed = "allowed is the path of a .csv file, relative to the scene"
         raise InputError(folder, "file", repr(name), allowed)
@@ -183,18 +183,18 @@ def _file(folder: Path, name: object) -> Path:
 
 
 def read_table(path: Path, place: Place) -> list[Strict]:
-    """Rows of a CSV table, checked; read once as long as it stays the same: many points share one.
+    """Checked rows of a CSV table; reread only if the file has changed, since many points share a table.
 
     Raises
     ------
     InputError
-        When the table cannot be read, or a heading or line cannot be meant.
+        When the table cannot be read, or a heading or line is not allowed.
     """
     try:
         stat = path.stat()
         stamp = stat.st_mtime_ns, stat.st_size
     except (OSError, ValueError):
-        stamp = 0, 0  # reading it tells what is wrong
+        stamp = 0, 0  # reading the file then raises the error
     return _read(path, stamp, place)
 
 
@@ -229,7 +229,7 @@ def _lines(path: object, text: str) -> list[list[str]]:
 
 
 def _heading(path: object, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
-    """Names and units of the columns, which may stand in any order."""
+    """Names and units of the columns, which may be in any order."""
     named = [m for m in map(_HEADING.fullmatch, cells) if m]
     columns = [m.group(1) for m in named]
     wrong = _wrong(cells, columns, place)
@@ -241,7 +241,7 @@ def _heading(path: object, cells: Sequence[str], place: Place) -> tuple[list[str
 
 
 def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
-    """What a heading has that it must not, or lacks; nothing where it is right."""
+    """The fault of a heading: an unknown or a missing column; "" if it has none."""
     if not cells:
         return repr("nothing")
     if len(columns) < len(cells):

@@ -1,4 +1,4 @@
-"""Tensioners: gas or line, damping, stroke."""
+"""Tensioners: force law, damping, stroke and arrangement."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Chamber(Strict):
 
     @property
     def outside_force(self) -> float:
-        """Force of the pressure outside (N)."""
+        """Force of the external pressure (N)."""
         return self.area * (self.outside or 0.0)
 
 
@@ -75,7 +75,7 @@ class TwoChamberGas(Strict):
 
     @property
     def outside_force(self) -> float:
-        """Force of the pressure outside (N): against the high pressure, with the low one."""
+        """Net force of the external pressures (N): against the high pressure, along with the low one."""
         return self.high.outside_force - self.low.outside_force
 
 
@@ -223,7 +223,7 @@ class Tensioners(Strict):
         return self
 
     def _serves(self, table: list[TableRow]) -> None:
-        """Refuse a table that is no law, or ends before the cylinders do."""
+        """Refuse a table that is not a force law, or does not cover the stroke."""
         reach, force = [row.reach for row in table], [row.force for row in table]
         for k in range(1, len(table)):
             if reach[k] <= reach[k - 1]:
@@ -253,7 +253,7 @@ class Tensioners(Strict):
             )
 
     def _stays_open(self, part: str, reach: float | None) -> None:
-        """Refuse a reach at which a gas volume is closed."""
+        """Refuse an extension at which a gas volume would be zero or less."""
         pulling = self.pulling
         pushing = self.two_chamber_gas.low if self.two_chamber_gas else None
         if pulling is None or reach is None:
@@ -270,7 +270,7 @@ class Tensioners(Strict):
             )
 
     def carrying(self, weight: float, mass: float) -> Tensioners:
-        """These with the straight lines and the damping that a weight (N) and its mass (kg) stand for."""
+        """A copy with the linear law and damping that follow from the suspended weight (N) and mass (kg)."""
         if self.carried is None:
             return self
         share = 1.0 / sum(self.working)
@@ -283,17 +283,17 @@ class Tensioners(Strict):
 
     @property
     def damper(self) -> float:
-        """Damping of one cylinder (N s/m), 0 without."""
+        """Damping of one cylinder (N s/m), 0 without damping."""
         return self.damping if isinstance(self.damping, float) else 0.0
 
     @property
     def working(self) -> list[float]:
-        """Share that each cylinder pulls of its law: 1, or 0 for one that failed."""
+        """Share of the law that each cylinder pulls: 1, or 0 if it has failed."""
         return [0.0 if c in (self.failed or []) else 1.0 for c in range(self.count)]
 
     @property
     def even_sided(self) -> bool:
-        """Whether the cylinders pull alike on both sides of the plane of x and z."""
+        """Whether the working cylinders are symmetric about the plane of x and z."""
         if self.arrangement is None:
             return True
         places = [
@@ -305,7 +305,7 @@ class Tensioners(Strict):
 
     @property
     def pulls_aside(self) -> bool:
-        """Whether the cylinders that work, pulling alike, would move the ring along x."""
+        """Whether the working cylinders, at equal pulls, have a resultant force along x."""
         if self.arrangement is None:
             return False
         bearings = self.arrangement.bearings(self.count)
@@ -314,7 +314,7 @@ class Tensioners(Strict):
 
     @property
     def piston_mass(self) -> float:
-        """Mass of piston and rod that falls to one cylinder (kg)."""
+        """Mass of the piston and rod of one cylinder (kg)."""
         pistons = self.two_chamber_gas.pistons if self.two_chamber_gas else None
         if pistons is None:
             return 0.0

@@ -1,4 +1,4 @@
-"""Tensioners set to the weight that hangs on them: the weight tells pull, stiffness and damping."""
+"""Tensioners whose pull, stiffness and damping follow from the suspended weight."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class DampingRatio(Strict):
     ratio: Annotated[float, POSITIVE]
 
     def damping(self, stiffness: float, mass: float) -> float:
-        """Damping (N s/m) of a mass (kg) on a stiffness (N/m)."""
+        """Damping (N s/m) for a mass (kg) on springs of a stiffness (N/m)."""
         return 2.0 * self.ratio * math.sqrt(stiffness * mass)
 
 
@@ -34,5 +34,5 @@ class Carried(Strict):
     doubles_over: Annotated[u.Length, POSITIVE]
 
     def stiffness(self, weight: float) -> float:
-        """Stiffness (N/m) of all cylinders under a weight (N)."""
+        """Stiffness (N/m) of all working cylinders together, which carry a weight (N)."""
         return weight / self.doubles_over

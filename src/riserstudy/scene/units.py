@@ -1,4 +1,4 @@
-"""Units at the door: text such as ``21 in`` or ``27 kN*m/deg`` becomes SI, or is refused."""
+"""Units: text such as ``21 in`` or ``27 kN*m/deg`` is converted to SI, or refused."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ from riserstudy.inputs.percent import NUMBER
 if TYPE_CHECKING:
     import pint
 
-ATMOSPHERE = 101325.0  # Pa, what a gauge pressure leaves out
+ATMOSPHERE = 101325.0  # Pa, absolute pressure minus gauge pressure
 DATA_FILES = ("usual_units.json",)
-#: factors of usual units, by SI unit and name, as pint has them: pint takes 0.4 s to start, more than
-#: the rest of planning a study. Written by workflow/scripts/make_reference.py.
+#: factors of usual units from pint, by SI unit and name. They are stored because pint needs 0.4 s to start,
+#: longer than the rest of planning a study. Written by workflow/scripts/make_reference.py.
 USUAL = Path(__file__).with_name(DATA_FILES[0])
 
 CYCLES = (["hertz"], ["millihertz"])
 
-# Names, products and small exponents: pint would work out 9**9**9**9.
+# Names, products and small exponents only: pint would try to compute 9**9**9**9.
 _EXPONENT = r"(?:\s*(?:\^|\*\*)\s*-?\d{1,2}(?!\d))?"
 _UNIT = re.compile(rf"(?:[^\W\d]\w*+{_EXPONENT}|\){_EXPONENT}|[°%*/(\s]|1(?=\s*/))*+")
 LONGEST_UNIT = 60  # characters
-MOST = 1e30  # SI units: beyond all that is met, and fourth powers of it are still numbers
+MOST = 1e30  # SI units: above any real value, and its fourth power is still a finite number
 
 
 @lru_cache(4096)
@@ -41,7 +41,7 @@ def to_si(text: str, unit: str) -> float:
     Raises
     ------
     ValueError
-        When the text is no finite number with a unit of the same dimension; the message says what
+        When the text is no finite number with a unit of the same dimension; the message states what
         was found and what is allowed.
     """
     allowed = f"allowed is a number with a unit such as '1 {unit}'"
@@ -73,7 +73,7 @@ def to_si(text: str, unit: str) -> float:
 
 
 def _factor(name: str, unit: str) -> float:
-    """SI units in one of a unit."""
+    """Conversion factor of a unit to its SI unit, from the stored table or from pint."""
     if name == unit:
         return 1.0
     known = usual_units().get(unit, {}).get(name)
@@ -82,19 +82,19 @@ def _factor(name: str, unit: str) -> float:
 
 @cache
 def usual_units() -> dict[str, dict[str, float]]:
-    """How many SI units one of each usual unit is, by SI unit and name."""
+    """Conversion factors of usual units to SI, by SI unit and name."""
     table: dict[str, dict[str, float]] = json.loads(USUAL.read_text("utf-8"))
     return table
 
 
 @cache
 def factor(name: str, unit: str) -> float:
-    """How many of an SI unit one of a named unit is, from pint.
+    """Conversion factor of a named unit to an SI unit, from pint.
 
     Raises
     ------
     ValueError
-        When pint does not know it, or it has the wrong dimension.
+        When pint does not know the unit, or the unit has the wrong dimension.
     """
     import pint
 
@@ -123,11 +123,11 @@ HINTS = {
     ("lbf", "kg"): " (for a mass write lb)",
     ("lb", "N"): " (for a force write lbf)",
 }
-#: of drilling and soils, which pint has not
+#: units of drilling and soils that pint does not have
 OILFIELD = ("ppg = pound / US_liquid_gallon", "psf = force_pound / foot ** 2")
-#: units without dimension that a scene may have
+#: dimensionless units that a scene may have
 PLAIN = ("degree", "radian", "percent", "permille", "ppm")
-_MILLITONNE = re.compile(r"\bmt\b")  # meant for metric tonnes
+_MILLITONNE = re.compile(r"\bmt\b")  # often written for metric tonnes
 
 
 @cache
@@ -141,18 +141,18 @@ def _registry() -> pint.UnitRegistry[float]:
 
 
 def _is_no_quantity(name: str) -> bool:
-    """Whether a unit without dimension is neither an angle nor a share: pint has turns, pi and decibels."""
+    """Whether a dimensionless unit is neither angle nor share, such as pint's turn, pi or decibel."""
     return name not in PLAIN and not _registry().get_dimensionality(name)
 
 
 def _angle_power(units: Any) -> int:
-    """Power of plane angle in a unit, which pint itself counts as dimensionless."""
+    """Power of plane angle in a unit; pint counts angles as dimensionless."""
     return int(sum(units.get(name, 0) for name in ("degree", "radian")))
 
 
 @dataclass(frozen=True)
 class Unit:
-    """Marks a field that takes text with a unit of this dimension and holds the SI value."""
+    """Marks a field whose input is text with a unit of this dimension; the field holds the SI value."""
 
     name: str
 

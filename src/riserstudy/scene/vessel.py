@@ -1,4 +1,4 @@
-"""A platform that floats freely, and what drives it."""
+"""A freely floating platform and its forces: wind, wave drift, thrusters."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-MOST_TURNS = 1_000_000  # of platform and riser, each some hundred microseconds and its steps
-MOST_STEPS_A_TURN = 100_000  # whose motions and forces are kept
-STEPS_A_TURN = (
-    4  # at least, of a run whose error is estimated by two with twice and four times the step
-)
+# most exchanges of platform and riser; each costs about 100 us, and its time steps
+MOST_TURNS = 1_000_000
+MOST_STEPS_A_TURN = 100_000  # most time steps in an exchange, whose motions and forces are kept
+# fewest time steps in an exchange: runs with two and four times the time step estimate the error
+STEPS_A_TURN = 4
 
 
 class Wind(Strict):
@@ -120,7 +120,7 @@ class Coupling(Strict):
         return self
 
     def misfits(self, analysis: Analysis) -> Iterator[Misfit]:
-        """What cannot be done in turns of a run."""
+        """Faults of an analysis in which platform and riser cannot be solved alternately."""
         if analysis.duration is None:
             found, also = "a static scene has no exchange", ("analysis.duration",)
             yield Misfit("", found, "needs analysis.duration", also)
@@ -194,7 +194,7 @@ class Vessel(Strict):
 
     @property
     def turned(self) -> str:
-        """What makes it sway or turn where it may, "" when nothing does; current and waves apart."""
+        """The key that makes it sway or turn, where it is free to; "" if none. Excludes current and waves."""
         if self.sway is None:
             return ""
         thrusters, yaw = self.thrusters, self.thrusters and self.thrusters.yaw
@@ -209,5 +209,5 @@ class Vessel(Strict):
 
 
 def _oblique(of: Vessel | Wind | WaveDrift | Thrusters | None) -> bool:
-    """Whether its heading leads out of the plane of x and z."""
+    """Whether its heading is out of the plane of x and z."""
     return of is not None and abs(math.sin(of.heading or 0.0)) > ALONG_X

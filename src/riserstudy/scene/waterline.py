@@ -1,6 +1,6 @@
-"""Sections that reach through the water's surface, cut there where their weight follows from their parts.
+"""Division of sections at the water surface, if their weight is computed from their parts.
 
-Below the surface water carries what their outside displaces, above it nothing does.
+Buoyancy acts only below the surface.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ if TYPE_CHECKING:
 
 
 def cut(scene: Parts) -> list[Section]:
-    """The sections, each that reaches through the surface as two, where its weight is not given as one.
+    """The sections; a section that crosses the surface is divided unless its total weight is given.
 
-    A weight of the pipe that is given with modules or lines is that in water: above it, what the outside
-    displaces is added.
+    A pipe weight that is given together with modules or lines is a submerged weight. For the part above the
+    surface, the weight of the displaced water is added to it.
 
     Raises
     ------
     Misfit
-        Where a section that is cut is asked for its stress as one, or has no outer diameter.
+        If the output of stress names a divided section, or a divided section has no outer diameter.
     """
     if scene.water is None or scene.water.surface is None or scene.gravity is None:
         return scene.riser
@@ -62,7 +62,7 @@ def cut(scene: Parts) -> list[Section]:
 
 
 def _part(section: Section, name: str, length: float) -> Section:
-    """A length (m) of a section, with its share of the modules."""
+    """A part of a section with a length (m), and its share of the modules."""
     modules = section.modules
     if modules:
         share = length / section.total_length * (section.joints.count if section.joints else 1)

@@ -1,4 +1,4 @@
-"""What waves do to a section depends on two of its fields: drag alone is half of a Morison force."""
+"""Wave forces on a section require both drag and added mass: drag alone is half of a Morison force."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ if TYPE_CHECKING:
 
 
 def without_inertia(scene: Resolved) -> list[str]:
-    """Warnings about sections that waves drag and do not accelerate, since they tell no added mass.
+    """Warnings about sections with drag but without added mass, on which waves exert no inertia force.
 
-    The water's own acceleration pushes with 1 + Ca; a coefficient of 0 leaves the 1, an absent field nothing.
+    The inertia force has the factor 1 + Ca. With a coefficient of 0 the factor is 1; with an absent field
+    there is no inertia force.
     """
     if scene.wave is None:
         return []

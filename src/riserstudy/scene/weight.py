@@ -1,8 +1,9 @@
-"""Weights of sections: each is given, or follows from its mass, its diameters and what is inside.
+"""Weights of sections: given, or computed from mass, diameters and contents.
 
-``submerged_weight`` leaves the contents out: it is the weight of the pipe, and of all that is fixed to it,
-less that of the water which its outer surface displaces, as if the bore were empty; contents are added. A
-riser that is open to the sea has sea water as contents, or their weight in ``submerged_weight`` and none.
+``submerged_weight`` excludes the contents. It is the weight of the pipe and of all parts fixed to it, minus
+the weight of the water that its outer surface displaces, as if the bore were empty. The weight of contents is
+added to it. For a riser that is open to the sea, a scene gives sea water as contents, or it includes the
+weight of this water in ``submerged_weight`` and gives no contents.
 """
 
 from __future__ import annotations
@@ -18,7 +19,8 @@ if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
     from riserstudy.scene.riser import Section
 
-DOUBTED = 0.02  # share of the dry weight by which a weight is above what diameters allow
+# share of the dry weight by which a weight must exceed the largest possible one to be doubted
+DOUBTED = 0.02
 
 
 def weighed(scene: Parts) -> list[Section]:
@@ -27,7 +29,7 @@ def weighed(scene: Parts) -> list[Section]:
     Raises
     ------
     Misfit
-        Where a weight is neither given nor follows, in a scene that has gravity, water or other weights.
+        If a weight is neither given nor computable, in a scene with gravity, water or other weights.
     """
     without = [k for k, section in enumerate(scene.riser) if section.submerged_weight is None]
     weightless = scene.gravity is None and scene.water is None
@@ -55,7 +57,7 @@ def with_attachments(scene: Parts) -> list[Section]:
     Raises
     ------
     Misfit
-        Where gravity or the weight of a pipe is missing.
+        If gravity or the weight of a pipe is missing.
     """
     if not any(section.modules or section.lines for section in scene.riser):
         return scene.riser
@@ -84,11 +86,11 @@ def with_attachments(scene: Parts) -> list[Section]:
 
 
 def doubts(scene: Parts) -> list[str]:
-    """Warnings about weights that diameters contradict, and about bodies whose mass weighs nothing.
+    """Warnings about weights that contradict diameters, and about bodies with mass but without weight.
 
-    Whatever is fixed to a pipe displaces more water and not less: apart from its contents a section cannot
-    weigh more than its mass less the water that its outer diameter displaces. Above the water it displaces
-    none, and cannot weigh less than its mass.
+    A part fixed to a pipe displaces additional water. Without contents, a section can therefore not weigh
+    more than its mass minus the water that its outer diameter displaces. Above the water it displaces none,
+    and cannot weigh less than its mass.
     """
     sentences = _weightless(scene)
     for k, section in enumerate(scene.riser):

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
 
 def without_time(scene: Parts) -> list[str]:
-    """A warning where a static run has lines that act in a dynamic run only."""
+    """A warning if a static run has keys that act in a dynamic run only."""
     if scene.analysis.duration is not None:
         return []
     lines = []

@@ -1,1 +1,1 @@
-"""One scene solved: equilibrium, steps, refinement to the accuracy asked for, audit."""
+"""The simulation of one scene: equilibrium, time steps, refinement to the tolerance, audit."""

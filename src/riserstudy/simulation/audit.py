@@ -1,4 +1,4 @@
-"""Whether a run may be believed: energy exchanged, values defined, tension."""
+"""Checks of a run: balance of energy, finite values, tension."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
 FloatArray = NDArray[np.float64]
-UNEXPLAINED = 1e-3  # share of the energy exchanged that may stay unexplained
+UNEXPLAINED = 1e-3  # largest energy residual without a warning, as a share of the energy exchanged
 
 
 def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float) -> None:
-    """Enter where energy (J) went into the facts, with a warning where some is unexplained: theory (11).
+    """Add the balance of energy (J) to the facts, with a warning if its residual is large: theory (11).
 
-    ``before`` and ``after`` are the energies stored (J), ``step`` is the step (s).
+    ``before`` and ``after`` are the stored energies (J) at start and end; ``step`` is the time step (s).
     """
     held, supplied, dissipated, numerical, exchanged = (float(x) for x in sums.work)
     residual = held + supplied - dissipated - numerical - (after - before)
-    still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding of a riser that stays at rest (J)
+    still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding errors of a riser at rest (J)
     scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
     facts["step"] = step
     facts["audit"] = {
@@ -51,7 +51,10 @@ def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float
 
 
 def exchange(facts: RunFacts, coupling: Coupling) -> None:
-    """Name the energy that the exchange made: no support moves where a vessel floats but the told one."""
+    """Report the energy that the exchange adds, which is the work of the support with the vessel's motion.
+
+    With a floating vessel, no other support moves.
+    """
     audit = facts["audit"]
     made = audit.pop("work_of_supports")
     facts["audit"] = {"work_of_supports": 0.0, "made_by_exchange": made, **audit}
@@ -65,14 +68,14 @@ def exchange(facts: RunFacts, coupling: Coupling) -> None:
 
 
 def finite(arrays: dict[str, FloatArray]) -> None:
-    """Nothing undefined leaves the solver, of any shape or unit.
+    """Check that all values are finite; arrays have any shape and unit.
 
     Raises
     ------
     StepFailed
-        When a value is not defined in motion: an output between long steps may lie where gas has no volume.
+        If a value over time is not finite: an output between long steps may have a gas volume of zero.
     SimulationError
-        When one is not defined at rest.
+        If a static value is not finite.
     """
     for name, values in arrays.items():
         if not np.isfinite(values).all():
@@ -89,12 +92,12 @@ def finite(arrays: dict[str, FloatArray]) -> None:
 
 
 def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> None:
-    """Enter the riser's smallest tension (N) into the facts, with a warning where it may go slack.
+    """Add the riser's smallest tension (N) to the facts, with a warning if it is negative.
 
     ``arrays``: over the nodes, (n + 1,).
     """
     along = arrays.get("effective_tension_min", arrays["effective_tension_static"])
-    # a stack and conductor below the riser's flex joint are meant to stand, a telescopic joint slides
+    # excluded: stack and conductor, which stand on the seabed, and a telescopic joint, which slides
     ends = np.concatenate([[0.0], np.cumsum([section.total_length for section in scene.riser])])
     s, slip = arrays["s_node"], 1e-9 * ends[-1]
     outside = (s < ends[scene.lowest_riser_section] - slip) | (s > ends[-1] + slip)

@@ -1,6 +1,7 @@
-"""Compile kernels once, on several cores, and note how long that took from nothing.
+"""Compile kernels once, on several cores, and record the compile time.
 
-Each group of kernels has a marker of its own, so that what needs one need not wait for the others.
+Each group of kernels has a separate marker file, so a command that needs one group need not wait for the
+others.
 """
 
 from __future__ import annotations
@@ -24,12 +25,12 @@ from riserstudy.solve.kernel_cache import kernel_cache
 
 
 def marker(group: str | None = None) -> Path:
-    """The file that tells that the kernels of a group are compiled, or those of all."""
+    """The file that marks the kernels of a group, or of all groups, as compiled."""
     return kernel_cache() / (f"compiled-{group}" if group else "compiled")
 
 
 def compile_once(notify: Callable[[str], None]) -> None:
-    """Compile all kernels on all cores, unless that was done, and say so: it takes minutes."""
+    """Compile all kernels on all cores, unless they are compiled; reports it, because it takes minutes."""
     if marker().exists():
         return
     cores = min(available_cores(), len(GROUPS))
@@ -41,14 +42,15 @@ def compile_once(notify: Callable[[str], None]) -> None:
                 notify(f"compiling the kernels on {on}, once for this version: 2 to 6 minutes")
                 compile_groups(lacking, cores)
             join_markers()
-    except OSError as error:  # nothing can be kept: each run compiles what it needs
+    # the cache cannot be written: each run compiles the kernels that it needs
+    except OSError as error:
         notify(
             f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile again"
         )
 
 
 def report_compiling(notify: Callable[[str], None]) -> None:
-    """Report compiling from its first kernel on: a command compiles what it needs, and nothing else."""
+    """Report compiling from the first kernel on; a command compiles only the kernels that it needs."""
     from riserstudy.simulation.compile_times import follow  # which loads the compiler
 
     def report(kernel: str, done: int, spent: float) -> None:
@@ -73,18 +75,18 @@ def available_cores() -> int:
 
 
 def compile_groups(groups: Iterable[str], processes: int) -> None:
-    """Compile the kernels of some groups, in processes of their own."""
+    """Compile the kernels of some groups, in separate processes."""
     with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
         list(pool.map(compile_group, groups))
 
 
 def compile_group(group: str) -> str:
-    """Warm a group of kernels up, and note in its marker what was compiled and when; what was done."""
+    """Compile a group of kernels, and write kernels and times to its marker; returns the group's name."""
     from riserstudy.simulation.compile_times import while_compiling  # which loads the compiler
     from riserstudy.simulation.warm_up import warm_up
 
-    # The compiler makes millions of objects and hardly any garbage in cycles: not to look for it saves a
-    # fifteenth of the time.
+    # The compiler makes millions of objects and hardly any cyclic garbage; without garbage collection it
+    # takes a fifteenth less time.
     gc.disable()
     began, spent = time.time(), time.process_time()
     kernels = while_compiling(partial(warm_up, group))
@@ -97,7 +99,7 @@ def compile_group(group: str) -> str:
 
 
 def join_markers() -> None:
-    """Write the marker of all groups, with the times of compiling when there were no kernels before."""
+    """Write the marker of all groups, with compile times if all kernels were compiled from an empty cache."""
     notes: list[dict[str, Any]] = [json.loads(marker(g).read_text("utf-8")) for g in GROUPS]
     about: dict[str, Any] = {"cold_seconds": None}
     if all(note["kernels"] for note in notes):

@@ -1,4 +1,4 @@
-"""What compiling takes, kernel by kernel: numba tells when it begins and ends each signature."""
+"""Compile time of each kernel, from numba's events at the begin and the end of each signature."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ Report = Callable[[str, int, float], None]
 
 
 class _Progress(Listener):  # type: ignore[misc]
-    """Reports that compiling begins and, while it lasts, how far it is."""
+    """Reports the begin of compiling, and its progress."""
 
     def __init__(self) -> None:
-        self.under_way = 0  # kernels, each within those that call it
+        self.under_way = 0  # nested kernels that are being compiled
         self.began = 0.0  # s
         self.follow(None)
 
@@ -58,34 +58,34 @@ events.register(COMPILE, _progress)
 
 
 def follow(report: Report | None) -> None:
-    """Report when the first kernel of this process is compiled, and every few seconds of compiling.
+    """Report the first kernel that this process compiles, and then every few seconds of compiling.
 
     Parameters
     ----------
-    report : takes the name of a kernel, empty at the beginning, the number that is compiled, and the time
-        that compiling has taken (s). None: nothing is reported.
+    report : function of the name of a kernel (empty at the beginning), the number of compiled kernels, and
+        the compile time so far (s). None: nothing is reported.
     """
     _progress.follow(report)
 
 
 class Compiled(NamedTuple):
-    """One signature of one kernel, and the time of its own, without that of kernels it calls (s)."""
+    """One signature of one kernel, and its compile time without the kernels that it calls (s)."""
 
     kernel: str
     seconds: float
 
 
 def while_compiling(work: Callable[[], None]) -> list[Compiled]:
-    """Do something, and tell what was compiled on the way, a row a signature."""
+    """Run a function, and return what was compiled meanwhile, one row per signature."""
     with install_recorder(COMPILE) as recorder:
         work()
     return own_times(recorder.buffer)
 
 
 def own_times(noted: list[tuple[float, Event]]) -> list[Compiled]:
-    """Own time (s) of every compilation, from its begin and end and those nested within."""
+    """Compile time of each signature without nested compilations (s), from begin and end events."""
     times: list[Compiled] = []
-    open_ones: list[list[Any]] = []  # name, begin, time of those within
+    open_ones: list[list[Any]] = []  # name, begin, time of nested compilations
     for moment, event in noted:
         if event.is_start:
             function = event.data["dispatcher"].py_func

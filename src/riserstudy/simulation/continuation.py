@@ -1,4 +1,4 @@
-"""Statics by continuation: a riser whose top is far aside is brought there in parts, from upright."""
+"""Statics by continuation: a riser with a large offset is moved there in parts, from the upright position."""
 
 from __future__ import annotations
 
@@ -14,29 +14,29 @@ from riserstudy.model.model import Model
 from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibrium
 
-SMALLEST_PART = 1e-3  # of the way aside, down to which parts are halved
+SMALLEST_PART = 1e-3  # smallest part of the offset; parts are halved down to it
 
 
 class Settled(NamedTuple):
-    """A model at rest, and how it was found."""
+    """A model in static equilibrium, and facts about the search."""
 
     model: Model
     equilibrium: Equilibrium
 
 
 class Folded(NoEquilibrium):
-    """The only equilibrium that was found folds the riser over a segment."""
+    """In the only equilibrium that was found, a segment of the riser is folded back."""
 
 
 class Lost(NamedTuple):
-    """A model that found no rest, and why."""
+    """A model without an equilibrium, and the reason."""
 
     model: Model
     why: NoEquilibrium
 
 
 def search(model: Model, mesh: Mesh) -> Equilibrium:
-    """Bring a model to rest from the shape that it has.
+    """Bring a model to static equilibrium from its present shape.
 
     Raises
     ------
@@ -52,10 +52,10 @@ def search(model: Model, mesh: Mesh) -> Equilibrium:
 
 
 def folded_at(model: Model) -> int | None:
-    """A node where the riser is folded, None where it is not: such an equilibrium is one of the mesh alone.
+    """A node at which the riser is folded, or None. An equilibrium with a fold is an artefact of the mesh.
 
-    A pipe that bends turns by less than a right angle from segment to segment, or the mesh does not resolve
-    it. A string may turn sharply, but no single segment of it points against both of its neighbours.
+    A pipe with bending stiffness turns by less than a right angle from segment to segment, otherwise the mesh
+    does not resolve it. A string may turn sharply, but no single segment may point against both neighbours.
     """
     tangent = model.s.tangent
     against = (tangent[:, 1:] * tangent[:, :-1]).sum(axis=0) < 0.0
@@ -65,17 +65,17 @@ def folded_at(model: Model) -> int | None:
 
 
 def by_parts(scene: Resolved, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
-    """The equilibrium of a riser whose top is aside: brought there in parts without current, which follows.
+    """The equilibrium of a riser with an offset, which is applied in parts; then the current is applied.
 
     Parameters
     ----------
-    elevation : of the ring (m), as `build` takes it.
-    lost : model that found none from the shape it had, and why.
+    elevation : elevation of the ring (m), as in `build`.
+    lost : model that has no equilibrium from its initial shape, and the reason.
 
     Raises
     ------
     SimulationError
-        When its top is not aside, or parts become too small.
+        When the top has no offset, or parts become too small.
     """
     if not any(_aside(scene, 1.0)):
         raise _failed(scene, mesh, lost.why, 0.0)
@@ -106,14 +106,14 @@ def by_parts(scene: Resolved, mesh: Mesh, elevation: float | None, lost: Lost) -
 
 
 def _aside(scene: Resolved, share: float) -> tuple[float, float]:
-    """A share of how far a riser's top is brought aside, along x and y (m)."""
+    """A share of the offset of a riser's top, along x and y (m)."""
     position = scene.platform and scene.platform.position
     surge, sway = (position.surge, position.sway) if position else (None, None)
     return share * ((scene.top.offset or 0.0) + (surge or 0.0)), share * (sway or 0.0)
 
 
 def _moved(scene: Resolved, share: float) -> Resolved:
-    """The scene with its top brought aside by a share of the way."""
+    """The scene with a share of its offset."""
     top, platform = scene.top, scene.platform
     changed: dict[str, Any] = {}
     if top.offset:
@@ -129,7 +129,7 @@ def _moved(scene: Resolved, share: float) -> Resolved:
 def _continue(
     model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Resolved
 ) -> None:
-    """Begin with the last shape, leaning further (m) above the lowest place that it leans from."""
+    """Start from the last shape, further inclined (m) above the lowest node that can be inclined."""
     state = model.s
     foot = lowest_leaning(scene, mesh)
     lean = np.clip((mesh.s - mesh.s[foot]) / (mesh.s[-1] - mesh.s[foot]), 0.0, 1.0)
@@ -139,7 +139,7 @@ def _continue(
 
 
 def _failed(scene: Resolved, mesh: Mesh, failure: NoEquilibrium, reached: float) -> SimulationError:
-    """What to say of a search that found nothing: where, under what, and what may help."""
+    """The error of a failed search: place, load and remedy."""
     s = float(mesh.s[failure.node])
     where = f"node {failure.node} (s = {s:.4g} m)"
     under = [f"under {failure.load:.0%} of the current"] if scene.current else []

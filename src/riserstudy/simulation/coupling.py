@@ -1,13 +1,13 @@
-"""A platform and its riser solved one after the other, in turns, instead of as one.
+"""A platform and its riser solved alternately over intervals (turns), instead of as one system.
 
-In a turn the platform moves alone, under a force that the riser lends it; then the riser follows, its top
-told where the platform was at each step. Staggered, the force is that of the turn's begin. Iterated, the
-turn is repeated with the force that the riser then had at each step, until the platform no longer moves
-otherwise.
+In each turn, the platform first moves alone, under a given force of the riser. Then the riser is solved, with
+its top at the position of the platform at each step. In the staggered scheme, the force is the riser's force
+at the start of the turn. In the iterated scheme, the turn is repeated with the force that the riser had at
+each step, until the motion of the platform no longer changes.
 
-The riser's side is the whole model, platform included, with the top held where it is told to be. What
-holds it there makes up for the force that was lent and was not the riser's, so its work is the energy that
-the exchange makes, and the balance of energy closes with it.
+The riser's side is the whole model, platform included, with the top held at the received position. The
+reaction of this support is the difference between the given force and the riser's true force. Its work is
+therefore the energy that the exchange adds, and the balance of energy includes it.
 """
 
 from __future__ import annotations
@@ -33,21 +33,21 @@ from riserstudy.solve.state import State
 from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, new_sums
 
 FloatArray = NDArray[np.float64]
-MOST_ROUNDS = 50  # of a turn that is repeated
+MOST_ROUNDS = 50  # largest number of iterations of a turn
 
 
 class Sides(NamedTuple):
-    """The two models, and what they give to each other."""
+    """The two models, and the tables that they exchange."""
 
     platform: Model
     force: ForceTable
     riser: Model
     motion: MotionTable
-    reaction: list[int]  # probes of the riser's model: its force on the platform, by direction
+    reaction: list[int]  # probes of the riser's model with its force on the platform, by direction
 
 
 def sides_of(scene: Resolved, model: Model, steps: int) -> Sides:
-    """The two sides of a scene whose model is at rest, for turns of so many steps."""
+    """The two sides of a scene whose model is at rest, for turns of ``steps`` time steps."""
     s, top = model.s, len(model.s.l0)
     d, m = len(s.dim), len(s.dof) - len(s.dim)
     names: list[str] = []
@@ -64,7 +64,7 @@ def sides_of(scene: Resolved, model: Model, steps: int) -> Sides:
     effects.append(Effect("exchange", force, "vessel.coupling"))
     loose = loose_nodes(scene, d)
     held = [(i, u) for i in range(2 + loose) for u in range(m + d) if (i, u - m) not in free]
-    # a metre of string without mass or stiffness, with the platform for its top
+    # a metre of string without mass or stiffness, whose upper node is the platform
     platform = Model(Unknowns(np.ones(1), d, m, probes=names, loose=loose), effects, held)
     platform.s.r[:, :2] = s.r[:, [top]]
     platform.s.r[-1, 0] -= 1.0
@@ -86,21 +86,21 @@ def march_in_turns(
     record: Frozen,
     sums: Sums,
 ) -> tuple[int, dict[str, Any]]:
-    """March both sides from the state of the riser's; outputs go to ``record``, work to ``sums``.
+    """March both sides from the state of the riser's side; outputs go to ``record``, work to ``sums``.
 
     Parameters
     ----------
-    method : of a turn; the last one may be shorter.
-    duration : of all turns (s).
+    method : method for one turn; the last turn may be shorter.
+    duration : duration of all turns together (s).
 
     Returns
     -------
-    The outcome of `march`, and what is to be told of the exchange.
+    The result of `march`, and facts about the exchange.
 
     Raises
     ------
     SimulationError
-        When a turn that is repeated does not settle.
+        When the iterations of a turn do not converge.
     """
     riser = sides.riser
     forces_and_tangent(riser.programs, riser.state)
@@ -130,12 +130,12 @@ def march_in_turns(
 def _turn(
     sides: Sides, coupling: Coupling, method: Method, record: Frozen, sums: Sums
 ) -> tuple[int, int]:
-    """One turn: its outcome, and how often it was gone through."""
+    """One turn; returns its result and its number of iterations."""
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
     tolerance = coupling.tolerance or method.tolerance.position
-    alone = new_sums()._replace(stop=sums.stop)  # of the platform
-    aside = new_sums()._replace(stop=sums.stop)  # of rounds that are gone through again
+    alone = new_sums()._replace(stop=sums.stop)  # sums of the platform's side
+    aside = new_sums()._replace(stop=sums.stop)  # sums of iterations that are repeated
     for rounds in range(1, MOST_ROUNDS + 1):
         for side, start in starts:
             _restore(side.s, start)
@@ -166,14 +166,14 @@ def _turn(
 
 
 def _step_by_step(side: Model, method: Method, times: FloatArray, sums: Sums) -> tuple[int, Record]:
-    """March one side, and what it reports at the begin and after each step."""
+    """March one side; returns the result, and the record of its start and of each step."""
     seen = new_record(times, [0], side.s)
     outcome = march(side.programs, side.state, side.spare, method, side.fixed, seen, sums)
     return int(outcome), seen.value
 
 
 def _notify(sides: Sides, seen: Record) -> float:
-    """Tell the riser's top where the platform was; by how much that has changed (m)."""
+    """Give the platform's motion to the riser's top; returns the largest change of its position (m)."""
     path, first = sides.motion.path, sides.force.probe
     before = path[0].copy()
     count = path.shape[2]
@@ -184,13 +184,13 @@ def _notify(sides: Sides, seen: Record) -> float:
 
 
 def _reaction(sides: Sides) -> FloatArray:
-    """Force of the riser on the platform, as its model was last evaluated, shape (c,), N."""
+    """Force of the riser on the platform at the last evaluation of its model, (c,), N."""
     ends, count = sides.riser.s.ends, sides.motion.path.shape[2]
     return np.asarray(ends[0, 1, :count] + ends[1, 1, :count])
 
 
 def _moving(s: State) -> list[FloatArray]:
-    """The arrays that a turn changes for good."""
+    """The arrays that must be restored before a turn is repeated."""
     return [s.r, s.v, s.a, s.moment, s.clock, s.internal, s.internal_rate]
 
 

@@ -1,8 +1,8 @@
-"""The curve that elements mean between their nodes.
+"""The curve of the riser between nodes, as the elements define it.
 
 A moment is the cubic through its values at a segment's ends and its slopes there, which are those of the
-parabola through three nodes: shear without a jump. Where shear may jump, at corners, the three nodes lie
-on one side. A segment bends by its own moments, and its tension is straight from end to end.
+parabola through three nodes, so the shear is continuous. At corners, where shear may jump, the three nodes
+are on one side. A segment bends by the moments at its ends, and its tension is linear from end to end.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
-NEAR = 1e-5  # share of a segment, the same of meshes whose nodes are rounded
+NEAR = 1e-5  # share of a segment within which a place is a node, for meshes with rounded nodes
 SAME = 1e-9  # share of the length within which a place is a node
 
 
@@ -38,7 +38,7 @@ class Curve(NamedTuple):
     up: Slopes
 
     def segment(self, places: FloatArray) -> tuple[NDArray[np.int64], FloatArray]:
-        """The segments that places (m) lie in, and their shares of these, both of the same shape."""
+        """The segments that contain places (m), and the relative positions within them, in the same shape."""
         e = np.clip(np.searchsorted(self.s, places, "right") - 1, 0, len(self.s) - 2)
         share = (places - self.s[e]) / (self.s[e + 1] - self.s[e])
         return e, np.where(share > 1.0 - SAME, 1.0, np.where(share < SAME, 0.0, share))
@@ -53,20 +53,20 @@ class Curve(NamedTuple):
         return np.asarray(ends + low - x * x * (1.0 - x) * length * self.up.of(values, e))
 
     def straight(self, values: FloatArray, places: FloatArray) -> FloatArray:
-        """Values over (..., nodes) at places (m), (..., places), straight between nodes."""
+        """Values over (..., nodes) at places (m), (..., places), linear between nodes."""
         e, x = self.segment(places)
         return np.asarray((1.0 - x) * values[..., e] + x * values[..., e + 1])
 
     @property
     def middle_weights(self) -> FloatArray:
-        """Share that the cubic at the middle of a segment takes of nodes e - 1 to e + 2, (n, 4)."""
+        """Shares of nodes e - 1 to e + 2 in the value of the cubic at the middle of a segment, (n, 4)."""
         length = np.diff(self.s)[:, None]
         low, up = self.slope_weights
         return np.asarray(np.array([0.0, 0.5, 0.5, 0.0]) + 0.125 * length * (low - up))
 
     @property
     def slope_weights(self) -> FloatArray:
-        """What slopes at both ends of segments take of nodes e - 1 to e + 2 (1/m), (2, n, 4)."""
+        """Weights of nodes e - 1 to e + 2 in the slopes at both ends of a segment (1/m), (2, n, 4)."""
         n = len(self.s) - 1
         out = np.zeros((2, n, 4))
         rows = np.arange(n)
@@ -77,9 +77,9 @@ class Curve(NamedTuple):
 
 
 def between_nodes(s: FloatArray, values: FloatArray, places: FloatArray) -> FloatArray:
-    """Values over nodes (m), (..., nodes), at places (m): straight between nodes, and theirs at a node.
+    """Values over nodes (m), (..., nodes), at places (m): linear between nodes, and exact at a node.
 
-    So what is not a number beyond a node does not reach it.
+    A NaN at one node therefore does not affect the value at the next node.
     """
     e = np.clip(np.searchsorted(s, places, "right") - 1, 0, len(s) - 2)
     share = (places - s[e]) / (s[e + 1] - s[e])
@@ -97,17 +97,17 @@ def curve_of(arrays: Arrays) -> Curve:
 
 @lru_cache(64)
 def _known(s: bytes, corner: bytes) -> Curve:
-    """Made once a mesh: comparing two runs asks for it a dozen times."""
+    """The curve, cached by mesh: a comparison of two runs uses it a dozen times."""
     return curve(np.frombuffer(s), np.frombuffer(corner))
 
 
 def curve(s: FloatArray, corner: FloatArray) -> Curve:
-    """The curve over nodes (m), (n + 1,), with corners at its ends and where ``corner``, (n + 1,), says."""
+    """The curve over nodes (m), (n + 1,), with corners at its ends and where ``corner``, (n + 1,), is set."""
     n = len(s) - 1
     smooth = corner == 0.0
     smooth[[0, -1]] = False
     e = np.arange(n)
-    # three nodes about the lower end, about the upper end, or two
+    # three nodes about the lower end, three nodes about the upper end, or two nodes
     below, above = np.stack([e - 1, e, e + 1], axis=1), np.stack([e, e + 1, e + 2], axis=1)
     two = np.stack([e, e + 1, e], axis=1)
     secant = np.array([-1.0, 1.0, 0.0]) / np.diff(s)[:, None]
@@ -123,9 +123,9 @@ def curve(s: FloatArray, corner: FloatArray) -> Curve:
 
 
 def _parabola(s: FloatArray, nodes: NDArray[np.int64]) -> list[FloatArray]:
-    """Slopes at each of three nodes of the parabola through them, as weights, three times (n, 3)."""
+    """Weights of the slopes at each of three nodes, of the parabola through them, three times (n, 3)."""
     a, b, c = s[np.clip(nodes, 0, len(s) - 1)].T
-    with np.errstate(divide="ignore", invalid="ignore"):  # beyond the ends, where none is taken
+    with np.errstate(divide="ignore", invalid="ignore"):  # beyond the ends, where no slope is used
         h, k = b - a, c - b
         whole = h + k
         return [
@@ -136,10 +136,10 @@ def _parabola(s: FloatArray, nodes: NDArray[np.int64]) -> list[FloatArray]:
 
 
 def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
-    """Histories at places (m) from those at all nodes, as the elements mean them between nodes.
+    """Histories at places (m) from histories at all nodes, by the curve of the elements between nodes.
 
-    Positions need each other and the moment.
-    ``mesh_moment`` (time, 3, nodes): components of a moment whose size is the history; removed.
+    Positions are computed together with the moment. ``mesh_moment`` (time, 3, nodes), the components of a
+    moment whose magnitude is the history, is removed.
     """
     of = curve_of(arrays)
     e, x = of.segment(places)
@@ -153,7 +153,7 @@ def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
         bent = moment if components is None else components
         for name, sideways in _sag(arrays, axes, bent, e, x).items():
             arrays_there[name] = arrays_there[name] + sideways
-    elif "x" in arrays_there:  # a beam of cubic elements
+    elif "x" in arrays_there:  # the Hermite beam, with cubic elements
         arrays_there["x"] = of.cubic(arrays["x"], places)
     if "effective_tension" in arrays:
         arrays_there["effective_tension"] = of.straight(arrays["effective_tension"], places)
@@ -167,11 +167,11 @@ def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
 def _sag(
     arrays: Arrays, axes: list[str], moment: FloatArray, e: NDArray[np.int64], x: FloatArray
 ) -> Arrays:
-    """How far segments lie from their chords: curvature M / EI runs straight from end to end."""
+    """Distance of segments from their chords; the curvature M / EI is linear from end to end."""
     chord = np.stack([arrays[name][:, e + 1] - arrays[name][:, e] for name in axes], axis=1)
     bent = x * (1.0 - x) * ((2.0 - x) * moment[..., e] + (1.0 + x) * moment[..., e + 1])
     bent = -bent * arrays["mesh_flexibility"][e] / 6.0
-    if len(axes) == 3:  # curvature turns the tangent about itself
+    if len(axes) == 3:  # the tangent rotates about the curvature vector
         away = np.cross(bent, chord, axis=1)
     else:  # towards +x for a positive moment
         away = np.stack([chord[:, 1], -chord[:, 0]], axis=1) * bent[:, None]
@@ -179,7 +179,7 @@ def _sag(
 
 
 def largest_moment(arrays: Arrays) -> tuple[float, float] | None:
-    """Size (N m) and place (m) of the largest bending moment on the curve; None where nothing bends."""
+    """Magnitude (N m) and place (m) of the largest bending moment on the curve; None without bending."""
     if "bending_moment_static" not in arrays:
         return None
     of = curve_of(arrays)
@@ -199,7 +199,7 @@ def largest_moment(arrays: Arrays) -> tuple[float, float] | None:
 
 
 def _vertex(s: Any, values: Any) -> tuple[float, float]:
-    """Value and place of the top of the parabola through three points, the middle one the highest."""
+    """Value and place of the vertex of the parabola through three points, of which the middle is highest."""
     left = (values[1] - values[0]) / (s[1] - s[0])
     right = (values[2] - values[1]) / (s[2] - s[1])
     bend = (right - left) / (s[2] - s[0])

@@ -4,21 +4,21 @@ r"""Fatigue damage of the wall over a run: stress round the wall, rainflow count
           - \frac{r}{I}\,(\cos\varphi\, M\cdot e_2 - \sin\varphi\, M\cdot e_1),
           \qquad T_w = T_e + p_i A_i - p_o A_o
 
-at places round the wall that turn with the pipe: e_1 and e_2 are the axes x and y turned by the shortest
-way that takes the vertical to the tangent. So a scene that is turned about the vertical has the same damage,
-turned.
-The range of a cycle, with its stress concentration and thickness, lasts N cycles by the S-N curve, and
+at places around the wall that rotate with the pipe: e_1 and e_2 are the axes x and y after the smallest
+rotation from the vertical to the tangent. If a scene is rotated about the vertical, its damage is therefore
+rotated, too. The range of a cycle, with its stress concentration and thickness, lasts N cycles by the S-N
+curve, and
 
 .. math:: D = \sum_i \frac{n_i}{N_i},\qquad \dot D = D / T_{sim}
 
-Cycles are those of rainflow counting; what is left of it, which no later load closes, counts as half
-cycles, as ASTM E1049 has it. Mean stress does not count, as in curves of welds.
+Cycles are counted by the rainflow method. Its residue, which no later load closes, is counted as half cycles,
+as in ASTM E1049. Mean stress has no effect, as in curves of welds.
 
 References
 ----------
 Amzallag and others 1994, Standardization of the rainflow counting method for fatigue analysis,
 International Journal of Fatigue 16, 287-293; ASTM E1049, Standard practices for cycle counting in fatigue
-analysis. Counting is that of the library fatpack.
+analysis. The library fatpack counts the cycles.
 """
 
 from __future__ import annotations
@@ -49,9 +49,9 @@ Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 YEAR = 365.25 * 86400.0  # s
 MEGA = 1e6  # Pa in the unit of S-N curves
-NONE = 1e-6  # damage a year that is none, of which errors do not count: a life of a million years
+NONE = 1e-6  # negligible damage per year, whose errors are ignored: a life of a million years
 CUT_OFF = 0.1  # share of damage lost between outputs from which on a run is refused
-ORDER = 4.0  # by which halving the interval of outputs reduces what is lost of the peaks
+ORDER = 4.0  # factor by which halving the output interval reduces the loss of damage at peaks
 
 
 class Cycles(NamedTuple):
@@ -62,7 +62,7 @@ class Cycles(NamedTuple):
 
 
 def rainflow(stress: Array) -> Cycles:
-    """Cycles of a history (times,), Pa, closed ones and those of the residue, which are half cycles."""
+    """Cycles of a history (times,), Pa: closed cycles, and half cycles of the residue."""
     points = turning_points(stress)
     if len(points) < 2:
         return Cycles(np.empty(0), np.empty(0))
@@ -74,7 +74,7 @@ def rainflow(stress: Array) -> Cycles:
 
 
 def turning_points(values: Array) -> Array:
-    """First and last of some values (n,), and those between at which they turn."""
+    """First and last of some values (n,), and the local extremes between them."""
     moved = np.append(True, np.diff(values) != 0.0)
     steps = values[moved]
     turns = np.diff(steps[:-1]) * np.diff(steps[1:]) < 0.0
@@ -83,7 +83,7 @@ def turning_points(values: Array) -> Array:
 
 
 def damage(cycles: Cycles, curve: SNCurve, concentration: float, thickness: float) -> float:
-    """Palmgren and Miner's sum (1) of cycles of nominal stress in a thickness (m)."""
+    """Palmgren and Miner's sum (1) of cycles of nominal stress, for a thickness (m)."""
     ranges = cycles.ranges[cycles.ranges > 0.0]
     if not len(ranges):
         return 0.0
@@ -93,16 +93,16 @@ def damage(cycles: Cycles, curve: SNCurve, concentration: float, thickness: floa
 
 
 def since(scene: Resolved) -> float:
-    """Time from which on cycles count (s): all ramps are over, and vibrations built up.
+    """Time from which on cycles are counted (s): after all ramps, and after the build-up of vibrations.
 
     Raises
     ------
     SimulationError
-        When a run is over before that.
+        When the run ends before this time.
     """
     a = scene.analysis
     if a.duration is None or a.output is None:
-        raise TypeError("fatigue without time")  # asked before
+        raise TypeError("fatigue without time")  # excluded by the caller
     start = max(a.output.start or 0.0, scene.built_up, vibration.since(scene) or 0.0)
     if a.duration <= start:
         raise SimulationError(
@@ -113,20 +113,20 @@ def since(scene: Resolved) -> float:
 
 
 class Part(NamedTuple):
-    """A detail where it is on one section: nodes, and what makes its stress."""
+    """A detail on one section: its nodes, and the properties that give its stress."""
 
     detail: int
     nodes: range
-    wall: Wall | None  # None of a stress per moment
+    wall: Wall | None  # None for a stress per moment
     shares: tuple[float, float]  # of tension and moment
     radius: float  # m
     thickness: float  # m
 
 
 def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
-    """Enter damage a year along the riser, ``damage_rate``, and each detail's largest into a run.
+    """Add damage per year along the riser, ``damage_rate``, and each detail's largest value to a run.
 
-    The array is (details, angles, nodes), 1/year, not a number where a detail is not.
+    The array is (details, angles, nodes), 1/year, NaN at nodes without the detail.
 
     Raises
     ------
@@ -179,7 +179,7 @@ def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
 def _of_block(
     here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, detail: int, block: slice
 ) -> Array:
-    """Damage of a detail at a place by a block of outputs, over their number (1)."""
+    """Damage of a detail at a place by a block of outputs, divided by their number (1)."""
     found = _at(here, of, sides, node, angle, block)[[detail]]
     return np.asarray(found / (block.stop - block.start))
 
@@ -192,9 +192,9 @@ def _at(
     angle: int,
     which: slice = slice(None),
 ) -> Array:
-    """Damage (1) of all details at a place, by some of the outputs; not a number where there is none.
+    """Damage (1) of all details at a place, by some of the outputs; NaN for details that are not there.
 
-    Where two walls meet it is that of the one which has more.
+    Where two walls meet, it is the larger damage.
     """
     found = np.full(len(of.details), np.nan)
     counted: dict[Any, Cycles] = {}
@@ -211,12 +211,12 @@ def _at(
 
 
 def _lost(often: float, seldom: float) -> float:
-    """Share of damage that outputs lose, from that by all of them and by every second one."""
+    """Share of damage that outputs miss, from the damage by all outputs and by every second output."""
     return abs(often - seldom) / (ORDER - 1.0) / often
 
 
 def too_large() -> SimulationError:
-    """What is said of a run whose histories at all nodes do not fit into memory."""
+    """The error for a run whose histories at all nodes do not fit into memory."""
     return SimulationError(
         "fatigue: histories at all nodes do not fit into memory. Give a longer analysis.output.interval, "
         "fewer segments, or several shorter runs with other seeds"
@@ -248,7 +248,7 @@ def parts(scene: Resolved, mesh: Mesh, of: Fatigue) -> Iterator[Part]:
 
 
 class _Sides:
-    """Stresses round the wall at nodes, from histories of a run."""
+    """Stresses around the wall at nodes, from histories of a run."""
 
     def __init__(self, scene: Resolved, mesh: Mesh, histories: Arrays, angles: int) -> None:
         self.tension = histories["effective_tension"]
@@ -257,7 +257,7 @@ class _Sides:
         self.components = _components(histories)
 
     def twin(self, angle: int) -> int:
-        """The first of the places round the wall with the same stress: in a plane both sides are alike."""
+        """Index of the first place around the wall with the same stress: in a plane, both sides are equal."""
         return angle if self.components[1] is not None else min(angle, self.angles - angle)
 
     def stress(self, part: Part, detail: Detail, node: int, angle: int) -> Array:
@@ -277,7 +277,7 @@ class _Sides:
 
 
 def _components(histories: Arrays) -> tuple[Array, Array | None]:
-    """Moments about the axes y and x as they turn with the pipe, (times, nodes) each; one in a plane."""
+    """Moments about the axes y and x that rotate with the pipe, (times, nodes) each; only one in a plane."""
     if "mesh_moment" not in histories:
         still = np.zeros_like(histories["effective_tension"])
         return histories.get("bending_moment", still), None
@@ -285,18 +285,18 @@ def _components(histories: Arrays) -> tuple[Array, Array | None]:
     way = np.stack([np.gradient(histories[axis], axis=1) for axis in "xyz"])
     a, b, c = way / np.linalg.norm(way, axis=0)
     mx, my, mz = moment
-    # e = v - (t.v) / (1 + t.z) (z + t), of v = x and v = y
+    # e = v - (t.v) / (1 + t.z) (z + t), for v = x and v = y
     along = (mz + a * mx + b * my + c * mz) / (1.0 + c)
     return my - b * along, mx - a * along
 
 
 def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
-    """See that outputs are close enough for the peaks of stress.
+    """Check that outputs are frequent enough for the peaks of stress.
 
     Raises
     ------
     SimulationError
-        When they lose a tenth of a detail's damage: how far apart they may be.
+        When outputs miss a tenth of a detail's damage; the message gives the largest output interval.
     """
     for row in facts.get("fatigue", []):
         if row["error_of_outputs"] > CUT_OFF and scene.analysis.output:
@@ -309,9 +309,10 @@ def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
 
 
 def apart(coarse: Arrays, fine: Arrays) -> float:
-    """Relative difference of the damage of two runs: the largest over details.
+    """Relative difference of the damage of two runs: the largest over all details.
 
-    At the nodes of the coarse run and at every angle, over the largest of the detail; and of its largest.
+    For each detail, differences at the nodes of the coarse run at all angles, and the difference of the
+    largest damage, are divided by the largest damage of the detail.
     """
     low, up = coarse["damage_rate"], fine["damage_rate"]
     found = 0.0

@@ -1,4 +1,4 @@
-"""The release of the lower end, and what the riser did above the stack."""
+"""The release of the lower end, and the lift of the riser above the stack."""
 
 from __future__ import annotations
 
@@ -21,22 +21,23 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-STILL = 1e-6  # share of the tension above the connector that is rounding
-TOUCHING = 1e-6  # lift that is contact (m)
-ABOVE = 1.0  # m aside from the well, within which a lower end is taken to be above the stack
+STILL = 1e-6  # share of the largest tension that counts as rounding
+TOUCHING = 1e-6  # lift below which the lower end touches the stack (m)
+# horizontal distance (m) from the well within which a lower end counts as above the stack
+ABOVE = 1.0
 
 
 def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
-    """The model without what holds its lower end; the facts gain the energy (J) of the joint there.
+    """The model with its lower end released; the facts receive the energy (J) that the release removes.
 
     Raises
     ------
     SimulationError
-        When the riser stands on the stack at the release and nothing would hold it there.
+        When the riser presses on the stack at the release, and the scene has no contact with the stack.
     """
     release = scene.disconnect
     if release is None:
-        raise TypeError("nothing lets go")  # asked before
+        raise TypeError("nothing lets go")  # excluded by the caller
     pull = _overpull(model)
     if release.stack is None and pull < -STILL * float(abs(model.s.segment).max()):
         raise SimulationError(
@@ -65,10 +66,10 @@ def _overpull(model: Model) -> float:
 
 
 def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None:
-    """Enter lift, clearance and re-contact into the facts, with warnings where the riser comes down.
+    """Add lift, clearance and re-contact to the facts, with warnings about re-contact.
 
-    ``arrays`` hold time (s), lift (m), its rate (m/s) and the distance from the well (m), (times,), of all
-    steps where they were recorded.
+    ``arrays`` hold time (s), lift (m), its rate (m/s) and the distance from the well (m), (times,), at all
+    steps if these were recorded.
     """
     if scene.disconnect is None or "lift" not in arrays:
         return
@@ -104,7 +105,7 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
 
 
 def _contact_aside(time: FloatArray, aside: FloatArray) -> str:
-    """Warning of contact beside the stack, by the times (s) of contact and the distances then (m)."""
+    """A warning about contact beside the stack, from the times (s) of contact and the distances then (m)."""
     first = time[aside > ABOVE][0]
     return (
         f"disconnect: the LMRP touches the level of the stack up to {aside.max():.3g} m aside from the well, "
@@ -114,7 +115,7 @@ def _contact_aside(time: FloatArray, aside: FloatArray) -> str:
 
 
 def rows_of_limits(scene: Resolved, facts: RunFacts) -> list[dict[str, Any]]:
-    """Overpull (N) and clearance (m) as rows of extremes, as far as a run has them."""
+    """Overpull (N) and clearance (m) as rows of extremes, if the run has them."""
     release = scene.disconnect
     if release is None:
         return []

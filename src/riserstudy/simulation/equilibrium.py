@@ -1,4 +1,4 @@
-"""The static equilibrium that a scene starts from."""
+"""The static equilibrium from which a run starts."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from riserstudy.solve.statics import (
     unstable_directions,
 )
 
-BUCKLING = 20  # segments, at least, on which buckling is looked for
+BUCKLING = 20  # smallest number of segments for the check of buckling
 
 
 def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Equilibrium]:
     """Model at static equilibrium, in ``d`` directions if more than the scene needs.
 
-    That of a run is the one it begins with; a scene without time is at rest.
+    For a dynamic run, it is the equilibrium at the start of the run; for a static scene, the state at rest.
 
     Raises
     ------
     SimulationError
-        When there is none to be found.
+        When no equilibrium is found.
     """
     scene = scene if scene.analysis.duration else at_rest(scene)
     top = scene.top
@@ -49,7 +49,7 @@ def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Eq
 
 
 def _turns_about_a_rising_end(scene: Resolved) -> bool:
-    """Whether a tilt of the platform moves the top by an arm whose end only statics tell."""
+    """Whether a tilt of the platform moves the top by a lever arm that depends on the static elevation."""
     turning = scene.platform is not None and scene.platform.centre_of_rotation is not None
     return turning and scene.top.x in ("platform", "vessel") and scene.top.z == "free"
 
@@ -78,13 +78,13 @@ def _equilibrium(
 
 
 def _stands_sideways(scene: Resolved, mesh: Mesh, model: Model, elevation: float | None) -> bool:
-    """Whether an axial model in compression would also stand if it could move sideways."""
+    """Whether an axial model in compression is also stable if it can move laterally."""
     s = model.s
     tension = np.einsum("ke,ke->e", s.segment, s.tangent)
     if len(s.dim) > 1 or float(tension.min()) >= -rounding(scene):
         return True
     top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
-    # one segment cannot buckle; a spring without bending stiffness is meant to carry either sign
+    # one segment cannot buckle; a spring without bending stiffness may carry compression
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
     fine = even(scene, BUCKLING) if bends and len(mesh.l0) < BUCKLING else mesh
     planar = build(scene.model_copy(update={"top": top}), fine, elevation, d=2)
@@ -93,5 +93,5 @@ def _stands_sideways(scene: Resolved, mesh: Mesh, model: Model, elevation: float
 
 
 def rounding(scene: Resolved) -> float:
-    """Compression that a weightless riser may show by rounding (N)."""
+    """Largest compression by rounding errors in a weightless riser (N)."""
     return 1e-9 * max(stiffness(section).axial for section in scene.riser)

@@ -1,4 +1,4 @@
-"""How far two runs are apart, and what that says of the error of the finer one."""
+"""The difference of two runs, and the estimated error of the finer run that follows from it."""
 
 from __future__ import annotations
 
@@ -23,28 +23,29 @@ from riserstudy.simulation.vibration_statistics import (
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
-#: quantities whose errors an accuracy bounds, and by which mesh and step are chosen
+#: quantities whose errors a tolerance limits, and which determine mesh and time step
 CONTROLLED = ("displacement", "tension", "moment", "damage")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
-MOST_FALL = 8.0  # of successive differences that an estimate trusts: third order
-FLAT = 1e-9  # curvature that is none (1/m): a strain of 5e-10 at the wall of a riser a metre thick
-UPRIGHT = 1e-9  # rad: an angle that is none
+MOST_FALL = 8.0  # largest ratio of successive differences that an estimate uses: third order
+# curvature that counts as zero (1/m): a strain of 5e-10 at the wall of a riser a metre thick
+FLAT = 1e-9
+UPRIGHT = 1e-9  # angle that counts as zero (rad)
 LEAST_FALL = 1.5
-STEEPEST_FALL = 20.0  # of fourth order it is 16
-SURE_FALL = 4.0  # where mesh and step both changed between them: second
+STEEPEST_FALL = 20.0  # ratio above which it is not plausible; for fourth order it is 16
+SURE_FALL = 4.0  # largest ratio that is used in doubtful cases: second order
 SURE = {"angle": SURE_FALL, "shear": 2.0}
 
 
 def estimate(
     now: dict[str, float], before: dict[str, float] | None, most: float = MOST_FALL
 ) -> dict[str, float]:
-    """Relative error of the finest of three runs, each twice as fine as the last, from their differences.
+    """Relative error of the finest of three runs, each twice as fine as the previous, from their differences.
 
-    Where differences fall by a factor q, what is left is 1 / (q - 1) of the last; q is taken as no more
-    than ``most``, and as `LEAST_FALL` where it is smaller, unknown, or more than any method's order gives:
-    then the coarsest of the three was still far off. It is taken as no more than what a quantity is sure of:
-    second order of angles, tangents at the ends of segments; first order of shear, the slope of the moment,
-    near jumps of the load.
+    If differences decrease by a factor q, the remaining error is the last difference divided by q - 1. The
+    estimate uses at most ``most`` for q. It uses `LEAST_FALL` if q is smaller or unknown, or larger than the
+    order of any method gives, because then the coarsest run has not converged. It also uses at most the sure
+    order of a quantity: second order for angles, which are tangents at the ends of segments; first order for
+    shear, the slope of the moment, near jumps of the load.
     """
     error = {}
     for name, value in now.items():
@@ -57,27 +58,26 @@ def estimate(
 
 
 def controlled(error: dict[str, float]) -> dict[str, float]:
-    """Relative errors (1) without those of angles and shear, which are estimated and choose nothing."""
+    """Relative errors (1) without angles and shear, whose errors do not determine mesh and time step."""
     return {name: value for name, value in error.items() if name in CONTROLLED}
 
 
 def deciding(error: dict[str, float]) -> float:
-    """The relative error (1) that counts: of moment, or of tension and displacement where there is none."""
+    """The decisive relative error (1): of moment; without moments, the largest of the other quantities."""
     return error.get("moment", max(controlled(error).values(), default=math.nan))
 
 
 def difference(coarse: Result, fine: Result) -> dict[str, float]:
     """Relative difference of two runs, by quantity.
 
-    Envelopes and the static state are compared at the nodes of the coarse run, the largest moment wherever
-    it is, histories at those nodes or at stations, so that an error in phase counts too; between nodes
-    values are those of the elements. A vibration of vortices is compared by its statistics, where there is
-    one.
+    Envelopes and the static state are compared at the nodes of the coarse run, and the largest moment at any
+    place. Histories are compared at these nodes or at stations, so an error in phase is included. Between
+    nodes, values are those of the elements. A vortex-induced vibration is compared by its statistics.
 
-    Where one run tells every second, fourth, ... output of the other, those that both tell are compared.
-    Angles of flex joints are compared at rest, over time, and by their extremes over all steps where both
-    runs have these; shear by its envelopes over all steps and at rest, at the nodes of the coarse run, and by
-    its largest value. The scale is the largest value anywhere.
+    If one run has only every second, fourth, ... output of the other, the common outputs are compared. Angles
+    of flex joints are compared at rest, over time, and by their extremes over all steps if both runs have
+    these. Shear is compared by its envelopes over all steps and at rest, at the nodes of the coarse run, and
+    by its largest value. Differences are divided by the largest value anywhere.
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
@@ -107,19 +107,19 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         if scale > rounding:
             differences[name] = off / scale if off > rounding else 0.0
     of_shear = _shear(coarse.arrays, fine.arrays)
-    if of_shear is not None:  # no smaller than that of the moment, whose slope it is
+    if of_shear is not None:  # at least the difference of the moment, whose slope is the shear
         differences["shear"] = max(of_shear, differences.get("moment", 0.0))
     return differences | _angle_of([*_angles(coarse, fine)]) | _damage(coarse, fine)
 
 
 def _vibrates(run: Result) -> bool:
-    """Whether vortices make the riser vibrate, by more than rounding may."""
+    """Whether vortices make the riser vibrate by more than rounding errors."""
     least = NONE * float(run.arrays["s_node"][-1])
     return "vibration_since" in run.facts and run.facts["vibration_rms"] > least
 
 
 def _angle_of(pairs: list[tuple[Array, Array]]) -> dict[str, float]:
-    """Relative difference of angles (rad), over the largest of them; nothing where all are upright."""
+    """Largest difference of angles (rad), divided by the largest angle; empty if all angles are zero."""
     scale = max((float(np.abs(up).max()) for _, up in pairs), default=0.0)
     if not scale > UPRIGHT:
         return {}
@@ -130,7 +130,7 @@ def _angle_of(pairs: list[tuple[Array, Array]]) -> dict[str, float]:
 def _vibrations(
     coarse: Result, fine: Result, histories: dict[str, tuple[Array, Array]]
 ) -> tuple[Statistics, Statistics]:
-    """Statistics of two runs of a vibration, where both are compared."""
+    """Statistics of two runs of a vibration, at the places where they are compared."""
     since, places = fine.facts["vibration_since"], _places(coarse.arrays, fine.arrays)
     often, most = "vibration_frequency" in fine.facts, None
     above = fine.facts["vibration_above"]
@@ -144,7 +144,7 @@ def _vibrations(
 
 
 def statistics_of(run: Result) -> Statistics | None:
-    """Statistics of a run of a vibration at its own places; None of one that is not judged."""
+    """Statistics of a run's vibration at the places of its histories; None without such a vibration."""
     if "statistics" in run.facts:
         return of_plain(run.facts["statistics"])
     if not _vibrates(run):
@@ -154,7 +154,7 @@ def statistics_of(run: Result) -> Statistics | None:
 
 
 def _histories_of(arrays: Arrays) -> Arrays:
-    """Histories of a run, displacements counted from where those of other runs are."""
+    """Histories of a run, with displacements relative to positions that do not depend on the run."""
     zero = curve_of(arrays).straight
     return {
         name: arrays[name] - zero(_zero(arrays, name), arrays["s"])
@@ -164,7 +164,7 @@ def _histories_of(arrays: Arrays) -> Arrays:
 
 
 def _statistics(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
-    """Statistics of angles of flex joints in both runs (rad), from the time on at which these are judged."""
+    """Statistics of flex joint angles in both runs (rad), from the start of the evaluated time on."""
     since = fine.facts["vibration_since"]
     for name in ANGLES:
         if name in coarse.arrays and name in fine.arrays:
@@ -176,9 +176,9 @@ def _statistics(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
 
 
 def _shear(coarse: Arrays, fine: Arrays) -> float | None:
-    """Relative difference of shear at the coarse run's nodes, and of the largest; None where there is none.
+    """Relative difference of shear at the coarse run's nodes, and of the largest shear; None without shear.
 
-    Between nodes shear of either run is straight: two meshes may share the ends of sections alone.
+    Between nodes, shear of either run is linear: two meshes may share only the ends of sections.
     """
     if "mesh_flexibility" not in fine:
         return None
@@ -196,30 +196,30 @@ def _shear(coarse: Arrays, fine: Arrays) -> float | None:
 
 
 def _largest(values: Array, least: Array) -> float:
-    """Largest size of values that are more than what may be rounding, 0 where none is."""
+    """Largest magnitude of values above their rounding errors; 0 if there is none."""
     sizes = np.abs(values)
     return float(sizes[sizes > least].max(initial=0.0))
 
 
 def _rounding_of_shear(arrays: Arrays) -> Array:
-    """Shear (N) that rounding may leave, over the nodes: of a moment that is none, over a segment."""
+    """Rounding error of shear (N) at the nodes: that of a moment, divided by a segment's length."""
     by_segment = np.pad(FLAT / arrays["mesh_flexibility"], 1)
     return np.asarray(np.maximum(by_segment[1:], by_segment[:-1]))
 
 
 def _shears(arrays: Arrays) -> Iterator[tuple[str, Array]]:
-    """Shear (N) over the nodes: its envelopes over all steps, and at rest."""
+    """Shear (N) at the nodes: its envelopes over all steps, and at rest."""
     for end in ("max", "min", "static"):
         if f"shear_force_{end}" in arrays:
             yield end, arrays[f"shear_force_{end}"]
     if "shear_force_static" not in arrays and "bending_moment_static" in arrays:
-        spatial = "mesh_moment_static" in arrays  # of a run that is not finished
+        spatial = "mesh_moment_static" in arrays  # a run before `finish`
         moment = arrays["mesh_moment_static" if spatial else "bending_moment_static"]
         yield "static", shear(arrays, moment, spatial)
 
 
 def _damage(coarse: Result, fine: Result) -> dict[str, float]:
-    """Relative difference of fatigue damage, where a scene has details."""
+    """Relative difference of fatigue damage, if the scene has details."""
     if "damage_rate" not in fine.arrays or "damage_rate" not in coarse.arrays:
         return {}
     from riserstudy.simulation.damage import apart
@@ -228,7 +228,7 @@ def _damage(coarse: Result, fine: Result) -> dict[str, float]:
 
 
 def _angles(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
-    """Angles of flex joints in both runs (rad): at rest, over the outputs of both, and their extremes."""
+    """Angles of flex joints in both runs (rad): at rest, over their common outputs, and their extremes."""
     low, up = coarse.arrays, fine.arrays
     steps = _every(low, up) if "time" in low and "time" in up else (1, 1)
     for name in ANGLES:
@@ -242,7 +242,7 @@ def _angles(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
 
 
 def _extremes(run: Result, name: str) -> Array | None:
-    """Smallest and largest value of an output by all steps; None of a run that was only to be compared."""
+    """Smallest and largest value of an output over all steps; None for a run that is only compared."""
     if peak := run.seen.peaks.get(name):
         return np.array([peak.smallest, peak.largest])
     rows = [row for row in run.facts.get("extremes", []) if row["output"] == name]
@@ -250,7 +250,7 @@ def _extremes(run: Result, name: str) -> Array | None:
 
 
 def _rounding(name: str, arrays: Arrays) -> float:
-    """Displacement (m), tension (N) or moment (N m) that is none, and may be what rounding leaves."""
+    """Displacement (m), tension (N) or moment (N m) that counts as zero, since it may be a rounding error."""
     if name == "displacement":
         return NONE * float(arrays["s_node"][-1])
     if name == "moment" and "mesh_flexibility" in arrays:
@@ -259,12 +259,12 @@ def _rounding(name: str, arrays: Arrays) -> float:
 
 
 def _zero(arrays: Arrays, field: str) -> Array:
-    """Positions that displacements count from, at the nodes."""
+    """Reference positions of displacements, at the nodes."""
     return arrays.get("zero_" + field, np.zeros_like(arrays["s_node"]))
 
 
 def _states(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, Array]]:
-    """Envelopes and static state of both runs at the nodes of the coarse one."""
+    """Envelopes and static state of both runs at the nodes of the coarse run."""
     curve = curve_of(fine)
     between = curve.straight if field == "effective_tension" else curve.cubic
     for end in ("_max", "_min", "_static"):
@@ -274,7 +274,7 @@ def _states(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, A
 
 
 def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
-    """Histories of both runs by field: at the nodes of the coarse one, or at the fine one's stations."""
+    """Histories of both runs by field: at the nodes of the coarse run, or at the stations of the fine run."""
     if "time" not in coarse or "time" not in fine:
         return {}
     low, up = map(_thinned, (coarse, fine), _every(coarse, fine))
@@ -292,18 +292,18 @@ def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
 
 
 def _places(coarse: Arrays, fine: Arrays) -> Array:
-    """Where histories of both runs are compared (m): the coarse one's nodes or the fine one's stations."""
+    """Places (m) at which histories are compared: nodes of the coarse run, or stations of the fine run."""
     return coarse["s_node"] if len(fine["s"]) == len(fine["s_node"]) else fine["s"]
 
 
 def _thinned(arrays: Arrays, every: int) -> Arrays:
-    """Arrays of a run with one of so many of its outputs."""
+    """Arrays of a run with one of every ``every`` outputs."""
     names = (*HISTORIES, "mesh_moment")
     return arrays | {name: arrays[name][::every] for name in names if name in arrays}
 
 
 def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:
-    """Which outputs of two runs are those of both: every so many."""
+    """Intervals, as numbers of outputs, of the common outputs in the coarse and in the fine run."""
     intervals = [
         run["time"][1] - run["time"][0] if len(run["time"]) > 1 else 0.0 for run in (coarse, fine)
     ]
@@ -313,7 +313,7 @@ def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:
 
 
 def _at(arrays: Arrays, places: Array) -> Arrays:
-    """Histories at places; those of nodes as they are."""
+    """Histories at places; without interpolation if the places are nodes."""
     node = np.searchsorted(arrays["s_node"], places - SAME * arrays["s_node"][-1])
     if np.allclose(arrays["s_node"][node], places, rtol=0.0, atol=SAME * arrays["s_node"][-1]):
         return {name: arrays[name][:, node] for name in HISTORIES if name in arrays}

@@ -1,4 +1,4 @@
-"""March through a scene and what happens in it: at each event the march ends a step and goes on anew."""
+"""March through the events of a scene: a time step ends at each event, and the march restarts there."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ if TYPE_CHECKING:
 
 
 class Event(NamedTuple):
-    """What is no longer as it was from a time on."""
+    """A change of the model at a time."""
 
     at: float  # s
-    change: Callable[[Model], Model]  # into a model in the same state
+    change: Callable[[Model], Model]  # returns the changed model in the same state
 
 
 def events_of(scene: Resolved, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
-    """The events of a scene; what is to be told of them goes into the facts."""
+    """The events of a scene; their results and warnings go into the facts."""
     release, loss, rig = scene.disconnect, scene.top.tension_loss, scene.top.tensioners
     if release:
         yield Event(release.at, partial(let_go, scene, mesh, facts))
@@ -51,13 +51,13 @@ def march_through(
 ) -> tuple[Model, int, float]:
     """March by steps of ``step`` (s), from event to event.
 
-    Returns the model as it ends, DONE or why it stopped, and the energy that the events took out of the
-    account (J).
+    Returns the model at the end, DONE or the reason why the march stopped, and the stored energy that the
+    events removed (J).
 
     Raises
     ------
     SimulationError
-        When an event cannot happen in the state that it meets.
+        When an event is not possible in the present state.
     """
     taken, since = 0.0, 0.0
     for event in sorted(events_of(scene, mesh, facts), key=lambda event: event.at):

@@ -1,4 +1,4 @@
-"""Largest and smallest value of every output, where and when, section by section and at its ends."""
+"""Largest and smallest value of every output with place and time, by section and at the ends of sections."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from riserstudy.simulation.wall_stress import nodes_of
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
-NEAR = 0.02  # share of a range from its extreme, within which an output shows when it is
-ROUNDING = 1e-9  # share of a value
+# largest distance of an output from the extreme for its time to be used, as a share of the range
+NEAR = 0.02
+ROUNDING = 1e-9  # relative rounding error of a value
 OVER_TIME = tuple(name for name in UNITS if name not in ALONG)
 
 
@@ -28,14 +29,14 @@ def extremes(
 ) -> list[dict[str, Any]]:
     """A row for each output and place: its largest and smallest value with arclength (m) and time (s).
 
-    Values along the riser are those of envelopes at the nodes, which see every step. Their times are those of
-    the outputs, and absent where no output is near the extreme. Means are from the time on at which all ramps
-    are over, where the run goes on after it. A run at rest has no times, and its values are their own means.
-    The mean of an angle in space is the size of the mean rotation, as in a plane it has its sign.
+    Values along the riser are from the envelopes at the nodes, which include every time step. Their times are
+    times of outputs, and absent if no output is near the extreme. Means begin after all ramps, if the run
+    continues after them. A static run has no times, and its values are also the means. In space, the mean of
+    an angle is the magnitude of the mean rotation; in a plane it has a sign.
 
     Parameters
     ----------
-    histories : of outputs along the riser, (time, n + 1), beside those among the arrays.
+    histories : histories along the riser, (time, n + 1), in addition to those in ``arrays``.
     """
     rows = []
     time = arrays.get("time", np.zeros(0))
@@ -56,7 +57,7 @@ def extremes(
 def _seen_by_steps(
     scene: Resolved, mesh: Mesh, name: str, arrays: Arrays, peaks: Mapping[str, Peak]
 ) -> dict[str, float]:
-    """Largest and smallest value of an output over time by all steps; empty where only outputs are known."""
+    """Largest and smallest value of an output over all time steps; empty if only outputs are known."""
     if name in peaks:
         return peaks[name]._asdict()
     if name == "lower_end_tension" and "effective_tension_max" in arrays:
@@ -69,10 +70,10 @@ def _seen_by_steps(
 
 
 def places(scene: Resolved, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]]:
-    """Places along the riser that an output has, by what limits call them, with their nodes."""
+    """Places along the riser that an output has, named as in limits, with their nodes."""
     for k, section in enumerate(scene.riser):
         if name == "von_mises_stress" and wall_lacks(scene, section):
-            continue  # at its ends there is that of its neighbours
+            continue  # at its ends there is the value of its neighbours
         nodes = nodes_of(mesh, k)
         yield section.name, nodes
         yield f"lower end of {section.name}", slice(nodes.start, nodes.start + 1)
@@ -115,7 +116,7 @@ def _along(
 
 
 def _over_time(name: str, arrays: Arrays, later: NDArray[np.bool_]) -> dict[str, Any] | None:
-    """Of one value a time; of cylinders the row is that of all of them."""
+    """The row of an output with one value per time; for cylinders, one row for all of them together."""
     row: dict[str, Any] = {"output": name, "where": ""}
     rest = arrays.get(name + "_static")
     if name in arrays and "time" in arrays:

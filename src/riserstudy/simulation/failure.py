@@ -1,4 +1,4 @@
-"""Which effect is to blame: forces of each effect alone at one node."""
+"""The effect that probably caused a failure, from the forces of each effect alone at one node."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def suspect(model: Model, node: int) -> str:
         if call is None:
             continue
         shape_of(model.programs, model.state)
-        state.pull[:] = 0.0  # that of this effect alone counts, where it pulls
+        state.pull[:] = 0.0  # only the pull of this effect
         force_of(assemble([(call, record)], model.state), model.state)
         size = float(np.abs(state.force[:, node]).max() + np.abs(state.pull).sum())
         if not size <= worst:
@@ -36,7 +36,7 @@ def suspect(model: Model, node: int) -> str:
 
 
 def why(model: Model, mesh: Mesh, sums: Sums) -> str:
-    """What to tell about a step that failed: time, node, effect and remedy."""
+    """The message about a failed time step: time, node, effect and remedy."""
     time, node, size = sums.failure
     how = "Newton's iteration did not converge even after halving the step"
     if sums.count[EVALUATIONS]:
@@ -52,10 +52,10 @@ def why(model: Model, mesh: Mesh, sums: Sums) -> str:
 
 
 def collapsed(model: Model, mesh: Mesh) -> str:
-    """A sentence on a telescopic joint that is far shorter than it is meant to be; empty otherwise."""
+    """A sentence about a telescopic joint that is far shorter than its length; else empty."""
     if not mesh.joint:
         return ""
-    shape_of(model.programs, model.state)  # of the last step that was made
+    shape_of(model.programs, model.state)  # of the last completed step
     length, drawn = float(mesh.l0[-1]), float(model.s.length[-1])
     if drawn > MEET * length:
         return ""

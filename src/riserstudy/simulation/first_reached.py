@@ -1,4 +1,4 @@
-"""When each limit of a scene is first reached in a run: what watch circles are drawn from."""
+"""The time at which a run first reaches each limit of a scene, from which watch circles are computed."""
 
 from __future__ import annotations
 
@@ -20,14 +20,15 @@ from riserstudy.simulation.extremes import places
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
 NEVER, UNKNOWN = "never", "unknown"
-LEAST = 3  # outputs that curvature follows from
+LEAST = 3  # smallest number of outputs for a curvature
 
 
 class Reached(NamedTuple):
     """Time (s) at which a limit is first reached, NEVER, or UNKNOWN where its history is missing."""
 
     time: float | str
-    error: float  # s, estimated, since outputs are apart; 0 where all steps are known
+    # estimated error (s) due to the interval of outputs; 0 if all time steps are known
+    error: float
 
 
 def first_reached(
@@ -37,15 +38,16 @@ def first_reached(
     histories: Arrays,
     every_step: Mapping[str, FloatArray],
 ) -> list[Reached]:
-    """When each limit is first reached.
+    """Time at which each limit is first reached.
 
-    Straight between the steps, or between the outputs where steps are not known. A mean is reached at no
-    time: UNKNOWN. A smallest tension is reached where the mud above the riser takes what is left.
+    Interpolation is linear between time steps, or between outputs if the steps are not known. The time at
+    which a mean is reached is not defined: UNKNOWN. A smallest tension is reached where the mud above the
+    riser exceeds its margin.
 
     Parameters
     ----------
-    histories : of outputs along the riser at all nodes, (time, n + 1), beside those among the arrays.
-    every_step : time (s) and what has one value a time, at all steps; empty where only outputs are known.
+    histories : histories along the riser at all nodes, (time, n + 1), in addition to those in ``arrays``.
+    every_step : time (s) and outputs with one value per time, at all steps; empty if only outputs are known.
     """
     found = []
     for limit in scene.limits or []:
@@ -67,9 +69,10 @@ def first_reached(
 
 
 def _error(times: FloatArray, values: FloatArray, time: float) -> float:
-    """Estimated error of a time (s) between two outputs: a deviation from the line, over its slope.
+    """Estimated error of a time (s) between two outputs: deviation from the linear interpolation / slope.
 
-    It is that of a parabola with the larger curvature of both ends, at most the time between the outputs.
+    The deviation is that of a parabola with the larger curvature of both ends. The error is at most the time
+    between the outputs.
     """
     k = int(np.searchsorted(times, time))
     if not 0 < k < len(times) or len(times) < LEAST:
@@ -83,7 +86,7 @@ def _error(times: FloatArray, values: FloatArray, time: float) -> float:
 def _demand(
     scene: Resolved, mesh: Mesh, limit: Limit, arrays: Arrays, histories: Arrays
 ) -> FloatArray | None:
-    """What a limit looks at over time, the worst of its places; None without a history at all of these."""
+    """The limited quantity over time, at the worst of its places; None if a place has no history."""
     name = limit.output
     history: Any = histories.get(name, arrays.get(name))
     if history is None or len(history) != len(arrays["time"]):

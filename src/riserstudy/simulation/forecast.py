@@ -1,4 +1,4 @@
-"""What a long run will take, from its first periods run to the same accuracy."""
+"""Estimated elapsed time of a long run, from its first periods at the same tolerance."""
 
 from __future__ import annotations
 
@@ -16,42 +16,44 @@ from riserstudy.simulation.time_limit import Watch, size
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-PERIODS = 12.0  # of a scene after its ramps, which are run first
-LONG = 20.0  # times these, from which on a run is worth it
-ESTIMATED = 2.0  # times a run on a mesh of the scene: with those that tell its error
-BY_PIECE = 1.3  # times the last run of a long record in an irregular sea: with a coarser one, and its piece
+PERIODS = 12.0  # number of periods after the ramps that are run first
+# ratio of durations, whole run to first periods, from which on a forecast is worthwhile
+LONG = 20.0
+# cost of a run on a prescribed mesh with its error estimate, relative to the run alone
+ESTIMATED = 2.0
+BY_PIECE = 1.3  # cost of a long record with its coarser run and its piece, relative to its last run
 
 
 class Forecast(NamedTuple):
-    """What the whole run will come to."""
+    """Estimated time and properties of the whole run."""
 
     seconds: float
     elements: int
     step: float  # s
-    piece: float  # the time that was run (s)
-    error: dict[str, float]  # estimated for that
+    piece: float  # simulated time on which the estimate is based (s)
+    error: dict[str, float]  # estimated error for this piece
 
 
 def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
-    """Time that a scene will take, from a piece of it; None where it is short, or lets go of the wellhead.
+    """Estimated time of a run, from its first piece; None if the run is short or has events or a vessel.
 
     Parameters
     ----------
-    watch : what looks on; absent: nothing does.
+    watch : reports progress and interrupts the run; absent: no reports and no time limit.
 
     Raises
     ------
     SimulationError
         When the piece cannot be completed.
     TakesTooLong
-        When the watch breaks it off.
+        When the watch interrupts it.
     """
     a = scene.analysis
     piece = longest_ramp(scene) + PERIODS * period(scene)
     if a.duration is None or a.output is None or scene.events or a.duration < LONG * piece:
         return None
     if scene.vessel or scene.top.tension_loss:
-        return None  # what happens later is another motion than that of the first periods
+        return None  # the later motion differs from the motion of the first periods
     facts = _facts(piece_of(scene, piece), watch or Watch())
     times, seconds = a.duration / piece, facts["solve_seconds"]
     if a.mesh is not None:
@@ -68,7 +70,7 @@ def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
 
 
 def _facts(scene: Resolved, watch: Watch) -> RunFacts:
-    """Facts of a run of which the first attempt, which loads kernels, does not count."""
+    """Facts of a run; a previous run, which loads the kernels, is not included in its time."""
     a = scene.analysis
     if a.mesh is not None:
         mesh = prescribed(scene, a.mesh.elements)

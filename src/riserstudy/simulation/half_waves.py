@@ -1,7 +1,7 @@
-r"""How short the waves are that vortices send along a riser, which its segments must resolve.
+r"""Length of the waves that vortices send along a riser, which the segments must resolve.
 
 A wave of angular frequency :math:`\omega` has the number k of :math:`E I k^4 + T k^2 = m \omega^2` in a riser
-of bending stiffness EI, tension T and mass m per length, that of contents and added mass in it.
+of bending stiffness EI, tension T and mass m per length, which includes contents and added mass.
 """
 
 from __future__ import annotations
@@ -17,21 +17,19 @@ from riserstudy.model.vortices import shedding_period
 from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
-MOST = (
-    250  # half waves along a riser; what is shorter than such a part of it is not resolved at first
-)
+MOST = 250  # largest number of half waves along a riser that the first mesh resolves
 
 
 def half_wave(scene: Resolved, mesh: Mesh, tension: FloatArray) -> dict[int, float]:
-    """Length (m) of half a wave of the fastest vortices, by section; the shortest in each.
+    """Shortest half wave (m) of the fastest vortices in each section, by index of the section.
 
     Parameters
     ----------
-    tension : (n,) of the segments (N), along a riser at rest.
+    tension : (n,) tension of the segments of a riser at rest (N).
 
     Returns
     -------
-    Empty where nothing is shed.
+    Empty without vortices.
     """
     period = shedding_period(scene)
     if not math.isfinite(period):
@@ -55,14 +53,14 @@ def wave_number(bending: float, tension: float, mass: float, frequency: float) -
     Parameters
     ----------
     bending : EI (N m2).
-    tension : N; without bending stiffness, no wave runs where it is not above 0, and the number is infinite.
+    tension : T (N); without bending stiffness and with a tension of 0 or less, the number is infinite.
     mass : kg/m.
     frequency : rad/s.
     """
     inertia = mass * frequency**2
     if bending > 0.0:
         root = math.hypot(tension, 2.0 * math.sqrt(bending * inertia))
-        # the same number in both forms, of which one loses no digits
+        # two equal forms, of which the one without cancellation is used
         square = (
             2.0 * inertia / (root + tension)
             if tension > 0.0

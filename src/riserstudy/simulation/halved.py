@@ -1,4 +1,4 @@
-"""What halving a mesh or a time step was seen to change, and the error that it left."""
+"""The change by halving a mesh or a time step, and the remaining error."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from riserstudy.simulation.error_estimate import MOST_FALL, SURE_FALL, controlle
 
 
 class Halved:
-    """What halving mesh or step was seen to change, and the error that it left.
+    """The change by halving mesh or time step, and the remaining error.
 
     Parameters
     ----------
     change : relative difference of the two runs, by quantity.
-    before : the same of the halving before, of the same of mesh and step.
-    floor : changes up to which two runs show nothing but chance, by quantity.
+    before : the previous halving of the same kind (mesh or step).
+    floor : changes up to which the difference of two runs may be chance, by quantity.
     """
 
     def __init__(
@@ -27,22 +27,22 @@ class Halved:
         self.change = change
         worst = max(controlled(change), key=lambda name: change[name], default="")
         was = before.change.get(worst, 0.0) if before else 0.0
-        #: of the largest controlled change since the one before; unknown: as much as is believed
+        #: decrease of the largest controlled change since the previous halving; if unknown, `MOST_FALL`
         self.fall: float = max(was / change[worst], 1.0) if was and change[worst] else MOST_FALL
-        # with another mesh or step changes are alike, but not to the third order; and after a fall that
-        # was less than that of the second, a steep one may be chance
+        # If the other of mesh and step was halved in between, changes are comparable only to second order;
+        # and after a decrease of less than second order, a steep decrease may be chance.
         doubtful = before and (before.since or before.fall < SURE_FALL)
         most = SURE_FALL if doubtful else MOST_FALL
         self.error = estimate(change, before.change if before else None, most)
         chance = floor or {}
-        #: the part of it that lies above chance, which a finer run would reduce
+        #: errors of quantities whose change exceeds chance, which a finer run would reduce
         self.above = {k: v for k, v in self.error.items() if change[k] > chance.get(k, 0.0)}
-        #: changes within chance: what two runs differ by, however fine
+        #: changes within chance, which finer runs would not reduce
         self.within = {k: v for k, v in change.items() if k in chance and k not in self.above}
-        self.since: int = 0  # halvings of the other
+        self.since: int = 0  # number of halvings since this one
 
     def scaled(self, by: dict[str, float]) -> Halved:
-        """The same of runs that differ and err more, each quantity by a factor (1)."""
+        """A copy with changes and errors multiplied by a factor (1) for each quantity."""
         other = copy(self)
         other.change = {name: by.get(name, 1.0) * value for name, value in self.change.items()}
         other.error = {name: by.get(name, 1.0) * value for name, value in self.error.items()}
@@ -56,7 +56,7 @@ def enter(
     change: dict[str, float],
     floor: dict[str, float] | None = None,
 ) -> Halved:
-    """Enter the relative change by halving one of mesh and step (1); what was seen before is older now.
+    """Record the relative change (1) by halving mesh or step, and count it for the age of earlier ones.
 
     ``floor``: changes that are within chance, by quantity.
     """
@@ -70,8 +70,8 @@ def enter(
 def error_of(seen: Collection[Halved], chance: dict[str, float]) -> dict[str, float]:
     """Estimated relative error of a run, by quantity (1).
 
-    What all halvings left, and the largest of all differences by chance: those that were seen, and those
-    that its own length makes likely, ``chance``.
+    It is the sum of the errors that all halvings leave, plus the largest difference by chance. The latter is
+    the largest of the differences that were found, and of ``chance``, which follows from the run's length.
     """
     names = dict.fromkeys(name for one in seen for name in one.error)
     return {

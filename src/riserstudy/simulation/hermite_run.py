@@ -1,7 +1,7 @@
-"""A scene by the Hermite beam: small slopes, tension that stays that of the straight riser.
+"""A scene by the Hermite beam: small slopes, and the constant tension of the straight riser.
 
-The paper's own way of solving, and a second opinion on the lumped masses with which it shares no code.
-Water is met at the heights at which the riser rests, stretched and leaning.
+This is the papers' solution method, and an independent check of the lumped-mass engine, with which it shares
+no code. Water is evaluated at the elevations of the static riser, stretched and inclined.
 """
 
 from __future__ import annotations
@@ -33,9 +33,10 @@ if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
 FloatArray = NDArray[np.float64]
-STIFFENING = 0.01  # change of the top tension, left out by a beam of constant tension, that is told
-CORRECTION = 1e-8  # that ends an iteration (m); on fine elements rounding leaves 1e-10
-#: effects of lumped masses that the beam has too; the waterline is where it is at rest
+STIFFENING = 0.01  # relative change of the top tension from which on its omission causes a warning
+# correction that ends an iteration (m); on fine elements, rounding errors are 1e-10
+CORRECTION = 1e-8
+#: effects of the lumped-mass engine that the beam also has; its waterline is that at rest
 SUPPORTED = {
     *(
         "axial elasticity",
@@ -50,20 +51,20 @@ SUPPORTED = {
     *("contents", "added mass", "drag", "current", "wave", "wave force", "waterline"),
     *("platform motion", "platform position", "constant tension", "lateral force"),
 }
-#: what small angles leave out, by the meaning of the word
+#: effects that the small-angle assumption excludes by definition
 LARGE_ANGLES = {"foreshortening"}
 AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 
 
 def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result:
-    """One run of a scene as a tensioned beam, by a step (s; None: at rest).
+    """One run of a scene as a tensioned beam, with a time step (s; None: static).
 
     It has histories at all nodes, and envelopes over the outputs.
 
     Raises
     ------
     SimulationError
-        When the scene has what the beam has not, is unstable, or a step fails.
+        When the beam cannot represent the scene, is unstable, or a step fails.
     """
     started = clock.perf_counter()
     beam = beam_of(scene, mesh)
@@ -108,7 +109,7 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
 def _over_time(
     moving: Response, keep: NDArray[np.bool_], constant: dict[str, FloatArray]
 ) -> dict[str, FloatArray]:
-    """Histories (time, s) of the outputs to keep, with their envelopes; some quantities are constant."""
+    """Histories (time, s) of the requested outputs, with their envelopes; some quantities are constant."""
     still = np.ones((int(keep.sum()), 1))
     histories = {name: still * values for name, values in constant.items()}
     histories |= {"x": moving.displacement[keep], "bending_moment": moving.moment[keep]}
@@ -119,7 +120,7 @@ def _over_time(
 
 
 def _stiffening(scene: Resolved, mesh: Mesh, rest: FloatArray, moving: FloatArray) -> float:
-    """Largest change of tension (N) by which a held top answers the length that bending takes."""
+    """Largest change of tension (N) of a held top due to lateral motion, which a constant tension omits."""
     if scene.top.z == "free":
         return 0.0
     flexibility = sum(
@@ -136,7 +137,7 @@ def beam_of(scene: Resolved, mesh: Mesh) -> Beam:
     Raises
     ------
     SimulationError
-        When the scene has what a beam of small slopes has not.
+        When a beam with small slopes cannot represent the scene.
     """
     _refuse(scene)
     gravity = scene.gravity or 0.0
@@ -178,7 +179,7 @@ def beam_of(scene: Resolved, mesh: Mesh) -> Beam:
 
 
 def _wet_share(scene: Resolved, mesh: Mesh) -> FloatArray:
-    """Share of each segment that is below the surface with the riser upright, (n,); all without one."""
+    """Share of each segment below the surface, for an upright riser, (n,); 1 without a surface."""
     if scene.water is None or scene.water.surface is None:
         return np.ones(len(mesh.l0))
     below = scene.water.surface - (scene.bottom.elevation or 0.0) - mesh.s[:-1]
@@ -186,14 +187,14 @@ def _wet_share(scene: Resolved, mesh: Mesh) -> FloatArray:
 
 
 def _width(elevation: FloatArray, at: float) -> float:
-    """Length over which a jump of the current is spread on nodes at elevations (m)."""
+    """Length over which a jump of the current is spread (m), for nodes at elevations (m)."""
     middle = 0.5 * (elevation[1:] + elevation[:-1])
     width = float(np.interp(at, middle, np.diff(elevation)))
     return within(width, at, float(elevation[0]), float(elevation[-1]))
 
 
 def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
-    """The beam in its water, which it meets at the heights of its rest."""
+    """The beam in water, evaluated at the elevations of the riser at rest."""
     elevation = (scene.bottom.elevation or 0.0) + np.append(
         0.0, np.cumsum((1.0 + strain) * np.diff(dry.s))
     )
@@ -221,7 +222,7 @@ def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) ->
 
 
 def _sign(heading: float | None) -> float:
-    """Of a heading along or against x."""
+    """1 for a heading along x, -1 for a heading against x."""
     return math.copysign(1.0, math.cos(heading or 0.0))
 
 
@@ -231,7 +232,7 @@ def effects_of(scene: Resolved) -> dict[str, str]:
     Raises
     ------
     SimulationError
-        When the scene calls for one that the beam has not.
+        When the scene includes an effect that the beam does not have.
     """
     model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0, d=2)
     called = {effect.name: effect.because for effect in model.effects}
@@ -245,7 +246,7 @@ def effects_of(scene: Resolved) -> dict[str, str]:
 
 
 def _refuse(scene: Resolved) -> None:
-    """Refuse what the beam has not."""
+    """Refuse scenes that the beam cannot represent."""
     effects_of(scene)
     top, platform = scene.top, scene.platform
     reasons = {
@@ -282,7 +283,7 @@ def _refuse(scene: Resolved) -> None:
 
 
 def _speeds(sea: Any, z: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Amplitudes of horizontal and vertical velocity at elevations, (c, ...); none above the mean level."""
+    """Amplitudes of horizontal and vertical velocity at elevations, (c, ...); zero above the mean level."""
     depth = sea.surface - z
     k = sea.number.reshape(-1, *(1 for _ in z.shape))
     speed = (sea.amplitude * sea.frequency).reshape(k.shape)
@@ -309,7 +310,7 @@ def _top(scene: Resolved) -> End:
 
 
 def _away(scene: Resolved) -> float:
-    """Where the top is held at rest (m)."""
+    """Horizontal position of the top at rest (m)."""
     top, platform = scene.top, scene.platform
     away = top.offset or 0.0
     if top.x == "platform" and platform and platform.position:
@@ -337,7 +338,7 @@ def _motion(away: float, surge: Any) -> Motion:
 
 
 def _moving(scene: Resolved, beam: Beam, step: float) -> Response:
-    """Newmark's method; Newton's iteration finds what the paper's repetition with the last drag does."""
+    """Newmark's method; Newton's iteration converges to the solution of the paper's iteration of the drag."""
     a = scene.analysis
     if a.duration is None or a.output is None:
         raise TypeError("a step without a duration")  # refused by the scene

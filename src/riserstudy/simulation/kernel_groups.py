@@ -1,16 +1,16 @@
-"""Groups of kernels that scenes of a kind share: which of them a scene runs."""
+"""Groups of kernels, and the group that a scene needs."""
 
 from __future__ import annotations
 
 from riserstudy.scene.resolve import Resolved
 
-#: of Hermite elements, along a line, in a plane, in space, without bending stiffness; what is compiled in
-#: the shortest time first, but what most studies need before what few do
+#: Hermite elements, along a line, in a plane, in space, without bending stiffness; groups that compile in the
+#: shortest time come first, but groups that most studies need before groups that few studies need
 GROUPS = ("hermite", "line", "plane", "space", "string")
 
 
 def group_of_modes(scene: Resolved) -> str:
-    """The group with most of the kernels that a scene's modes take: sideways without a load, too."""
+    """The group with most of the kernels for a scene's modes, which include lateral modes without a load."""
     bends = all(bending for _, bending in (section.elasticity for section in scene.riser))
     if scene.spatial or scene.lateral or not bends or scene.top.x is None:
         lumped = scene.analysis.model_copy(update={"solver": None})
@@ -19,7 +19,7 @@ def group_of_modes(scene: Resolved) -> str:
 
 
 def group_of(scene: Resolved) -> str:
-    """The group with most of the kernels that a scene runs; others it compiles as it comes to them."""
+    """The group with most of the kernels that a scene needs; it compiles the others when they are called."""
     if scene.analysis.solver == "hermite":
         return "hermite"
     if not (scene.lateral or scene.spatial):

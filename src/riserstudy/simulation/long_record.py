@@ -1,9 +1,10 @@
-"""A long record of an irregular sea: mesh and step of a piece of it serve the whole, if that errs no more.
+"""Refinement of a long record of an irregular sea, by mesh and time step of its first piece.
 
-A refinement runs a record again and again, each run finer, and all of them take about twice as long as the
-last. Here these are runs of the record's first piece. Of the whole there are two: with the mesh and the step
-that the piece ended with, and one with segments and steps twice as long, which takes a quarter of its time.
-Where these two differ by more than the same two of the piece, the whole errs by as much more.
+A refinement repeats a record with finer and finer runs, which together take about twice the time of the last
+run. Here, these are runs of the record's first piece. The whole record is run twice: with the final mesh and
+step of the piece, and with segments and steps twice as long, which takes a quarter of the time. If these two
+runs differ by more than the same two runs of the piece, the estimated error of the whole is increased by the
+same factor.
 """
 
 from __future__ import annotations
@@ -25,17 +26,18 @@ from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
 from riserstudy.simulation.vibration_refinement import VibrationRefinement
 
-PERIODS = 48.0  # the shortest of a scene, after its ramps, that are a piece: two dozen waves
-LONG = 10.0  # pieces, from which on they pay
+# length of a piece after the ramps, in shortest periods of the scene: two dozen waves
+PERIODS = 48.0
+LONG = 10.0  # ratio of record to piece from which on a piece saves time
 
 
 def piece_length(scene: Resolved) -> float:
-    """Time of the piece that a record is refined on (s)."""
+    """Duration of the piece on which a record is refined (s)."""
     return longest_ramp(scene) + PERIODS * period(scene)
 
 
 def is_long(scene: Resolved) -> bool:
-    """Whether a scene is a long record of an irregular sea, in which nothing happens but waves."""
+    """Whether a scene is a long record of an irregular sea, without events and without a vessel."""
     a = scene.analysis
     response = scene.platform and scene.platform.response
     seas = scene.wave, response and response.wave
@@ -47,7 +49,7 @@ def is_long(scene: Resolved) -> bool:
 
 
 def refinement_of(scene: Resolved, watch: Watch) -> Refinement:
-    """What refines a scene; with a patience by runs of the whole, of which the last that is done counts."""
+    """The refinement of a scene; with a time limit, all runs are of the whole record."""
     if any(section.viv for section in scene.riser):
         return VibrationRefinement(scene, watch)
     by_piece = is_long(scene) and watch.patience == math.inf
@@ -55,16 +57,16 @@ def refinement_of(scene: Resolved, watch: Watch) -> Refinement:
 
 
 class LongRecord(Refinement):
-    """The refinement of a long record, by way of a piece of it."""
+    """The refinement of a long record by its first piece."""
 
     def _refine(self) -> bool:
-        """As of any record, begun with the mesh and step that its piece ended with; whether it reached."""
+        """Refine from the final mesh and step of the piece; returns whether the tolerance is met."""
         part = Refinement(piece_of(self.scene, piece_length(self.scene)), self.watch)
         try:
             whole = self._by_piece(part)
         except PhysicallyUnstable:
             raise
-        except SimulationError:  # it may only be that a coarse run fails
+        except SimulationError:  # perhaps only a coarse run fails
             whole = None
         if whole is None:
             return super()._refine()
@@ -79,7 +81,7 @@ class LongRecord(Refinement):
         return super()._refine()
 
     def _by_piece(self, part: Refinement) -> Result | None:
-        """The whole as its piece says, with the error of each way; None where the piece does not say."""
+        """The whole record with mesh and step of the piece, with its errors; None if the piece gives none."""
         if not part._refine() or part.finest is None or len(part.meshes) < 2 or part.step is None:
             return None
         self.spent += part.spent
@@ -97,7 +99,7 @@ class LongRecord(Refinement):
         return whole
 
     def _run(self, scene: Resolved, mesh: Mesh, step: float, coarse: bool) -> Result:
-        """A run of the whole or of a piece; a coarse one has what a comparison needs."""
+        """A run of the whole record or of a piece; a coarse run has only the outputs for a comparison."""
         self.watch.begin(f"{scene.analysis.duration:.4g} s on {size(len(mesh.l0), step)}")
         shortened = thinned(scene, step)[0] if coarse else scene
         run = march(shortened, mesh, step, watch=self.watch, extremes=not coarse)

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 DEFAULT_ELEMENTS = 200
 MOST_MODES = 1000
-EQUAL = 1e-6  # by which displacements of one mode may differ and count as the same
+EQUAL = 1e-6  # largest difference of displacements of a mode that count as equal
 
 
 def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
@@ -62,10 +62,10 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
 
 
 def modes_of(scene: Resolved, count: int) -> xr.Dataset:
-    """Frequencies, periods and shapes of the lowest modes, as ``modes`` has them.
+    """Frequencies, periods and shapes of the lowest modes, as in ``modes``.
 
-    A riser with bending stiffness or tension vibrates sideways too, whatever the scene moves; only a
-    bar without either is left to its axial modes.
+    A riser with bending stiffness or tension also has lateral modes, even if nothing in the scene moves it
+    laterally. A bar without either has only axial modes.
 
     Raises
     ------
@@ -75,7 +75,7 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
     import xarray as xr
 
     scene = _without_lag(scene)
-    mesh, d = mesh_of_modes(scene)  # in all directions in which it moves
+    mesh, d = mesh_of_modes(scene)  # in all directions in which the riser can vibrate
     model, _ = settle(at_rest(scene), mesh, d)
     try:
         frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
@@ -115,7 +115,7 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
 
 
 def mesh_of_modes(scene: Resolved) -> tuple[Mesh, int]:
-    """The mesh and the number of directions that modes are computed with."""
+    """The mesh and the number of directions for the computation of modes."""
     most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
     mesh = prescribed(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
@@ -123,7 +123,7 @@ def mesh_of_modes(scene: Resolved) -> tuple[Mesh, int]:
 
 
 def _upright(shape: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Shapes (k, d, n+1) of which the largest displacement is positive; of equal ones the lowest."""
+    """Shapes (k, d, n+1) whose largest displacement is positive; among equal displacements, the lowest."""
     flat = shape.reshape(len(shape), -1)
     size = np.abs(flat)
     largest = (size >= (1.0 - EQUAL) * size.max(axis=1, keepdims=True)).argmax(axis=1)
@@ -132,7 +132,7 @@ def _upright(shape: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _without_lag(scene: Resolved) -> Resolved:
-    """The scene with thrusters that answer at once: modes know no delays."""
+    """The scene with thrusters without lag, which modes cannot represent."""
     vessel = scene.vessel
     if vessel is None or vessel.thrusters is None or vessel.thrusters.lag is None:
         return scene
@@ -141,7 +141,7 @@ def _without_lag(scene: Resolved) -> Resolved:
 
 
 def _motion(size: NDArray[np.float64]) -> str:
-    """What moves most, by the largest displacement in each direction; 1 is the largest of all."""
+    """The direction with the largest motion, from the largest displacement in each direction."""
     if size.max() < 0.5:
         return "yaw"
     return "axial" if size.argmax() == len(size) - 1 else "lateral"

@@ -1,4 +1,4 @@
-"""What a run returns: the state at rest, histories, envelopes, angles, strokes, reports of devices."""
+"""Outputs of a run: the state at rest, histories, envelopes, angles, strokes, reported values of devices."""
 
 from __future__ import annotations
 
@@ -32,11 +32,12 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
-WINDOW = (-1, 0, 1, 2)  # nodes about a segment's lower one, that a place in it takes values of
+# nodes relative to a segment's lower node, from which values in it are interpolated
+WINDOW = (-1, 0, 1, 2)
 
 
 class AtRest(NamedTuple):
-    """Where things are before they move."""
+    """Positions in the state at rest."""
 
     reach: FloatArray  # (cylinders,) m
     joint: float  # length of the top segment (m)
@@ -44,7 +45,7 @@ class AtRest(NamedTuple):
 
 
 def quantities(model: Model) -> list[str]:
-    """Names of the quantities that a record holds, in its order."""
+    """Names of the quantities in a record, in its order."""
     d = len(model.s.dim)
     places = ["xyz"[axis] for axis in AXES[d]]
     return [*places, "effective_tension", *(["bending_moment"] if len(model.s.dof) > d else [])]
@@ -80,7 +81,7 @@ def at_rest(scene: Resolved, model: Model, mesh: Mesh) -> Arrays:
 
 
 def _tabulated(model: Model) -> Record:
-    """What is written down of a model at rest: quantities at the nodes, ends, what devices report."""
+    """The record of a model at rest: quantities at the nodes, ends, reported values of devices."""
     state, own = model.spare.value, model.s
     state.r[:], state.moment[:], state.clock[:] = own.r, own.moment, own.clock
     state.platform[:], state.deck[:], state.carried[:] = own.platform, own.deck, own.carried
@@ -93,7 +94,7 @@ def _tabulated(model: Model) -> Record:
 
 
 def positions(model: Model) -> AtRest:
-    """Where cylinders, joint and top are in a model at rest."""
+    """Positions of cylinders, joint and top in a model at rest."""
     state = model.s
     top = len(state.l0)
     joint = float(np.linalg.norm(state.r[:, top] - state.r[:, top - 1]))
@@ -101,14 +102,14 @@ def positions(model: Model) -> AtRest:
 
 
 class Wanted(NamedTuple):
-    """Histories that are asked for: at places, or at all nodes."""
+    """The requested histories: at places, or at all nodes."""
 
     places: FloatArray | None  # m
-    nodes: NDArray[np.int64]  # whose histories tell them
+    nodes: NDArray[np.int64]  # nodes from which they are interpolated
 
 
 def wanted(arrays: Arrays, stations: list[float] | None) -> Wanted:
-    """The nodes that the histories at stations (m) need; all without stations."""
+    """The nodes that histories at stations (m) require; all nodes without stations."""
     if stations is None:
         return Wanted(None, np.arange(len(arrays["s_node"])))
     places = np.array(stations, float)
@@ -131,7 +132,7 @@ def empty_record(
     section: Section = NO_SECTION,
     room: int = 0,
 ) -> Frozen:
-    """Record for the outputs of a march up to a time (s); ``section`` and ``room`` as `new_record` takes."""
+    """Record for the outputs of a march up to a time (s); ``section`` and ``room`` as in `new_record`."""
     first = output.start or 0.0
     count = math.floor((end - first) / output.interval * (1.0 + 1e-12) + 1e-9)
     times = first + output.interval * np.arange(count + 1)
@@ -141,14 +142,14 @@ def empty_record(
 
 
 def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Arrays:
-    """Histories at places or nodes, and envelopes at all nodes."""
+    """Histories at places or at nodes, and envelopes at all nodes."""
     names = quantities(model)
     envelopes: Arrays = {"time": record.time}
     full: Arrays = {}
     for k, name in enumerate(names):
         most, least = record.largest[k], record.smallest[k]
         envelopes[name + "_max"], envelopes[name + "_min"] = most, least
-        # what is interpolated between steps may pass the peaks of their parabolas by a third-order error
+        # values interpolated between steps may exceed the peaks of the parabolas by a third-order error
         full[name] = np.clip(record.history[:, k, :], least[of.nodes], most[of.nodes])
     if "mesh_corner" in arrays:
         envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
@@ -164,7 +165,7 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
 def _at_places(
     arrays: Arrays, full: Arrays, nodes: NDArray[np.int64], places: FloatArray
 ) -> Arrays:
-    """Histories at places from those at some nodes; at a node they are that node's to the last bit."""
+    """Histories at places from histories at some nodes; at a node they equal its history to the last bit."""
     whole = {
         name: np.zeros((*values.shape[:-1], len(arrays["s_node"]))) for name, values in full.items()
     }
@@ -174,9 +175,10 @@ def _at_places(
 
 
 def keep_stations(result: Result, stations: list[float] | None) -> None:
-    """Keep histories only at the stations (m) that are asked for; None: at all nodes.
+    """Keep histories only at the requested stations (m); None: at all nodes.
 
-    Those at all nodes are laid on other nodes by the components of the moment, which stay with them.
+    Histories at all nodes keep the components of the moment, which later interpolation to other nodes
+    requires.
     """
     arrays = result.arrays
     if stations is None:
@@ -233,7 +235,7 @@ def rotations(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arra
 def _ends(
     scene: Resolved, model: Model, mesh: Mesh, record: Record
 ) -> dict[str, tuple[FloatArray, FloatArray]]:
-    """Directions of the riser at ends whose angle is an output, (time, 3), and what it is measured from."""
+    """Directions of the riser at ends with an angle output, (time, 3), and their reference directions."""
     d = len(model.s.dim)
     found: dict[str, tuple[FloatArray, FloatArray]] = {}
     if d == 1:
@@ -245,7 +247,8 @@ def _ends(
     on_platform = scene.platform and scene.top.x == "platform"
     if on_vessel or on_platform or scene.top.x == "held":
         turned, upright = record.platform[:, 3:], upwards
-        if scene.top.x != "held" and turned.any():  # rotations take longer than a short run
+        # the rotations would take longer than a short run
+        if scene.top.x != "held" and turned.any():
             from scipy.spatial.transform import Rotation
 
             upright = Rotation.from_euler("xyz", turned).apply(upwards)
@@ -254,7 +257,7 @@ def _ends(
 
 
 def _of_vessel(scene: Resolved, turns_aside: bool, record: Record, reported: Arrays) -> Arrays:
-    """Surge of a vessel, and sway and yaw that it may have: low-frequency and first-order motion together."""
+    """Surge, and sway and yaw if present, of a vessel: low-frequency and first-order motion together."""
     still = np.zeros(len(record.time))
     series: Arrays = {"platform_surge": record.top[:, 0] - (scene.top.offset or 0.0)}
     if scene.platform:
@@ -270,7 +273,7 @@ def _of_vessel(scene: Resolved, turns_aside: bool, record: Record, reported: Arr
 
 
 def sizes(arrays: Arrays) -> Arrays:
-    """Largest sizes over time of quantities whose sign is a convention, ``_absmax``, at all nodes."""
+    """Largest magnitudes over time, ``_absmax``, at all nodes, of quantities whose sign is a convention."""
     return {
         f"{name}_absmax": np.maximum(abs(arrays[name + "_max"]), abs(arrays[name + "_min"]))
         for name in ("x", "y", "bending_moment")
@@ -279,7 +282,7 @@ def sizes(arrays: Arrays) -> Arrays:
 
 
 def peaks(arrays: Arrays) -> RunFacts:
-    """Largest bending moment on the curve and where it is."""
+    """Largest bending moment on the curve, and its place."""
     peak = largest_moment(arrays)
     if peak is None:
         return {}
@@ -287,9 +290,9 @@ def peaks(arrays: Arrays) -> RunFacts:
 
 
 def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[str]:
-    """What there is to tell of laws left and stops touched, at rest and over time.
+    """Warnings about cylinders outside their law or at their stops, at rest and over time.
 
-    ``every_step``: time and strokes of all steps; empty where only outputs are known.
+    ``every_step``: time and strokes of all time steps; empty if only outputs are known.
     """
     over_time, all_steps = every_step or arrays, bool(every_step)
     moving = [over_time["tensioner_stroke"]] if "tensioner_stroke" in over_time else []
@@ -302,7 +305,7 @@ def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[s
 
 
 def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list[str]:
-    """What there is to tell of the stops of a telescopic joint that touch, as `of_tensioners` does."""
+    """Warnings about contact with the stops of a telescopic joint; arguments as in `of_tensioners`."""
     rest = joint.length + arrays["joint_stroke_static"]
     sentences = joint_stops_touched(joint, rest.reshape(1))
     over_time, lengths = every_step or arrays, rest.reshape(1)
@@ -316,7 +319,7 @@ def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list
 def _end_direction(
     scene: Resolved, model: Model, mesh: Mesh, record: Record, end: int
 ) -> FloatArray:
-    """Direction of the riser at an end, (time, 3): the end segment's, turned by its own bending."""
+    """Direction of the riser at an end, (time, 3): direction of the end segment plus its bending."""
     d = len(model.s.dim)
     m = len(model.s.dof) - d
     t = np.zeros((len(record.time), 3))
@@ -340,7 +343,7 @@ def _end_direction(
 
 
 def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:
-    """Angle between directions (rad): in a plane from ``upright`` towards +x, in space its size."""
+    """Angle between directions (rad): in a plane, from ``upright`` towards +x; in space, its magnitude."""
     along = (t * upright).sum(axis=1)
     if d == 2:
         return np.asarray(np.arctan2(upright[..., 2] * t[:, 0] - upright[..., 0] * t[:, 2], along))

@@ -1,4 +1,4 @@
-"""A warning where a platform moves so far that the phase of its motions in waves no longer fits the wave."""
+"""A warning if a platform moves so far that the phase of its motions no longer agrees with the wave."""
 
 from __future__ import annotations
 
@@ -11,13 +11,14 @@ from riserstudy.model.sea import components_of, wave_numbers
 from riserstudy.scene.forcing import TimeSeries
 from riserstudy.scene.resolve import Resolved
 
-FAR = 0.1  # share of a wavelength
+FAR = 0.1  # motion from which on there is a warning, as a share of the wavelength
 
 
 def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[str]:
-    """What to tell of a vessel, or a surge or sway by points, that moves along the waves of the scene.
+    """Warnings about a vessel, or a surge or sway by points, that moves along the waves of the scene.
 
-    Motions in waves keep the phase of the initial place, and loads on the riser have that of its place.
+    Motions in waves keep the phase of the platform's initial position, but loads on the riser have the phase
+    of the riser's present position.
 
     Parameters
     ----------
@@ -51,7 +52,7 @@ def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[
 
 
 def _by_points(motion: object) -> NDArray[np.float64]:
-    """Distances (m) from where the platform rests; a motion that is no time series is first-order."""
+    """Distances (m) from the rest position of a time series; zero for other, first-order motions."""
     if not isinstance(motion, TimeSeries):
         return np.zeros(1)
     return np.array([point.value for point in motion.points])

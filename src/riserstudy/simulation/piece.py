@@ -1,4 +1,4 @@
-"""The first piece of a run, which tells of the whole."""
+"""The first piece of a run, from which properties of the whole run are estimated."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from riserstudy.scene.resolve import Resolved
 
 
 def piece_of(scene: Resolved, piece: float) -> Resolved:
-    """The first piece of a run (s)."""
+    """The scene with only the first piece of its run, of a duration (s)."""
     a = scene.analysis
     if a.output is None:
-        raise TypeError("a scene without time")  # asked before
+        raise TypeError("a scene without time")  # excluded by the caller
     output = a.output.model_copy(update={"start": None, "interval": min(a.output.interval, piece)})
     first = a.model_copy(update={"duration": piece, "output": output})
     return scene.model_copy(update={"analysis": first})
 
 
 def longest_ramp(scene: Resolved) -> float:
-    """Time over which the motions and waves of a scene grow (s)."""
+    """Longest ramp of the motions and waves of a scene (s)."""
     platform = scene.platform
     growing: list[Any] = [
         scene.wave,

@@ -1,4 +1,4 @@
-"""Run a scene with the mesh and the step that it names; its error from coarser runs."""
+"""Run a scene with its prescribed mesh and time step, and estimate the error from coarser runs."""
 
 from __future__ import annotations
 
@@ -17,23 +17,24 @@ from riserstudy.simulation.starting_mesh import coarsest_mesh
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
 
-COARSER = ("step", "mesh", "step", "mesh")  # what is doubled from run to run, in turn
-RESOLVED = 2  # halvings of a mesh that is chosen, which resolve the bending of a conductor
+COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
+RESOLVED = 2  # halvings of a mesh chosen by the engine that resolve the bending of a conductor
 NOT_ESTIMATED = "the error is not estimated, because the coarser run for the estimate failed"
 
 
 def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
-    """A run with the scene's own mesh and step; its error from coarser runs.
+    """A run with the scene's prescribed mesh and time step, with an estimated error from coarser runs.
 
-    These go first, so that the time of the run itself is not that of loading kernels. Mesh and step are
-    doubled one at a time: together, the large and falling error of the one hides what the other leaves.
+    The coarser runs come first, so the time of the run itself does not include the loading of kernels. Mesh
+    and step are doubled one at a time. If both were doubled together, the larger error of one, which
+    decreases, would hide the remaining error of the other.
 
     Raises
     ------
     SimulationError
         As `run` does.
     TakesTooLong
-        When that takes longer than the watch's patience.
+        When the run takes longer than the time limit.
     """
     a = scene.analysis
     elements = a.mesh.elements if a.mesh else 1
@@ -64,10 +65,10 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
 
 
 def _in_soil(scene: Resolved, elements: int, result: Result, watch: Watch) -> dict[str, float]:
-    """What is off in a run, relative, seen by meshes that resolve the bending of the conductor in soil.
+    """Relative difference of a run from runs on meshes that resolve the bending of the conductor in soil.
 
-    Meshes with segments longer than that bending differ little from each other, and much from the result.
-    Empty without soil, and where the scene has no equilibrium on such a mesh.
+    Results on meshes with longer segments differ little from each other, but much from the converged result.
+    Empty without soil, or if the scene has no equilibrium on a mesh that resolves the bending.
     """
     if scene.soil is None:
         return {}
@@ -92,14 +93,14 @@ def _in_soil(scene: Resolved, elements: int, result: Result, watch: Watch) -> di
 
 
 def _at_least(error: dict[str, float], least: dict[str, float]) -> dict[str, float]:
-    """Estimated errors (1), none below what a quantity was seen to be off."""
+    """Estimated errors (1), each at least the error that was found for the quantity."""
     return {name: max(value, least.get(name, 0.0)) for name, value in error.items()}
 
 
 def _coarser(
     scene: Resolved, elements: int, ways: list[str], watch: Watch
 ) -> list[tuple[str, Result]]:
-    """Runs with mesh or step doubled, and which of them, each to be compared with the one before."""
+    """Coarser runs, each with mesh or step doubled relative to the previous run, and which one it is."""
     step, runs = scene.analysis.step, []
     for way in (way for way in COARSER if way in ways):
         elements = max(1, elements // 2) if way == "mesh" else elements
@@ -109,6 +110,6 @@ def _coarser(
         try:
             coarse = march(thinned(scene, step)[0], mesh, step, watch=watch, extremes=False)
             runs.append((way, coarse))
-        except SimulationError:  # a coarse mesh may buckle, a long step fail
+        except SimulationError:  # a coarse mesh may buckle, and a long step may fail
             break
     return runs

@@ -1,4 +1,4 @@
-"""Show on a terminal what a run is at; elsewhere say it once it takes long."""
+"""Show the progress of a run on a terminal; elsewhere, print lines if a run takes long."""
 
 from __future__ import annotations
 
@@ -9,14 +9,15 @@ from contextlib import contextmanager
 
 from riserstudy.simulation.time_limit import Notify
 
-LATE = 5.0  # s, after which runs are told of where nobody looks on
+LATE = 5.0  # time (s) after which a run is reported outside of a terminal
 
 
 @contextmanager
 def progress_line(progress: bool) -> Iterator[Notify | None]:
-    """What is told of runs, and shows it: on a terminal or in a notebook as one line that changes.
+    """A function that receives the progress of runs, and shows it as one changing line.
 
-    Elsewhere, as in a log, each run that is at work after a while gets a line of its own on stderr.
+    It does this on a terminal or in a notebook. Elsewhere, as in a log, it prints a line on stderr for each
+    run that takes longer than `LATE`.
     """
     if not progress:
         yield None
@@ -34,7 +35,7 @@ def progress_line(progress: bool) -> Iterator[Notify | None]:
 
 
 def _lines() -> Notify:
-    """Tell by lines."""
+    """A function that reports progress by lines."""
     started, last = clock.perf_counter(), ""
 
     def notify(title: str, share: float) -> None:

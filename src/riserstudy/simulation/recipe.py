@@ -1,7 +1,7 @@
-"""The recipe for long records: a mesh and a step of the scene's own, found on a short piece of it.
+"""The recipe for long records: a prescribed mesh and time step, found on a short piece of the record.
 
-A request runs all of a record, at the accuracy that is asked for or the default. A mesh and a step that
-serve its first piece to 5 % take less where that is finer; coarser runs estimate the error of the whole.
+A run with a tolerance refines the whole record. If the tolerance is finer than 5 %, a mesh and a step with an
+error of 5 % on the first piece take less time. Coarser runs then estimate the error of the whole record.
 """
 
 from __future__ import annotations
@@ -20,22 +20,22 @@ from riserstudy.simulation.piece import piece_of
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.starting_mesh import end_layers
 
-LONG_RECORD = 1200.0  # s of an irregular sea, from which on the recipe is worth its piece
-ROUGH = 0.05  # relative error that the piece is refined to
+LONG_RECORD = 1200.0  # duration of an irregular sea (s) from which on the recipe saves time
+ROUGH = 0.05  # relative tolerance to which the piece is refined
 
 
 class Recipe(NamedTuple):
-    """A mesh and a step for a long record, and what they come to."""
+    """A mesh and a time step for a long record, with their estimated error and time."""
 
     mesh: Mesh
     step: float  # s
-    piece: float  # of the record, that they were tried on (s)
-    error: dict[str, float]  # estimated on the piece, relative
-    seconds: float  # of the whole record, with its error estimate
+    piece: float  # duration of the piece on which they were found (s)
+    error: dict[str, float]  # estimated relative error on the piece
+    seconds: float  # estimated time of the whole record, with its error estimate (s)
 
     @property
     def words(self) -> str:
-        """What to add to the command."""
+        """Options to add to the command."""
         parts = [f"elements: {self.mesh.elements}"]
         layers = self.mesh.layers
         if layers:
@@ -47,7 +47,7 @@ class Recipe(NamedTuple):
 
 
 def recipe(scene: Resolved) -> Recipe | None:
-    """The recipe for a long record; None for what is short, regular, has a mesh, or asks for no more.
+    """The recipe for a long record; None for other scenes, and with a mesh or a tolerance of 5 % or more.
 
     Raises
     ------
@@ -78,7 +78,7 @@ def recipe(scene: Resolved) -> Recipe | None:
 def _coarser(
     scene: Resolved, elements: int, layers: Layers | None, step: float, piece: float
 ) -> tuple[int, float, dict[str, float]] | None:
-    """A longer step (s) or else a coarser mesh that serves a piece (s), with its error; None: neither."""
+    """A longer step (s), or a coarser mesh, that suffices for a piece (s), with its error; else None."""
     for fewer, longer in ((elements, 2.0 * step), (elements // 2, step)):
         if fewer < COARSEST:
             continue
@@ -97,7 +97,7 @@ def _error(scene: Resolved, piece: float) -> dict[str, float]:
 
 
 def _with(scene: Resolved, elements: int, layers: Layers | None, step: float) -> Resolved:
-    """The scene with a mesh and a step (s) of its own."""
+    """The scene with a prescribed mesh and time step (s)."""
     mesh = Mesh.model_construct(elements=elements, layers=layers)
     own = {"accuracy": None, "mesh": mesh, "step": step}
     return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=own)})

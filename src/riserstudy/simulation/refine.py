@@ -1,6 +1,6 @@
-"""Run a scene at the accuracy asked for: refine mesh and step until the estimated error is below it.
+"""Run a scene at a tolerance: refine mesh and time step until the estimated error is below it.
 
-docs/choosing_accuracy.md shows one refinement as a table, a row a run.
+docs/choosing_accuracy.md shows one refinement as a table, with one row per run.
 """
 
 from __future__ import annotations
@@ -38,13 +38,14 @@ from riserstudy.simulation.tolerance import (
     raise_if_buckling,
 )
 
-RUNS = 16  # halvings of mesh or step, at most
-SEGMENTS = 50_000  # of the finest mesh, at most
-FALL = 1.5  # of differences, by which halving must bring them down to be repeated
-STALE = 2  # halvings of the other, after which what one of mesh and step was seen to change is seen anew
-LIKELY = 1.5  # of what is asked for: an error foreseen that may turn out to be within it
-MATTERS = 0.25  # of what is asked for: an error that is
-STEPS_A_PERIOD = 24  # of the coarsest step
+RUNS = 16  # largest number of halvings of mesh or step
+SEGMENTS = 50_000  # largest number of segments
+FALL = 1.5  # smallest decrease of differences by a halving for the same halving to be repeated
+STALE = 2  # halvings after which an error is estimated again
+# predicted error, as a multiple of the tolerance, from which on the next run is not the last
+LIKELY = 1.5
+MATTERS = 0.25  # error, as a share of the tolerance, from which on it is estimated again
+STEPS_A_PERIOD = 24  # number of the coarsest time steps in a period
 
 
 def run(
@@ -55,25 +56,27 @@ def run(
 ) -> Result:
     """Simulate a scene.
 
-    With mesh and step in the scene they are used, and four coarser runs, step and mesh doubled one at a time,
-    tell the error. Otherwise mesh or step, whichever errs more, is halved
-    until the estimated error of displacement, tension and moment is below the accuracy asked for.
+    If the scene has a mesh and a time step, they are used, and four coarser runs, with step and mesh doubled
+    one at a time, give the estimated error. Otherwise, the one of mesh and step with the larger error is
+    halved until the estimated error of displacement, tension and moment is below the tolerance.
 
     Parameters
     ----------
-    patience : time (s) after which the finest run so far is the result; its fact ``ended_by`` and a warning
-        say so. A run that would not end within it is not begun, one that does not is broken off.
-    estimated : whether a run with mesh and step in the scene tells its error, which takes as long again.
-    notify : is told what is at work, and what share of it is done.
+    patience : time limit (s), after which the finest completed run is the result; its fact ``ended_by`` and a
+        warning state this. A run that would not end in time is not begun; a run that exceeds it is
+        interrupted.
+    estimated : whether the error of a run with mesh and step in the scene is estimated, which doubles the
+        time.
+    notify : function that receives the name of the present run, and the share of it that is done.
 
     Raises
     ------
     SimulationError
         When no equilibrium is found or a step fails: time, node, effect and remedy.
     PhysicallyUnstable
-        When no finer run tells how a string without bending stiffness buckles.
+        When a string without bending stiffness buckles, for which finer runs do not converge.
     TakesTooLong
-        When ``patience`` ends before the first run, or before that on a mesh that the scene asks for.
+        When the time limit ends before the first run, or before the run on a prescribed mesh.
     """
     from riserstudy.simulation.long_record import refinement_of  # which is built on this file
 
@@ -92,41 +95,43 @@ def run(
 
 
 def _exact(result: Result) -> Result:
-    """A run that nothing coarser can be compared with."""
+    """A run without a coarser run for comparison, since its result is exact."""
     result.facts["error_estimate"] = {}
     return result
 
 
 class Refinement:
-    """Halve mesh or step, whichever errs more, until both errors together are below what is asked for.
+    """Halve the one of mesh and step with the larger error, until both errors together meet the tolerance.
 
-    Every run is compared with the one before, which differs in mesh or in step alone. Where halving one
-    did not help, the other is next. A long step damps what a fine mesh would show, and the other way
-    round; so an error that was seen long before the end is looked at again, by runs coarser in it alone.
+    Every run is compared with the previous run, which differs only in mesh or only in step. If halving one
+    did not reduce the differences, the other is halved next. A long step damps motions that only a fine mesh
+    represents, and a coarse mesh omits motions that only a short step represents. An error that was estimated
+    long before the end is therefore estimated again, by runs that are coarser in the one quantity alone.
     """
 
     def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         a = scene.analysis
         self.scene, self.watch = scene, watch or Watch()
         self.target = allowed_of(scene)
-        self.meshes = [coarsest_mesh(scene)]  # each the halves of the one before
+        self.meshes = [coarsest_mesh(scene)]  # each with the segments of the previous mesh halved
         self.step = _longest_step(scene) if a.duration else None
         self.ways = [] if massless(scene) else ["mesh"]
         self.ways += ["step"] if self.step else []
-        self.way = self.ways[0] if self.ways else ""  # what was halved last
+        self.way = self.ways[0] if self.ways else ""  # mesh or step, whichever was halved last
         self.seen: dict[str, Halved] = {}  # by way
-        self.helps = True  # whether halving it brought the differences down
+        self.helps = True  # whether this halving reduced the differences
         self.lost = 0  # meshes without equilibrium
-        self.last: Result | None = None  # to compare the next run with
-        self.finest: Result | None = None  # that was completed
+        self.last: Result | None = None  # run to compare the next run with
+        self.finest: Result | None = None  # finest completed run
         self.finest_mesh = self.mesh
-        self.rest: Rest | None = None  # on the last mesh
-        self.thin = False  # whether it tells less often than it is asked to
-        self.spent: list[dict[str, Any]] = []  # what each run cost
-        self.excess: list[float] = []  # of the estimates, once there is one of mesh and step
+        self.rest: Rest | None = None  # scene at rest on the last mesh
+        self.thin = False  # whether the run has fewer outputs than requested
+        self.spent: list[dict[str, Any]] = []  # cost of each run
+        # ratios of error to tolerance, from the first complete estimate on
+        self.excess: list[float] = []
 
     def result(self) -> Result:
-        """The finest run, with the error estimated for it.
+        """The finest run, with its estimated error.
 
         Raises
         ------
@@ -144,7 +149,7 @@ class Refinement:
             self._out_of_patience(self.finest)
         finest = self.finest
         if finest is None:
-            raise TypeError("no run and no error")  # one of both there is
+            raise TypeError("no run and no error")  # cannot occur
         finish(self.scene, self.finest_mesh, finest)
         self.spent[-1] = cost(finest)
         if not reached:
@@ -157,12 +162,12 @@ class Refinement:
         return finest
 
     def _refine(self) -> bool:
-        """Run finer and finer; whether the accuracy was reached.
+        """Run with finer and finer mesh and step; returns whether the tolerance is met.
 
         Raises
         ------
         TakesTooLong
-            When patience ends before that.
+            When the time limit ends before that.
         """
         left = RUNS
         while True:
@@ -182,7 +187,7 @@ class Refinement:
             left -= 1
 
     def _repeated(self, left: int) -> bool:
-        """Run once more what turned out to be the last, with all outputs; False where one is undefined."""
+        """Repeat the run that proved to be the last, with all outputs; False if an output is not finite."""
         if self.finest is None:
             return False
         try:
@@ -198,12 +203,12 @@ class Refinement:
         return True
 
     def _out_of_patience(self, finest: Result) -> None:
-        """Enter that it ended here, and which outputs are not there."""
+        """Record that the time limit ended the refinement, and which outputs are missing."""
         finest.facts["ended_by"] = f"patience of {self.watch.patience:g} s"
         finest.facts["warnings"] += sparse_outputs(self.scene, finest)
 
     def _begin(self) -> None:
-        """Tell what is run next, how far the last was off, and what is left to do."""
+        """Report the next run, the error of the last run, and the time left."""
         on = f"run {len(self.spent) + 1}: {size(len(self.mesh.l0), self.step)}"
         if self.spent and not self._unknown:
             error = self.error
@@ -213,7 +218,7 @@ class Refinement:
         self.watch.begin(on)
 
     def _left(self) -> float:
-        """Time that is left to go where each halving quarters its error and doubles the time (s)."""
+        """Estimated time left (s), if each halving reduces its error to a quarter and doubles the time."""
         excess = {way: self._excess(one.error) for way, one in self.seen.items()}
         one, total = self.spent[-1]["solve_seconds"], 0.0
         for _ in range(RUNS):
@@ -226,7 +231,7 @@ class Refinement:
         return float(total)
 
     def _not_reached(self, finest: Result) -> str:
-        """Warn that accuracy was not reached."""
+        """The warning that the tolerance is not met."""
         return missed_accuracy(finest.facts, len(self.spent))
 
     @property
@@ -242,9 +247,10 @@ class Refinement:
         return dict.fromkeys(self.target, 0.0) | error_of(self.seen.values(), chance)
 
     def _attempt(self, left: int, whole: bool = False) -> Result | None:
-        """A run on the present mesh and step; None where it failed, and both are finer now.
+        """A run on the present mesh and step; None if it failed, after which mesh or step is finer.
 
-        ``whole``: with all outputs. Else those which a comparison needs, unless this may be the last run.
+        ``whole``: with all outputs. Otherwise with the outputs for a comparison, unless this may be the last
+        run.
         """
         scene, self.thin = self.scene, False
         if not (whole or self._may_suffice):
@@ -269,7 +275,7 @@ class Refinement:
         return None
 
     def _at_rest(self) -> Rest | None:
-        """The scene at rest on the present mesh; that of the run before where that was on it too."""
+        """The scene at rest on the present mesh, reused if the previous run was on the same mesh."""
         if self.scene.analysis.solver == "hermite":
             return None
         if self.rest is None or not self.rest.again(self.mesh):
@@ -277,7 +283,7 @@ class Refinement:
         return self.rest
 
     def _compare(self, finer: Result) -> None:
-        """See what the last halving changed, and tell the run its error."""
+        """Evaluate the change by the last halving, and add the estimated error to the run."""
         self.spent.append(cost(finer))
         if self.last is not None:
             before = self.seen.get(self.way)
@@ -300,7 +306,7 @@ class Refinement:
 
     @property
     def _may_suffice(self) -> bool:
-        """Whether the next run may be the last, if errors fall as they did."""
+        """Whether the next run may be the last, if errors continue to decrease as before."""
         if set(self._unknown) - {self.way}:
             return False
         fall = {way: one.fall if way == self.way else 1.0 for way, one in self.seen.items()}
@@ -311,27 +317,27 @@ class Refinement:
         return self._excess(left) <= LIKELY
 
     def _next_way(self) -> str | None:
-        """What to halve next; None where the accuracy is reached."""
+        """The next one of mesh and step to halve; None if the tolerance is met."""
         if self._unknown:
             return self._unknown[0]
         if self._excess(self.error) <= 1.0:
             return self._stale
-        if len(self.ways) > 1 and not self.helps:  # an error that stays may be the other's
+        if len(self.ways) > 1 and not self.helps:  # a constant error may be due to the other
             return self.ways[1 - self.ways.index(self.way)]
         return max(self.ways, key=lambda way: self._excess(self.seen[way].error))
 
     @property
     def _stale(self) -> str | None:
-        """An error that matters to a run that may be believed, and was seen long before it."""
+        """The one of mesh and step with a significant error that was estimated long before the final run."""
         if self._unknown or self._excess(self.error) > 1.0:
             return None
         old = [way for way in self.ways if self.seen[way].since >= STALE]
         return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
 
     def _reestimate(self, finer: Result, way: str) -> None:
-        """See how changes by a way fall with the other as it is now, by two runs coarser in it alone.
+        """Estimate again how changes by mesh or step decrease, by two runs that are coarser in it alone.
 
-        Where the first fails, the way is halved once more.
+        If the first of these runs fails, mesh or step is halved instead.
         """
         runs = [finer]
         for k in (1, 2):
@@ -359,7 +365,7 @@ class Refinement:
         }
 
     def _check_patience(self) -> None:
-        """Begin no run that would not end in time: each takes twice as long as the one before."""
+        """Refuse a next run that would exceed the time limit: it takes twice the time of the last run."""
         if self.watch.spent + 2.0 * self.spent[-1]["solve_seconds"] > self.watch.patience:
             raise TakesTooLong("the next run would take too long")
 
@@ -374,12 +380,12 @@ class Refinement:
             self.step = 0.5 * self.step
 
     def _excess(self, error: dict[str, float]) -> float:
-        """The largest error over what is asked for."""
+        """The largest ratio of error to tolerance."""
         return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
 
 
 def _longest_step(scene: Resolved) -> float:
-    """The step that a refinement starts from (s): in turns of platform and riser, a whole part of one."""
+    """The first time step of a refinement (s); with ``vessel.coupling``, a whole fraction of its interval."""
     step = period(scene) / STEPS_A_PERIOD
     coupling = scene.vessel and scene.vessel.coupling
     return coupling.interval / steps_in(coupling.interval, step) if coupling else step

@@ -1,4 +1,4 @@
-"""Warnings of a refinement: accuracy that it missed, outputs that it lacks, errors that fall slowly."""
+"""Warnings of a refinement: missed tolerance, missing outputs, slow convergence."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from riserstudy.scene.sudden import sudden_starts
 from riserstudy.simulation.halved import Halved
 from riserstudy.simulation.tolerance import in_words
 
-FIRST_ORDER = 2.0  # by which each halving reduces an error
+FIRST_ORDER = 2.0  # factor by which each halving reduces an error of first order
 
 
 def missed_accuracy(facts: RunFacts, runs: int) -> str:
-    """Warn that accuracy was not reached in so many runs.
+    """The warning that the tolerance was not met within a number of runs.
 
     Parameters
     ----------
-    facts : of the finest run, with ``ended_by`` where something else than their number ended the refinement.
+    facts : facts of the finest run, with ``ended_by`` if the refinement did not end by the number of runs.
     """
     why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
     errors = f"estimated errors are {in_words(facts['error_estimate'])}"
@@ -28,7 +28,7 @@ def missed_accuracy(facts: RunFacts, runs: int) -> str:
 
 
 def sparse_outputs(scene: Resolved, finest: Result) -> list[str]:
-    """Warn of outputs further apart than requested: patience ended before the run with all of them."""
+    """A warning about missing outputs, if the time limit ended before the run with all of them."""
     output, time = scene.analysis.output, finest.arrays.get("time")
     if output is None or time is None or len(time) < 2:
         return []
@@ -42,7 +42,7 @@ def sparse_outputs(scene: Resolved, finest: Result) -> list[str]:
 
 
 def slow_convergence(scene: Resolved, by_step: Halved | None) -> list[str]:
-    """Warn of what makes errors of the step fall slower than those of a first-order method."""
+    """A warning about causes of a convergence with the time step that is slower than first order."""
     lines = sudden_starts(scene)
     if by_step is None or by_step.fall >= FIRST_ORDER or not lines:
         return []

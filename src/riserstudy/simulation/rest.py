@@ -1,4 +1,4 @@
-"""A scene at rest on a mesh, kept, so that runs by several steps start from one model."""
+"""A scene at rest on a mesh, kept for several runs with different time steps."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from riserstudy.simulation.equilibrium import settle
 
 
 class Rest:
-    """Model and outputs at rest; a run that has moved the model is undone before the next.
+    """Model and outputs at rest; the model is restored to rest before the next run.
 
     Attributes
     ----------
     model : at static equilibrium.
-    iterations : that finding it took.
+    iterations : Newton iterations of the search.
     arrays : outputs at rest.
     moment : (m, n + 1) components of the moment at rest (N m).
 
     Raises
     ------
     SimulationError
-        When there is no equilibrium to be found.
+        When no equilibrium is found.
     """
 
     def __init__(self, scene: Resolved, mesh: Mesh) -> None:
@@ -38,7 +38,7 @@ class Rest:
         self._mesh, self._kept = mesh, [(array, array.copy()) for array in _arrays(self.model)]
 
     def again(self, mesh: Mesh) -> bool:
-        """Have the model at rest again, to the last bit; False where it is that of another mesh."""
+        """Restore the model to rest, to the last bit; False if the mesh is a different one."""
         if mesh is not self._mesh:
             return False
         for array, kept in self._kept:
@@ -47,7 +47,7 @@ class Rest:
 
 
 def _arrays(model: Model) -> Iterator[NDArray[np.generic]]:
-    """All that a run may write: both states, and the records of effects."""
+    """All arrays that a run may write: both states, and the records of effects."""
     for record in (model.s, model.spare.value, *(effect.record for effect in model.effects)):
         for value in record:
             for part in value if isinstance(value, tuple) else (value,):

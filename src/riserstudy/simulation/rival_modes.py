@@ -1,7 +1,7 @@
-"""Modes of which any one may last in a current: the estimate of an error cannot show which.
+"""Modes of which each may persist in a current; the error estimate cannot show which of them does.
 
-A riser that vibrates steadily in one of them may have vibrated in another, from another seed, mesh or step.
-Coarser runs that chose alike show no difference.
+A riser that vibrates steadily in one of them might vibrate in another with another seed, mesh or step. If
+coarser runs vibrate in the same mode, they show no difference.
 """
 
 from __future__ import annotations
@@ -15,18 +15,20 @@ if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
     from riserstudy.scene.resolve import Resolved
 
-FIRST = 20  # modes that are looked at, each in both directions
-MOST_OF = 0.5  # of the riser, along which vortices may follow a mode that lasts
-EDGE = (
-    0.1  # of a natural frequency: at the edge of lock-in a riser vibrates a little beside its own
-)
-APART = 1.05  # ratio of frequencies of two modes: those of both directions are closer
+FIRST = 20  # number of modes that are examined, each in both directions
+# smallest share of the riser along which vortices can synchronise with a mode that persists
+MOST_OF = 0.5
+# relative: at the edge of lock-in, the frequency differs a little from the natural frequency
+EDGE = 0.1
+# smallest ratio of frequencies of different modes; one mode in two directions is closer
+APART = 1.05
 
 
 def rivals(scene: Resolved) -> list[float]:
-    """Natural frequencies (Hz) that vortices may follow along most of the riser, rising.
+    """Natural frequencies (Hz), increasing, with which vortices can synchronise along most of the riser.
 
-    About the equilibrium in still water, of the lowest modes; empty in a scene without vortices or a current.
+    They are those of the lowest modes about the equilibrium in still water; empty without vortices or
+    current.
     """
     if scene.current is None or not shedding(scene):
         return []
@@ -43,10 +45,10 @@ def rivals(scene: Resolved) -> list[float]:
 
 
 def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
-    """Warn of a vibration that may as well be that of another mode, or where that cannot be told."""
+    """Warn if a vibration might equally be in another mode, or if this cannot be determined."""
     try:
         found = rivals(scene)
-    except SimulationError as error:  # of the modes; the run itself is whole
+    except SimulationError as error:  # of the modes; the run itself is complete
         facts["warnings"].append(
             f"riser.viv: the check for several competing modes failed: {error}"
         )

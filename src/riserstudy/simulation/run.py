@@ -1,6 +1,6 @@
-"""One run of a scene on a given mesh and step: statics, time stepping, outputs, audit.
+"""One run of a scene with a given mesh and time step: statics, time stepping, outputs, audit.
 
-Arrays in plain dictionaries come out; `dataset.label` labels them.
+The results are arrays in plain dictionaries; `dataset.label` labels them.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
 if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
-MOST_WHOLE = 20_000_000  # values of one quantity: 160 MB
+MOST_WHOLE = 20_000_000  # largest number of values of one quantity at all nodes: 160 MB
 EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 
 
@@ -56,18 +56,18 @@ def single(
     everywhere: bool = False,
     watch: Watch | None = None,
 ) -> Result:
-    """One run on a given mesh and step (s; None: at rest), without error estimate.
+    """One run with a given mesh and time step (s; None: static), without error estimate.
 
     Parameters
     ----------
-    everywhere : histories at all nodes, with what tells them in between, instead of where they are
-        asked for.
-    watch : what looks on; absent: nothing does.
+    everywhere : whether histories are at all nodes, with the data for interpolation between nodes, instead of
+        at the requested places.
+    watch : reports progress and interrupts the run; absent: no reports and no time limit.
 
     Raises
     ------
     SimulationError
-        When no equilibrium is found, or a value is not defined.
+        When no equilibrium is found, or a value is not finite.
     StepFailed
         When a step fails: time, node, effect and remedy.
     TakesTooLong
@@ -89,15 +89,15 @@ def march(
     rest: Rest | None = None,
     extremes: bool = True,
 ) -> Result:
-    """A run by ``step`` (s) as `single` makes it, without what is made of its states afterwards.
+    """A run with a time step (s) as in `single`, without the outputs that `finish` derives afterwards.
 
-    It is what a comparison with other runs needs; `finish` makes the rest of it.
+    It has the outputs for a comparison with other runs.
 
     Parameters
     ----------
-    rest : that of the scene on the mesh; absent: it is looked for.
-    extremes : whether extremes of all outputs are taken, step by step; a run that is only compared needs
-        those of displacement, tension, moment and the angles of flex joints alone.
+    rest : the scene at rest on the mesh; absent: it is computed.
+    extremes : whether extremes of all outputs over all steps are computed; a run that is only compared needs
+        those of displacement, tension, moment and flex joint angles.
 
     Raises
     ------
@@ -105,13 +105,13 @@ def march(
         As `single` does.
     """
     if scene.analysis.solver == "hermite":
-        from riserstudy.simulation.hermite_run import solve_small_angle  # which loads solvers
+        from riserstudy.simulation.hermite_run import solve_small_angle  # slow to load
 
         return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
-    vibration.since(scene)  # refuses before statics
+    vibration.since(scene)  # raises its errors before the statics
     if scene.fatigue:
-        from riserstudy.simulation import damage  # which loads what counts cycles
+        from riserstudy.simulation import damage  # loads the library for cycle counting
 
         damage.since(scene)
     rest = rest or Rest(scene, mesh)
@@ -137,7 +137,7 @@ def march(
 
 
 def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
-    """What is known of a run before its first step."""
+    """Facts of a run that are known before its first time step."""
     facts: RunFacts = {
         "effects": {e.name: e.because for e in rest.model.effects},
         "elements": len(mesh.l0),
@@ -151,7 +151,7 @@ def _facts_at_rest(scene: Resolved, mesh: Mesh, rest: Rest) -> RunFacts:
 
 
 def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
-    """Enter forces, stresses, extremes and what there is to tell of strokes into a run of `march`."""
+    """Add forces, stresses, extremes and warnings about strokes to a run of `march`."""
     started = clock.perf_counter()
     arrays, facts, seen = result.arrays, result.facts, result.seen
     if scene.fatigue:
@@ -182,7 +182,7 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
 
 
 def fits(output: Output, duration: float, mesh: Mesh) -> bool:
-    """Whether histories at all nodes over a duration (s) fit into memory: stresses are made from them."""
+    """Whether histories at all nodes over a duration (s), from which stresses follow, fit into memory."""
     return len(mesh.s) * (duration / output.interval + 1.0) <= MOST_WHOLE
 
 
@@ -197,10 +197,11 @@ def in_motion(
     watch: Watch,
     judged: bool,
 ) -> tuple[outputs.Arrays, Seen]:
-    """Histories and envelopes of a model at rest that is set in motion, and what all steps tell.
+    """Histories and envelopes of a model that starts from rest, and peaks over all time steps.
 
-    The facts gain the audit. ``whole``: histories at all nodes, else what the stations need. ``judged``:
-    extremes of all outputs. ``step`` is in s; of a scene in turns, a whole part of a turn is taken.
+    The audit is added to the facts. ``whole``: histories at all nodes, else at the nodes for the stations.
+    ``judged``: with extremes of all outputs. ``step`` is in s; with ``vessel.coupling``, a whole fraction of
+    the interval is used.
 
     Raises
     ------
@@ -257,9 +258,9 @@ def _by_method(
     sums: Sums,
     facts: RunFacts,
 ) -> tuple[Model, int, float]:
-    """March through all steps (s) as the scene says: the model then, how it ended, energy taken out (J).
+    """March through all time steps (s) by the scene's method: final model, result, energy removed (J).
 
-    ``sides``: of a scene in turns, riser and platform.
+    ``sides``: riser and platform of a scene with ``vessel.coupling``.
     """
     a = scene.analysis
     if a.duration is None:
@@ -270,7 +271,7 @@ def _by_method(
         outcome, facts["coupling"] = march_in_turns(sides, coupling, turn, a.duration, record, sums)
         return model, outcome, 0.0
     if a.method == "explicit":
-        from riserstudy.simulation.stable_step import explicit_limit  # which loads solvers
+        from riserstudy.simulation.stable_step import explicit_limit  # slow to load
 
         facts["stable_step"] = explicit_limit(scene, model)
         return (
@@ -289,9 +290,9 @@ def _seen(
     rest: outputs.AtRest,
     judged: bool,
 ) -> Seen:
-    """Values at all steps, and their peaks; nothing where not all steps were recorded.
+    """Values at all time steps, and their peaks; empty if not all steps were recorded.
 
-    Of a run that is only compared (not ``judged``) the peaks of the flex joints' angles alone.
+    For a run that is only compared (not ``judged``), only the peaks of the flex joint angles.
     """
     seen = Seen()
     if judged and len(model.s.dim) == 3:
@@ -310,7 +311,7 @@ def _seen(
 
 
 def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
-    """Put the model where the scene wants it to start from, at time zero."""
+    """Set the model to the initial state of the scene, at time zero."""
     state, top = model.s, len(mesh.l0)
     if scene.analysis.start == "unstretched":
         state.r[-1, : top + 1] = state.r[-1, 0] + mesh.s
@@ -323,12 +324,12 @@ def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
 def explicitly(
     model: Model, step: float, limit: float, duration: float, record: Frozen, sums: Sums
 ) -> int:
-    """March by explicit steps.
+    """March by the explicit method.
 
     Raises
     ------
     SimulationError
-        When the step (s) is above the limit at which they are stable.
+        When the time step (s) exceeds the stability limit.
     """
     if step > limit:
         raise SimulationError(

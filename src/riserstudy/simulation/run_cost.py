@@ -1,4 +1,4 @@
-"""What runs cost, and times in words."""
+"""Cost of runs, and times in words."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ COSTS = ("elements", "step", "newton_iterations", "solve_seconds")  # facts of a
 
 
 def cost(run: Result) -> dict[str, Any]:
-    """What a run cost, by `COSTS`; None where it has no such fact."""
+    """Cost of a run, by the names in `COSTS`; None for a fact that the run does not have."""
     return {name: run.facts.get(name) for name in COSTS}
 
 
 def total_seconds(runs: list[dict[str, Any]]) -> float:
-    """Time (s) that runs took together, from their costs."""
+    """Elapsed time (s) of runs together, from their costs."""
     return float(sum(one["solve_seconds"] for one in runs))
 
 

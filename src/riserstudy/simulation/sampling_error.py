@@ -1,9 +1,10 @@
-r"""What the length of a run leaves open of the statistics of a vibration: their standard errors, by blocks.
+r"""Standard errors of a vibration's statistics due to the limited length of a run, from blocks.
 
-A vibration that is not periodic has other statistics over another stretch of the same length. The time that
-is judged is cut into B blocks; with :math:`\sigma_B` the scatter of a statistic from block to block, its
-standard error over the whole is :math:`\sigma_B / \sqrt B`, once blocks are longer than the vibration
-remembers. That length is not known: the largest over several B counts. A periodic vibration has next to none.
+A vibration that is not periodic has different statistics in different time windows of the same length. The
+evaluated time is divided into B blocks. With the standard deviation :math:`\sigma_B` of a statistic from
+block to block, its standard error over the whole time is :math:`\sigma_B / \sqrt B`, if blocks are longer
+than the correlation time of the vibration. This time is not known, so the largest value for several B is
+used. The standard error of a periodic vibration is almost zero.
 
 References
 ----------
@@ -21,8 +22,8 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 BLOCKS = (4, 8, 16)
-FEWEST = 8  # outputs of a block
-#: two runs of the same vibration, each by chance; their difference counts as chance up to twice that
+FEWEST = 8  # smallest number of outputs in a block
+#: factor for the difference of two independent runs; a difference up to DOUBTFUL times this counts as chance
 TWO_RUNS, DOUBTFUL = math.sqrt(2.0), 2.0
 
 
@@ -31,13 +32,13 @@ def standard_error(statistic: Callable[[slice], Array], outputs: int, least: int
 
     Parameters
     ----------
-    statistic : of a block of outputs, (k,), such that its mean over blocks is that of all outputs.
-    outputs : their number.
-    least : of the outputs of a block, but that there are four blocks.
+    statistic : function of a block of outputs, (k,), whose mean over blocks is the statistic of all outputs.
+    outputs : number of outputs.
+    least : smallest number of outputs in a block, as long as there are four blocks.
 
     Returns
     -------
-    (k,), infinite where there are too few outputs.
+    (k,), infinite for too few outputs.
     """
     found = np.array(math.inf)
     for blocks in BLOCKS:
@@ -51,10 +52,10 @@ def standard_error(statistic: Callable[[slice], Array], outputs: int, least: int
 
 
 def of_two_runs(sampling: dict[str, float]) -> dict[str, float]:
-    """Relative differences by chance between two runs, one standard deviation, by quantity."""
+    """Standard deviation of relative differences by chance between two runs, by quantity."""
     return {name: TWO_RUNS * value for name, value in sampling.items()}
 
 
 def floor(sampling: dict[str, float]) -> dict[str, float]:
-    """Relative differences of two runs up to which they show nothing but chance, by quantity."""
+    """Relative differences of two runs that may be chance, by quantity."""
     return {name: DOUBTFUL * value for name, value in of_two_runs(sampling).items()}

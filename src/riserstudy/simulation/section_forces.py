@@ -1,4 +1,4 @@
-"""Forces within the riser that nodes do not hold themselves: shear, and tension at its lower end."""
+"""Section forces that are not values of nodes: shear, and tension at the riser's lower end."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ Arrays = dict[str, FloatArray]
 
 
 def riser_foot(scene: Resolved, mesh: Mesh) -> int:
-    """The riser's lowest node: that of its inner flex joint, or its lower end."""
+    """The riser's lowest node: at its inner flex joint, or its lower end."""
     return mesh.foot(scene.lowest_riser_section)
 
 
 def shear_of(arrays: Arrays) -> Section:
-    """What a record needs for shear alone at every step; empty where a scene has no bending.
+    """Inputs of a record for shear alone at every time step; empty for a scene without bending.
 
     Parameters
     ----------
@@ -36,7 +36,7 @@ def shear_of(arrays: Arrays) -> Section:
 
 
 def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
-    """What a record needs for shear and stress of the wall at every step; empty where there is neither.
+    """Inputs of a record for shear and wall stress at every time step; empty if there is neither.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
     columns, ends = [], []
     for k in filled:
         contents, nodes = scene.riser[k].contents, nodes_of(mesh, k)
-        if contents:  # they all have some
+        if contents:  # all sections in this list have contents
             level = math.nan if contents.level is None else contents.level
             columns.append((contents.density * gravity, level))
             ends.append((nodes.stop - 1, nodes.start))
@@ -77,9 +77,9 @@ def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
 
 
 def envelopes_of(record: Record) -> Arrays:
-    """Envelopes of shear (N) and von Mises stress (Pa) that a record has, over the nodes, (n + 1,).
+    """Envelopes of shear (N) and von Mises stress (Pa) in a record, at the nodes, (n + 1,).
 
-    Shear is that of either side of a node. Stress is zero where no wall is known.
+    Shear includes both sides of a node. Stress is zero where the wall is not known.
     """
     found: Arrays = {}
     if record.shear.shape[1]:
@@ -99,11 +99,11 @@ def envelopes_of(record: Record) -> Arrays:
 def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
     """Shear force (N) at the nodes, (..., n + 1), from the slope of the moment (N m).
 
-    Where it jumps, at joints and where sections meet, it is that of the side which has more.
+    At joints and between sections, where shear may jump, it is the value with the larger magnitude.
 
     Parameters
     ----------
-    moment : (..., n + 1), or its components (..., 3, n + 1) in space, where the size is returned.
+    moment : (..., n + 1), or in space its components (..., 3, n + 1); the result is then the magnitude.
 
     References
     ----------
@@ -112,7 +112,7 @@ def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
     of = curve_of(arrays)
     e = np.arange(len(of.s) - 1)
     above, below = of.low.of(moment, e), of.up.of(moment, e)
-    if spatial:  # of each side before they are compared: components of two sides are no force
+    if spatial:  # the magnitude of each side first: components from two sides are not one force
         above, below = np.linalg.norm(above, axis=-2), np.linalg.norm(below, axis=-2)
     force = np.zeros((*above.shape[:-1], len(of.s)))
     force[..., :-1] = above
@@ -125,7 +125,7 @@ def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
 def derived(
     scene: Resolved, mesh: Mesh, arrays: Arrays, bent: FloatArray | None
 ) -> tuple[Arrays, Arrays]:
-    """Shear, stress of the wall and lower-end tension: at rest, and over time where all nodes have one.
+    """Shear, wall stress and lower-end tension: at rest, and over time if all nodes have histories.
 
     Parameters
     ----------
@@ -133,9 +133,9 @@ def derived(
 
     Returns
     -------
-    ``shear_force`` (N), signed in a plane, its size in space, and ``von_mises_stress`` (Pa) over the nodes
-    at rest; ``lower_end_tension`` (N) at rest and over time. With them histories of shear and stress,
-    (time, n + 1): their envelopes are those of the steps, see `envelopes_of`.
+    ``shear_force`` (N), with a sign in a plane and a magnitude in space, and ``von_mises_stress`` (Pa), at
+    the nodes at rest; ``lower_end_tension`` (N) at rest and over time. Also histories of shear and stress,
+    (time, n + 1); their envelopes are over all time steps, see `envelopes_of`.
     """
     foot = riser_foot(scene, mesh)
     forces: Arrays = {"lower_end_tension_static": arrays["effective_tension_static"][foot]}
@@ -160,7 +160,7 @@ def derived(
 
 
 def _stress(scene: Resolved, mesh: Mesh, arrays: Arrays, ending: str) -> FloatArray:
-    """Of the riser's nodes; a telescopic joint has none."""
+    """Von Mises stress (Pa) at the riser's nodes; a telescopic joint has none."""
     names = ("z", "effective_tension", "bending_moment")
     still = np.zeros_like(arrays["z" + ending])
     values = (arrays.get(name + ending, still) for name in names)

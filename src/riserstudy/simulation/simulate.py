@@ -1,4 +1,4 @@
-"""The one door for users, studies and tests: a scene becomes a labelled dataset."""
+"""The entry point for users, studies and tests: from a scene to a labelled dataset."""
 
 from __future__ import annotations
 
@@ -71,18 +71,18 @@ def simulate(
 
 
 def at_accuracy(file: SceneFile, accuracy: str) -> SceneFile:
-    """The scene with an accuracy requested in place of mesh and step."""
+    """The scene with a tolerance in place of mesh and time step."""
     wanted = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": accuracy}
     return file.with_values(wanted, "accuracy")
 
 
 def seconds(patience: float | str | None) -> float:
-    """Patience in seconds, from a number of them or text with a unit; infinite where it is absent.
+    """Time limit in seconds, from a number of seconds or text with a unit; infinite if absent.
 
     Raises
     ------
     InputError
-        When it is no positive time.
+        When it is not a positive time.
     """
     allowed = "allowed is a positive number of seconds, or text such as '10 min'"
     try:
@@ -95,7 +95,7 @@ def seconds(patience: float | str | None) -> float:
 
 
 def _number(text: str) -> float:
-    """Seconds, where a text is a number alone; else by its unit."""
+    """Seconds, from a text with a number alone or with a unit."""
     try:
         return float(text)
     except ValueError:

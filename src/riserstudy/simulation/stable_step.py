@@ -1,4 +1,4 @@
-"""The longest step at which explicit stepping stays stable, wherever the platform takes the riser's top."""
+"""The longest stable time step of the explicit method, for all positions of the platform."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.modes import stable_step
 
-INSTANTS = 16  # of the longest period at which the platform's positions are looked at
+INSTANTS = 16  # number of times in the longest period at which platform positions are examined
 
 
 def explicit_limit(scene: Resolved, model: Model) -> float:
-    """Stable explicit step (s): the shortest about the riser at rest under all positions of the platform.
+    """Stable explicit step (s): the shortest of the limits at all positions of the platform.
 
-    Springs that stiffen when they are pressed, gas and end stops, are stiffest where the platform is
-    lowest; the riser, which gives way, is left at rest, so the stroke is rather too large than too small.
+    Gas and end stops are stiffest where the platform is lowest. The riser is kept at rest, although it would
+    follow the platform; the stroke is therefore rather too large than too small.
     """
     state = model.s
     limit = float(stable_step(model.programs, model.state, model.fixed))

@@ -1,4 +1,4 @@
-"""The mesh and step that a refinement starts from, and what of them a scene without its own gets."""
+"""The mesh and time step from which a refinement starts."""
 
 from __future__ import annotations
 
@@ -18,16 +18,17 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.half_waves import half_wave
 
-LONG = 80.0  # risers, in layer lengths, whose even mesh would be too coarse at ends
-VORTEX = 1.2  # of the shortest period of vortices, which 20 steps resolve where others take 24
+LONG = 80.0  # riser length, in layer lengths, from which on an even mesh is too coarse at ends
+# factor on the period of vortices, which 20 steps resolve, while other periods require 24
+VORTEX = 1.2
 OF_HALF_A_WAVE = 3  # segments of the coarsest mesh in half a wave of vortices
-QUIET = 20.0  # step is chosen as for this period where nothing in the scene has one (s)
+QUIET = 20.0  # period (s) from which the time step is chosen if the scene has no period
 
 
 def coarsest_mesh(scene: Resolved) -> Mesh:
     """Coarse mesh, graded where held ends confine bending to a layer sqrt(EI/T), and under waves.
 
-    Where vortices are shed, it resolves the waves that they send along the riser.
+    With vortices, it resolves the waves that they send along the riser.
     """
     if not scene.lateral:
         return even(scene, len(scene.riser) if massless(scene) else COARSEST)
@@ -63,7 +64,7 @@ def _below_mudline(scene: Resolved, k: int) -> bool:
 
 
 def end_layers(scene: Resolved) -> tuple[float, float]:
-    """Layers of bending at the lower and the upper end (m), infinite where an even mesh will do.
+    """Bending layers at the lower and the upper end (m); infinite where an even mesh is sufficient.
 
     Raises
     ------
@@ -81,9 +82,9 @@ def _end_layers(scene: Resolved, model: Model, probe: Mesh) -> list[float]:
 
 
 def _at_rest(scene: Resolved) -> tuple[Model, Mesh]:
-    """The scene in equilibrium on few even segments.
+    """The scene in equilibrium on a coarse even mesh.
 
-    So coarse a mesh may have none, or one that is unstable where the riser stands.
+    On such a mesh, there may be no equilibrium, or an unstable one in parts under compression.
     """
     probe = even(scene, COARSEST)
     for _ in range(4):
@@ -95,38 +96,38 @@ def _at_rest(scene: Resolved) -> tuple[Model, Mesh]:
 
 
 def _end_layer(scene: Resolved, model: Model, probe: Mesh, end: int) -> float:
-    """Layer of bending at an end, in the segment there; infinite where an even mesh will do."""
+    """Bending layer (m) at an end, from its end segment; infinite where an even mesh is sufficient."""
     rotation = (scene.bottom if end == 0 else scene.top).rotation
     held = rotation not in (None, "free") or (end > 0 and probe.joint)
     flex = model.s.flex_up[end]
-    share = 6.0 if held else 12.0  # of a segment's flexibility, see `bending`
+    share = 6.0 if held else 12.0  # divisor of a segment's flexibility, see `bending`
     layer = _layer(probe.l0[end] / (share * flex) if flex > 0.0 else 0.0, _tension(model, end))
-    # a short riser's even mesh is fine enough for an end that turns freely, and of higher order
+    # for an end that rotates freely, the even mesh of a short riser is fine enough, and of higher order
     return layer if held or probe.riser_length > LONG * layer else math.inf
 
 
 def _tensions(model: Model) -> NDArray[np.float64]:
-    """Of all segments, (n,), N."""
+    """Tensions of all segments, (n,), N."""
     return np.asarray((model.s.segment * model.s.tangent).sum(axis=0))
 
 
 def _tension(model: Model, segment: int) -> float:
-    """Size of a segment's force along itself (N)."""
+    """Magnitude of a segment's axial force (N)."""
     return abs(float(model.s.segment[:, segment] @ model.s.tangent[:, segment]))
 
 
 def _layer(bending: float, tension: float) -> float:
-    """Length over which a bent end straightens (m), infinite in a string."""
+    """Length over which the bending at an end decays (m); infinite for a string."""
     return math.sqrt(bending / tension) if bending > 0.0 and tension > 0.0 else math.inf
 
 
 def massless(scene: Resolved) -> bool:
-    """Whether the string is a mere spring, which one segment represents exactly."""
+    """Whether the string is a massless spring, which one segment represents exactly."""
     bare = all(s.mass is None and s.submerged_weight is None for s in scene.riser)
     return bare and not scene.lateral
 
 
 def period(scene: Resolved) -> float:
-    """What a step must resolve (s): the shortest period of the scene, a fraction of the run without one."""
+    """Period that a time step must resolve (s): the shortest of the scene, or a fraction of the run."""
     shortest = scene.shortest_period or min(QUIET, 0.25 * (scene.analysis.duration or math.inf))
     return min(shortest, VORTEX * shedding_period(scene))

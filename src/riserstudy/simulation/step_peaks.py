@@ -1,4 +1,4 @@
-"""Peaks over a run of what has one value a time: angles, strokes, forces of tensioners, by all steps."""
+"""Peaks over all time steps of outputs with one value per time: angles, strokes, tensioner forces."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from riserstudy.solve.record import Record
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
-HALVED = 2.0  # times the steps of a march, where some are halved
-MOST = 20_000_000  # values of all steps: 160 MB
+HALVED = 2.0  # room, as a multiple of the planned steps, since some steps may be halved
+MOST = 20_000_000  # largest number of values of all steps: 160 MB
 
 
 def room_for_steps(model: Model, duration: float, step: float) -> int:
-    """Number of steps (s) over a duration (s) of which ends and devices are recorded; none where too many."""
+    """Number of steps (s) over a duration (s) at which ends and devices are recorded; 0 if too many."""
     room = math.ceil(HALVED * duration / step) + 100
     state = model.s
     width = 2 * (len(state.dim) + 2 * len(state.moment) + 1) + len(state.dim) + 6 + len(state.probe)
@@ -27,7 +27,7 @@ def room_for_steps(model: Model, duration: float, step: float) -> int:
 
 
 def steps_of(record: Record) -> Record | None:
-    """A record with its steps in place of its outputs; None where not all were recorded."""
+    """A record with its time steps in place of its outputs; None if not all steps were recorded."""
     count = int(record.steps[0])
     if not 0 < count <= len(record.step_time):
         return None
@@ -46,9 +46,9 @@ def peaks_of(times: FloatArray, series: Arrays) -> dict[str, Peak]:
 
 
 def within(histories: Arrays, peaks: dict[str, Peak], sizes: Collection[str]) -> Arrays:
-    """Histories over the outputs that have peaks, none of their values beyond these.
+    """Histories at the outputs, limited to the peaks over all steps.
 
-    ``sizes``: which may come nearer to zero between steps than at any of them.
+    ``sizes``: names of magnitudes, which may be nearer to zero between steps than at any step.
     """
     return {
         name: np.clip(histories[name], 0.0 if name in sizes else peak.smallest, peak.largest)
@@ -58,7 +58,7 @@ def within(histories: Arrays, peaks: dict[str, Peak], sizes: Collection[str]) ->
 
 
 def _peak(times: FloatArray, values: FloatArray) -> Peak:
-    """Peaks of columns, with the parabola through three steps about each extremum."""
+    """Peaks of columns, by the parabola through three steps about each extremum."""
     found: list[float] = []
     for sign in (1.0, -1.0):
         k, c = np.unravel_index(int((sign * values).argmax()), values.shape)
@@ -66,15 +66,15 @@ def _peak(times: FloatArray, values: FloatArray) -> Peak:
         best += [_vertex(times, values[:, column], sign) for column in range(values.shape[1])]
         value, time = max(best, key=lambda one: sign * one[0])
         found += [value, time]
-    if values.min() >= 0.0:  # a size
+    if values.min() >= 0.0:  # a magnitude
         found[2] = max(found[2], 0.0)
     return Peak(*found)
 
 
 def _vertex(times: FloatArray, values: FloatArray, sign: float) -> tuple[float, float]:
-    """The highest vertex over all triples of steps about an extremum, and its time; the first value without.
+    """The highest vertex of all triples of steps about an extremum, and its time; else the first value.
 
-    Where an event ends a step there are two values at one time: no parabola leads across.
+    At an event, there are two values at one time, and no parabola across it is used.
     """
     a, b, c = sign * values[:-2], sign * values[1:-1], sign * values[2:]
     h, k = np.diff(times)[:-1], np.diff(times)[1:]

@@ -1,4 +1,4 @@
-"""Outputs of runs that only tell the error of a finer one: no more often than a comparison needs."""
+"""Fewer outputs for runs that only serve the error estimate of a finer run."""
 
 from __future__ import annotations
 
@@ -8,21 +8,21 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import period
 from riserstudy.simulation.vibration import since
 
-A_PERIOD = 16  # outputs, at least
-STEPS = (
-    4  # between outputs, at most: what a step resolves may be quicker than any period of the scene
-)
+A_PERIOD = 16  # smallest number of outputs in a period
+# largest number of time steps between outputs: steps may resolve motion faster than any period
+STEPS = 4
 
 
 def thinned(scene: Resolved, step: float | None) -> tuple[Resolved, bool]:
-    """The scene with every second, fourth, ... output left out, and whether any was.
+    """The scene with only every second, fourth, ... output, and whether any output is omitted.
 
-    Powers of two, so that what is left of one run is among the outputs of any finer one. ``step`` is in s.
+    The factor is a power of two: all remaining outputs are therefore also outputs of any finer run. ``step``
+    is in s.
     """
     output = scene.analysis.output
     if output is None or step is None or scene.analysis.solver == "hermite":
         return scene, False
-    if scene.fatigue or since(scene) is not None:  # cycles and frequencies take all outputs
+    if scene.fatigue or since(scene) is not None:  # cycles and frequencies require all outputs
         return scene, False
     often = min(period(scene) / A_PERIOD, STEPS * step) / output.interval
     if often < 2.0:

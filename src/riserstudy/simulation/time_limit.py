@@ -1,4 +1,4 @@
-"""Look on while a march is at work: tell how far it is, and break it off when its time is up."""
+"""Watch a march: report its progress, and interrupt it when its time limit is exceeded."""
 
 from __future__ import annotations
 
@@ -11,20 +11,21 @@ from contextlib import contextmanager
 from riserstudy.solve.record import Record
 from riserstudy.solve.sums import Sums
 
-OFTEN = 0.2  # s between two looks
-BEGUN = 1e-9  # share that is told of a run that has written no output yet
+OFTEN = 0.2  # interval of the checks (s)
+BEGUN = 1e-9  # share that is reported for a run without an output so far
 
-#: is told what is at work, and what share of it is done
+#: function that receives the name of the present run, and the share of it that is done
 Notify = Callable[[str, float], None]
 
 
 class Watch:
-    """What looks on: a thread beside the march, which is compiled code that asks nobody.
+    """Watches marches by a separate thread, because compiled code does not check the time.
 
     Parameters
     ----------
-    patience : time (s) from now on that all marches together may take.
-    notify : is told of each run when it begins, with a share of 0, and then of the share that is done.
+    patience : time limit of all marches together (s), from now on.
+    notify : function that is called at the begin of each run, with a share of 0, and then with the share
+        done.
     """
 
     def __init__(self, patience: float = math.inf, notify: Notify | None = None) -> None:
@@ -34,18 +35,18 @@ class Watch:
 
     @property
     def spent(self) -> float:
-        """Time since it was made (s)."""
+        """Elapsed time since this object was made (s)."""
         return clock.perf_counter() - self._started
 
     def begin(self, title: str) -> None:
-        """Tell what is at work from now on."""
+        """Report the name of the run that begins now."""
         self._title = title
         if self._notify:
             self._notify(title, 0.0)
 
     @contextmanager
     def over(self, record: Record, sums: Sums) -> Iterator[None]:
-        """Look on while a march writes its outputs into a record, and make it stop when time is up."""
+        """Watch a march that writes its outputs to a record, and stop it at the time limit."""
         if self._notify is None and self.patience == math.inf:
             yield
             return
@@ -68,10 +69,10 @@ class Watch:
 
 
 def share(record: Record) -> float:
-    """Share of the outputs that is written."""
+    """Share of the outputs that have been written."""
     return float(record.written[0]) / max(1, len(record.time))
 
 
 def size(elements: int, step: float | None) -> str:
-    """How a run is named: by its mesh and step (s)."""
+    """Name of a run in messages, by its mesh and time step (s)."""
     return f"{elements} segments" + (f", steps of {step:.3g} s" if step else "")

@@ -1,4 +1,4 @@
-"""March through a scene by its implicit method, from jolt to jolt."""
+"""March through a scene by its implicit method, from one jump of acceleration to the next."""
 
 from __future__ import annotations
 
@@ -21,17 +21,18 @@ from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.solve.sums import DONE
 
 RHO_INF = 0.8  # default spectral radius
-STIFF = "ESDIRK4"  # default with events: the waves that they send die out in its stages
+STIFF = "ESDIRK4"  # default with events: its stages damp the waves that events send along the riser
 NEWTON = 1e-9  # default tolerance of a correction of positions, in riser lengths
-NEWTON_MOMENT = 3e-4  # the same of moments, as a share of the largest
-FAR_BELOW = 0.03  # of the accuracy of a moment is what Newton's iteration may leave of it
-ITERATIONS, HALVINGS = 12, 6  # of a step, at most
-GRADED = 4  # steps that a graded start replaces
-MOMENT = 1e-12  # share of a time, between before and after a jolt: more than ENDED leaves
+NEWTON_MOMENT = 3e-4  # the same for moments, as a share of the largest moment
+# tolerance of Newton's iteration for moments, as a share of the tolerance of the moment
+FAR_BELOW = 0.03
+ITERATIONS, HALVINGS = 12, 6  # largest numbers in a time step
+GRADED = 4  # time steps that a graded start replaces
+MOMENT = 1e-12  # relative distance in time from a jump, to either side of it: more than by ENDED
 
 
 def steps_in(time: float, step: float) -> int:
-    """Number of equal steps over a time (s), none longer than a step (s) asked for."""
+    """Number of equal steps over a time (s), none longer than the requested step (s)."""
     return max(1, math.ceil(time / step * (1.0 - 1e-9)))
 
 
@@ -45,12 +46,13 @@ def march_on(
     since: float = 0.0,
     until: float | None = None,
 ) -> int:
-    """March by the scene's implicit method, with a step (s), anew from every jolt on, gradually from there.
+    """March by the scene's implicit method with a time step (s), with a graded restart at every jump.
 
-    From a time to another (s), or to the end. Returns DONE, or why it stopped; the sums then tells where.
+    The march is from a time to another (s), or to the end. Returns DONE, or the reason why it stopped;
+    ``sums`` then has time and node.
 
-    Across a jump of a held node's acceleration a step longer than the periods of short segments would make
-    moments that are not there, the larger the finer the mesh. A step that the scene gives is kept.
+    Across a jump of a held node's acceleration, a step longer than the periods of short segments would cause
+    spurious moments, which are larger on finer meshes. A time step that the scene prescribes is not changed.
     """
     a = scene.analysis
     end = (a.duration or 0.0) if until is None else until
@@ -77,7 +79,7 @@ def march_on(
 def method_of(
     scene: Resolved, mesh: Mesh, step: float, count: int, graded: int = 0
 ) -> tuple[Any, Callable[..., int]]:
-    """What describes a march of so many steps (s) by the scene's implicit method, and what marches."""
+    """Parameters of ``count`` steps (s) by the scene's implicit method, and the function that marches."""
     a = scene.analysis
     start, stepped = _method(a.method or (STIFF if scene.events else None))
     share = a.newton_tolerance or NEWTON
@@ -86,13 +88,13 @@ def method_of(
 
 
 def _moment_tolerance(analysis: Analysis, share: float) -> float:
-    """That of Newton's iteration for moments (1), far below the accuracy of the moment."""
+    """Tolerance of Newton's iteration for moments (1), far below the tolerance of the moment itself."""
     requested = FAR_BELOW * analysis.accuracy if analysis.accuracy else NEWTON_MOMENT
     return min(NEWTON_MOMENT, requested) * min(1.0, share / NEWTON)
 
 
 def _method(method: Any) -> tuple[Callable[..., Any], Callable[..., int]]:
-    """What describes a run by a method from its step on, and what marches."""
+    """The constructor of a method's parameters, and the function that marches."""
     if isinstance(method, str):
         return partial(Stages, TABLEAUS[method].weights), march_in_stages
     if isinstance(method, Newmark):

@@ -1,4 +1,4 @@
-"""The errors that a scene tolerates, and runs whose estimated error says that nothing is known of them."""
+"""Tolerances of a scene, and the check for runs whose estimated error exceeds their values."""
 
 from __future__ import annotations
 
@@ -9,38 +9,38 @@ from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import controlled
 from riserstudy.simulation.time_limit import size
 
-DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default accuracy
-PATIENT = 6  # refinements that must halve the error, or a string under compression is given up
+DISPLACEMENT, MOMENT, DAMAGE = 0.002, 0.01, 0.05  # default tolerances
+PATIENT = 6  # number of refinements in which the error of a string under compression must halve
 
 
 def allowed(accuracy: float | None) -> dict[str, float]:
-    """Relative error that a request allows, by quantity; None: the default."""
+    """Relative tolerances by quantity; None: the default."""
     moment = accuracy or MOMENT
     return {"displacement": accuracy or DISPLACEMENT, "moment": moment, "tension": moment}
 
 
 def allowed_of(scene: Resolved) -> dict[str, float]:
-    """Relative error that a scene requests, by quantity; of damage where it has details of fatigue."""
+    """Relative tolerances of a scene, by quantity; with damage if it has fatigue details."""
     accuracy = scene.analysis.accuracy
     return allowed(accuracy) | ({"damage": accuracy or DAMAGE} if scene.fatigue else {})
 
 
 def add_error_of_outputs(result: Result) -> None:
-    """Add what outputs lose of the damage to its estimated error."""
+    """Add the damage that is missed between outputs to its estimated error."""
     error = result.facts.get("error_estimate", {})
     if "damage" in error:
         error["damage"] += max(row["error_of_outputs"] for row in result.facts["fatigue"])
 
 
 def check_error(result: Result, scene: Resolved) -> None:
-    """An error above the largest value itself means that nothing is known of it.
+    """Check that no estimated error exceeds the largest value itself: such a result is unknown.
 
-    A mesh and a step of the scene's own are kept, with a warning, and no limit is then met by the run.
+    With a prescribed mesh and time step, the result is kept with a warning, and no limit counts as met.
 
     Raises
     ------
     SimulationError
-        With the quantity, its error and the remedy, where mesh and step were to be found.
+        With the quantity, its error and the remedy, if the engine chose mesh and step.
     """
     error = result.facts.get("error_estimate", {})
     if not any(value > 1.0 for value in controlled(error).values()):
@@ -56,16 +56,16 @@ def check_error(result: Result, scene: Resolved) -> None:
 
 
 def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> None:
-    """A string without bending stiffness buckles at any wavelength: each finer mesh finds a shorter one.
+    """Detect buckling of a string without bending stiffness, whose wavelength decreases with each mesh.
 
     Parameters
     ----------
-    excess : largest error over the tolerance (1), of every run so far.
+    excess : largest ratio of error to tolerance (1), of every run so far.
 
     Raises
     ------
     PhysicallyUnstable
-        When a string under compression has not settled within `PATIENT` runs.
+        When the error of a string under compression has not decreased within `PATIENT` runs.
     """
     earlier = excess[:-PATIENT]
     if not earlier or min(excess) <= 0.5 * min(earlier) or "bending_moment" in finer.arrays:

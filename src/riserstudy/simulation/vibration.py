@@ -1,4 +1,4 @@
-"""How a riser vibrates once its vibration is built up: size and frequency, as a run's facts have them."""
+"""Amplitude and frequency of a built-up vibration, as facts of a run."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
 Array = NDArray[np.float64]
-LATER = 0.5  # of the time after all ramps, over which statistics are taken
-FEWEST = 16  # outputs from which statistics are made
-STEPS, OUTPUTS = 20, 4  # a period of the vortices, at least
+LATER = 0.5  # share of the time after all ramps that is evaluated
+FEWEST = 16  # smallest number of outputs for statistics
+STEPS, OUTPUTS = 20, 4  # smallest numbers of time steps and outputs in a period of the vortices
 
 
 def since(scene: Resolved) -> float | None:
-    """Time from which on a run's vibration is judged (s); None where none is called for.
+    """Time from which on a run's vibration is evaluated (s); None without vortex-induced vibration.
 
     Raises
     ------
     SimulationError
-        When a run is over before its ramps are.
+        When a run ends before its ramps.
     """
     duration = scene.analysis.duration
     if duration is None or not shedding(scene):
@@ -53,11 +53,11 @@ def since(scene: Resolved) -> float | None:
 
 
 def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFacts) -> None:
-    """Enter a run's vibration into its facts: since when, root mean square, where it is largest, frequency.
+    """Add a run's vibration to its facts: start of the evaluated time, root mean square, place, frequency.
 
-    Steps (s) or outputs too long for its vortices are warned of; of the latter no frequency is taken. A riser
-    that stands still has root mean squares alone.
-    ``arrays``: histories (times, s), m.
+    There is a warning if time steps (s) or output intervals are too long for the vortices; with too few
+    outputs, the frequency is not computed. For a riser at rest, there are only root mean squares. ``arrays``:
+    histories (times, s), m.
     """
     start = since(scene)
     if start is None or "y" not in arrays:
@@ -102,7 +102,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
 
 
 def _scatter(parts: list[Array], s: Array) -> float:
-    """By how much root mean squares at places differ between the halves of a time, over their size (1)."""
+    """Relative difference of root mean squares at places between both halves of the evaluated time (1)."""
     half = len(parts[0]) // 2
     first, second = (
         np.sqrt(sum((part[span] ** 2).mean(axis=0) for part in parts))

@@ -1,9 +1,9 @@
-"""The refinement of a vibration of vortices, whose statistics are known no better than its length allows.
+"""The refinement of a vortex-induced vibration, whose statistics are limited by the length of the run.
 
-Runs on finer meshes and steps differ by what mesh and step still change, and by chance: where several modes
-take turns, no two runs have the same statistics. Halving reduces the first and never the second. So mesh
-and step are halved until what finer runs would still show is within the request. Chance is part of the
-estimated error, and where it alone exceeds the request, the run warns of it.
+Runs with finer meshes and steps differ by the error of mesh and step, and by chance: if several modes
+alternate, no two runs have the same statistics. Halving reduces the first and never the second. Mesh and step
+are therefore halved until the error of mesh and step alone is within the tolerance. Chance is part of the
+estimated error. If it alone exceeds the tolerance, the run has a warning.
 """
 
 from __future__ import annotations
@@ -14,25 +14,24 @@ from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.time_limit import Watch
 from riserstudy.simulation.tolerance import in_words
 
-HALVINGS = (
-    4  # of mesh, and of step: then statistics that still change are those of another vibration
-)
+# largest number of halvings of mesh and of step: statistics that still change are of another vibration
+HALVINGS = 4
 
 
 class VibrationRefinement(Refinement):
-    """Halve mesh or step until their errors, chance aside, are below what is asked for."""
+    """Halve mesh or step until their errors, without chance, are below the tolerance."""
 
     def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         super().__init__(scene, watch)
         self.halvings = dict.fromkeys(self.ways, 0)
 
     def result(self) -> Result:
-        """The finest run, with the error estimated for it; it warns where chance exceeds the request.
+        """The finest run with its estimated error, and with a warning if chance exceeds the tolerance.
 
         Raises
         ------
         SimulationError
-            As any refinement.
+            As in `Refinement.result`.
         """
         finest = super().result()
         error = finest.facts["error_estimate"]
@@ -46,7 +45,7 @@ class VibrationRefinement(Refinement):
         return finest
 
     def _next_way(self) -> str | None:
-        """What to halve next; None where finer runs would change less than is asked for."""
+        """The next one of mesh and step to halve; None if finer runs would change less than the tolerance."""
         if self._unknown:
             return self._unknown[0]
         above = [one.above for one in self.seen.values()]
@@ -57,7 +56,7 @@ class VibrationRefinement(Refinement):
 
     @property
     def _stale(self) -> str | None:
-        """None: of a vibration, another run of the same mesh or step would show as much of chance."""
+        """None: errors are not estimated again, since further runs would differ by the same chance."""
         return None
 
     def _halve(self, way: str) -> None:
@@ -68,7 +67,7 @@ class VibrationRefinement(Refinement):
         return self.halvings[way] >= HALVINGS or super()._too_fine(way)
 
     def _not_reached(self, finest: Result) -> str:
-        """What is to be said of statistics that finer and finer runs still change."""
+        """The warning about statistics that still change with finer runs."""
         why = super()._not_reached(finest)
         if max(self.halvings.values()) < HALVINGS:
             return why

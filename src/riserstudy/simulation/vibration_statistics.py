@@ -1,7 +1,7 @@
-"""Statistics of a vibration of vortices, which are what repeats from run to run, and how two runs differ.
+"""Statistics of a vortex-induced vibration, which are reproducible, and their difference between two runs.
 
-Where several modes take turns, two runs that differ in the last digit soon differ by as much as they move,
-and only their statistics agree. So errors are of these.
+If several modes alternate, two runs that differ in the last digit soon differ by as much as the amplitude of
+the motion, and only their statistics agree. Errors are therefore errors of statistics.
 """
 
 from __future__ import annotations
@@ -14,18 +14,19 @@ from numpy.typing import NDArray
 from riserstudy.simulation.sampling_error import standard_error
 
 Array = NDArray[np.float64]
-SLOW = 0.5  # of the longest period of a vibration: blocks shorter than that tell of its periods
-FEWEST_PERIODS = 8  # from which a frequency has an error
-NONE = 1e-9  # of the riser's length: motion that is none, and may be what rounding leaves
+# shortest block, as a share of the vibration's longest period: shorter blocks resolve the periods
+SLOW = 0.5
+FEWEST_PERIODS = 8  # smallest number of periods for an error of the frequency
+NONE = 1e-9  # motion that may be a rounding error, as a share of the riser's length
 MOVED = ("x", "y", "z")
 FIELDS = (*MOVED, "effective_tension", "bending_moment")
 
 
 class Statistics(NamedTuple):
-    """Of a run from the time on at which its vibration is judged, at places of the riser."""
+    """Statistics of a run at places of the riser, over the evaluated time."""
 
     s: Array  # (n,) places (m)
-    square: Array  # (n,) mean square of the displacement about a straight line in time (m2)
+    square: Array  # (n,) mean square of the displacement about its linear trend in time (m2)
     means: Array  # (k, n) mean displacements (m)
     frequency: (
         float | None
@@ -35,7 +36,7 @@ class Statistics(NamedTuple):
     tension_square: Array | None  # (n,) mean square of the tension (N2)
 
     def at(self, places: Array) -> Statistics:
-        """The same at other places, (k,), m, on cubics through those that are known."""
+        """The statistics at other places, (k,), m, by cubic interpolation."""
         from scipy.interpolate import CubicSpline
 
         if len(places) == len(self.s) and np.allclose(
@@ -51,7 +52,7 @@ class Statistics(NamedTuple):
         return self._replace(s=places, **moved)
 
     def plain(self) -> dict[str, Any]:
-        """As plain data, of which `of_plain` makes the same."""
+        """The statistics as plain data, which `of_plain` converts back."""
         return {
             name: value.tolist() if isinstance(value, np.ndarray) else value
             for name, value in self._asdict().items()
@@ -59,7 +60,7 @@ class Statistics(NamedTuple):
 
 
 def of_plain(data: dict[str, Any]) -> Statistics:
-    """Statistics of plain data."""
+    """Statistics from plain data."""
     made: dict[str, Any] = {
         name: np.array(value) if isinstance(value, list) else value for name, value in data.items()
     }
@@ -78,12 +79,12 @@ def statistics(
 
     Parameters
     ----------
-    histories : by field, (times, places), from the time on at which the vibration is judged.
-    places : m.
-    time : of the histories (s).
-    above : frequency (Hz) of the slowest motion that is vibration.
-    with_frequency : whether outputs are close enough to show it.
-    most : the place whose frequency is taken; None: where the vibration is largest.
+    histories : histories by field, (times, places), over the evaluated time.
+    places : places (m).
+    time : times of the histories (s).
+    above : frequency (Hz) above which motion counts as vibration.
+    with_frequency : whether outputs are frequent enough for the frequency.
+    most : index of the place whose frequency is computed; None: where the vibration is largest.
     """
     moved = [histories[name] for name in MOVED if name in histories]
     away = [vibration(motion, time, above) for motion in moved]
@@ -102,7 +103,7 @@ def statistics(
 
 
 def principal(away: list[Array], most: int) -> Array:
-    """The vibration (times,) at a place along the direction in which it is largest, whatever the axes."""
+    """The vibration (times,) at a place, along the direction in which it is largest."""
     motion = np.stack([one[:, most] for one in away])
     return np.asarray(np.linalg.eigh(motion @ motion.T)[1][:, -1] @ motion)
 
@@ -110,9 +111,10 @@ def principal(away: list[Array], most: int) -> Array:
 def apart(low: Statistics, up: Statistics) -> dict[str, float]:
     """Relative differences of the statistics of two runs at the same places, by quantity.
 
-    Displacement: the largest of those of the root mean square over time and riser, of means, over the
-    largest mean anywhere, and of the frequency where the vibration is largest. Moment: of its root mean
-    square over time and riser. Tension: of its mean and root mean square at every place.
+    Displacement: the largest of three differences: of the root mean square over time and riser; of the means,
+    divided by the largest mean anywhere; and of the frequency where the vibration is largest. Moment:
+    difference of its root mean square over time and riser. Tension: difference of its mean and root mean
+    square at every place.
     """
     out = {
         "displacement": max(
@@ -133,11 +135,11 @@ def apart(low: Statistics, up: Statistics) -> dict[str, float]:
 def sampling(
     histories: dict[str, Array], places: Array, time: Array, above: float, with_frequency: bool
 ) -> dict[str, float]:
-    """Relative standard errors of what `apart` compares, by quantity; arguments are those of `statistics`.
+    """Relative standard errors of the quantities in `apart`; arguments are as in `statistics`.
 
     Parameters
     ----------
-    histories : by field, (times, places).
+    histories : histories by field, (times, places).
     places, time : (places,), m, and (times,), s.
     above : Hz.
     """
@@ -164,14 +166,14 @@ def sampling(
 
 
 def sampling_of_angles(histories: dict[str, Array]) -> dict[str, float]:
-    """Relative standard error of angles, over the largest of them; nothing where there are none.
+    """Standard error of angles, divided by the largest angle; empty without angles.
 
-    Of means, of scatter about them, and of the largest values, which another run as long has as
-    differently as a quarter of this one has.
+    It is the largest of the errors of means, of scatter about them, and of the largest values. For the
+    largest values, the scatter between quarters of the run is taken as the scatter between runs.
 
     Parameters
     ----------
-    histories : by name, (times,), rad, from the time on at which they are judged.
+    histories : histories by name, (times,), rad, over the evaluated time.
     """
     scale = max((float(np.abs(angle).max()) for angle in histories.values()), default=0.0)
     if scale == 0.0:
@@ -193,15 +195,15 @@ def _of_blocks(values: Array, statistic: Any) -> float:
 
 
 def vibration(motion: Array, time: Array, above: float) -> Array:
-    """A motion (times, places) less what of it is slow.
+    """A motion (times, places) without its slow part.
 
-    The straight line in time that fits it best, and the slow cosines of the rest, which do not ask for equal
-    values at both ends: so what drifts over all of the time leaves next to nothing.
+    The slow part is the best linear trend in time, plus the slow cosines of the remainder. Cosines do not
+    require equal values at both ends, so a drift over the whole time leaves almost no residue.
 
     Parameters
     ----------
-    time : s, in equal steps.
-    above : frequency (Hz) of the slowest motion that is vibration; 0: of all but the line.
+    time : times at equal intervals (s).
+    above : frequency (Hz) above which motion counts as vibration; 0: all motion except the trend.
     """
     count = len(motion)
     steps = np.arange(count) - 0.5 * (count - 1)
@@ -215,12 +217,12 @@ def vibration(motion: Array, time: Array, above: float) -> Array:
 
 
 def along(squares: Array, s: Array) -> float:
-    """Root mean square (in the unit of the root) along the riser of squares at places s (m), (n,) each."""
+    """Root mean square along the riser, from squares at places s (m), (n,) each; in the unit of the root."""
     return float(np.sqrt(np.trapezoid(squares, s) / (s[-1] - s[0]))) if len(s) > 1 else 0.0
 
 
 def frequency(time: Array, away: Array) -> float:
-    """Frequency (Hz) of a vibration (times,) by its crossings of zero, both ways; 0 for fewer than three."""
+    """Frequency (Hz) of a vibration (times,), from its crossings of zero; 0 for fewer than three."""
     crossed = _crossings(time, away)
     halves = len(crossed) - 1
     return float(0.5 * halves / (crossed[-1] - crossed[0])) if halves > 1 else 0.0
@@ -233,7 +235,7 @@ def _crossings(time: Array, away: Array) -> Array:
 
 
 def _of_rms(squares: Array, s: Array, least: int) -> float:
-    """Relative standard error of a root mean square over times and places (m), of squares (times, places)."""
+    """Relative standard error of a root mean square over times and places (m); squares (times, places)."""
     whole = along(squares.mean(axis=0), s) ** 2
     error = standard_error(
         lambda block: np.array([along(squares[block].mean(axis=0), s) ** 2]), len(squares), least
@@ -242,7 +244,7 @@ def _of_rms(squares: Array, s: Array, least: int) -> float:
 
 
 def _of_means(each: list[Array], least: int) -> float:
-    """The largest standard error of means at places over the largest mean, of histories (times, places)."""
+    """Largest standard error of means at places, divided by the largest mean; histories (times, places)."""
     scale = max(float(np.abs(one.mean(axis=0)).max()) for one in each)
     stacked = np.concatenate(each, axis=1)
     error = standard_error(lambda block: stacked[block].mean(axis=0), len(stacked), least)
@@ -250,7 +252,7 @@ def _of_means(each: list[Array], least: int) -> float:
 
 
 def _of_frequency(time: Array, motion: Array) -> float:
-    """Relative standard error of the frequency of a vibration (times,), by quarters of its half periods."""
+    """Relative standard error of a vibration's frequency (times,), from quarters of its half periods."""
     halves = np.diff(_crossings(time, motion))
     if len(halves) < 2 * FEWEST_PERIODS:
         return 0.0
@@ -259,18 +261,18 @@ def _of_frequency(time: Array, motion: Array) -> float:
 
 
 def _of_size(places: Array, low: Array, up: Array) -> float:
-    """Relative difference of the root mean squares along the riser, of mean squares at places (m)."""
+    """Relative difference of the root mean squares along the riser, from mean squares at places (m)."""
     coarse, fine = (along(squares, places) for squares in (low, up))
     return abs(coarse - fine) / fine if fine > 0.0 else 0.0
 
 
 def _relative(pairs: list[tuple[Array, Array]]) -> float:
-    """The largest difference over the largest value."""
+    """The largest difference divided by the largest value."""
     scale = max(float(np.abs(up).max()) for _, up in pairs)
     off = max(float(np.abs(up - low).max()) for low, up in pairs)
     return off / scale if scale > 0.0 else 0.0
 
 
 def _in_frequency(low: float | None, up: float | None) -> float:
-    """Relative difference of frequencies (Hz), where both are known."""
+    """Relative difference of frequencies (Hz), if both are known."""
     return abs(low - up) / up if low is not None and up else 0.0

@@ -5,8 +5,8 @@ r"""Von Mises stress of the riser's wall under tension, bending, and pressure in
           \sigma_{h, r} = \frac{p_i r_i^2 - p_o r_o^2}{r_o^2 - r_i^2}
                           \pm \frac{(p_i - p_o) r_i^2 r_o^2}{(r_o^2 - r_i^2) r^2}
 
-at both radii and on both sides, the largest of the four. Pressures are those of columns at rest, gauge.
-Shear and torsion are left out: at the outer fibre shear is nil.
+at both radii and on both sides; the largest of the four is used. Pressures are hydrostatic gauge pressures.
+Shear and torsion are neglected; at the outer fibre, shear stress is zero.
 
 References
 ----------
@@ -33,7 +33,7 @@ FloatArray = NDArray[np.float64]
 
 
 class Wall(NamedTuple):
-    """A pipe's wall by its radii (m)."""
+    """A pipe's wall, given by its radii (m)."""
 
     outer: float
     inner: float
@@ -57,7 +57,7 @@ def wall_of(section: Section) -> Wall:
 def von_mises(
     wall: Wall, tension: FloatArray, moment: FloatArray, inside: FloatArray, outside: FloatArray
 ) -> FloatArray:
-    """Largest von Mises stress (Pa) at both radii and on both sides, of the shape of the tension.
+    """Largest von Mises stress (Pa) at both radii and on both sides, in the shape of the tension.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def von_mises(
 def four_stresses(
     wall: Wall, tension: FloatArray, moment: FloatArray, inside: FloatArray, outside: FloatArray
 ) -> FloatArray:
-    """Von Mises stress (Pa), (4, ...): outer and inner radius on the side in tension, then on the other."""
+    """Von Mises stress (Pa), (4, ...): outer and inner radius on bending's tension side, then opposite."""
     own = tension + math.pi * (inside * wall.inner**2 - outside * wall.outer**2)
     stresses = []
     for side in (1.0, -1.0):
@@ -86,7 +86,7 @@ def four_stresses(
 def lame(
     wall: Wall, inside: FloatArray, outside: FloatArray, radius: float
 ) -> tuple[FloatArray, FloatArray]:
-    """Hoop and radial stress (Pa) at a radius (m), of the shape of the pressures (Pa)."""
+    """Hoop and radial stress (Pa) at a radius (m), in the shape of the pressures (Pa)."""
     inner, outer = wall.inner**2, wall.outer**2
     even = (inside * inner - outside * outer) / (outer - inner)
     varying = (inside - outside) * inner * outer / ((outer - inner) * radius**2)
@@ -96,13 +96,13 @@ def lame(
 def along_the_riser(
     scene: Resolved, mesh: Mesh, elevation: FloatArray, tension: FloatArray, moment: FloatArray
 ) -> FloatArray:
-    """Von Mises stress (Pa) at the nodes, (..., n + 1), not a number where a section does not tell it.
+    """Von Mises stress (Pa) at the nodes, (..., n + 1), NaN where a section lacks inputs for it.
 
-    Where two sections meet it is that of the one which has more.
+    Where two sections meet, it is the larger stress.
 
     Parameters
     ----------
-    elevation, tension, moment : of the nodes (m, N, N m), (..., n + 1).
+    elevation, tension, moment : values at the nodes (m, N, N m), (..., n + 1).
     """
     inside, outside = pressures(scene, mesh, elevation)
     stresses = np.full(elevation.shape, np.nan)
@@ -119,12 +119,12 @@ def along_the_riser(
 
 
 def nodes_of(mesh: Mesh, section: int) -> slice:
-    """The nodes of a section, both of its ends among them."""
+    """The nodes of a section, its two ends included."""
     first = mesh.foot(section)
     return slice(first, first + int((mesh.section == section).sum()) + 1)
 
 
 def pressures(scene: Resolved, mesh: Mesh, elevation: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Gauge pressures (Pa) inside and outside at the nodes, both of the shape of the elevations (m)."""
+    """Gauge pressures (Pa) inside and outside at the nodes, both in the shape of the elevations (m)."""
     places = [nodes_of(mesh, k) for k in range(len(scene.riser))]
     return columns_at_rest(scene, places, elevation)

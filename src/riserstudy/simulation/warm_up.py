@@ -1,4 +1,4 @@
-"""Compile every kernel: small models that together have all effects, by group of kernels.
+"""Compile every kernel by small models that together have all effects, for each group of kernels.
 
 The scenes are in ``warm_up_scenes``, a file for each group.
 """
@@ -42,14 +42,14 @@ def scenes_of(group: str) -> list[Resolved]:
 
 
 def _file(about: dict[str, Any], files: dict[str, SceneFile], where: str) -> SceneFile:
-    """A scene as it is written, or like another of the same file."""
+    """A scene as written in the file, or derived from another scene of the same file."""
     if "like" in about:
         return files[about["like"]].with_values(about["set"], where)
     return SceneFile(where, about["scene"], {})
 
 
 def _with_examples(file: SceneFile) -> SceneFile:
-    """A scene with what effects name as an example of what calls for them, in the directions that it has."""
+    """A scene with the example inputs of all effects that fit its directions."""
     needed = directions(file.resolved())
     for effect in catalogue().values():
         if effect.example:
@@ -59,7 +59,7 @@ def _with_examples(file: SceneFile) -> SceneFile:
 
 
 def warm_up(group: str | None = None) -> None:
-    """Run all of them, or those of one group."""
+    """Run the scenes of all groups, or of one group."""
     for name in GROUPS if group is None else (group,):
         for scene in scenes_of(name):
             run(scene)

@@ -1,1 +1,1 @@
-"""Arrays in, arrays out: statics, time stepping, modes. Knows effect records, no scene, no files."""
+"""Arrays in, arrays out: statics, time stepping, modes. It uses effect records, but no scene and no files."""

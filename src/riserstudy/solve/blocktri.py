@@ -1,7 +1,7 @@
-"""Linear algebra of one Newton step: a block tridiagonal system, one block row a node.
+"""Linear algebra of one Newton step: a block tridiagonal system, one block row per node.
 
 Unknowns of a node are its moments, then its positions. Moments come first because their pivot, the
-flexibility, is never zero, while a slack riser has no lateral stiffness of its own. No pivoting: with
+flexibility, is never zero, while a riser without tension has no lateral stiffness. There is no pivoting: with
 positive stiffness the system is quasi-definite, for which elimination in any order is stable.
 """
 
@@ -30,19 +30,19 @@ def solve(s, out, work, fixed):
 
     Parameters
     ----------
-    s : State with its tangent filled in.
+    s : State whose tangent has been computed.
     out : (N, m+d) array, residual on entry, correction on return.
     work : (N, (m+d)^2) scratch.
-    fixed : (k, 2) integers, (node, unknown) pairs that stay as they are; sorted by node.
+    fixed : (k, 2) integers, (node, unknown) pairs that do not change; sorted by node.
 
     Returns
     -------
-    Number of negative pivots among positions less that among moments: for a symmetric conservative
-    tangent the number of unstable directions.
+    Number of negative pivots among positions minus number of negative pivots among moments. For a symmetric
+    conservative tangent, this is the number of unstable directions.
     """
     nb = len(s.dof)
     m = nb - len(s.dim)
-    n = s.r.shape[1] - 1  # the last node, loose ones included
+    n = s.r.shape[1] - 1  # index of the last node, loose nodes included
     arrays = s.k_node, s.k_segment, s.k_up, s.k_low
     bent = s.by_low, s.by_up, s.turn_low, s.turn_up, s.flex, s.flex_up
     held = np.zeros((nb, 3 * nb + 1))
@@ -76,13 +76,13 @@ def solve(s, out, work, fixed):
 
 @inner
 def factor_flexibility(s, hinged):
-    """Factors of the flexibility matrix, which never changes: what `flexibility_solve` needs.
+    """Factorise the flexibility matrix, which never changes, for `flexibility_solve`.
 
-    Elimination comes from both ends and meets in the middle: two short chains of operations that wait for
-    each other take half the time of a long one.
+    Elimination begins at both ends and meets in the middle: two independent short chains of operations take
+    half the time of one long chain.
 
-    ``hinged`` (n+1,) is true where no moment is carried; there the inverse is 0, as in a model without
-    bending, whose flexibility is 0 for want of a better number.
+    ``hinged`` (n+1,) is true for nodes that carry no moment. There the inverse is 0, as in a model without
+    bending, whose flexibility is set to 0.
     """
     flex, flex_up, inverse, factor = s.flex, s.flex_up, s.flex_inverse, s.flex_factor
     n = s.l0.shape[0]
@@ -103,9 +103,9 @@ def factor_flexibility(s, hinged):
 
 @inner
 def flexibility_solve(s, angle):
-    """Turning angles (n+1,) into the moments that belong to them, in place; none at hinges.
+    """Convert turning angles (n+1,) to the moments that cause them, in place; zero at hinges.
 
-    Loose nodes bend with nothing: angles that go on over them stay there.
+    Loose nodes do not bend: an array that includes them keeps its values there.
     """
     inverse, factor = s.flex_inverse, s.flex_factor
     n = s.l0.shape[0]
@@ -116,7 +116,7 @@ def flexibility_solve(s, angle):
         angle[k] = below
         above = angle[n - k] - factor[n - k] * above
         angle[n - k] = above
-    if 2 * middle < n and middle > 0:  # the upper part is longer by one
+    if 2 * middle < n and middle > 0:  # the upper part has one node more
         above = angle[middle + 1] - factor[middle + 1] * above
         angle[middle + 1] = above
     here = angle[middle] - factor[middle] * above

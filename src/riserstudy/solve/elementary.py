@@ -1,7 +1,8 @@
-"""Exponential, sine and cosine as polynomials, which a compiler works out for several numbers at a time.
+"""Exponential, sine and cosine as polynomials, which a compiler evaluates for several numbers at a time.
 
-Library functions are called number by number; sums over many waves at many nodes wait for nothing else.
-Arguments are halved until a short Taylor series is exact to rounding, results squared or doubled as often.
+Library functions are called number by number; without these polynomials, they would dominate the time of sums
+over many waves at many nodes. Arguments are halved until a short Taylor series is exact to rounding, and
+results are squared or doubled as often.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from riserstudy.solve.unroll import floor, unrolled
 
 @unrolled
 def exponential(x):
-    """Euler's number to the power of x, for x from -80 to 0."""
+    """exp(x), for x from -80 to 0."""
     y = x / 256.0
     p = 1.0 + y / 11.0 * (1.0 + y / 12.0)
     p = 1.0 + y / 8.0 * (1.0 + y / 9.0 * (1.0 + y / 10.0 * p))
@@ -32,7 +33,7 @@ def exponential(x):
 
 @unrolled
 def within_a_turn(angle):
-    """The same angle between minus and plus pi (rad)."""
+    """An angle reduced to the range from minus pi to pi (rad)."""
     return angle - 2.0 * pi * floor(angle / (2.0 * pi) + 0.5)
 
 

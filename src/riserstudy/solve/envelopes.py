@@ -1,6 +1,6 @@
-"""Extremes over a simulation: those of the steps, with the parabola through three of them in between.
+"""Extremes over a simulation, from all time steps, with the parabola through three steps between them.
 
-They do not depend on how often outputs are requested.
+They do not depend on the interval of the outputs.
 """
 
 from __future__ import annotations
@@ -10,29 +10,30 @@ from math import sqrt
 from riserstudy.solve.jit import inner
 from riserstudy.solve.tabulate import components, product
 
-UNEVEN = 2.5  # times as long as the step before, from which on it is not continued
+# ratio to the previous time step, from which on the parabola is not extrapolated over a step
+UNEVEN = 2.5
 
 
 @inner
 def widen(record, places):
-    """Take the tabulated step into the envelopes.
+    """Include the tabulated time step in the envelopes.
 
-    Between steps a parabola through the last three gives the extremum of forces, so that envelopes lose no
-    more to long steps than histories do; that of positions is `widen_places`'s. A size that points the other
-    way than the middle one counts as negative there: what swings through zero has the peaks that it has in a
-    plane, and is as small as between them.
+    Between steps, a parabola through the last three steps gives the extremum of forces. Envelopes therefore
+    have no larger error by long steps than histories. `widen_places` gives the extremum of positions. The
+    magnitude of a vector opposite to the vector at the middle step counts as negative. A moment that swings
+    through zero in space then has the same peaks as in a plane, and its smallest magnitude is near zero.
 
     Parameters
     ----------
-    places : positions of a node, the first of the rows.
+    places : number of position rows, which come first.
     """
     values, largest, smallest = record.values, record.largest, record.smallest
     two_ago, last, when = record.past[0], record.past[1], record.when
     turning = record.seen[0] >= 2
-    rows, first = largest.shape[0], places + 1  # the first that in space is a size
+    rows, first = largest.shape[0], places + 1  # first: row that in space is a magnitude
     over_left, over_right, over_both, even = 0.0, 0.0, 0.0, False
     if turning:
-        # after a much shorter step its slope is too uncertain to go on by
+        # after a much shorter step, the slope is too uncertain for extrapolation
         even = when[2] - when[1] < UNEVEN * (when[1] - when[0])
         over_left, over_right = 1.0 / (when[1] - when[0]), 1.0 / (when[2] - when[1])
         over_both = 1.0 / (when[2] - when[0])
@@ -54,7 +55,7 @@ def widen(record, places):
             right = (here - middle) * over_right
             bend = (right - left) * over_both
             rate = left + bend * (when[1] - when[0])  # at the middle step
-            # a peak at the middle step, or of the parabola that outputs after it are taken from
+            # a peak at the middle step, or of the parabola that also gives the outputs after it
             peaked = left * right < 0.0
             if peaked or (even and rate * (2.0 * right - rate) < 0.0):
                 time, peak = when[1] - 0.5 * rate / bend, middle - 0.25 * rate * rate / bend
@@ -65,7 +66,7 @@ def widen(record, places):
 
 @inner
 def least_between(one, other, row, i):
-    """Smallest size between two moments, straight from one to the other."""
+    """Smallest magnitude between two moments, with linear interpolation of the vector."""
     along, square = 0.0, 0.0
     for u in range(3):
         way = other[row + u, i] - one[row + u, i]
@@ -80,17 +81,17 @@ def least_between(one, other, row, i):
 
 @inner
 def widen_places(s, r0, v0, t, h, record):
-    """Take the peaks of the cubic between two steps into the envelopes of positions, as outputs have it."""
+    """Include the peaks of the cubic between two steps, which outputs also use, in the position envelopes."""
     for c in range(len(s.dim)):
         for i in range(record.largest.shape[1]):
             way = s.r[c, i] - r0[c, i]
             a, b = h * v0[c, i], h * s.v[c, i]
-            # the cubic's rate over the step: a + 2 p x + 3 q x^2
+            # rate of the cubic over the step: a + 2 p x + 3 q x^2
             p, q = 3.0 * way - 2.0 * a - b, a + b - 2.0 * way
             inside = p * p - 3.0 * a * q
             if inside <= 0.0:
                 continue
-            # a root that does not cancel, and the other one by their product
+            # the root without cancellation, and the other root by their product
             big = -(p + sqrt(inside)) if p > 0.0 else -(p - sqrt(inside))
             for k in range(2):
                 low, high = (big, 3.0 * q) if k == 0 else (a, big)
@@ -105,7 +106,7 @@ def widen_places(s, r0, v0, t, h, record):
 
 @inner
 def first_output(record):
-    """Begin the envelopes with an output between steps."""
+    """Start the envelopes with an output between steps."""
     for c in range(record.largest.shape[0]):
         for i in range(record.between.shape[1]):
             record.largest[c, i] = record.between[c, i]

@@ -1,4 +1,4 @@
-"""One evaluation of a model: motion, forces, inertia, stiffness, by the effects it has."""
+"""One evaluation of a model: motion, forces, inertia and stiffness of its effects."""
 
 from __future__ import annotations
 
@@ -21,22 +21,22 @@ from riserstudy.solve.state import (
 
 
 class Programs(NamedTuple):
-    """What a model's effects do, each an int64 array (calls, 2) of addresses."""
+    """Functions of a model's effects by role, each role an int64 array (calls, 2) of addresses."""
 
     motion: np.ndarray  # move the platform
     place: np.ndarray  # put held nodes in place
     drive: np.ndarray  # water velocities, cylinder reach
-    internal: np.ndarray  # solve q = known + share G(q) for an effect's own internal variables
+    internal: np.ndarray  # solve q = known + share G(q) for internal variables of an effect
     law: np.ndarray  # pulls of the cylinders by reach
-    turn: np.ndarray  # turning angles against moments
+    turn: np.ndarray  # residual of turning angles and moments
     string: np.ndarray  # forces on the riser string itself
-    device: np.ndarray  # forces of what is attached to it
+    device: np.ndarray  # forces of bodies and devices attached to the string
     tangent: np.ndarray
     compliance: np.ndarray  # flexibility, constant
     string_inertia: np.ndarray
     device_inertia: np.ndarray
     mass: np.ndarray  # into the stiffness, times the rate
-    lump: np.ndarray  # masses of the nodes, where no mass is shared between them
+    lump: np.ndarray  # masses of the nodes, if no mass is shared between nodes
     potential: np.ndarray  # return energies
     kinetic: np.ndarray
     power: np.ndarray  # add to s.flow
@@ -45,7 +45,7 @@ class Programs(NamedTuple):
 
 @inner
 def move(p, s, time):
-    """Bring platform and held nodes to a time."""
+    """Set platform and held nodes to their positions at a time."""
     s.clock[0] = time
     for k in range(3):
         for c in range(6):
@@ -56,9 +56,9 @@ def move(p, s, time):
 
 @inner
 def shape(p, s):
-    """What follows from positions and velocities alone: directions, water, reach, turning angles."""
+    """Compute directions, water motion, reach and turning angles from positions and velocities."""
     clear_forces(s)
-    if p.drive.shape[0] > 0:  # else there has never been anything
+    if p.drive.shape[0] > 0:  # otherwise these arrays are always zero
         clear(s.seas)
     measure(s)
     every(p.drive, s)
@@ -69,7 +69,7 @@ def shape(p, s):
 
 @inner
 def load(p, s):
-    """Forces but inertia into ``s.force``, those of the string alone into ``s.ends``; after ``shape``."""
+    """Write forces without inertia to ``s.force``, the string's end forces to ``s.ends``; after `shape`."""
     every(p.string, s)
     gather(s)
     keep_ends(s, s.ends[0])
@@ -78,14 +78,14 @@ def load(p, s):
 
 @inner
 def forces(p, s):
-    """All forces but inertia, into ``s.force``, and what moments miss, into ``s.turn``."""
+    """Write all forces except inertia to ``s.force``, and residuals of the turning angles to ``s.turn``."""
     shape(p, s)
     load(p, s)
 
 
 @inner
 def inertia(p, s):
-    """Inertial forces alone, into ``s.force``; directions must have been measured."""
+    """Write inertial forces alone to ``s.force``; the directions of segments must be known."""
     s.force[:] = 0.0
     every(p.string_inertia, s)
     keep_ends(s, s.ends[1])
@@ -103,7 +103,7 @@ def tangent(p, s):
 
 @inner
 def true_moments(s):
-    """Correct the moments until they belong to the shape; after ``shape``, whose angles it uses up."""
+    """Correct the moments to those of the shape; after ``shape``, whose turning angles it overwrites."""
     m, n = len(s.dof) - len(s.dim), s.l0.shape[0]
     for u in range(m):
         flexibility_solve(s, s.turn[u])
@@ -113,7 +113,7 @@ def true_moments(s):
 
 @kernel
 def set_compliance(p, s, hinged):
-    """Enter the flexibility of pipe and joints, once for a model."""
+    """Compute the flexibility of pipe and joints, once for a model."""
     s.flex[:] = 0.0
     s.flex_up[:] = 0.0
     every(p.compliance, s)
@@ -135,7 +135,7 @@ def forces_and_tangent(p, s):
 
 @kernel
 def energies(p, s):
-    """Potential and kinetic energy (J) of the positions and velocities as they are."""
+    """Potential and kinetic energy (J) of the present positions and velocities."""
     shape(p, s)
     return every(p.potential, s), every(p.kinetic, s)
 

@@ -3,7 +3,7 @@ r"""Explicit leapfrog (Verlet) stepping with lumped masses.
 .. math:: v_{n+1/2} = v_{n-1/2} + h\,M^{-1} F(r_n, v_{n-1/2}),\qquad r_{n+1} = r_n + h\,v_{n+1/2}
 
 Second order, symplectic without damping, stable below :func:`riserstudy.solve.modes.stable_step`. The
-state must have been made with mass shares (1/2, 0), so that mass is a block a node.
+state must have mass shares (1/2, 0); the mass matrix is then one block per node.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from riserstudy.solve.write_down import due, evaluate_and_note, remember
 def accelerate(p, s, fixed):
     """Acceleration of every node from the forces on it; returns the power of the supports (W).
 
-    Held directions keep the acceleration they are held to.
+    Held directions keep their prescribed acceleration.
     """
     shape(p, s)
     true_moments(s)
@@ -41,9 +41,9 @@ def accelerate(p, s, fixed):
 
 @inner
 def hold(s, fixed):
-    """Take held directions out of what is left to solve for; returns the power of their own forces (W).
+    """Remove held directions from the equations; returns the power of their forces (W).
 
-    Masses that couple them to others go below the diagonal.
+    Masses that couple them to other directions are stored below the diagonal.
     """
     d = len(s.dim)
     m = len(s.dof) - d
@@ -69,7 +69,7 @@ def hold(s, fixed):
 
 @inner
 def couple(s, fixed):
-    """Power that supports supply (W) to the accelerations of other directions than those they hold."""
+    """Power that supports supply (W) through the coupling masses to accelerations of free directions."""
     d = len(s.dim)
     m = len(s.dof) - d
     power = 0.0
@@ -84,7 +84,7 @@ def couple(s, fixed):
 
 @inner
 def advance(s, h):
-    """Step velocities, then positions; the sum of squared velocities halfway between old and new."""
+    """Advance velocities, then positions; returns the sum of squared velocities at half the step."""
     r, v, a = s.r, s.v, s.a
     square = 0.0
     for c in range(len(s.dim)):
@@ -99,7 +99,7 @@ def advance(s, h):
 
 @inner
 def halfway(s, h, into):
-    """Velocities half a step on."""
+    """Velocities half a time step later."""
     for c in range(len(s.dim)):
         for i in range(s.r.shape[1]):
             into[c, i] = s.v[c, i] + 0.5 * h * s.a[c, i]
@@ -109,8 +109,8 @@ def halfway(s, h, into):
 def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
     """March ``steps`` steps of ``h`` from the state ``s``; outputs go to ``record``.
 
-    Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``, STOPPED where
-    ``sums.stop`` says so.
+    Returns NOT_CONVERGED as soon as the sum of squared velocities is not below ``bound``, and STOPPED if
+    ``sums.stop`` is set.
     """
     d = len(s.dim)
     n = s.r.shape[1] - 1  # the last node, loose ones included
@@ -124,7 +124,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
     halfway(s, -h, s.v)
     for step in range(steps + 1):
         t = start + step * h
-        # s.r and s.a are at t; s.v is at t - h/2, but that of held directions at t
+        # s.r and s.a are at t; s.v is at t - h/2, except for held directions, whose s.v is at t
         if step == steps and not due(record, t + 1e-9 * h):
             break
         if sums.stop[0] != 0:
@@ -175,7 +175,7 @@ def flow(p, s):
 
 @inner
 def failed(sums, v, t, h):
-    """Say where velocities ``v`` grew most."""
+    """Record the node with the largest growth of velocity relative to ``v``."""
     fastest, node = 0.0, 0
     for c in range(v.shape[0]):
         for i in range(v.shape[1]):

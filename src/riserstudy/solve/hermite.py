@@ -1,13 +1,13 @@
-"""Tensioned beam with cubic Hermite elements and Newmark's method: the papers' own way, and a second opinion.
+"""Tensioned beam with cubic Hermite elements and Newmark's method: the papers' method, and a second solver.
 
 Planar, small slope, u lateral over unstretched arclength s from the bottom, end to end:
 
     (m + m_a) u.. - (T u')' + (EI u'')'' = q + c |U - u.| (U - u.) + m_w U.
 
-It shares no code with the lumped-mass engine. Large rotation and axial strain are not in it: in a
-2 m surge of a 533 m riser they change the displacement by 0.09 % of the surge and the largest moment
-by 0.04 %. Validated against closed forms, observed orders and, at small amplitude, the geometrically
-exact reference of the verification tests; not validated where tension turns to compression.
+It shares no code with the lumped-mass engine. It omits large rotations and axial strain: in a 2 m surge of a
+533 m riser, they change the displacement by 0.09 % of the surge and the largest moment by 0.04 %. It is
+validated against closed forms, observed orders and, at small amplitude, the geometrically exact reference of
+the verification tests. It is not validated for negative tension.
 
 Convention: M = EI u''; Q = -M' is the shear force and Q + T u' the lateral force.
 """
@@ -32,7 +32,8 @@ from riserstudy.solve.hermite_kernels import (
     substitute,
 )
 
-POINT, WEIGHT = np.polynomial.legendre.leggauss(4)  # exact for every product of this file but drag
+# exact for every product in this file except drag
+POINT, WEIGHT = np.polynomial.legendre.leggauss(4)
 POINT, WEIGHT = (POINT + 1.0) / 2.0, WEIGHT / 2.0
 
 
@@ -62,7 +63,8 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
         pin(mesh.stiffness_band, force, dof)
     diagonal = mesh.stiffness_band[:, 0].copy()
     bad = factorise(mesh.stiffness_band)
-    small = mesh.stiffness_band[:, 0] < 1e-12 * diagonal  # a mechanism leaves a pivot of rounding
+    # the pivot of a mechanism is a rounding error
+    small = mesh.stiffness_band[:, 0] < 1e-12 * diagonal
     if bad >= 0 or small.any():
         where = beam.s[max(bad, int(np.argmax(small))) // 2]
         raise HermiteError(
@@ -83,14 +85,14 @@ def in_still_water(beam: Beam) -> Beam:
 
 
 def frequencies(beam: Beam, count: int) -> tuple[Array, Array]:
-    """Undamped natural frequencies, drag and current left out.
+    """Undamped natural frequencies, without drag and current.
 
     Returns
     -------
     omega : ndarray, shape (count,)
         Circular frequencies, rad/s, ascending.
     modes : ndarray, shape (count, n + 1)
-        Lateral displacements of the nodes, largest value one.
+        Lateral displacements of the nodes, scaled to a largest value of one.
 
     Raises
     ------
@@ -122,7 +124,7 @@ def dynamics(
     start: Literal["equilibrium", "still water", "straight"] = "equilibrium",
     recovery: Literal["equilibrium", "curvature"] = "equilibrium",
 ) -> Response:
-    """Motion from rest, in static equilibrium, that of still water, or straight, by Newmark's method.
+    """Motion from rest by Newmark's method, from static equilibrium, equilibrium in still water, or straight.
 
     Parameters
     ----------
@@ -133,13 +135,13 @@ def dynamics(
         Largest time step, s; an output interval is divided into equal steps no longer than this.
     stepping : Stepping
     start : {"equilibrium", "still water", "straight"}
-        Shape at time zero; the latter two feel current and waves at once. A straight beam is upright, so an
-        end that is held elsewhere jumps.
+        Shape at time zero. On the last two, current and waves act as a step. A straight beam is upright, so
+        an end that is held elsewhere jumps.
     recovery : {"equilibrium", "curvature"}
         ``equilibrium``: moment and shear from the elements' end forces, which balance load, drag
-        and inertia (fourth order) and contain what Rayleigh damping adds. ``curvature``: EI times
-        the derivatives of the cubic at a node, the mean of the adjacent elements (second order for
-        the moment, first for the shear).
+        and inertia (fourth order) and include Rayleigh damping. ``curvature``: EI times the derivatives of
+        the cubic at a node, as the mean of the adjacent elements (second order for the moment, first for the
+        shear).
 
     Raises
     ------
@@ -175,11 +177,12 @@ def dynamics(
     return Response(times, u[:, ::2], u[:, 1::2], moment, shear, taken)
 
 
-DRAG = ("lagged", "picard", "newton")  # ways to iterate it, by their number in the kernels
+# iterations of drag, in the order of their numbers in the kernels
+DRAG = ("lagged", "picard", "newton")
 
 
 def _check_stepping(times: Array, step: float, stepping: Stepping) -> None:
-    """Refuse times that are not equally spaced from zero, and what is no step or no way to iterate."""
+    """Refuse times that are not equally spaced from zero, and invalid time steps and iterations."""
     gaps = np.diff(times)
     if times.size < 2 or times[0] != 0.0 or not np.allclose(gaps, gaps[0]) or not gaps[0] > 0.0:
         raise HermiteError("times must be at least two, start at zero and be equally spaced")
@@ -190,7 +193,7 @@ def _check_stepping(times: Array, step: float, stepping: Stepping) -> None:
 
 
 def _mesh(beam: Beam) -> Mesh:
-    """Check the beam at the door and integrate its elements."""
+    """Check the input of the beam, and integrate its elements."""
     n = len(beam.s) - 1
     if n < 1 or not (np.diff(beam.s) > 0.0).all():
         raise HermiteError("s: at least two nodes, strictly ascending")
@@ -251,7 +254,7 @@ def _shapes(beam: Beam, d: int, xi: Array) -> Array:
 
 
 def _linear(ends: Array) -> Array:
-    """Values at the Gauss points, (n, 4), of what is linear inside an element."""
+    """Values at the Gauss points, (n, 4), of a quantity that is linear within an element."""
     return np.asarray(ends[:, :1] * (1.0 - POINT) + ends[:, 1:] * POINT)
 
 
@@ -273,7 +276,7 @@ def _sea(beam: Beam, mesh: Mesh) -> Sea:
 
 
 def _flows(mesh: Mesh, sea: Sea, times: Array, u: Array) -> tuple[Array, Array]:
-    """Velocity and push of the water at the Gauss points at displacements u, each (time, n, 4)."""
+    """Velocity and inertia force of the water at the Gauss points at displacements u, each (time, n, 4)."""
     water, push = np.zeros((2, len(times), *sea.current.shape))
     for k, t in enumerate(times):
         flow(mesh, sea, t, u[k], water[k], push[k])
@@ -281,7 +284,7 @@ def _flows(mesh: Mesh, sea: Sea, times: Array, u: Array) -> tuple[Array, Array]:
 
 
 def _on_elements(mesh: Mesh, flows: tuple[Array, Array], v: Array) -> Array:
-    """Element vectors (time, n, 4) of what the water does at nodal velocities v (..., 2n + 2)."""
+    """Element vectors (time, n, 4) of the water's forces at nodal velocities v (..., 2n + 2)."""
     water, push = flows
     relative = water - np.einsum("egi,...ei->...eg", mesh.value, _gather(v))
     force = mesh.strength * np.abs(relative) * relative + push
@@ -289,13 +292,13 @@ def _on_elements(mesh: Mesh, flows: tuple[Array, Array], v: Array) -> Array:
 
 
 def _gather(nodal: Array) -> Array:
-    """Element vectors (..., n, 4) of nodal ones (..., 2n + 2)."""
+    """Element vectors (..., n, 4) from nodal vectors (..., 2n + 2)."""
     pairs = nodal.reshape(*nodal.shape[:-1], -1, 2)
     return np.concatenate([pairs[..., :-1, :], pairs[..., 1:, :]], axis=-1)
 
 
 def _add(element: Array) -> Array:
-    """The nodal vector (2n + 2,) of element ones (n, 4)."""
+    """The nodal vector (2n + 2,) assembled from element vectors (n, 4)."""
     nodal = np.zeros(2 * len(element) + 2)
     nodal[:-2] += element[:, :2].ravel()
     nodal[2:] += element[:, 2:].ravel()
@@ -326,7 +329,7 @@ def _section_forces(
     rayleigh: tuple[float, float],
     recovery: str,
 ) -> tuple[Array, Array]:
-    """Moment and shear at the nodes, each (time, n + 1), of displacements, velocities, accelerations."""
+    """Moment and shear at the nodes, each (time, n + 1), from displacements, velocities, accelerations."""
     u, v, a = motion
     if recovery not in ("equilibrium", "curvature"):
         raise HermiteError(f"recovery {recovery!r} must be equilibrium or curvature")

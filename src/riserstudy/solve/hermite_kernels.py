@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 from riserstudy.solve.jit import inner, kernel
 
 Array = NDArray[np.float64]
-CALM = 1e-12  # speed of water that is none (m/s)
-LAGGED, PICARD, NEWTON = 0, 1, 2  # what the drag takes |U - u.| of
-CONFIRM_EVERY = 32  # steps of one correction, after which a second measures anew how they fall
-SAFETY = 4.0  # on the correction that is foreseen
+CALM = 1e-12  # relative speed of the water that counts as zero (m/s)
+LAGGED, PICARD, NEWTON = 0, 1, 2  # state from which the drag takes |U - u.|
+# time steps with one correction, after which a second one measures convergence again
+CONFIRM_EVERY = 32
+SAFETY = 4.0  # factor on the predicted next correction
 EPSILON = 2e-16  # relative rounding of an acceleration
-NEAR = 1e6  # tolerances: corrections below it fall by Newton's law
+NEAR = 1e6  # corrections below this multiple of the tolerance converge quadratically
 
 
 class Mesh(NamedTuple):
@@ -42,7 +43,7 @@ class Sea(NamedTuple):
     current: Array  # (n, 4) m/s
     speed: Array  # (c, n, 4) m/s, amplitudes of the waves' horizontal velocity
     rise: Array  # (c, n, 4) m/s, of their vertical velocity
-    inertia: Array  # (n, 4) kg, water that accelerates the pipe, times weight
+    inertia: Array  # (n, 4) kg, mass of water whose acceleration loads the pipe, times weight
     frequency: Array  # (c,) rad/s
     number: Array  # (c,) rad/m, negative for waves against x
     phase: Array  # (c,) rad
@@ -50,19 +51,19 @@ class Sea(NamedTuple):
 
 
 class Steps(NamedTuple):
-    """Newmark's method as it is stepped."""
+    """Parameters of Newmark's method."""
 
     h: float  # (s)
-    each: int  # steps between those that are stored
+    each: int  # time steps from one stored step to the next
     beta: float  # a share
     gamma: float  # a share
-    drag: int  # 0 lags |U - u.|, 1 repeats with the last iterate's, 2 is Newton
-    tolerance: float  # (m) the correction that ends an iteration
-    iterations: int  # at most, a step
+    drag: int  # 0: |U - u.| of the previous step, 1: of the previous iteration, 2: Newton
+    tolerance: float  # (m) correction at which an iteration ends
+    iterations: int  # largest number in a time step
 
 
 class Prescribed(NamedTuple):
-    """Unknowns whose motion is given."""
+    """Unknowns with a prescribed motion."""
 
     unknowns: NDArray[np.int64]  # (fixed,)
     motion: Array  # (3, fixed, steps) displacement, velocity, acceleration
@@ -72,8 +73,8 @@ class Prescribed(NamedTuple):
 def flow(mesh: Mesh, sea: Sea, t: float, u: Array, water: Array, push: Array) -> None:
     """Velocity of the water across the beam (m/s) and force of its acceleration (N) at the Gauss points.
 
-    The waves are met where the beam is at displacements u, (2n + 2,), at time t (s); across a leaning beam is
-    speed - rise u'. Both go to ``water`` and ``push``, (n, 4).
+    The waves are evaluated at the displacements u of the beam, (2n + 2,), at time t (s). The component across
+    an inclined beam is speed - rise u'. Velocity and force are written to ``water`` and ``push``, (n, 4).
     """
     for e in range(water.shape[0]):
         for g in range(4):
@@ -116,8 +117,9 @@ def pin(band: Array, right: Array, dof: int) -> None:
 
 @kernel
 def factorise(band: Array) -> int:
-    """L D L' of a band (2n + 2, 4) in place; the first row with a pivot not positive, or no number, or -1."""
-    own = own_1 = own_2 = next_0 = next_1 = third = 0.0  # what rows take off those after them
+    """L D L' of a band (2n + 2, 4) in place; returns the first row without a positive finite pivot, or -1."""
+    # amounts to subtract from the following rows
+    own = own_1 = own_2 = next_0 = next_1 = third = 0.0
     for i in range(band.shape[0]):
         pivot, one, two, three = (
             band[i, 0] - own,
@@ -141,7 +143,7 @@ def factorise(band: Array) -> int:
 def substitute(band: Array, x: Array) -> None:
     """Solve for x, (2n + 2,), in place with the factors of ``factorise``."""
     n = band.shape[0]
-    one = two = three = 0.0  # of the rows before, or after
+    one = two = three = 0.0  # values of the previous, or the following, rows
     for i in range(n):
         here = x[i]
         here -= one
@@ -177,12 +179,12 @@ def add_water(
     lag: Array,
     factor: float,
 ) -> None:
-    """Add push and drag c |U - lag| (U - v) to out (N); add ``factor`` c |U - lag| to the band.
+    """Add inertia force and drag c |U - lag| (U - v) to out (N); add ``factor`` c |U - lag| to the band.
 
     Water and push are (n, 4) at the Gauss points, v and lag (2n + 2,) in m/s, the factor is in s.
     """
     value = mesh.value
-    for e in range(water.shape[0]):  # an element's sums stay in registers: half the time
+    for e in range(water.shape[0]):  # sums of an element in registers take half the time
         i = 2 * e
         v0, v1, v2, v3 = v[i], v[i + 1], v[i + 2], v[i + 3]
         lag0, lag1, lag2, lag3 = lag[i], lag[i + 1], lag[i + 2], lag[i + 3]
@@ -216,8 +218,8 @@ def march(
 ) -> tuple[Array, int, int]:
     """Newmark's method from the displacements ``start``, (2n + 2,), with ``damping``, a band (2n + 2, 4).
 
-    Returns u, v, a at the stored steps, (3, stored, 2n + 2), the most iterations and the failed step or -1.
-    Step 0 only finds the initial acceleration, linear in the unknowns.
+    Returns u, v, a at the stored steps, (3, stored, 2n + 2), the largest number of iterations, and the failed
+    step or -1. Step 0 only computes the initial acceleration, a linear problem.
     """
     fixed, forced = prescribed.unknowns, prescribed.motion
     h, beta, gamma = steps.h, steps.beta, steps.gamma
@@ -227,8 +229,9 @@ def march(
     steady = mass + gamma * h * damping + beta * h * h * stiffness
     water, push = np.zeros_like(sea.current), np.zeros_like(sea.current)
     most = 0
-    curvature = np.inf  # of Newton's iteration: a correction over the square of the one before
-    since = 0  # steps since it was measured
+    # of Newton's iteration: ratio of a correction to the square of the previous one
+    curvature = np.inf
+    since = 0  # time steps since it was measured
     for step in range(forced.shape[2]):
         moving = 1.0 if step > 0 else 0.0
         lag = v.copy()
@@ -236,7 +239,7 @@ def march(
         v += moving * h * a
         for k, dof in enumerate(fixed):
             u[dof], v[dof], a[dof] = forced[0, k, step], forced[1, k, step], forced[2, k, step]
-        flow(mesh, sea, step * h, u, water, push)  # where it is predicted to be
+        flow(mesh, sea, step * h, u, water, push)  # at the predicted displacements
         of_unknowns = steady if step > 0 else mass
         linear = -mesh.force
         multiply(mass, a, linear)
@@ -261,13 +264,14 @@ def march(
             size = np.sqrt(np.sum(change**2)) * h * h
             rounding = EPSILON * np.sqrt(np.sum(a**2)) * h * h
             if not (size < np.inf and rounding < steps.tolerance):
-                return history, most, step  # it is running away
+                return history, most, step  # the iteration diverges
             if last > 0.0:
                 curvature = size / (last * last)
             last = size
             known = iteration > 0 or since < CONFIRM_EVERY
             if steps.drag == NEWTON and known and size < NEAR * steps.tolerance:
-                size = min(size, SAFETY * curvature * size * size)  # what the next would be
+                # predicted size of the next correction
+                size = min(size, SAFETY * curvature * size * size)
             if size < steps.tolerance or step == 0 or steps.drag == LAGGED:
                 since = 0 if iteration > 0 else since + 1
                 break

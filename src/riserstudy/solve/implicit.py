@@ -1,19 +1,19 @@
 r"""Generalised-alpha stepping with Newton's iteration and the analytic tangent.
 
 Forces balance at every step, :math:`I(r_{n+1}, \hat a_{n+1}) + F_{n+1} = 0`, with the true acceleration;
-Newmark's formulas run on an auxiliary one that follows it (Arnold and Brüls 2007),
+Newmark's formulas use an auxiliary acceleration that follows it (Arnold and Brüls 2007),
 
 .. math::
 
    (1-\alpha_m)\,a_{n+1} + \alpha_m a_n = (1-\alpha_f)\,\hat a_{n+1} + \alpha_f \hat a_n .
 
-Where mass is constant this is the method of Chung and Hulbert (1993); where it turns with the pipe, as
-added mass does, this form stays second order. alpha_m = alpha_f = 0 is Newmark's method.
+For a constant mass, this is the method of Chung and Hulbert (1993). For a mass that rotates with the pipe,
+such as added mass, this form remains of second order. alpha_m = alpha_f = 0 is Newmark's method.
 
-Internal variables of effects follow the trapezoidal rule, which has no need of an auxiliary rate: they are
-of first order, and what is stiff in them is damped by what they stand for.
+Internal variables of effects are integrated by the trapezoidal rule, without an auxiliary rate. Their
+equations are of first order, and the effects themselves damp their stiff components.
 
-A top that is carried by first-order motion is stepped without it: what is prescribed is not integrated.
+The first-order motion of a top is prescribed and not integrated: the top is stepped without this motion.
 """
 
 from __future__ import annotations
@@ -53,9 +53,9 @@ class Method(NamedTuple):
     step: float  # (s)
     steps: int
     tolerance: Tolerance
-    iterations: int  # Newton iterations a step, at most
-    halvings: int  # of a step that fails, at most
-    start: int  # steps that a graded start replaces by three times as many, 0 for none
+    iterations: int  # largest number of Newton iterations in a time step
+    halvings: int  # largest number of halvings of a time step that fails
+    start: int  # time steps that a graded start replaces by three times their number, 0 for none
 
 
 def generalised_alpha(rho_inf) -> tuple[float, float, float, float]:
@@ -71,7 +71,7 @@ def march(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
 
     ``so`` is a second state of the same model, for evaluations at output times.
-    Returns DONE, NOT_CONVERGED (then ``sums.failure`` tells where), or STOPPED where ``sums.stop`` says so.
+    Returns DONE, NOT_CONVERGED (``sums.failure`` then has time and node), or STOPPED if ``sums.stop`` is set.
     """
     d = len(s.dim)
     nb = len(s.dof)
@@ -131,8 +131,8 @@ def march(p, s, so, method, fixed, record, sums):
         copy(inert1, s.force)
         know_internal(s)
         kinetic1 = every(p.kinetic, s)
-        # Numerical dissipation: work of the inertial forces by the trapezoidal rule that does not
-        # come from kinetic energy.
+        # Numerical dissipation: the part of the inertial forces' work, by the trapezoidal rule, that
+        # a decrease of kinetic energy does not explain.
         numerical = kinetic0 - kinetic1
         for c in range(d):
             for i in range(n + 1):
@@ -140,7 +140,7 @@ def march(p, s, so, method, fixed, record, sums):
                     1.0 - am
                 )
                 numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
-            # the top's own part, without first-order motion
+            # the top without its first-order motion
             follower[c, top] -= ((1.0 - af) * s.carried[2, c] + af * carried0[2, c]) / (1.0 - am)
             way = s.carried[0, c] - carried0[0, c]
             numerical += 0.5 * (s.carried[3, c] + carried0[3, c]) * way

@@ -1,6 +1,6 @@
-"""States between two steps: positions of a cubic through both, forces of the parabola through three.
+"""States between two time steps: positions by a cubic through both, forces by a parabola through three steps.
 
-Forces of a state that is no equilibrium would be those of the interpolation, not of the riser.
+An interpolated state is not in equilibrium: forces computed from it would be interpolation errors.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def interpolate(s, r0, v0, a0, t0, r1, v1, a1, t1, time):
 
 @inner
 def interpolate_carried(s, carried0, t0, carried1, t1, time):
-    """The same of first-order motion, so that the top without it is on the cubic of the steps, too."""
+    """The same for first-order motion; the top without this motion is then on a cubic, too."""
     h = t1 - t0
     x = (time - t0) / h
     for k in range(len(s.dim)):
@@ -42,7 +42,7 @@ def interpolate_carried(s, carried0, t0, carried1, t1, time):
 
 @inner
 def interpolate_internal(so, before, t0, s, t1, time):
-    """The same of internal variables, by their rates."""
+    """The same for internal variables, by their rates."""
     h = t1 - t0
     x = (time - t0) / h
     for k in range(s.internal.shape[0]):
@@ -57,7 +57,7 @@ def interpolate_internal(so, before, t0, s, t1, time):
 
 @inner
 def forces_of_steps(s, record, time):
-    """Forces at a time within the last step: the parabola through three steps, or straight after one."""
+    """Forces at a time within the last step: parabola through three steps, or linear after the first step."""
     d, values, past, when = len(s.dim), record.values, record.past, record.when
     x = (time - when[1]) / (when[2] - when[1])
     bend = 0.0

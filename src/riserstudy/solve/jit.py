@@ -1,11 +1,11 @@
-"""How kernels are compiled, and where the compiled code is kept.
+"""How kernels are compiled, and where the compiled code is stored.
 
-numba's cache compares only the file a function stands in, so an edited callee in another file would
-silently run old machine code. The cache folder therefore carries a digest of all kernel sources, and
-the versions that shape machine code. Processes may compile into it side by side.
+numba's cache compares only the file that contains a function. After an edit of a called function in another
+file, it would silently run old machine code. The name of the cache folder therefore contains a digest of all
+kernel sources, and the versions that affect machine code. Several processes may compile into it in parallel.
 
-You need not read this file to read the physics: ``@kernel`` and ``@inner`` mark what is compiled. It is for
-those who change what is compiled, or where it is kept.
+You need not read this file to understand the physics: ``@kernel`` and ``@inner`` mark compiled functions. It
+is for developers who change the compiling or its cache.
 """
 
 from __future__ import annotations
@@ -27,23 +27,23 @@ from numba.core.serialize import dumps
 from riserstudy.folders import PACKAGE
 from riserstudy.solve.kernel_cache import kernel_cache, seal_files_of
 
-# NaN and infinity stay visible ("nnan" and "ninf" are left out): the solvers test for them.
+# NaN and infinity remain valid ("nnan" and "ninf" are omitted), because the solvers test for them.
 FAST = {"contract", "reassoc", "nsz", "arcp", "afn"}
 
 numba.config.CACHE_DIR = str(kernel_cache())
 
 
 def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
-    """Let one process at a time enter compiled code into the cache.
+    """Let one process at a time store compiled code in the cache.
 
-    A function's index is read, added to and written back: of two processes that do so at once one would
-    lose its entry, or give its file the other's name.
+    A function's index is read, extended and written back. If two processes did this at the same time, one
+    would lose its entry, or both would use the same file name.
     """
 
     @wraps(save)
     def locked(self: IndexDataCacheFile, key: object, data: object) -> None:
         folder = kernel_cache()
-        with suppress(OSError):  # where nothing can be kept, it is compiled each time
+        with suppress(OSError):  # without a writable cache, functions are compiled each time
             folder.mkdir(parents=True, exist_ok=True)
             with FileLock(folder / "lock"):
                 save(self, key, data)
@@ -52,10 +52,10 @@ def _one_at_a_time(save: Callable[..., None]) -> Callable[..., None]:
 
 
 class KernelLocator(UserProvidedCacheLocator):
-    """Where numba keeps a compiled function, and by what it tells whether that is still the same.
+    """The place where numba stores a compiled function, and the stamp by which it recognises the function.
 
-    The cache folder tells the sources of kernels apart. So a kernel need not be compiled again because its
-    file is another (a comment), it stands elsewhere in it, or the package lies elsewhere.
+    The name of the cache folder already identifies the sources of kernels. A kernel is therefore not
+    recompiled if only a comment, its line in the file or the folder of the package has changed.
     """
 
     def __init__(self, py_func: FunctionType, py_file: str):
@@ -63,16 +63,16 @@ class KernelLocator(UserProvidedCacheLocator):
         self._code = py_func.__code__
 
     def ensure_cache_path(self) -> None:
-        """Let numba read a cache that it cannot write to."""
+        """Allow numba to read a cache that it cannot write to."""
         with suppress(OSError):
             super().ensure_cache_path()
 
     def get_source_stamp(self) -> object:
-        """What the file is; of no kernel, see above."""
+        """The stamp of the file; a constant for kernels, see above."""
         return "" if _is_ours(self._py_file) else super().get_source_stamp()
 
     def get_disambiguator(self) -> str:
-        """What tells functions of one name in a file apart."""
+        """A text that distinguishes functions of the same name in a file."""
         return _code_hash(self._code) if _is_ours(self._py_file) else super().get_disambiguator()
 
     @classmethod
@@ -92,9 +92,10 @@ def _is_ours(py_file: str) -> bool:
 
 
 def _code_hash(code: CodeType) -> str:
-    """Hash of what a function does, not of where it stands nor of its docstring.
+    """Hash of a function's code, without its position and its docstring.
 
-    A docstring is a constant and moves others about, so constants count by value, in the order of use.
+    A docstring is a constant that shifts the indices of others, so constants are hashed by value in order of
+    use.
     """
     operations, arguments = code.co_code[::2], bytearray(code.co_code[1::2])
     constants = []
@@ -115,7 +116,7 @@ def _code_hash(code: CodeType) -> str:
 
 
 def _key(self: Cache, signature: object, codegen: Any) -> tuple[object, ...]:
-    """What tells the signatures of a function apart, and functions that differ by what they enclose."""
+    """The cache key, which distinguishes signatures of a function, and functions with different closures."""
     cells = tuple(cell.cell_contents for cell in self._py_func.__closure__ or ())
     enclosed = hashlib.sha256(dumps(cells)).hexdigest() if cells else ""
     return signature, codegen.magic_tuple(), enclosed
@@ -130,5 +131,5 @@ _common = {"cache": True, "nogil": True, "error_model": "numpy", "fastmath": FAS
 
 #: compiled and callable from Python
 kernel = numba.njit(**_common)
-#: compiled, called by kernels only (leaving the Python wrapper out saves a quarter of compile time)
+#: compiled, called by kernels only (without the Python wrapper, compiling takes a quarter less time)
 inner = numba.njit(**_common, no_cpython_wrapper=True, no_cfunc_wrapper=True)

@@ -1,6 +1,6 @@
-"""Where compiled kernels are kept, and that none is used which is not as it was written.
+"""The cache of compiled kernels, and the check that its files are undamaged.
 
-You need not read this file to read the physics. It is for those who change the cache.
+You need not read this file to understand the physics. It is for developers who change the cache.
 """
 
 from __future__ import annotations
@@ -30,9 +30,9 @@ def kernel_cache() -> Path:
 
 
 def seal_files_of(cache: Any) -> None:
-    """Let a class of numba's cache files put a seal at the end of each, and take no file without it.
+    """Make a class of numba's cache files append a seal to each file, and refuse files without a valid seal.
 
-    A file that is damaged counts as one that is not there: its kernel is compiled anew and written again.
+    A damaged file is treated as missing: its kernel is recompiled and written again.
     """
     cache._open_for_write = _sealing(cache._open_for_write)
     cache._load_index = _load_index
@@ -57,7 +57,7 @@ def _seal(path: str, content: bytes) -> bytes:
 
 
 def _unsealed(path: str) -> bytes:
-    """What was written into a file; OSError, which numba takes for no file, where it is another now."""
+    """Content of a file without its seal; OSError, which numba treats as no file, if the file is damaged."""
     whole = Path(path).read_bytes()
     content, seal = whole[:-SEAL], whole[-SEAL:]
     if seal != _seal(path, content):
@@ -66,7 +66,7 @@ def _unsealed(path: str) -> bytes:
 
 
 def _load_index(self: Any) -> dict[Any, str]:
-    """Names of the files of a function's signatures; none where the index is old, damaged or not there."""
+    """File names of a function's signatures; empty if the index is old, damaged or missing."""
     try:
         content = io.BytesIO(_unsealed(self._index_path))
     except OSError:

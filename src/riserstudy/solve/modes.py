@@ -1,6 +1,6 @@
-"""Natural frequencies and shapes about an equilibrium, and the explicit step that stays stable.
+"""Natural frequencies and shapes about an equilibrium, and the largest stable explicit time step.
 
-Both come from the engine's own tangent and mass; moments are eliminated, so the stiffness includes bending.
+Both follow from the engine's tangent and mass; moments are eliminated, so the stiffness includes bending.
 """
 
 from __future__ import annotations
@@ -19,16 +19,17 @@ from riserstudy.solve.evaluate import forces_and_tangent, one_call
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.state import ACCELERATION, VELOCITY
 
-FEW = 300  # unknowns up to which all eigenvalues come faster than the largest alone
-VECTORS = 40  # that the search for the largest keeps
-TIGHT = 1e-5  # to which it is found
+# unknowns up to which computing all eigenvalues is faster than computing the largest alone
+FEW = 300
+VECTORS = 40  # vectors kept in the search for the largest eigenvalue
+TIGHT = 1e-5  # relative tolerance of the largest eigenvalue
 
 
 class Linear(NamedTuple):
-    """A model about its present state, over the free positions; symmetric parts."""
+    """A model linearised about its present state, for the free positions; symmetric parts of the matrices."""
 
     stiff: csr_array  # (k, k) without bending
-    turn: csr_array  # (a, k) slopes of the turning angles that carry a moment
+    turn: csr_array  # (a, k) derivatives of the turning angles at nodes that carry a moment
     flexibility: csc_array  # (a, a)
     damping: csr_array  # (k, k)
     mass: csr_array  # (k, k)
@@ -43,7 +44,7 @@ class Linear(NamedTuple):
 
 
 def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
-    """A model made linear; ``fixed`` are (node, unknown) pairs, (k, 2), moments before positions."""
+    """A linearised model; ``fixed``: (node, unknown) pairs, (k, 2), moments numbered before positions."""
     s = state.value
     d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
 
@@ -53,7 +54,7 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
         return _stiffness(s, d)
 
     stiff = at_rate(0.0)
-    turn, flexibility = _bending(s, d, m)  # of the angles at rest, before rates enter them
+    turn, flexibility = _bending(s, d, m)  # of the angles at rest, before they include rates
     damping = at_rate(1.0) - stiff
     for array in (s.k_segment, s.k_node, s.k_up, s.k_low):
         array[:] = 0.0
@@ -86,7 +87,7 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
 
 
 def _stiffness(s, d) -> csr_array:
-    """Stiffness by positions alone, of all nodes."""
+    """Stiffness with respect to positions alone, of all nodes."""
     k = s.k_segment.reshape(-1, d, d)
     node = s.k_node.reshape(-1, d, d).copy()
     node[:-1] += k
@@ -100,7 +101,7 @@ def _stiffness(s, d) -> csr_array:
 
 
 def _bending(s, d, m) -> tuple[csr_array, csr_array]:
-    """Slopes of the turning angles by positions, and the flexibility matrix; of all nodes."""
+    """Derivatives of the turning angles by positions, and the flexibility matrix; of all nodes."""
     nodes = s.r.shape[1]
     low, up = (by.reshape(nodes - 1, d, m).transpose(0, 2, 1) for by in (s.turn_low, s.turn_up))
     e, i = np.arange(nodes - 1), np.arange(nodes)
@@ -111,7 +112,7 @@ def _bending(s, d, m) -> tuple[csr_array, csr_array]:
 
 
 def _blocks(blocks, places, nodes) -> csr_array:
-    """Sparse matrix of blocks (count, p, q) at (rows, columns) of nodes; those at one place add up."""
+    """Sparse matrix of blocks (count, p, q) at (rows, columns) of nodes; blocks at one place are added."""
     p, q = blocks[0].shape[1:]
     data, rows, columns = [], [], []
     for block, (row, column) in zip(blocks, places, strict=True):
@@ -128,7 +129,7 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
 
     Returns
     -------
-    frequency : (k,) array; imaginary ones (unstable directions) come as negative numbers.
+    frequency : (k,) array; an imaginary frequency (unstable direction) is returned as a negative number.
     shape : (k, d, n+1) array, largest displacement 1.
     """
     stiff, _, mass, free = matrices(programs, state, fixed)
@@ -142,17 +143,17 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
 
 
 def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
-    """Largest stable step of the explicit method about the present state (s), infinite without stiffness.
+    """Largest stable step of the explicit method about the present state (s); infinite without stiffness.
 
     ``fixed`` as in `linear`, (k, 2).
 
-    Steps h are stable while h^2 K + 2 h C < 4 M in every direction, because damping acts with the velocity
-    of half a step ago: for a mode of frequency w and damping ratio z, below 2 (sqrt(1 + z^2) - z) / w.
+    Steps h are stable if h^2 K + 2 h C < 4 M in every direction, because damping uses the velocity half a
+    step earlier. For a mode of frequency w and damping ratio z, h must be below 2 (sqrt(1 + z^2) - z) / w.
 
     Raises
     ------
     numpy.linalg.LinAlgError
-        When a node that moves has no mass.
+        When a free node has no mass.
     """
     model = linear(programs, state, fixed)
     if not (model.mass.diagonal() > 0.0).all():
@@ -166,7 +167,7 @@ def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
         step = longest
         both = partial(_both, step, stiff, model.damping)
         _, x = _largest(both, model.mass)
-        # for this direction alone steps may be longer than for all; in the end they may not
+        # for this direction alone, the limit is an upper bound, which converges to the limit for all
         square, rate = float(x @ stiff(x)), float(x @ (model.damping @ x))
         longest = 4.0 / (rate + math.sqrt(rate * rate + 4.0 * square))
     return (1.0 - TIGHT) * min(longest, step)
@@ -190,7 +191,7 @@ def _largest(operator, mass: csr_array) -> tuple[float, np.ndarray]:
             M=mass,
             Minv=LinearOperator(shape, splu(mass.tocsc()).solve),
             which="LA",
-            v0=np.random.default_rng(0).normal(size=size),  # the same on every run
+            v0=np.random.default_rng(0).normal(size=size),  # the same in every run
             ncv=VECTORS,
             tol=TIGHT,
         )

@@ -1,9 +1,10 @@
-r"""Newton's iteration of one implicit step or stage: forces balance at the end of it.
+r"""Newton's iteration of one implicit step or stage, at whose end the forces balance.
 
-A practical step needs one correction: the next would be about C d^2, with d the correction just made and
-C from the last step that made two, so a second is made only where that estimate calls for it (half the
-run time of always confirming). Positions that are right to far less than a segment may still leave a short
-segment's moment wrong, so the estimate has to be small in moments, too: they change in the same proportion.
+A typical step needs one correction. The next correction would be about C d^2, with the last correction d, and
+C from the last step with two corrections. A second correction is made only if this estimate exceeds the
+tolerance, which takes half the time of always confirming. Even a position error far below a segment's length
+can be a large moment error in a short segment. The estimate must therefore also be small for moments, which
+change in the same proportion.
 """
 
 from __future__ import annotations
@@ -20,21 +21,21 @@ from riserstudy.solve.program import every
 from riserstudy.solve.state import ACCELERATION, VELOCITY, clear_tangent, copy
 from riserstudy.solve.sums import ITERATIONS
 
-CONFIRM_EVERY = 32  # steps after which C is measured anew
-SAFETY = 4.0  # on the estimate C d^2
-CURVATURE, SINCE, NODE, SIZE = 0, 1, 2, 3  # what the memory holds
+CONFIRM_EVERY = 32  # steps after which C is measured again
+SAFETY = 4.0  # factor on the estimate C d^2
+CURVATURE, SINCE, NODE, SIZE = 0, 1, 2, 3  # entries of the memory
 
 
 class Tolerance(NamedTuple):
-    """What another correction would change, where the iteration ends."""
+    """Limits of the predicted next correction, at which the iteration ends."""
 
     position: float  # root mean square over nodes (m)
-    moment: float  # of any, as a share of the largest (1)
+    moment: float  # largest change of a moment, as a share of the largest moment (1)
 
 
 @inner
 def new_memory():
-    """C, steps since it was measured, node and size of the last correction."""
+    """Memory with C, steps since it was measured, node and size of the last correction."""
     memory = np.zeros(4)
     memory[CURVATURE] = np.inf
     return memory
@@ -42,7 +43,7 @@ def new_memory():
 
 @inner
 def imbalance(p, s, out):
-    """What does not balance at each node: turns of the moments' equations, forces with inertia."""
+    """Residuals at each node: turning angles of the moments' equations, and forces with inertia."""
     d = len(s.dim)
     m = len(s.dof) - d
     forces(p, s)
@@ -61,7 +62,7 @@ def imbalance(p, s, out):
 def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
     """Correct positions until forces balance; velocity and acceleration follow at the rates ``s.rate``.
 
-    Returns whether it converged; the memory then tells the size of the last correction, and where.
+    Returns whether it converged; the memory then has the size and the node of the last correction.
     """
     d = len(s.dim)
     m = len(s.dof) - d
@@ -81,7 +82,8 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
                 square += delta * delta
                 if not abs(delta) <= worst:
                     worst, where = abs(delta), i
-        bent, most = 0.0, 0.0  # largest squares of a moment's correction, and of a moment
+        # largest square of a moment's correction, and largest square of a moment
+        bent, most = 0.0, 0.0
         for i in range(n + 1):
             change, size = 0.0, 0.0
             for u in range(m):
@@ -112,12 +114,12 @@ def correct(p, s, tolerance, iterations, memory, out, work, fixed, sums):
 
 @inner
 def balance(p, s, out, work, fixed):
-    """Accelerations of the free directions from the forces as they are."""
+    """Accelerations of the free directions from the present forces."""
     d = len(s.dim)
     m = len(s.dof) - d
     n = s.r.shape[1] - 1  # the last node, loose ones included
     imbalance(p, s, out)
-    out[:, :m] = 0.0  # moments stay as they are
+    out[:, :m] = 0.0  # moments do not change
     for f in range(fixed.shape[0]):
         out[fixed[f, 0], fixed[f, 1]] = 0.0
     clear_tangent(s)
@@ -125,7 +127,7 @@ def balance(p, s, out, work, fixed):
     every(p.mass, s)
     for i in range(n + 1):
         for c in range(d):
-            if s.k_node[i, c * d + c] == 0.0:  # no mass: stays as it is
+            if s.k_node[i, c * d + c] == 0.0:  # no mass: does not change
                 s.k_node[i, c * d + c] = 1.0
                 out[i, m + c] = 0.0
     solve(s, out, work, fixed)
@@ -136,7 +138,7 @@ def balance(p, s, out, work, fixed):
 
 @inner
 def account(p, s, force, fixed):
-    """Forces into ``force``, inertia into ``s.force``, powers of effects into ``s.flow``.
+    """Write forces to ``force``, inertia to ``s.force``, and powers of effects to ``s.flow``.
 
     Returns the power that supports supply through the directions they hold (W).
     """

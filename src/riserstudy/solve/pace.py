@@ -1,4 +1,4 @@
-"""The length of implicit steps: a graded start, and halving of a step that fails."""
+"""The length of implicit time steps: a graded start, and halving of a step that fails."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from riserstudy.solve.jit import inner
 from riserstudy.solve.newton import NODE, SIZE
 from riserstudy.solve.sums import HALVED, fail
 
-LENGTH, DONE_STEPS, LEVEL, LEFT = 0, 1, 2, 3  # what a pace holds
+LENGTH, DONE_STEPS, LEVEL, LEFT = 0, 1, 2, 3  # entries of a pace
 
 
 @inner
 def elapsed(step, start):
-    """Time after so many steps, in steps.
+    """Time after a number of steps, in units of the full step.
 
-    A graded start takes ``3 start`` steps over ``start``, ever longer ones: a motion that begins with
-    a jolt has moments that grow like a root of time.
+    A graded start replaces ``start`` steps by ``3 start`` steps of increasing length, because after a jump of
+    velocity or acceleration, moments grow like a root of time.
     """
     if step >= 3 * start:
         return float(step - 2 * start)
@@ -27,7 +27,7 @@ def elapsed(step, start):
 
 @inner
 def new_pace(method):
-    """Length of the next step (s), full steps done, halvings of this one, parts of it left."""
+    """A pace: length of the next step (s), full steps done, halvings of the present step, its parts left."""
     pace = np.zeros(4)
     pace[LENGTH] = method.step * elapsed(1.0, method.start)
     pace[LEFT] = 1.0
@@ -42,7 +42,7 @@ def under_way(pace, method):
 
 @inner
 def advance(s, pace, method, begin):
-    """Count a part of a step that was made; a whole one sets the clock, free of rounding."""
+    """Count a completed part of a step; a completed step sets the clock, without accumulated rounding."""
     pace[LEFT] -= 1.0
     if pace[LEFT] == 0.0:
         pace[DONE_STEPS] += 1.0
@@ -54,7 +54,7 @@ def advance(s, pace, method, begin):
 
 @inner
 def halve(p, s, t, pace, method, memory, sums):
-    """Go back to the time ``t`` and halve the step; returns False where it was halved often enough."""
+    """Return to the time ``t`` and halve the step; returns False after the largest number of halvings."""
     s.clock[0] = t
     if pace[LEVEL] == method.halvings:
         move(p, s, t)

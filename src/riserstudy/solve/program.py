@@ -1,21 +1,21 @@
-"""A model's effects as a list of addresses: compiled loops call what the list holds, nothing else.
+"""A model's effects as a list of addresses, whose functions the compiled loops call.
 
 An effect is a record (NamedTuple of numbers and arrays) and functions ``f(record, state) -> float``.
-Here each pair becomes an *entry*: machine code that takes two addresses, that of the record and that
-of the state, in numba's own way of calling. A program is an array of (entry, record) addresses. Absent
-effects are not in it, so they cost nothing, and one compiled solver serves every combination of effects.
+Here each pair becomes an *entry*: machine code with two arguments, the address of the record and the address
+of the state, in numba's calling convention. A program is an array of (entry, record) addresses. It does not
+contain absent effects, so these cost nothing, and one compiled solver serves every combination of effects.
 
-Measured against kernels specialised for each combination: equally fast, half the compile time for
-eight combinations, 0.2-1 s instead of 3-5 s for each further one.
+Compared with kernels specialised for each combination, it is equally fast. Compiling takes half the time for
+eight combinations, and 0.2-1 s instead of 3-5 s for each further combination.
 
-A ``Frozen`` NamedTuple is what compiled code sees of it: a table of words in memory, of which an
-attribute reads only its own. Passing the tuple by value instead made every call copy, and every
-function compile, the description of 50 arrays (77 s of compiling instead of 30).
+Compiled code sees a ``Frozen`` NamedTuple: a table of words in memory, from which an attribute reads only its
+words. If the tuple were passed by value, every call would copy, and every function compile, the description
+of 50 arrays (77 s of compiling instead of 30).
 
-This file and `unroll` alone extend the compiler. You need not read them to read the physics: to write an
-effect, docs/adding_an_effect.md is enough. They are for those who change how kernels call effects, or who
-move to another release of numba. Two rules follow from it: what is frozen must stay
-alive and keep its arrays while a program uses it (``Model`` sees to it), and entries must not raise.
+Only this file and `unroll` extend the compiler. You need not read them to understand the physics: to write an
+effect, docs/adding_an_effect.md is enough. They are for developers who change how kernels call effects, or
+who move to another release of numba. Two rules follow: a frozen tuple must stay alive and keep its arrays
+while a program uses it (``Model`` ensures this), and entries must not raise errors.
 """
 
 from __future__ import annotations
@@ -44,9 +44,9 @@ WORD = ir.IntType(64)
 
 
 class Frozen:
-    """A NamedTuple of numbers, arrays and tuples of floats, laid down in memory word by word.
+    """A NamedTuple of numbers, arrays and tuples of floats, stored in memory word by word.
 
-    A float or integer fills one word, a tuple one each, an array its address, shape and strides.
+    A float or integer takes one word, a tuple one word per float, an array its address, shape and strides.
     """
 
     def __init__(self, value):
@@ -61,9 +61,9 @@ _known: dict[tuple, tuple] = {}
 
 
 def _kinds_of(value):
-    """The type of a NamedTuple as numba sees it, and of a reference to it.
+    """The numba type of a NamedTuple, and of a reference to it.
 
-    Each is made once: describing and hashing 50 arrays anew took half the time of a short run.
+    Each type is made once: describing and hashing 50 arrays every time took half the time of a short run.
     """
     signature = type(value), *(_signature(member) for member in value)
     if signature not in _known:
@@ -91,7 +91,7 @@ def _data(typing, array):
 
 @kernel
 def _address_of(array):
-    """Where an array lies: a tenth of the time that numpy takes to tell, and a model has 200 arrays."""
+    """Address of an array; ten times as fast as numpy's attribute, and a model has 200 arrays."""
     return _data(array)
 
 
@@ -112,7 +112,7 @@ def _size(kind) -> int:
 
 
 class Reference(types.Type):
-    """How compiled code knows a frozen NamedTuple: by its address."""
+    """The type of a frozen NamedTuple in compiled code: its address."""
 
     def __init__(self, kind):
         self.kind = kind
@@ -151,7 +151,7 @@ def _read_attribute(context, builder, reference, address, name):
     def word(k, native):
         place = builder.add(address, ir.Constant(WORD, 8 * (first + k)))
         load = builder.load(builder.inttoptr(place, native.as_pointer()))
-        # it never changes while compiled code runs, so loops may keep it
+        # the word never changes while compiled code runs, so loops may keep it in a register
         load.set_metadata("invariant.load", builder.module.add_metadata([]))
         return load
 
@@ -165,7 +165,7 @@ def _read_attribute(context, builder, reference, address, name):
             shape=[word(1 + k, WORD) for k in range(member.ndim)],
             strides=[word(1 + member.ndim + k, WORD) for k in range(member.ndim)],
             itemsize=ir.Constant(WORD, context.get_abi_sizeof(item)),
-            meminfo=None,  # borrowed: whoever froze it owns it
+            meminfo=None,  # borrowed: the Frozen object owns the memory
         )
         return array._getvalue()
     if isinstance(member, types.BaseTuple):
@@ -191,7 +191,7 @@ def _call(typing, entry, record, state):
 
 @inner
 def every(program, state):
-    """Call all entries of a program, int64 array (entries, 2), on a state; the sum they return."""
+    """Call all entries of a program, int64 array (entries, 2), on a state; returns the sum of the results."""
     total = 0.0
     for k in range(program.shape[0]):
         total += _call(program[k, 0], program[k, 1], state)
@@ -202,8 +202,8 @@ _entries: dict[tuple, int] = {}
 
 
 def entry(function, record, state) -> int:
-    """Address of the machine code of an effect's function, an `inner`, for types of record and state."""
-    key = (function, id(record), id(state))  # types are made once and kept
+    """Address of the machine code of an effect's function (an `inner`), for the types of record and state."""
+    key = (function, id(record), id(state))  # ids are valid, since types are made once and kept
     if key not in _entries:
         function.compile((record, state))
         code = function.overloads[record, state]

@@ -1,4 +1,4 @@
-"""What a simulation writes down: envelopes at all nodes, histories at stations, ends at every step."""
+"""Recorded results of a simulation: envelopes at all nodes, histories at stations, ends at every step."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from riserstudy.solve.program import Frozen
 
 
 class Record(NamedTuple):
-    """Outputs; q quantities a node: position, effective tension, bending moment (in space its size).
+    """Outputs; q quantities per node: position, effective tension, bending moment (in space its magnitude).
 
-    Where risers bend the last of them stands for the middle of the segment above each node. Where they are
-    asked for, shear force above and below each node (it jumps at joints) and stress of the wall follow as
-    the last of r rows. In space moments and shear are sizes; histories have the moment's components, too, and
-    so has the scratch, in v rows: r, then three components of each size.
+    For risers that bend, the last of these quantities is the moment at the middle of the segment above each
+    node. If requested, shear force above and below each node (it jumps at joints) and stress of the wall are
+    the last of r rows. In space, moments and shear are magnitudes. Histories also have the moment's
+    components, and so has the scratch, in v rows: the r rows, then three components of each magnitude.
     """
 
     time: np.ndarray  # (k,) output times (s)
     station: np.ndarray  # (j,) node indices of the histories
     history: np.ndarray  # (k, quantities of a node, j)
-    middle: np.ndarray  # (n, 4) what a moment at a middle takes of nodes e - 1 to e + 2
-    shear: (
-        np.ndarray
-    )  # (2, n, 4) the same of shear at a segment's lower and upper end (1/m), or no n
+    # (n, 4) weights of the moments at nodes e - 1 to e + 2 in the moment at a middle
+    middle: np.ndarray
+    # (2, n, 4) the same for shear at a segment's lower and upper end (1/m), or empty
+    shear: np.ndarray
     wall: (
         np.ndarray
     )  # (w, 6) radii outer, inner (m), area (m2), second moment (m4), two shares: `Section`
@@ -42,21 +42,22 @@ class Record(NamedTuple):
     values: np.ndarray  # (v, n+1) scratch: the last step
     past: np.ndarray  # (2, v, n+1) scratch: the two steps before
     between: np.ndarray  # (v, n+1) scratch: an output between steps
-    when: np.ndarray  # (3,) times of these three steps (s)
+    when: np.ndarray  # (3,) times of the last three steps (s)
     inside: np.ndarray  # (c,) scratch: pressure at the upper ends of columns (Pa)
-    seen: np.ndarray  # (1,) steps since the begin or the last event, across which forces may jump
-    written: np.ndarray  # (1,) outputs written down
-    # each step: what outputs have of ends and devices; as many as there is room for
+    # (1,) number of steps since the start or the last event, at which forces may jump
+    seen: np.ndarray
+    written: np.ndarray  # (1,) number of recorded outputs
+    # at each step: the values at ends and devices that outputs have, as long as there is room
     step_time: np.ndarray  # (t,) s
     step_end: np.ndarray  # (t, 2, d + 2m + 1)
     step_top: np.ndarray  # (t, d)
     step_platform: np.ndarray  # (t, 6)
     step_probe: np.ndarray  # (t, probes)
-    steps: np.ndarray  # (1,) written down, more than there is room for where some are not
+    steps: np.ndarray  # (1,) number of steps; more than the room if some steps are not recorded
 
 
 class Section(NamedTuple):
-    """What shear force and stress of the wall follow from, as `Record` holds it."""
+    """Inputs for shear force and stress of the wall, as in `Record`."""
 
     shear: np.ndarray  # (2, n, 4) weights of moments (1/m)
     wall: (
@@ -79,12 +80,12 @@ NO_SECTION = Section(
 
 
 def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Frozen:
-    """Empty record for the sizes of a state, as compiled code takes it.
+    """Empty record for the sizes of a state, frozen for compiled code.
 
     Parameters
     ----------
-    middle, section : see `Record`; absent: neither moments at middles nor shear and stress are recorded.
-    room : steps of which ends and devices are recorded.
+    middle, section : see `Record`; absent: moments at middles, shear and stress are not recorded.
+    room : largest number of steps at which ends and devices are recorded.
     """
     d, m, n = len(s.dim), len(s.dof) - len(s.dim), len(s.l0)
     q, k = d + 1 + 2 * min(m, 1), len(time)
@@ -122,5 +123,5 @@ def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Fro
 
 
 def forget(record: Frozen) -> None:
-    """Keep the last step alone: forces have a kink or a jump there, at a jolt or an event."""
+    """Keep only the last step, because forces have a kink or a jump there, due to an event."""
     record.value.seen[0] = min(record.value.seen[0], 1)

@@ -1,7 +1,7 @@
-"""One block row of a block tridiagonal system, kept in registers.
+"""One block row of a block tridiagonal system, in registers.
 
 A row of size b is a tuple, row by row, of [diagonal | upper | right-hand side], each of its b lines
-2 b + 1 long. Written out while compiling: a loop over arrays takes twice the time.
+2 b + 1 long. The operations are unrolled while compiling: a loop over arrays takes twice the time.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from riserstudy.solve.unroll import unrolled
 
 @unrolled
 def node_row(dim, dof, stiffness, bent, out, i, e):
-    """Equations of node i, moments' angles before forces, with segment ``e`` below and ``i`` above."""
+    """Equations of node i, angles of the moments before forces, with segment ``e`` below and ``i`` above."""
     d, size = len(dim), len(dof)
     m = size - d
     k_node, k_segment, k_up, _ = stiffness
@@ -36,7 +36,7 @@ def node_row(dim, dof, stiffness, bent, out, i, e):
 
 @unrolled
 def block_below(dim, dof, stiffness, bent, e):
-    """How the node above segment ``e`` hangs on the one below it."""
+    """Block that couples the node above segment ``e`` to the node below it."""
     d = len(dim)
     m = len(dof) - d
     _, k_segment, _, k_low = stiffness
@@ -53,7 +53,7 @@ def block_below(dim, dof, stiffness, bent, e):
 
 @unrolled
 def eliminate(right, upper, low, row):
-    """The row less ``low`` times the divided row (upper, right) before it."""
+    """The row minus ``low`` times the previous divided row (upper, right)."""
     size = len(right)
     width = 2 * size + 1
     less = list(row)
@@ -67,7 +67,7 @@ def eliminate(right, upper, low, row):
 
 @unrolled
 def divide(like, row):
-    """The row divided by its diagonal block: upper, right-hand side, pivots; ``like`` tells the size."""
+    """The row divided by its diagonal block: upper, right-hand side, pivots; ``like`` gives the size."""
     size = len(like)
     width = 2 * size + 1
     r = [list(row[p * width : (p + 1) * width]) for p in range(size)]
@@ -86,7 +86,7 @@ def divide(like, row):
 
 @unrolled
 def back(right, upper, after):
-    """Solution of a divided row, given that of the row after it."""
+    """Solution of a divided row, given the solution of the next row."""
     size = len(right)
     return tuple(
         right[p] - sum(upper[p * size + q] * after[q] for q in range(size)) for p in range(size)
@@ -95,7 +95,7 @@ def back(right, upper, after):
 
 @unrolled
 def put_row(array, row, low):
-    """Store a row and the block before it in an array (size, 3 size + 1)."""
+    """Store a row and its lower block in an array (size, 3 size + 1)."""
     size = int(len(low) ** 0.5)
     for p in range(size):
         for q in range(2 * size + 1):
@@ -106,7 +106,7 @@ def put_row(array, row, low):
 
 @unrolled
 def row_of(like, array):
-    """The row and the block before it that ``put_row`` stored."""
+    """The row and the lower block that ``put_row`` stored."""
     size = len(like)
     width = 2 * size + 1
     row = tuple(array[p, q] for p in range(size) for q in range(width))

@@ -9,8 +9,8 @@ Stage i balances all forces at the time :math:`t + c_i h`,
 
 with the internal variables q of effects, and the last stage is the step. All implicit stages share their
 diagonal element, so a stage is solved like a step of Newmark's method. TR-BDF2 (Bank et al. 1985) is of
-second order; ESDIRK4 (Kennedy and Carpenter 2003, the implicit half of ARK4(3)6L[2]SA) of fourth. Both damp
-what the step does not resolve entirely.
+second order; ESDIRK4 (Kennedy and Carpenter 2003, the implicit half of ARK4(3)6L[2]SA) is of fourth order.
+Both completely damp frequencies that the step does not resolve.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ def _tableau(order: int, rows: list[list[float]]) -> Tableau:
 
 
 _G = 1.0 - sqrt(0.5)
-#: methods by their names in scenes; one that is added here is held to its order by tests
+#: methods by their names in scenes; tests check the order of every method in this table
 TABLEAUS = {
     "TR-BDF2": _tableau(2, [[0.0, 0.0, 0.0], [_G, _G, 0.0], [sqrt(0.125), sqrt(0.125), _G]]),
     "ESDIRK4": _tableau(
@@ -84,9 +84,9 @@ class Stages(NamedTuple):
     step: float  # (s)
     steps: int
     tolerance: Tolerance
-    iterations: int  # Newton iterations a stage, at most
-    halvings: int  # of a step that fails, at most
-    start: int  # steps that a graded start replaces by three times as many, 0 for none
+    iterations: int  # largest number of Newton iterations in a stage
+    halvings: int  # largest number of halvings of a time step that fails
+    start: int  # time steps that a graded start replaces by three times their number, 0 for none
 
 
 @inner
@@ -96,13 +96,14 @@ def _inertial_power(s):
     for c in range(len(s.dim)):
         for i in range(s.r.shape[1]):
             power += s.force[c, i] * s.v[c, i]
-        power -= s.carried[3, c] * s.carried[1, c]  # of what moves without first-order motion
+        # of the mass that does not have the first-order motion
+        power -= s.carried[3, c] * s.carried[1, c]
     return power
 
 
 @inner
 def _foresee(now, carried, weights, i, h, ahead):
-    """First-order motion by the sums of stage i, so that `move` leaves nothing of them at the top."""
+    """Predict the first-order motion by the sums of stage i; `move` then replaces this prediction."""
     step = h * weights[i, i]
     for k in range(now.shape[1]):
         place, speed = carried[0, 0, k], carried[0, 1, k]
@@ -117,7 +118,7 @@ def _foresee(now, carried, weights, i, h, ahead):
 
 @inner
 def _known(s, internal0, rates, weights, i, h):
-    """Internal variables by the sums of stage i, but for what its own rate adds."""
+    """Internal variables by the sums of stage i, without the contribution of the stage's own rate."""
     s.internal_share[0] = h * weights[i, i]
     for k in range(s.internal.shape[0]):
         for node in range(s.internal.shape[1]):
@@ -129,7 +130,7 @@ def _known(s, internal0, rates, weights, i, h):
 
 @kernel
 def march_in_stages(p, s, so, method, fixed, record, sums):
-    """March from the state ``s`` at time ``s.clock[0]``; arguments and outcome are those of `march`."""
+    """March from the state ``s`` at time ``s.clock[0]``; arguments and result are as in `march`."""
     d = len(s.dim)
     nb = len(s.dof)
     m = nb - d
@@ -138,7 +139,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
     stages = weights.shape[0]
     last = stages - 1
     diagonal = weights[last, last]
-    reached = np.zeros(stages)  # by the stages, share of a step
+    reached = np.zeros(stages)  # time of each stage, as a share of the step
     for i in range(stages):
         for j in range(i + 1):
             reached[i] += weights[i, j]
@@ -174,7 +175,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
         s.rate[ACCELERATION] = s.rate[VELOCITY] * s.rate[VELOCITY]
         failed = False
         for i in range(1, stages):
-            ahead = 0.0  # how far accelerations go on as they did
+            ahead = 0.0  # factor of the linear extrapolation of accelerations
             if i > 1:
                 ahead = (reached[i] - reached[i - 1]) / (reached[i - 1] - reached[i - 2])
             for c in range(d):

@@ -1,9 +1,10 @@
 """Distributed loads: from values per length at the nodes to forces on the nodes.
 
-A segment with coefficient c gives its lower node c (own q_lower + other q_upper), and its upper node
-the mirror image. With own = 5/12 and other = 1/12 this integrates a parabola against the hat function
-of a node; with 1/2 and 0 it is lumping. A coefficient that varies within the segment has one mean for
-its lower node, ``low``, and one for its upper node, ``up``, each weighted by the node's hat function.
+A segment with coefficient c loads its lower node with c (own q_lower + other q_upper), and its upper node
+with c (own q_upper + other q_lower). With own = 5/12 and other = 1/12, this integrates a parabola against the
+hat function of a node; with 1/2 and 0 it is lumping. A coefficient that varies within the segment has one
+mean for its lower node, ``low``, and one for its upper node, ``up``, each weighted by the node's hat
+function.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ def spread(s, low, up, own, other, q, into):
 
 @inner
 def spread_and_keep(s, low, up, own, other, q, kept, into):
-    """As `spread`; the nodal forces also go to ``kept``."""
+    """As `spread`; the nodal forces are also written to ``kept``."""
     n = low.shape[0]
     for k in range(len(s.dim)):
         kept[k, 0] = low[0] * (own * q[k, 0] + other * q[k, 1])
@@ -39,7 +40,7 @@ def spread_and_keep(s, low, up, own, other, q, kept, into):
 
 @inner
 def spread_stiffness(s, low, up, own, other):
-    """Add the stiffness of such a load, whose value at node i changes by -``s.block[i]`` with it."""
+    """Add the stiffness of a spread load whose derivative by the position of node i is -``s.block[i]``."""
     n = low.shape[0]
     block, k_node, k_up, k_low = s.block, s.k_node, s.k_up, s.k_low
     for c in range(len(s.dim) ** 2):

@@ -1,21 +1,21 @@
-"""The state of a riser model while it is solved: where it is, what acts on it, how that changes.
+"""The state of a riser model during a solution: positions, forces, and their derivatives.
 
 Nodes i = 0 ... n carry the mass, segments e = 0 ... n-1 join node e to node e + 1, from the bottom up.
 A segment pulls its lower node with the force ``segment[:, e]`` and its upper node with the opposite:
-tension along it and shear across it. Bending moments live at the nodes and are unknowns of their own:
-shear is their difference over the segment's length, and the angle by which the riser turns at a node
-equals the moments times the flexibility of the segments around it.
+tension along it and shear across it. Bending moments are separate unknowns at the nodes. Shear is their
+difference divided by the segment's length. The angle by which the riser turns at a node equals the moments
+times the flexibility of the segments around it.
 
-Nodes beyond n are loose: unknowns of what the top hangs from, a vessel's yaw or its thrusters' lag. No
-segment leads to them; each is coupled to the node before it by ``k_up`` and ``k_low`` alone.
+Nodes beyond n are loose: unknowns of the vessel that holds the top, its yaw or its thrusters' lag. No segment
+connects them; each is coupled to the previous node by ``k_up`` and ``k_low`` alone.
 
-What joins a node to the next (from ``k_segment`` to ``turn_up``, and ``flex_up``) has a row of zeros in
-memory before its first and after its last, so that the solver may ask beyond the ends.
+Arrays that couple a node to the next (from ``k_segment`` to ``turn_up``, and ``flex_up``) have a row of zeros
+in memory before the first and after the last row. The solver may therefore read beyond the ends.
 
 Distributed quantities (mass, added mass, drag, flexibility) are shared between the nodes of a segment:
-5/12 to its own node, 1/12 to the other. That is the integral of a parabola against the hat function of a
-node, and makes displacement and moment fourth-order accurate on even meshes. Shares of 1/2 and 0 are
-plain lumping, which explicit stepping needs for the mass.
+5/12 to the near node, 1/12 to the far node. This is the integral of a parabola against the hat function of a
+node, and makes displacement and moment fourth-order accurate on even meshes. Shares of 1/2 and 0 are plain
+lumping, which explicit stepping requires for the mass.
 """
 
 from __future__ import annotations
@@ -33,22 +33,23 @@ OWN, OTHER = 5.0 / 12.0, 1.0 / 12.0
 
 VELOCITY, ACCELERATION = 0, 1  # entries of `rate`
 DISSIPATED, SUPPLIED = 0, 1  # entries of `flow`
-#: share of a ramp after which it has ended, so that rounding of times decides nothing
+#: share of a ramp after which it counts as ended, so that rounding of times has no effect
 ENDED = 1.0 - 5e-13
 
 
 class State(NamedTuple):
-    """Arrays are component-major; d directions, m moments a node (0, 1 or 3), n segments.
+    """Arrays are component-major; d directions, m moments per node (0, 1 or 3), n segments.
 
-    N nodes in all: the n + 1 of the riser, then the loose ones.
+    There are N nodes in total: the n + 1 of the riser, then the loose nodes.
     """
 
-    dim: tuple[float, ...]  # d zeros: tells compiled code the number of directions
-    dof: tuple[float, ...]  # m + d zeros: unknowns a node
+    dim: tuple[float, ...]  # d zeros: gives compiled code the number of directions
+    dof: tuple[float, ...]  # m + d zeros: unknowns per node
 
-    clock: np.ndarray  # (2,) time (s); share of the current that acts (1 but while loading up)
+    # (2,) time (s); share of the current that acts (1 except during static loading)
+    clock: np.ndarray
     rate: np.ndarray  # (2,) dv/dr (1/s) and da/dr (1/s2) of the integrator, 0 in statics
-    share: np.ndarray  # (2,) shares of a segment's mass: own node, other node
+    share: np.ndarray  # (2,) shares of a segment's mass: near node, far node
     l0: np.ndarray  # (n,) unstretched lengths (m)
 
     r: np.ndarray  # (d, N) positions (m)
@@ -58,10 +59,10 @@ class State(NamedTuple):
 
     tangent: np.ndarray  # (d, n) unit vectors along segments
     length: np.ndarray  # (n,) stretched lengths (m)
-    inverse_length: np.ndarray  # (n,) one over them (1/m)
+    inverse_length: np.ndarray  # (n,) 1 / length (1/m)
     direction: np.ndarray  # (d, n+1) unit tangents at nodes
     platform: np.ndarray  # (3, 6) displacement, velocity, acceleration: surge ... heave ... yaw
-    level: np.ndarray  # (n+1,) height of the water over the mean level, at the nodes (m)
+    level: np.ndarray  # (n+1,) height of the water surface above the mean level, at the nodes (m)
     water: np.ndarray  # (d, n+1) water velocity at the nodes (m/s)
     shear: np.ndarray  # (d, n+1) its change with elevation (1/s)
     water_rate: np.ndarray  # (d, n+1) water acceleration at the nodes (m/s2)
@@ -69,12 +70,13 @@ class State(NamedTuple):
     blend: np.ndarray  # (n+1,) share of the segment above in the tension at a node
 
     density: np.ndarray  # (d, n+1) scratch: a load per length at the nodes
-    block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the node
+    block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the position of the node
 
     segment: np.ndarray  # (d, n) force of a segment on its lower node (N)
     force: np.ndarray  # (d, N) force on the nodes (N)
-    ends: np.ndarray  # (2, 2, d) the string's own part at its ends: force, inertia; bottom, top (N)
-    turn: np.ndarray  # (m, N) turning angle less flexibility times moment (rad)
+    # (2, 2, d) forces of the string alone at its ends: force, inertia; bottom, top (N)
+    ends: np.ndarray
+    turn: np.ndarray  # (m, N) turning angle minus flexibility times moment (rad)
 
     k_segment: np.ndarray  # (N-1, d*d) d segment / d (r upper - r lower)
     k_node: np.ndarray  # (N, d*d) -d force / d r of the same node
@@ -84,36 +86,36 @@ class State(NamedTuple):
     by_up: np.ndarray  # (N-1, d*m) d segment / d moment of the upper node
     turn_low: np.ndarray  # (N-1, d*m) d turn of the lower node / d (r upper - r lower)
     turn_up: np.ndarray  # (N-1, d*m) d turn of the upper node / d (r upper - r lower)
-    flex: np.ndarray  # (N,) flexibility of a node: angle by its own moment (rad/(N m))
-    flex_up: np.ndarray  # (N-1,) angle by the neighbour's moment (rad/(N m))
+    flex: np.ndarray  # (N,) flexibility of a node: angle per moment at this node (rad/(N m))
+    flex_up: np.ndarray  # (N-1,) angle per moment at the next node (rad/(N m))
     flex_inverse: np.ndarray  # (N,) factors of the flexibility matrix, 0 at hinges
     flex_factor: np.ndarray  # (N-1,)
 
     reach: np.ndarray  # (cylinders,) extension from mid-stroke (m)
     reach_rate: np.ndarray  # (cylinders,) its rate (m/s)
-    deck: np.ndarray  # (3, 3, cylinders) deck points from a vessel, velocities, accelerations
+    # (3, 3, cylinders) deck points relative to a vessel, velocities, accelerations
+    deck: np.ndarray
     arm: np.ndarray  # (3, cylinders) ring points from the ring's centre (m)
     line: np.ndarray  # (3, cylinders) unit vectors from ring to deck
     distance: np.ndarray  # (cylinders,) length of the cylinders (m)
     ring_moment: np.ndarray  # (3,) moment of the pulls about the ring's centre (N m)
     pull: np.ndarray  # (cylinders,) force on the ring towards the deck (N)
-    k_pull: np.ndarray  # (cylinders,) d pull / d reach, the rate's part included (N/m)
+    k_pull: np.ndarray  # (cylinders,) d pull / d reach, including the effect of its rate (N/m)
 
     lump: np.ndarray  # (d*d, N) lumped mass of a node (kg), row by row, upper triangle
 
     # internal variables q of effects at the riser's nodes, q' = G(q, r, v, a), see `Programs.internal`
     internal: np.ndarray  # (k, n+1) q
     internal_rate: np.ndarray  # (k, n+1) G
-    internal_known: np.ndarray  # (k, n+1) q but for what the present rate adds
-    internal_share: (
-        np.ndarray
-    )  # (1,) time for which the present rate counts (s), 0 where q is known
+    internal_known: np.ndarray  # (k, n+1) q without the contribution of the present rate
+    # (1,) time by which the present rate is multiplied (s), 0 if q is known
+    internal_share: np.ndarray
 
-    # first-order motion that the top has beside its own: place (m), velocity (m/s), acceleration (m/s2); the
-    # inertial force of what moves there without it (N)
+    # first-order motion, which is added to the top's low-frequency motion: position (m), velocity (m/s),
+    # acceleration (m/s2); and the inertial force of the mass at the top that does not have this motion (N)
     carried: np.ndarray  # (4, d)
 
-    # Arrays that are cleared together lie together; these are all of their memory.
+    # Arrays that are cleared together are adjacent in memory; each of these covers one such group.
     loads: np.ndarray  # (its parts,) force, segment, turn, pull, k_pull
     seas: np.ndarray  # (its parts,) level, water, shear, water_rate
     lumps: np.ndarray  # (its parts,) lump
@@ -208,7 +210,7 @@ def new_state(
 
 
 def _together(*shapes):
-    """Zeros of several shapes that lie one after the other: all of them in a row, and each."""
+    """Zeros of several shapes, adjacent in memory: all of them as one vector, and each array."""
     ends = [0, *accumulate(map(prod, shapes))]
     whole = np.zeros(ends[-1])
     pieces = zip(pairwise(ends), shapes, strict=True)
@@ -225,7 +227,7 @@ def measure(s):
         here, above = at(dim, r, e), at(dim, r, e + 1)
         along, chord = sub(above, here), sub(at(dim, r, e + 2), here)
         stretched, reach = norm(along), norm(chord)
-        share = 1.0 / (stretched * reach)  # one division for both
+        share = 1.0 / (stretched * reach)  # one division instead of two
         length[e], inverse[e] = stretched, share * reach
         put(tangent, e, mul(share * reach, along))
         put(direction, e + 1, mul(share * stretched, chord))
@@ -239,7 +241,7 @@ def measure(s):
 
 @inner
 def axis(s, horizontal, i):
-    """Unit vector along which water slips past: the pipe's at a node, or the vertical."""
+    """Unit vector along which the flow causes no force: the pipe's tangent at a node, or the vertical."""
     if horizontal:
         return upward(s.dim)
     return at(s.dim, s.direction, i)
@@ -258,14 +260,14 @@ def gather(s):
 
 @inner
 def copy(into, array):
-    """Copy a matrix (assigning slices would compile numpy's rules of broadcasting and their messages)."""
+    """Copy a matrix (a slice assignment would also compile numpy's broadcasting and its messages)."""
     for c in range(array.shape[0]):
         for i in range(array.shape[1]):
             into[c, i] = array[c, i]
 
 
 class Before(NamedTuple):
-    """What a step starts from, of the arrays of that name in `State`."""
+    """Values at the start of a step, of the arrays of the same name in `State`."""
 
     r: np.ndarray  # (d, N)
     v: np.ndarray  # (d, N)
@@ -278,7 +280,7 @@ class Before(NamedTuple):
 
 @inner
 def keep(s, before):
-    """Keep how things are before a step."""
+    """Save the state before a step."""
     copy(before.r, s.r)
     copy(before.v, s.v)
     copy(before.a, s.a)
@@ -290,7 +292,7 @@ def keep(s, before):
 
 @inner
 def restore(s, before):
-    """Go back to what was kept."""
+    """Restore the saved state."""
     copy(s.r, before.r)
     copy(s.v, before.v)
     copy(s.a, before.a)
@@ -303,14 +305,14 @@ def restore(s, before):
 
 @inner
 def know_internal(s):
-    """Take the internal variables as they are: evaluations do not change them."""
+    """Keep the internal variables constant: evaluations then do not change them."""
     copy(s.internal_known, s.internal)
     s.internal_share[0] = 0.0
 
 
 @inner
 def release(s):
-    """Put the top where it would be without first-order motion, until `move` carries it again."""
+    """Remove the first-order motion from the top's position, until `move` adds it again."""
     top = s.l0.shape[0]
     for k in range(len(s.dim)):
         s.r[k, top] -= s.carried[0, k]
@@ -322,7 +324,7 @@ def release(s):
 
 @inner
 def keep_ends(s, ends):
-    """Remember in ``ends`` (2, d) what the string alone does at its ends, before devices are added."""
+    """Save the forces of the string alone at its ends to ``ends`` (2, d), before devices are added."""
     n = s.l0.shape[0]
     for k in range(len(s.dim)):
         ends[0, k] = s.force[k, 0]
@@ -338,11 +340,11 @@ def clear(array):
 
 @inner
 def clear_forces(s):
-    """Forget the forces of the last evaluation."""
+    """Set the forces to zero before an evaluation."""
     clear(s.loads)
 
 
 @inner
 def clear_tangent(s):
-    """Forget the stiffness of the last evaluation."""
+    """Set the stiffness to zero before an evaluation."""
     clear(s.slopes)

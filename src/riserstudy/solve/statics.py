@@ -1,7 +1,7 @@
 """Static equilibrium by Newton's iteration with the analytic tangent.
 
-Far from equilibrium a pseudo-mass damps the iteration; it shrinks with the residual, so the last steps
-are Newton's. A current is brought on in parts, after tension has straightened the riser.
+Far from equilibrium, a pseudo-mass damps the iteration. It decreases with the residual, so the last steps are
+undamped Newton steps. A current is applied in parts, after tension has straightened the riser.
 """
 
 from __future__ import annotations
@@ -28,18 +28,18 @@ class NoEquilibrium(Exception):
 
 
 class Equilibrium(NamedTuple):
-    """How the equilibrium was found."""
+    """Facts about the search for an equilibrium."""
 
     iterations: int
-    residual: float  # largest force left (N)
-    unstable: int  # directions of negative stiffness
+    residual: float  # largest unbalanced force (N)
+    unstable: int  # number of directions with negative stiffness
 
 
 @kernel
 def _newton(p, s, fixed, out, work, pseudo, limit):
-    """One damped iteration; returns residual force, its node, correction, negative pivots.
+    """One damped iteration; returns residual force, its node, the correction, and negative pivots.
 
-    A correction that is no number, of a singular tangent, is returned and left out.
+    A correction that is not finite, due to a singular tangent, is returned but not applied.
     """
     d = len(s.dim)
     m = len(s.dof) - d
@@ -78,13 +78,13 @@ def _newton(p, s, fixed, out, work, pseudo, limit):
 def find_equilibrium(
     programs: Frozen, state: Frozen, fixed: np.ndarray, tolerance: float, current: bool
 ) -> Equilibrium:
-    """Bring a state to static equilibrium at its present time, from the shape it has.
+    """Bring a state to static equilibrium at its present time, from its present shape.
 
     Parameters
     ----------
-    fixed : (k, 2) integers, (node, unknown) pairs that stay as they are.
-    tolerance : largest correction (root mean square over nodes) that counts as none (m).
-    current : whether there is a current to bring on in parts.
+    fixed : (k, 2) integers, (node, unknown) pairs that do not change.
+    tolerance : correction (root mean square over nodes) at which the iteration ends (m).
+    current : whether there is a current, which is applied in parts.
 
     Raises
     ------
@@ -93,7 +93,7 @@ def find_equilibrium(
     """
     s = state.value
     move_to(programs, state, s.clock[0])
-    s.platform[1:] = 0.0  # at rest, wherever it is
+    s.platform[1:] = 0.0  # at rest in its present position
     s.carried[1:] = 0.0
     s.v[:] = 0.0
     s.a[:] = 0.0
@@ -120,7 +120,7 @@ def find_equilibrium(
 
 
 def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> int:
-    """Unstable directions of the shape that a state has, without looking for its equilibrium.
+    """Number of unstable directions in the present shape, without a search for equilibrium.
 
     ``fixed`` as in `find_equilibrium`, (k, 2).
     """
@@ -135,7 +135,7 @@ def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> i
 
 
 def _search(programs, state, fixed, tolerance) -> Equilibrium:
-    """Newton's iteration, first boldly; with caution where that fails or ends in a saddle."""
+    """Newton's iteration; if it fails or ends at a saddle point, it is repeated with more damping."""
     s = state.value
     start = s.r.copy(), s.moment.copy()
     try:
@@ -156,9 +156,9 @@ def _search(programs, state, fixed, tolerance) -> Equilibrium:
 
 
 def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
-    """Newton with a pseudo-mass while the residual does not fall.
+    """Newton's iteration, with a pseudo-mass while the residual does not decrease.
 
-    Cautious: also while the tangent has unstable directions, towards which Newton would go.
+    ``cautious``: also while the tangent has unstable directions, towards which Newton's iteration would move.
     """
     s = state.value
     nb = len(s.dof)
@@ -176,7 +176,7 @@ def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
         if not correction < np.inf:
             if pseudo > 0.0:
                 break
-            pseudo = 1e-6 * stiff  # a string that nothing pulls yet gives way sideways
+            pseudo = 1e-6 * stiff  # a string that is not under tension yet has no lateral stiffness
             continue
         if correction < tolerance and pseudo * correction <= 1e-3 * first:
             if pseudo == 0.0:

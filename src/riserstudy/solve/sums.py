@@ -1,4 +1,4 @@
-"""What a march adds up, and how it ends."""
+"""Sums over a simulation, such as work and counts, and the reason why it ended."""
 
 from __future__ import annotations
 
@@ -9,28 +9,28 @@ import numpy as np
 from riserstudy.solve.jit import inner
 
 DONE, NOT_CONVERGED, STOPPED = 0, 1, 2
-STEPS, ITERATIONS, HALVED, EVALUATIONS = 0, 1, 2, 3  # what is counted
+STEPS, ITERATIONS, HALVED, EVALUATIONS = 0, 1, 2, 3  # entries of `count`
 
 
 class Sums(NamedTuple):
-    """What a run adds up."""
+    """Sums over a run."""
 
     work: np.ndarray  # (5,) J: by supports, by water and devices, dissipated, numerical, exchanged
     count: (
         np.ndarray
     )  # (4,) steps, Newton iterations, halved steps, evaluations of explicit stepping
     failure: np.ndarray  # (3,) time (s), node, size of its last correction (m)
-    stop: np.ndarray  # (1,) not 0 where a march is to be broken off, which another thread may say
+    stop: np.ndarray  # (1,) not 0 to interrupt the march; another thread may set it
 
 
 def new_sums() -> Sums:
-    """All zero."""
+    """Sums that are all zero."""
     return Sums(np.zeros(5), np.zeros(4, np.int64), np.zeros(3), np.zeros(1, np.int64))
 
 
 @inner
 def enter(sums, held, given, lost, numerical):
-    """Enter one step: work of supports, of water and devices, dissipated by physics and by the method."""
+    """Add one step: work of supports, of water and devices, physical and numerical dissipation."""
     sums.work[0] += held
     sums.work[1] += given
     sums.work[2] += lost
@@ -41,5 +41,5 @@ def enter(sums, held, given, lost, numerical):
 
 @inner
 def fail(sums, time, node, size):
-    """Note when and where a step failed, and the size of its last correction."""
+    """Record time and node of a failed step, and the size of its last correction."""
     sums.failure[0], sums.failure[1], sums.failure[2] = time, node, size

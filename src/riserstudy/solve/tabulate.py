@@ -1,4 +1,4 @@
-"""Positions, tension, moments, shear and stress of the wall of an evaluated state, at nodes and between."""
+"""Positions, tension, moments, shear and wall stress of an evaluated state, at nodes and between them."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from riserstudy.solve.vec import at, dot
 
 @inner
 def tabulate(s, record, values):
-    """Positions, effective tension and moments at the nodes of an evaluated state; moments in between.
+    """Positions, effective tension and moments at the nodes of an evaluated state; moments between nodes.
 
-    Shear and stress, too, where they are asked for.
+    Shear and stress are included if the record requests them.
 
-    Tension at a node lies between those of its segments by ``s.blend``; at the ends it is the force that
-    holds the string there, so half a node of weight, drag and inertia is not lost.
+    Tension at a node is a mean of the tensions of its segments by ``s.blend``. At the ends it is the force
+    that holds the string, which includes weight, drag and inertia of the end node.
     """
     d, n = len(s.dim), s.l0.shape[0]
     for c in range(d):
@@ -27,7 +27,7 @@ def tabulate(s, record, values):
         above = dot(at(s.dim, s.segment, i), at(s.dim, s.tangent, i))
         if s.blend[i] > 0.0:
             values[d, i] = below + s.blend[i] * (above - below)
-        else:  # no tension above: that below, carried on to its end
+        else:  # no tension above: the tension of the segment below, continued to its end
             values[d, i] = below + (below - before) * s.l0[i - 1] / (
                 s.l0[i - 1] + s.l0[max(i - 2, 0)]
             )
@@ -59,13 +59,13 @@ def tabulate(s, record, values):
 
 @inner
 def components(rows, k, u):
-    """Row of component u of the k-th size: moments at nodes and middles, shear above and below nodes."""
+    """Row of component u of the k-th magnitude: moments at nodes and middles, shear above and below nodes."""
     return rows + 3 * k + u
 
 
 @inner
 def sizes(values, d, rows):
-    """Sizes in space from their components."""
+    """Magnitudes in space from their components."""
     for k in range((values.shape[0] - rows) // 3):
         for i in range(values.shape[1]):
             values[d + 1 + k, i] = sqrt(product(values, values, components(rows, k, 0), i))
@@ -73,7 +73,7 @@ def sizes(values, d, rows):
 
 @inner
 def shear_forces(s, weights, side, u, values, row):
-    """A component of shear above (side 0) or below each node; ends have one side."""
+    """A component of shear above (side 0) or below each node; end nodes have one side."""
     n = s.l0.shape[0]
     for i in range(n + 1):
         above = i < n and (side == 0 or i == 0)
@@ -108,7 +108,7 @@ def wall_stresses(record, values, d, m, row):
 
 @inner
 def von_mises(wall, w, tension, moment, inside, outside):
-    """The largest of both radii and both sides (Pa), from effective tension, moment and pressures."""
+    """Largest stress at both radii and both sides (Pa), from effective tension, moment and pressures."""
     outer, inner_radius, area = wall[w, 0], wall[w, 1], wall[w, 2]
     o, i = outer * outer, inner_radius * inner_radius
     axial = (wall[w, 4] * tension + pi * (inside * i - outside * o)) / area
@@ -127,7 +127,7 @@ def von_mises(wall, w, tension, moment, inside, outside):
 
 @inner
 def weighted(s, weights, u, e):
-    """Sum of a component of the moments at nodes e - 1 to e + 2 by weights, (n, 4)."""
+    """Weighted sum of a component of the moments at nodes e - 1 to e + 2; weights (n, 4)."""
     last = s.l0.shape[0]
     value = 0.0
     for k in range(4):
@@ -137,7 +137,7 @@ def weighted(s, weights, u, e):
 
 @inner
 def product(one, other, row, i):
-    """Product of two moments whose components stand from a row on."""
+    """Scalar product of two moments whose components begin at a row."""
     return (
         one[row, i] * other[row, i]
         + one[row + 1, i] * other[row + 1, i]

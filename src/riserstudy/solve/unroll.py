@@ -1,11 +1,11 @@
-"""Plain functions on tuples, written out number by number into the compiled code that calls them.
+"""Plain functions on tuples, unrolled number by number into the compiled code that calls them.
 
-While a kernel is compiled the plain function is run once, on numbers that note down what is done to
-them. What it does so stands in the caller, as if written there by hand: it is no function of its own
-to compile, and no call. Compared with functions of numba's own this halves what a kernel takes to compile.
+While a kernel is compiled, the plain function is run once, on numbers that record the operations on them.
+These operations become part of the caller, as if written there by hand. There is no separate function to
+compile, and no call. Compared with functions compiled by numba, this halves the compile time of a kernel.
 
-You need not read this file to read the physics: `vec` and `rows` are plain functions of floats. It is for
-those who need an operation in them that is not noted yet, or who move to another release of numba.
+You need not read this file to understand the physics: `vec` and `rows` are plain functions of floats. It is
+for developers who need an operation that is not recorded yet, or who move to another release of numba.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ INDEX = ir.IntType(64)
 
 
 def unrolled(function):
-    """Let compiled code use a function of floats, tuples of them, arrays of them, and indices.
+    """Make a function of floats, tuples of floats, arrays and indices usable in compiled code.
 
-    The function must do the same whatever the numbers are: its branches and loops may look at lengths
-    alone. Indices are not counted from the end.
+    The operations must not depend on the values: branches and loops may depend on lengths only. Negative
+    indices are not allowed.
     """
 
     def lower(context, builder, sig, arguments):
@@ -52,7 +52,7 @@ def root(x):
 
 
 def floor(x):
-    """Largest whole number that is not above."""
+    """Largest whole number that is not above x."""
     return x.floor() if isinstance(x, _Number) else np.floor(x)
 
 
@@ -63,7 +63,7 @@ def _kind(result):
 
 
 class _Writer:
-    """Where the instructions go; without a builder only kinds are found out."""
+    """Writes the instructions; without a builder, it only determines types."""
 
     def __init__(self, context, builder):
         self.context, self.builder = context, builder

@@ -1,7 +1,7 @@
 """Small vectors and square blocks as tuples of floats, unrolled by their length while compiling.
 
 A vector has as many numbers as the model has directions (1, 2 or 3), a block their square, row by
-row. Written once, an effect so serves axial, planar and spatial models at no cost in run time.
+row. The same code of an effect therefore serves axial, planar and spatial models at no cost in run time.
 """
 
 from __future__ import annotations
@@ -53,7 +53,7 @@ def upward(a):
 
 @unrolled
 def at(like, array, i):
-    """Vector i of a component-major array (directions, nodes); ``like`` tells the directions."""
+    """Vector i of a component-major array (directions, nodes); ``like`` gives the number of directions."""
     return tuple(array[k, i] for k in range(len(like)))
 
 
@@ -99,7 +99,7 @@ def plus_block(array, i, a):
 
 @unrolled
 def solved(block, a):
-    """What a symmetric block makes ``a`` of; of the block only the upper triangle is read."""
+    """The vector x with block x = a, for a symmetric block of which only the upper triangle is read."""
     if len(a) == 1:
         return (a[0] / block[0],)
     if len(a) == 2:
@@ -131,13 +131,13 @@ def norm(a):
 
 @unrolled
 def norm_across(a, t):
-    """Length of a vector across a unit vector ``t``; in a plane that takes no root."""
+    """Length of a vector across a unit vector ``t``; in a plane this needs no square root."""
     return abs(t[0] * a[1] - t[1] * a[0]) if len(a) == 2 else root(dot(a, a))
 
 
 @unrolled
 def cross(a, b):
-    """Vector product; of two vectors in the plane of x and z the one component along y."""
+    """Vector product; for two vectors in the plane of x and z, its component along y."""
     if len(a) == 2:
         return (a[1] * b[0] - a[0] * b[1],)
     return (
@@ -149,7 +149,7 @@ def cross(a, b):
 
 @unrolled
 def skew(a):
-    """What makes a x b of b: a block in space, a row of two in the plane."""
+    """The matrix of the product a x b as a function of b: a block in space, a row of two in the plane."""
     if len(a) == 2:
         return (a[1], -a[0])
     return (0.0, -a[2], a[1], a[2], 0.0, -a[0], -a[1], a[0], 0.0)
@@ -157,7 +157,7 @@ def skew(a):
 
 @unrolled
 def transposed(a):
-    """Rows and columns exchanged, of a block in space or a row of two."""
+    """The transpose of a block in space, or of a row of two."""
     if len(a) == 2:
         return a
     return (a[0], a[3], a[6], a[1], a[4], a[7], a[2], a[5], a[8])

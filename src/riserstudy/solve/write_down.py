@@ -1,4 +1,4 @@
-"""Write outputs and ends of steps into a record while a simulation marches."""
+"""Writes outputs, and the ends at each step, to a record during a simulation."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ROUNDING = 1e-10  # of a time (s)
 
 @inner
 def remember(record):
-    """Let the last step be one before the next."""
+    """Shift the stored steps: the last step becomes the previous one."""
     values, past, when = record.values, record.past, record.when
     for c in range(values.shape[0]):
         for i in range(values.shape[1]):
@@ -33,7 +33,7 @@ def remember(record):
 
 @inner
 def note(p, s, record, values):
-    """Write tabulated values down as the next output."""
+    """Write tabulated values as the next output."""
     k = record.written[0]
     record.written[0] += 1
     d = len(s.dim)
@@ -52,7 +52,7 @@ def note(p, s, record, values):
 
 @inner
 def ends(s, k, end, top, platform, probe):
-    """Write ends, platform and what devices report down in row k."""
+    """Write ends, platform and reported values of devices to row k."""
     d, n = len(s.dim), s.l0.shape[0]
     m = len(s.dof) - d
     for c in range(d):
@@ -63,7 +63,7 @@ def ends(s, k, end, top, platform, probe):
         string_ends(s, k, end)
     for u in range(m):
         end[k, 0, d + u], end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
-        # a telescopic joint starts with the ring's moment less that of the cylinders
+        # a telescopic joint begins with the ring's moment minus the moment of the cylinders
         about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
         end[k, 1, d + u] = s.moment[u, n]
         end[k, 1, d + m + u] = s.moment[u, n - 1] - about
@@ -76,9 +76,9 @@ def ends(s, k, end, top, platform, probe):
 
 @inner
 def string_ends(s, k, end):
-    """A string's directions at its ends: those of the forces that hold it there.
+    """Directions of a string at its ends: the directions of the forces that hold it there.
 
-    The end segments' own directions are those of their middles, an error of first order in their length.
+    The direction of an end segment is that of its middle; as an end direction it has a first-order error.
     """
     d, n = len(s.dim), s.l0.shape[0]
     for side in range(2):
@@ -89,7 +89,7 @@ def string_ends(s, k, end):
             square += force * force
             along += force * s.tangent[c, e]
         size = sqrt(square)
-        if along > 0.9 * size:  # else it is slack, and has no such direction
+        if along > 0.9 * size:  # otherwise the string is slack, and the force gives no direction
             for c in range(d):
                 force = sign * (s.ends[0, side, c] + s.ends[1, side, c])
                 end[k, side, c] = force / size
@@ -97,7 +97,7 @@ def string_ends(s, k, end):
 
 @inner
 def note_ends(p, s, record, time):
-    """Write a step's ends down where there is room for them."""
+    """Write the ends of a step if there is room for them."""
     k = record.steps[0]
     if record.step_time.shape[0] == 0:
         return
@@ -117,7 +117,7 @@ def due(record, time):
 
 @inner
 def evaluate_and_note(p, s, record):
-    """The next output, of a state given by positions, velocities and true accelerations."""
+    """Evaluate and write the next output, of a state with positions, velocities and true accelerations."""
     move(p, s, record.time[record.written[0]])
     evaluate(p, s, record, record.values)
     note(p, s, record, record.values)
@@ -125,7 +125,7 @@ def evaluate_and_note(p, s, record):
 
 @inner
 def evaluate(p, s, record, values):
-    """Forces of a state as it stands, tabulated."""
+    """Evaluate the forces of the present state, and tabulate them."""
     shape(p, s)
     true_moments(s)
     load(p, s)
@@ -135,16 +135,16 @@ def evaluate(p, s, record, values):
 
 @kernel
 def evaluate_once(p, s, record):
-    """Tabulate and note a state as it stands, for callers in Python."""
+    """Tabulate and write the present state, for callers in Python."""
     evaluate(p, s, record, record.values)
     note(p, s, record, record.values)
 
 
 @inner
 def between(p, s, so, before, t, h, record):
-    """Write down the outputs due within a step from t to t + h, where ``s`` is, and is tabulated.
+    """Write the outputs due within a step from t to t + h; ``s`` is at t + h and is tabulated.
 
-    ``so`` is a second state of the same model, which takes the interpolated positions.
+    ``so`` is a second state of the same model, which receives the interpolated positions.
     """
     while due(record, t + h * (1.0 - 1e-9)):
         time = record.time[record.written[0]]
@@ -152,7 +152,7 @@ def between(p, s, so, before, t, h, record):
         move(p, so, time)
         interpolate(
             so, before.r, before.v, before.a, t, s.r, s.v, s.a, t + h, time
-        )  # held nodes, too, as `widen_places`
+        )  # held nodes, too, as in `widen_places`
         interpolate_carried(so, before.carried, t, s.carried, t + h, time)
         interpolate_internal(so, before, t, s, t + h, time)
         for u in range(len(s.dof) - len(s.dim)):
@@ -163,16 +163,16 @@ def between(p, s, so, before, t, h, record):
         note(p, so, record, record.between)
         if (
             record.written[0] == 1
-        ):  # envelopes begin with the first output, not with the step after it
+        ):  # envelopes start with the first output, not with the step after it
             first_output(record)
 
 
 @inner
 def note_start(p, s, record, t):
-    """Write down the state that a march begins with, unless it goes on from steps that were seen.
+    """Write the initial state of a march, unless it continues from recorded steps.
 
-    At a jolt or an event the state just after it is left out: a mesh's answer to an acceleration that jumps
-    is no riser's.
+    The state just after an event is not written, because the response of a mesh to a jump of acceleration is
+    not physical.
     """
     if record.seen[0] > 0:
         return
@@ -188,11 +188,11 @@ def note_start(p, s, record, t):
 
 @inner
 def note_step(p, s, so, before, t, h, record):
-    """Write down a step from t to t + h, where ``s`` is evaluated."""
+    """Write a step from t to t + h; ``s`` is evaluated at t + h."""
     record.when[2] = t + h
     tabulate(s, record, record.values)
     between(p, s, so, before, t, h, record)
-    if t + h >= record.time[0] - ROUNDING:  # envelopes begin with the outputs
+    if t + h >= record.time[0] - ROUNDING:  # envelopes start with the outputs
         widen(record, len(s.dim))
         widen_places(s, before.r, before.v, t, h, record)
         note_ends(p, s, record, t + h)

@@ -1,6 +1,6 @@
-"""Whether the parts of a scene fit together: what needs what, and what excludes what.
+"""Whether the parts of a scene fit together: parts that require others, and parts that exclude others.
 
-A rule is a function of the scene that yields what does not fit: path, what was found, what is allowed.
+A rule is a function of the scene that yields its faults: the path, the value found and the allowed values.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from riserstudy.inputs.misfit import Misfit
     from riserstudy.scene.parts import Parts
 
-#: in the order in which their faults are named: what is missing first, then what does not match
+#: in the order in which their faults are reported: missing parts first, then contradictions
 RULES = (
     pipe.water,
     waves.viv,
@@ -61,17 +61,17 @@ RULES = (
 
 
 def misfits(scene: Parts) -> Iterator[Misfit]:
-    """What does not fit together in a scene whose parts are checked one by one."""
+    """Contradictions between the parts of a scene, each of which was checked alone."""
     return chain.from_iterable(rule(scene) for rule in RULES)
 
 
 def check_rules(scene: Parts) -> None:
-    """See that the parts of a scene fit together.
+    """Check that the parts of a scene fit together.
 
     Raises
     ------
     Misfit
-        The first that does not.
+        The first fault.
     """
     fault = next(misfits(scene), None)
     if fault:

@@ -1,4 +1,4 @@
-"""Whether a run can be made of the scene: how long it is, how it starts, where it is looked at."""
+"""Whether the scene can be run: its duration, its start, and the places of its outputs."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def stations(scene: Parts) -> Iterator[Misfit]:
-    """Histories are kept of places on the riser."""
+    """Stations of time histories must be on the riser."""
     joint = scene.top.telescopic_joint
     length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
     places = (scene.analysis.output and scene.analysis.output.stations) or []
@@ -27,7 +27,7 @@ def stations(scene: Parts) -> Iterator[Misfit]:
 
 
 def sees_the_disconnect(scene: Parts) -> Iterator[Misfit]:
-    """Lift and clearance are those from the release on: what is before the first output is not seen."""
+    """Output must begin at the release or before: lift and clearance are measured from the release on."""
     release, output = scene.disconnect, scene.analysis.output
     start = (output and output.start) or 0.0
     if release and start > release.at:
@@ -39,7 +39,7 @@ def sees_the_disconnect(scene: Parts) -> Iterator[Misfit]:
 
 
 def gauge(scene: Parts) -> Iterator[Misfit]:
-    """Stress needs a section with a wall."""
+    """The output of stress requires a section with a wall."""
     section = scene.analysis.output and scene.analysis.output.stress_in
     walls = [s.name for s in scene.riser if s.young_modulus]
     if section and section not in walls:
@@ -50,7 +50,10 @@ def gauge(scene: Parts) -> Iterator[Misfit]:
 
 
 def ends(scene: Parts) -> Iterator[Misfit]:
-    """A step that is chosen is a share of the shortest period: more of these than any run could end with."""
+    """A run must have a feasible number of the shortest periods, if the engine chooses the time step.
+
+    The engine chooses a fraction of the shortest period, so too many periods would never be completed.
+    """
     duration, shortest = scene.analysis.duration, scene.shortest_period
     if duration is None or shortest is None or scene.analysis.step is not None:
         return
@@ -64,9 +67,9 @@ def ends(scene: Parts) -> Iterator[Misfit]:
 
 
 def starts_gently(scene: Parts) -> Iterator[Misfit]:
-    """Accuracy is not requested where an end starts with a speed.
+    """A tolerance is refused where a release or an end's motion starts as a step, without enough damping.
 
-    It sends waves of all lengths along the riser: what is not damped is nothing to refine to.
+    A step sends waves of all lengths along the riser. Without damping, no mesh converges.
     """
     a = scene.analysis
     if a.duration is None or a.mesh is not None or not any(s.mass for s in scene.riser):

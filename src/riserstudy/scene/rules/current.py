@@ -1,4 +1,4 @@
-"""Whether a current is given where the riser is, and acts on something."""
+"""Whether a current covers the riser and acts on a part of the scene."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def acts(scene: Parts) -> Iterator[Misfit]:
-    """A current acts by drag alone."""
+    """A current requires drag, since it acts by drag alone."""
     in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
     if scene.current and not in_water:
         found = "needs a riser section with drag, or a vessel with hull_drag"
@@ -25,7 +25,7 @@ def acts(scene: Parts) -> Iterator[Misfit]:
 
 
 def levels(scene: Parts) -> Iterator[Misfit]:
-    """Depths and shapes count from levels of the sea."""
+    """Depths and named shapes of a current require the elevations of mean water level and seabed."""
     water, flow = scene.water, scene.current
     if flow is None or water is None:
         return
@@ -42,14 +42,15 @@ def levels(scene: Parts) -> Iterator[Misfit]:
 
 
 def covers(scene: Parts) -> Iterator[Misfit]:
-    """A current says what it is all along the riser in the water."""
+    """A current must be given for the whole length of the riser in the water."""
     flow, ends = scene.current, span(scene)
     if flow is None:
         return
     yield from _in_water(scene, flow)
     given = _levels(scene, flow)
     if flow.beyond is not None or given is None or ends is None:
-        return  # end values hold, or the sea's levels bound it, or a hanging riser is anywhere
+        # `beyond` covers the rest, or the profile spans the sea, or the riser has no elevations
+        return
     low, high = given
     seabed, surface = (scene.water.seabed, scene.water.surface) if scene.water else (None, None)
     needs_low = ends.bottom if seabed is None else max(ends.bottom, seabed)
@@ -67,7 +68,7 @@ def covers(scene: Parts) -> Iterator[Misfit]:
 
 
 def _in_water(scene: Parts, flow: Current) -> Iterator[Misfit]:
-    """Points by elevation lie in the water, wherever end values hold: depths typed there would not."""
+    """Of points by elevation, one at least must be in the water: depths typed as elevations would not be."""
     surface = scene.water.surface if scene.water else None
     points = flow.profile if isinstance(flow.profile, list) else []
     elevations = [point.elevation for point in points if point.elevation is not None]
@@ -82,7 +83,7 @@ def _in_water(scene: Parts, flow: Current) -> Iterator[Misfit]:
 
 
 def _levels(scene: Parts, flow: Current) -> tuple[float, float] | None:
-    """Elevations between which a current is given (m); None where the sea's own levels bound it."""
+    """Lowest and highest elevation of a current profile (m); None if it spans from seabed to surface."""
     if isinstance(flow.profile, list):
         z, _ = flow.table(scene.water)
         return z[0], z[-1]

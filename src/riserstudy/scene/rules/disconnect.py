@@ -1,4 +1,4 @@
-"""What happens at a time of the run: a disconnect, its valves, and losses of tension at once."""
+"""Events of a run: a disconnect with its valves, and sudden losses of tension."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def disconnect(scene: Parts) -> Iterator[Misfit]:
-    """A riser is let go at its wellhead, and its valves act on tensioners that there are."""
+    """A disconnect requires a riser that is held at its wellhead; valves require the tension they act on."""
     release = scene.disconnect
     if release is None:
         return
@@ -38,7 +38,7 @@ def disconnect(scene: Parts) -> Iterator[Misfit]:
 
 
 def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
-    """A recoil valve has gas behind it, and bottles that are part of it."""
+    """A recoil valve requires gas tensioners; bottles that are shut off hold less than a cylinder's gas."""
     rig, path, also = scene.top.tensioners, "disconnect.recoil_valve", ("top.tensioners",)
     gas = rig.pulling if rig else None
     if rig is None or gas is None or rig.linearised:
@@ -56,7 +56,7 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
 
 
 def _drains(scene: Parts) -> Iterator[Misfit]:
-    """Contents that run out are one column from the lower end upwards, under a sea of known level."""
+    """Draining contents must be one uniform column from the lower end upwards, in a sea of known level."""
     path, filled = "disconnect.drain", [s for s in scene.riser if s.contents]
     if not filled or any(s.contents for s in scene.riser[len(filled) :]):
         found, remedy = (
@@ -80,7 +80,7 @@ def _drains(scene: Parts) -> Iterator[Misfit]:
 
 
 def events(scene: Parts) -> Iterator[Misfit]:
-    """What happens at a time does so before the end, in a march that can stop for it."""
+    """Events must be before the end of the run, and require an integrator that can stop at them."""
     a, rig = scene.analysis, scene.top.tensioners
     if rig and rig.failing and a.duration is None:
         found, remedy = "needs analysis.duration", "add it: a static scene has no events"
@@ -103,7 +103,7 @@ def events(scene: Parts) -> Iterator[Misfit]:
 
 
 def _sudden(scene: Parts) -> dict[str, object]:
-    """What may happen at a time, by its path."""
+    """Parts of the scene that cause an event, by path; false where the scene does not have them."""
     loss, rig = scene.top.tension_loss, scene.top.tensioners
     return {
         "disconnect": scene.disconnect,

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def held(scene: Parts) -> Iterator[Misfit]:
-    """A riser is held at one end at least, where its file says."""
+    """A riser must be held at one end at least, and must have the inputs that its supports require."""
     bottom, top = scene.bottom, scene.top
     if bottom.hold == "free" and top.z == "free" and not top.tensioners:
         remedy = "hold one, or hang the top on tensioners"
@@ -39,7 +39,7 @@ def held(scene: Parts) -> Iterator[Misfit]:
 
 
 def followed(scene: Parts) -> Iterator[Misfit]:
-    """What translates the platform moves the upper end or the tensioners: elsewhere it would do nothing."""
+    """Translations of the platform must move the upper end or the tensioners; else they have no effect."""
     platform, top = scene.platform, scene.top
     if platform is None:
         return

@@ -1,7 +1,7 @@
-"""Whether lengths and elevations close: a slip of a unit or a sign must not become a riser.
+"""Whether lengths and elevations agree, to detect errors of unit or sign.
 
-What is refused cannot be built: a riser that does not reach from end to end, or a top or a foot far from
-the sea's levels. Where a scene gives no levels nothing is compared with them.
+Refused are risers that cannot be built: a riser that does not reach from end to end, or an end far from the
+sea surface or the seabed. If a scene does not give these levels, they are not compared.
 """
 
 from __future__ import annotations
@@ -21,9 +21,11 @@ if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
     from riserstudy.scene.riser import Section
 
-STRETCH = 0.01  # share of its length that a held riser is off, at most: steel yields at 0.003
-SLIDES = 0.003  # the same below a telescopic joint, whose length is given
-FAR = 0.5  # share of its length by which no riser is held aside, and cables that hang slack are
+# largest share of its length by which a held riser may stretch: steel yields at 0.003
+STRETCH = 0.01
+SLIDES = 0.003  # the same for a riser with a telescopic joint, whose length is given
+# offset of the top, as a share of the length, from which a string is a slack cable and no riser
+FAR = 0.5
 STACK = 50.0  # m, the tallest wellhead, BOP and LMRP below a riser's lower end
 DECK = 100.0  # m, the highest deck above the sea
 KEEL = 30.0  # m, the deepest keel below it, from which a riser may hang
@@ -31,7 +33,7 @@ ENDS = ("bottom.elevation", "top.elevation")
 
 
 def names(scene: Parts) -> Iterator[Misfit]:
-    """Sections are told apart by their names."""
+    """Names of sections must be different."""
     for name, count in Counter(section.name for section in scene.riser).items():
         if count > 1:
             found = f"{count} sections are named {name!r}"
@@ -39,9 +41,9 @@ def names(scene: Parts) -> Iterator[Misfit]:
 
 
 def reaches(scene: Parts) -> Iterator[Misfit]:
-    """A riser held at both ends is as long as they are apart; what is no riser may hang slack.
+    """A riser held at both ends must be as long as the distance between them.
 
-    That is a string without bending, or a cable whose ends are far aside of each other.
+    A string without bending stiffness, or a cable with its ends far apart horizontally, may be slack.
     """
     top, bottom = scene.top.elevation, scene.bottom.elevation
     if top is None or bottom is None:
@@ -71,7 +73,7 @@ def reaches(scene: Parts) -> Iterator[Misfit]:
 
 
 def filled(scene: Parts) -> Iterator[Misfit]:
-    """Contents are one column, full from end to end, that stands up to one level."""
+    """Contents must fill their sections completely, as one column up to one level."""
     levels = {k: s.contents.level for k, s in enumerate(scene.riser) if s.contents}
     highest = max(levels, default=-1)
     path = f"riser[{highest}].contents.level"
@@ -94,7 +96,7 @@ def filled(scene: Parts) -> Iterator[Misfit]:
 
 
 def levels(scene: Parts) -> Iterator[Misfit]:
-    """The upper end is between keel and deck of a platform afloat, the lower end at or above the seabed."""
+    """The upper end must be between keel and deck of a platform, the lower end at or above the seabed."""
     ends = span(scene)
     if scene.water is None or ends is None:
         return
@@ -127,7 +129,7 @@ def levels(scene: Parts) -> Iterator[Misfit]:
 
 
 def foot(scene: Parts) -> Iterator[Misfit]:
-    """The mudline lies on the sections below the flex joint, and not above the sea's bed."""
+    """The mudline must be on the sections below the flex joint, and not above the seabed."""
     ends, soil = span(scene), scene.soil
     if soil is None or ends is None:
         return

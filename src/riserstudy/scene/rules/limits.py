@@ -1,4 +1,4 @@
-"""Whether limits and fatigue have places on the riser, and what their outputs need."""
+"""Whether the places of limits and fatigue details are on the riser, and their outputs can be computed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 def limits(scene: Parts) -> Iterator[Misfit]:
-    """Limits hold at sections that there are, for outputs that count from where they say."""
+    """Limits must name sections of the riser, and a stroke must be measured from the right state."""
     names = [section.name for section in scene.riser]
     for k, limit in enumerate(scene.limits or []):
         try:
@@ -30,7 +30,7 @@ def limits(scene: Parts) -> Iterator[Misfit]:
 
 
 def fatigue(scene: Parts) -> Iterator[Misfit]:
-    """Stress of each detail recurs, and outputs show its peaks."""
+    """Fatigue requires loads that recur, and outputs that are frequent enough for the peaks of stress."""
     a = scene.analysis
     if scene.fatigue is None:
         return
@@ -66,7 +66,7 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
 
 
 def _detail(scene: Parts, detail: Detail) -> Iterator[Misfit]:
-    """A detail stands where the stress of the wall is known."""
+    """A detail must be at sections for which the stress of the wall can be computed."""
     try:
         names = detail.sections([section.name for section in scene.riser])
     except Misfit as fault:

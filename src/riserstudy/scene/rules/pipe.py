@@ -1,4 +1,4 @@
-"""What sections of the riser and bodies on it need."""
+"""Requirements of the riser's sections and of the bodies on it."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def bends(scene: Parts) -> list[bool]:
 
 
 def water(scene: Parts) -> Iterator[Misfit]:
-    """Drag, added mass and a current are those of water."""
+    """Drag, added mass and a current require water."""
     if scene.water is not None:
         return
     for k, section in enumerate(scene.riser):
@@ -33,7 +33,7 @@ def water(scene: Parts) -> Iterator[Misfit]:
 
 
 def gravity(scene: Parts) -> Iterator[Misfit]:
-    """What weighs needs gravity."""
+    """Contents, pistons and bodies with a derived weight require gravity."""
     if scene.gravity is None:
         filled = [f"riser[{k}].contents" for k, s in enumerate(scene.riser) if s.contents]
         rig = scene.top.tensioners
@@ -49,7 +49,7 @@ def gravity(scene: Parts) -> Iterator[Misfit]:
 
 
 def mass(scene: Parts) -> Iterator[Misfit]:
-    """What moves has mass, and what is lost over time needs time."""
+    """Dynamics require mass, and a loss of tension requires a duration."""
     if scene.analysis.duration and not (
         all(s.mass for s in scene.riser) or scene.top.body or scene.bottom.body
     ):
@@ -61,7 +61,7 @@ def mass(scene: Parts) -> Iterator[Misfit]:
 
 
 def bending(scene: Parts) -> Iterator[Misfit]:
-    """Moments and damping are passed on through all sections."""
+    """Bending stiffness and damping must be given in all sections alike, or in none."""
     stiff = bends(scene)
     if any(stiff) and not all(stiff):
         found = f"{scene.riser[stiff.index(False)].name!r} has no bending stiffness, others have"
@@ -76,7 +76,7 @@ def bending(scene: Parts) -> Iterator[Misfit]:
 
 
 def joint(scene: Parts) -> Iterator[Misfit]:
-    """A flex joint and a guide stand between two sections."""
+    """One flex joint is possible, between sections that bend; a guide is not possible at a held lower end."""
     joints = [k for k, s in enumerate(scene.riser) if s.flex_joint_below]
     if joints and (not all(bends(scene)) or len(joints) > 1 or joints[0] == 0):
         found = (

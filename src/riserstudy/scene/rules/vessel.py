@@ -1,4 +1,4 @@
-"""What a vessel that floats freely goes with, and the soil around a foot."""
+"""Requirements of a freely floating vessel, and of the soil around a foot."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def moored(scene: Parts) -> Iterator[Misfit]:
-    """A vessel moves the riser's top, by forces that are known."""
+    """A vessel requires a riser's top that follows it, and forces that the engine can compute."""
     vessel, top = scene.vessel, scene.top
     if (vessel is None) != (top.x != "vessel"):
         remedy = "give both or neither"
@@ -39,7 +39,10 @@ def moored(scene: Parts) -> Iterator[Misfit]:
 
 
 def coupled(scene: Parts) -> Iterator[Misfit]:
-    """What is exchanged in turns is the force of the string's end: nothing else may act there across."""
+    """With ``vessel.coupling``, no body, force or tensioner may act at the riser's top without a joint.
+
+    Platform and riser exchange only the force of the riser's end.
+    """
     if scene.vessel is None or scene.vessel.coupling is None:
         return
     yield from (
@@ -55,14 +58,14 @@ def coupled(scene: Parts) -> Iterator[Misfit]:
 
 
 def soil(scene: Parts) -> Iterator[Misfit]:
-    """Soil holds a foot."""
+    """Soil and a foot require each other."""
     if (scene.bottom.hold == "foot") != (scene.soil is not None):
         remedy = "give both or neither"
         yield Misfit("soil", "soil and 'bottom.hold: foot' go together", remedy, ("bottom.hold",))
 
 
 def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[Misfit]:
-    """Beside a vessel, which keeps its heading, a platform has first-order motion alone."""
+    """In a scene with a vessel, which must keep its heading, a platform has first-order motions only."""
     explicit = scene.analysis.method == "explicit"
     position = platform.position
     remedies: dict[str, tuple[object, str]] = {

@@ -1,4 +1,4 @@
-"""What waves and vortices need."""
+"""Requirements of waves and vortices."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 def sea(scene: Parts) -> Iterator[Misfit]:
-    """A wave is one of a sea of known depth, and acts on something."""
+    """A wave requires a sea of known depth, gravity, and sections with drag or added mass."""
     response = scene.platform and scene.platform.response
     if response and response.wave is None and scene.wave is None:
         found, remedy = "needs a wave, of its own or of the scene", "add one"
@@ -36,7 +36,7 @@ def sea(scene: Parts) -> Iterator[Misfit]:
 
 
 def viv(scene: Parts) -> Iterator[Misfit]:
-    """Vortices are shed by water that flows past, for a time, and drag limits what they do."""
+    """Vortex-induced vibration requires a flow, a duration, and drag, which limits the amplitude."""
     shedding = {f"riser[{k}].viv": s for k, s in enumerate(scene.riser) if s.viv}
     if not shedding:
         return
