@@ -1,1 +1,1 @@
-"""What runs return: arrays, their names and labels, and how datasets are opened and compared."""
+"""Results of runs: arrays with names and labels, and how datasets are opened and compared."""

@@ -1,4 +1,4 @@
-"""A run compared with a file of another program or of a measurement: series over time, or values along."""
+"""Comparison of a run with a file of another program or measurement: series over time, or along the riser."""
 
 from __future__ import annotations
 
@@ -19,10 +19,11 @@ from riserstudy.errors import InputError
 from riserstudy.scene.resolve import Resolved
 
 FloatArray = NDArray[np.float64]
-FEWEST = 4  # rows that are compared
-SAME = 1e-6  # share of the riser's length by which two places are one: the digits of a heading
+FEWEST = 4  # smallest number of rows for a comparison
+# share of the riser's length within which two places are equal: the digits of a heading
+SAME = 1e-6
 WALL, EFFECTIVE = "wall_tension", "effective_tension"
-#: what other programs print by another definition than a run has it
+#: quantities that other programs define differently from a run
 OTHERWISE = {
     "end_force": "it is the effective tension at that end: write `effective_tension at 0 m`",
 }
@@ -33,11 +34,11 @@ class Pair(NamedTuple):
 
     Attributes
     ----------
-    title : how the file calls the column. name : of the run's variable, and where it is.
+    title : name of the column in the file. name : name of the run's variable, with its place.
     axis : "time" or "s".
     along : (n,), time (s) or arclength from the bottom (m) at which both are known.
-    theirs, ours : (n,).
-    notes : how they were made comparable: what was converted, interpolated or left out.
+    theirs, ours : (n,), values of the file and of the run.
+    notes : how they were made comparable: conversions, interpolations and omissions.
     """
 
     title: str
@@ -51,23 +52,23 @@ class Pair(NamedTuple):
 
 
 class Compared(NamedTuple):
-    """All columns of a file, and what was decided in reading it."""
+    """All columns of a file, and notes on how it was read."""
 
     pairs: list[Pair]
     notes: list[str]
 
 
 class Difference(NamedTuple):
-    """How two series differ: the run less the table, in the run's unit.
+    """Difference of two series: the run minus the table, in the run's unit.
 
     Attributes
     ----------
-    rms : root mean square of the difference. relative: over the range of the table, not a number where it
+    rms : root mean square of the difference. relative: divided by the range of the table, NaN if the table
         does not vary.
-    largest, at : the largest difference by size, and where along.
+    largest, at : the difference with the largest magnitude, and its position along the axis.
     peak, low : difference of the largest and of the smallest values.
-    lag : time (s) by which the run is later, at which both fit best; not a number along the riser and
-        where one does not vary. rms_in_phase : root mean square with that lag taken out.
+    lag : time (s) by which the run is later, for the best fit; NaN along the riser, or if one does not vary.
+        rms_in_phase : root mean square after removal of this lag.
     """
 
     rms: float
@@ -88,19 +89,19 @@ def compared(
     called: Mapping[str, str] | None = None,
     end_a: str | None = None,
 ) -> Compared:
-    """Every column of a file with what a run has of it.
+    """Every column of a file, paired with the run's values.
 
     Parameters
     ----------
     run : one point of a dataset.
-    scene : that it is of; absent: wall tension is refused.
-    called : headings in the words of a run by what the file calls its columns.
+    scene : scene of this point; absent: wall tension is refused.
+    called : headings in the terms of a run, by the names of the columns in the file.
     end_a : where OrcaFlex's arc length begins: "top", "bottom", or such as "872 m down".
 
     Raises
     ------
     InputError
-        When the file cannot be read, a heading names nothing of the run, or both overlap nowhere.
+        When the file cannot be read, a heading names no variable of the run, or they do not overlap.
     """
     known = [run[dim].values for dim in ("s", "s_node") if dim in run.dims and run.sizes[dim]]
     length = max((float(values[-1]) for values in known), default=0.0)
@@ -149,7 +150,7 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
 
 
 def _dim(run: xr.Dataset, path: Path, axis: str, title: str, name: str) -> str:
-    """Dimension of the run's variable that is the table's axis."""
+    """Dimension of the run's variable that corresponds to the table's axis."""
     dims = ("time",) if axis == "time" else ("s_node", "s")
     filled = {str(n) for n in run.data_vars if run[n].size}
     found = next((d for d in dims if name in filled and d in run[name].dims), None)
@@ -161,7 +162,7 @@ def _dim(run: xr.Dataset, path: Path, axis: str, title: str, name: str) -> str:
 
 
 def _sized(run: xr.Dataset, name: str) -> tuple[xr.DataArray, list[str]]:
-    """A variable of the run without its sign; of an extreme, of both."""
+    """The magnitude of a variable of the run; for an extreme, the extreme of the magnitude."""
     stem, _, side = name.rpartition("_")
     values: xr.DataArray
     if side == "max" and f"{stem}_min" in run:
@@ -179,7 +180,7 @@ def _sized(run: xr.Dataset, name: str) -> tuple[xr.DataArray, list[str]]:
 def _inside(
     along: FloatArray, known: FloatArray, notes: list[str], axis: str
 ) -> tuple[NDArray[np.bool_], FloatArray]:
-    """Which rows lie where the run is known; others are noted."""
+    """For each row, whether it is within the range of the run; rows outside are noted."""
     inside = (along >= known[0]) & (along <= known[-1])
     if not inside.all():
         span = f"{axis} from {known[0]:g} to {known[-1]:g}"
@@ -190,7 +191,7 @@ def _inside(
 
 
 def _both(theirs: FloatArray, ours: FloatArray, notes: list[str]) -> NDArray[np.bool_]:
-    """Where both have a number; other rows are noted."""
+    """For each row, whether both have a number; other rows are noted."""
     for whose, values in (("the file", theirs), ("the run", ours)):
         missing = int((~np.isfinite(values)).sum())
         if missing:
@@ -207,7 +208,7 @@ def _walls(
     place: float | None,
     along: FloatArray,
 ) -> tuple[FloatArray, list[str]]:
-    """What makes wall tension effective tension (N), and how."""
+    """The difference of effective tension and wall tension (N), with notes on how it was computed."""
     if scene is None:
         found = "is not effective tension, and the dataset has no scene to convert it by"
         allowed = "convert it by T_e = T_w + p_o A_o - p_i A_i, and name that effective_tension"
@@ -218,7 +219,7 @@ def _walls(
 
 
 def _at(path: Path, title: str, values: xr.DataArray, place: float) -> tuple[xr.DataArray, str]:
-    """Values at a place along the riser, linear between stations; and between which."""
+    """Values at a place along the riser, linear between stations, and the names of these stations."""
     dim = next((d for d in ("s", "s_node") if d in values.dims), None)
     if dim is None:
         raise InputError(path, title, "is not along the riser", "leave `at ... m` out")
@@ -245,7 +246,7 @@ def _of_cylinder(path: Path, title: str, values: xr.DataArray, cylinder: int) ->
 
 
 def difference(pair: Pair) -> Difference:
-    """How the run differs from the table."""
+    """The difference of the run and the table."""
     off = pair.ours - pair.theirs
     k = int(np.argmax(abs(off)))
     span = float(np.ptp(pair.theirs))

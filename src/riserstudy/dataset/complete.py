@@ -1,4 +1,4 @@
-"""What CF asks of every variable, where those who made a dataset left it out."""
+"""Adds the attributes that CF requires of every variable, where a dataset lacks them."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ if TYPE_CHECKING:
 def complete(dataset: xr.Dataset) -> xr.Dataset:
     """The dataset with a long name for every variable, a unit for every number, and no fill value on axes.
 
-    What was said stays, but units have one spelling. Numbers of which nothing was said are counts, shares
-    or flags, whose unit is 1.
+    Existing attributes are kept, but units have one spelling. Numbers without a unit are counts, shares or
+    flags, whose unit is 1.
     """
     dataset = dataset.copy()
     for label, variable in dataset.variables.items():

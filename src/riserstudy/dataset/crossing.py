@@ -1,4 +1,4 @@
-"""Where a curve first reaches a level, what reaches it first, and what else is there then."""
+"""The first crossing of a level by a curve, the first of several limits reached, and values at that time."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from riserstudy.dataset.place_of_crossing import place_of_crossing
 def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr.DataArray:
     """Coordinate at which a curve first reaches a level, in the coordinate's unit; infinite if never.
 
-    Straight between points; not a number where it is not known, see ``place_of_crossing``. The level is in
-    the unit of the curve.
+    Interpolation is linear between points. The result is NaN where it is not known, see
+    ``place_of_crossing``. The level is in the unit of the curve.
     """
     place = curve[along].values
     times: xr.DataArray = xr.apply_ufunc(
@@ -25,9 +25,9 @@ def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr
 
 
 def first_limit(times: xr.DataArray) -> xr.DataArray:
-    """Name of the limit that is reached first; "none" where none is, "unknown" where a value is missing.
+    """Name of the limit that is reached first; "none" if none is reached, "unknown" if a value is missing.
 
-    ``times`` over ``limit`` and more, infinite where it is never reached.
+    ``times`` has the dimension ``limit`` and others; it is infinite for limits that are never reached.
     """
     known = times.fillna(np.inf)  # so that a name is found; the last line makes it unknown
     names = times["limit"].astype(object).isel(limit=known.argmin("limit")).drop_vars("limit")
@@ -36,7 +36,7 @@ def first_limit(times: xr.DataArray) -> xr.DataArray:
 
 
 def at_time(history: xr.DataArray, time: xr.DataArray) -> xr.DataArray:
-    """Value of a history at times that may differ from run to run; its end value after its end."""
+    """Value of a history at times that may differ from run to run; after its end, its last value."""
     within = time.clip(float(history["time"][0]), float(history["time"][-1]))
     values: xr.DataArray = xr.apply_ufunc(
         lambda h, t: np.interp(t, history["time"].values, h),

@@ -1,4 +1,4 @@
-"""What derived datasets share: their attributes, what was sampled, the scenes behind points."""
+"""Functions for derived datasets: their attributes, sampled inputs, and the scenes of points."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from riserstudy.scene.resolve import Resolved
 
 
 def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:
-    """The dataset with CF attributes; coordinates that are no dimensions are left out."""
+    """The dataset with CF attributes, without coordinates that are not dimensions."""
     for name in dataset.variables:
         kept = {k: v for k, v in dataset[name].attrs.items() if str(name).startswith("assumed_")}
         dataset[name].attrs = attributes(str(name)) | kept
@@ -35,12 +35,12 @@ def label_variables(dataset: xr.Dataset, about: Mapping[str, tuple[str, str]]) -
 
 
 def sampled(source: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What each sample assumed."""
+    """The inputs that each sample assumes."""
     return {str(n): v for n, v in source.data_vars.items() if str(n).startswith("assumed_")}
 
 
 def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Resolved]]:
-    """The place on the axes and the scene of every point of a simulated dataset."""
+    """The position on the axes and the scene of every point of a simulated dataset."""
     axes = [str(dim) for dim in dataset["point_key"].dims]
     sets = {axis: json.loads(dataset[axis].attrs["sets"]) for axis in axes}
     attrs = dataset.attrs

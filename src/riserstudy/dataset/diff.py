@@ -1,9 +1,9 @@
-"""What differs between two sets of results: published numbers, verdicts, and every variable of datasets.
+"""Differences between two sets of results: published values, verdicts, and every variable of datasets.
 
-The change of a variable is its largest absolute difference over its largest magnitude in either dataset,
-since a change beside a zero crossing says nothing. Where grids differ, the points that both have are
-compared, and it is said how many these are. What tells how long something took is left out, and keys of
-stored points, which change with every edit of the engine.
+The change of a variable is its largest absolute difference divided by its largest magnitude in either
+dataset, because a relative change near a zero crossing has no meaning. If grids differ, their common points
+are compared, and their number is reported. Elapsed times are not compared, and neither are keys of stored
+points, which change with every edit of the engine.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Graded(NamedTuple):
 
 
 class Varied(NamedTuple):
-    """A variable of a dataset: relative change, or ``why`` it cannot be said."""
+    """A variable of a dataset: its relative change, or the reason ``why`` it is not known."""
 
     dataset: str
     variable: str
@@ -43,7 +43,7 @@ class Varied(NamedTuple):
 
 
 class Changes(NamedTuple):
-    """All that differs, and how many rows and variables were compared."""
+    """All differences, and the numbers of compared rows and variables."""
 
     graded: list[Graded]
     varied: list[Varied]
@@ -57,12 +57,12 @@ class Changes(NamedTuple):
 
     @property
     def apart(self) -> int:
-        """How many variables cannot be compared."""
+        """Number of variables that cannot be compared."""
         return sum(bool(one.why) for one in self.varied)
 
 
 def changes(old: Path, new: Path) -> Changes:
-    """What differs between two folders of results, of all chapters or of one, two tables or two datasets.
+    """Differences of two folders of results (of all chapters or of one), two tables or two datasets.
 
     Raises
     ------
@@ -116,7 +116,7 @@ def _graded(old: dict[str, dict[str, str]], new: dict[str, dict[str, str]]) -> I
 
 
 def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
-    """Every variable of a dataset with its change, 0 where it is the same bit for bit."""
+    """Every variable of a dataset with its change, 0 if it is identical bit for bit."""
     if old is None or new is None:
         yield Varied(name, "", float("inf"), "only in " + ("NEW" if old is None else "OLD"))
         return
@@ -147,17 +147,17 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
 def _at_common_points(
     axis: str, old: xr.Dataset, new: xr.Dataset
 ) -> tuple[xr.Dataset, xr.Dataset, int]:
-    """Both datasets where an axis has the same values, and how many these are."""
+    """Both datasets at the common values of an axis, and the number of these values."""
     import numpy as np
 
     common, here, there = np.intersect1d(old[axis], new[axis], return_indices=True)
-    if not len(common):  # nothing to compare: said as another shape
+    if not len(common):  # nothing to compare: reported as a different shape
         return old, new, 0
     return old.isel({axis: np.sort(here)}), new.isel({axis: there[np.argsort(here)]}), len(common)
 
 
 def opened(path: Path) -> xr.Dataset:
-    """A dataset, with times as the numbers that they are (s).
+    """A dataset, with times as plain numbers (s).
 
     Raises
     ------

@@ -1,8 +1,7 @@
 """Statistics of arrays over a run: extremes with place and time, amplitude, last value.
 
-Every value but an amplitude is one that stands in the array, bit by bit. A study takes them of each run as
-it is, at the run's own nodes and before anything is rounded, so that a point has the same ones in all
-studies.
+Every value except an amplitude is a value of the array, bit for bit. A study computes them for each run at
+the nodes of this run, before any rounding. A point therefore has the same statistics in all studies.
 """
 
 from __future__ import annotations
@@ -24,14 +23,15 @@ WHERE = {"s_node": "s", "s": "s", "time": "time", "cylinder": "cylinder"}
 
 
 OF_ENVELOPES = {"max": np.positive, "min": np.negative, "absmax": np.abs}  # largest at the extreme
-OVER = "statistic"  # the dimension of a dataset that has one value each, "bending_moment max"
-#: dimensions that are no axes of a grid
+# dimension of a dataset with one entry for each statistic, as "bending_moment max"
+OVER = "statistic"
+#: dimensions that are not axes of a grid
 OF_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")
 NAMES = {kind: f"{kind}_of_statistic" for kind in ("value", *dict.fromkeys(WHERE.values()))}
 
 
 class Variable(NamedTuple):
-    """Values over (cells, and dimensions of a run), in their order, with what is said of them."""
+    """Values over (cells, and dimensions of a run), in this order, with their attributes."""
 
     name: str
     values: NDArray[Any]
@@ -41,7 +41,7 @@ class Variable(NamedTuple):
 
 
 class Statistic(NamedTuple):
-    """One statistic of a quantity at all cells; NaN where there is none. ``at``: its s, time, cylinder."""
+    """One statistic of a quantity at all cells, NaN for cells without it. ``at``: its s, time, cylinder."""
 
     quantity: str
     statistic: str
@@ -52,7 +52,7 @@ class Statistic(NamedTuple):
 
 
 def elsewhere(name: str, dims: Collection[str], others: Mapping[str, Collection[str]]) -> bool:
-    """Whether statistics of an array, of which others by name have dimensions, are those of others."""
+    """Whether other arrays, given by name with their dimensions, already have the statistics of an array."""
     if "time" in dims:
         return "s" in dims and f"{name}_max" in others and f"{name}_min" in others
     if not set(dims) & set(OF_A_RUN):
@@ -64,11 +64,11 @@ def elsewhere(name: str, dims: Collection[str], others: Mapping[str, Collection[
 def without_repeats(
     variables: Sequence[Variable], coordinates: Mapping[str, NDArray[Any]]
 ) -> Iterator[Statistic]:
-    """Statistics of variables; of a history not what an envelope tells, too, which sees every step.
+    """Statistics of variables, without those of a history that an envelope over all steps also gives.
 
     Parameters
     ----------
-    coordinates : of dimensions of a run, each over its own, (n,).
+    coordinates : coordinates of the dimensions of a run, each (n,).
     """
     names = {variable.name for variable in variables}
     for variable in variables:
@@ -78,7 +78,7 @@ def without_repeats(
 
 
 def of_runs(runs: xr.Dataset) -> list[Statistic]:
-    """Statistics of arrays of runs, over ``point``, that are on one mesh."""
+    """Statistics of arrays of runs on the same mesh, over ``point``."""
     dims = {str(name): tuple(map(str, of.dims[1:])) for name, of in runs.data_vars.items()}
     variables = [
         Variable(name, runs[name].values, within, None, None)
@@ -90,7 +90,7 @@ def of_runs(runs: xr.Dataset) -> list[Statistic]:
 
 
 def _timed(of: Statistic, runs: xr.Dataset) -> Statistic:
-    """An extreme of an envelope with the time of the output nearest to it, where all nodes have outputs."""
+    """An extreme of an envelope with the time of the nearest output, if all nodes have histories."""
     if of.statistic not in OF_ENVELOPES or "time" in of.at or of.quantity not in runs:
         return of
     history = runs[of.quantity]
@@ -103,11 +103,11 @@ def _timed(of: Statistic, runs: xr.Dataset) -> Statistic:
 
 
 def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict[str, Any]:
-    """Statistics of some runs after others as variables over (point, statistic), with that coordinate.
+    """Statistics of several groups of runs as variables over (point, statistic), with this coordinate.
 
     Parameters
     ----------
-    parts : places of runs among all, and their statistics.
+    parts : indices of the runs of each group, and their statistics.
     """
     count = sum(len(places) for places, _ in parts)
     labels = dict.fromkeys(
@@ -129,7 +129,7 @@ def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict
 
 
 def from_arrays(labels: Sequence[str], held: Mapping[str, NDArray[Any]]) -> Iterator[Statistic]:
-    """Statistics out of the variables of a dataset.
+    """Statistics from the variables of a dataset.
 
     Parameters
     ----------
@@ -144,7 +144,7 @@ def from_arrays(labels: Sequence[str], held: Mapping[str, NDArray[Any]]) -> Iter
 
 
 def statistic_of(dataset: xr.Dataset, quantity: str, statistic: str) -> xr.DataArray | None:
-    """A statistic that a study took of its runs, over its axes; None where it has none."""
+    """A statistic of a study's runs, over its axes; None if the study does not have it."""
     label = f"{quantity} {statistic}"
     if NAMES["value"] not in dataset or label not in dataset[OVER]:
         return None
@@ -152,7 +152,7 @@ def statistic_of(dataset: xr.Dataset, quantity: str, statistic: str) -> xr.DataA
 
 
 def largest_size(dataset: xr.Dataset, quantity: str) -> xr.DataArray | None:
-    """Largest magnitude of a quantity that a study took of its runs; None where it has none."""
+    """Largest magnitude of a quantity in a study's runs; None if the study does not have it."""
     sides = [statistic_of(dataset, quantity, side) for side in ("max", "min")]
     if sides[0] is None or sides[1] is None:
         return statistic_of(dataset, quantity, "absmax")
@@ -162,7 +162,7 @@ def largest_size(dataset: xr.Dataset, quantity: str) -> xr.DataArray | None:
 def _statistics_of(
     variable: Variable, coordinates: Mapping[str, NDArray[Any]]
 ) -> Iterator[Statistic]:
-    """Statistics of a variable: its value, or what stands for an array."""
+    """Statistics of a variable: its value, or the statistics that represent an array."""
     quantity, kind = _split(variable.name)
     common = (variable.unit, variable.long_name)
     if not variable.within:
@@ -187,7 +187,7 @@ def _statistics_of(
 
 
 def _split(name: str) -> tuple[str, str]:
-    """Quantity and kind of a variable, by how its name ends."""
+    """Quantity and kind of a variable, from the ending of its name."""
     for ending, kind in ENDINGS.items():
         if name.endswith(ending) and name != ending:
             return name.removesuffix(ending), kind
@@ -197,12 +197,12 @@ def _split(name: str) -> tuple[str, str]:
 def _extreme(
     variable: Variable, coordinates: Mapping[str, NDArray[Any]], sign: float
 ) -> tuple[Numbers, dict[str, Numbers]]:
-    """The largest value (the smallest for a sign of -1) of each cell, and where it is."""
+    """The largest value (the smallest for a sign of -1) of each cell, and its place."""
     inner = variable.values.shape[1:]
     values = variable.values.reshape(len(variable.values), -1).astype(np.float64, copy=False)
     if np.isnan(values).any():
         index = np.where(np.isnan(values), -np.inf, sign * values).argmax(axis=1)
-    else:  # without a copy of what may be large
+    else:  # without a copy, since the array may be large
         index = values.argmax(axis=1) if sign > 0.0 else values.argmin(axis=1)
     extreme = values[np.arange(len(values)), index]
     at = {}

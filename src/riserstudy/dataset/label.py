@@ -1,4 +1,4 @@
-"""Arrays of a run become a labelled dataset."""
+"""Conversion of a run's arrays to a labelled dataset."""
 
 from __future__ import annotations
 
@@ -18,12 +18,13 @@ if TYPE_CHECKING:
 
     from riserstudy.dataset.result import Result
 
-UNLABELLED = ("zero_", "mesh_")  # what tells values between nodes and displacements
-S_DIGITS = 9  # decimals of arclengths (m), by which a node is selected
+# prefixes of arrays that give values between nodes, and displacements
+UNLABELLED = ("zero_", "mesh_")
+S_DIGITS = 9  # decimals of arclengths (m), so that a node can be selected by its arclength
 
 
 def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> xr.Dataset:
-    """Label the arrays of a run, and say what they are; with the effects that are off, and why."""
+    """Label and describe the arrays of a run, and add absent effects with the reasons."""
     dataset = with_details(labelled(result), file)
     for label in dataset.variables:
         dataset[label].attrs = attributes(str(label))
@@ -43,7 +44,7 @@ def to_dataset(result: Result, file: SceneFile, effects_off: dict[str, str]) -> 
 
 
 def with_details(dataset: xr.Dataset, file: SceneFile) -> xr.Dataset:
-    """The dataset with the names of the details of fatigue that its scene has."""
+    """The dataset with the names of its scene's fatigue details."""
     if "detail" not in dataset.dims:
         return dataset
     names = [str(detail["name"]) for detail in file.tree["fatigue"]["details"]]
@@ -60,7 +61,7 @@ def labelled(result: Result) -> xr.Dataset:
 
 
 def coordinates(arrays: dict[str, Any]) -> dict[str, Any]:
-    """Coordinates of a run; arclengths, which are sums of segments, rounded so that 533 m is found."""
+    """Coordinates of a run; arclengths, which are sums of segments, are rounded, so 533 m is found."""
     coords: dict[str, Any] = {
         name: (name, arrays[name].round(S_DIGITS) if name != "time" else arrays[name])
         for name in ("time", "s", "s_node")
@@ -76,7 +77,7 @@ def coordinates(arrays: dict[str, Any]) -> dict[str, Any]:
 
 
 def quantities(arrays: dict[str, Any]) -> dict[str, tuple[tuple[str, ...], str]]:
-    """Quantities of a run: dimensions, and the name of the array; statics have short names too."""
+    """Quantities of a run: dimensions, and name of the array; static arrays also have short names."""
     coords = coordinates(arrays)
     named = {
         name: (dimensions(name, values), name)
@@ -91,7 +92,7 @@ def quantities(arrays: dict[str, Any]) -> dict[str, tuple[tuple[str, ...], str]]
 
 
 def dimensions(name: str, values: Any) -> tuple[str, ...]:
-    """Dimensions of an array of a run, by its name and shape."""
+    """Dimensions of an array of a run, from its name and shape."""
     if name == "damage_rate":
         return ("detail", "wall_angle", "s_node")
     if name.startswith("tensioner_"):
@@ -102,7 +103,7 @@ def dimensions(name: str, values: Any) -> tuple[str, ...]:
 
 
 def history(done: str) -> str:
-    """A line for the attribute of that name; without a date, so that the same run gives the same file."""
+    """A line for the attribute ``history``, without a date, so that the same run gives the same file."""
     return f"riserstudy {package_version()}, engine {engine_digest()}: {done}"
 
 

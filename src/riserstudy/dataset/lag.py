@@ -1,8 +1,8 @@
-r"""Time by which one series is later than another, at which both fit best.
+r"""Time by which one series is later than another, for the best fit of both.
 
 .. math:: \min_k \operatorname{var}_i (a_{i+k} - b_i)
 
-over the steps that both have, from cumulative sums and one correlation by Fourier's transform.
+over the common time steps, from cumulative sums and one correlation by Fourier transform.
 
 References
 ----------
@@ -17,16 +17,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
-ALIKE = 0.01  # of the other's variance, by which two lags fit alike
-MOST_STEPS = 2_000_000  # of the even times that are compared
+# difference of two fits, as a share of the other series' variance, up to which they are equally good
+ALIKE = 0.01
+MOST_STEPS = 2_000_000  # largest number of equally spaced times
 
 
 def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float, float]:
-    """Time (s) by which ours is later, and the root mean square that is left when it is taken out.
+    """Time (s) by which ours is later, and the root mean square of the difference without this lag.
 
-    Searched over a quarter of the record either way. Series are taken at even times, as close as the closest
-    ones of theirs, but at two million at most. What repeats itself fits as well a period later: of lags that
-    fit alike it is the one nearest to none. Not numbers where a series does not vary.
+    The search covers a quarter of the record in both directions. Series are interpolated to equally spaced
+    times, at the smallest interval of theirs, but at most two million. A periodic series fits equally well
+    one period later; of equally good lags, the one nearest to zero is returned. Both results are NaN if a
+    series does not vary.
 
     Parameters
     ----------
@@ -47,7 +49,7 @@ def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float,
 
 
 def _left(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Variance of a, taken earlier by each of the shifts, less b, (2 h + 1,): shifts from -h to h."""
+    """Variance of a minus b, with a shifted to earlier times, (2 h + 1,): shifts from -h to h."""
     from scipy.signal import correlate  # loads half of scipy
 
     n, half = len(a), len(a) // 4
@@ -72,7 +74,7 @@ def _left(a: FloatArray, b: FloatArray) -> FloatArray:
 
 
 def _nearest_least(left: FloatArray, half: int, alike: float) -> int:
-    """Index of the least that is nearest to no shift."""
+    """Index of the smallest variance; of equally small ones, the one nearest to zero shift."""
     ends = np.concatenate([[np.inf], left, [np.inf]])
     valleys = (left <= ends[:-2]) & (left <= ends[2:]) & (left <= left.min() + alike)
     good = np.flatnonzero(valleys)
@@ -80,14 +82,14 @@ def _nearest_least(left: FloatArray, half: int, alike: float) -> int:
 
 
 def _shifted(ours: FloatArray, theirs: FloatArray, steps: int) -> tuple[FloatArray, FloatArray]:
-    """Both where they overlap, the first taken so many steps earlier."""
+    """Both series where they overlap, the first shifted by ``steps`` to earlier times."""
     if steps >= 0:
         return ours[steps:], theirs[: len(theirs) - steps]
     return ours[:steps], theirs[-steps:]
 
 
 def _between(left: FloatArray, best: int) -> float:
-    """Where between steps the least lies, by a parabola through three values."""
+    """Position of the minimum between steps, by a parabola through three values."""
     if not 0 < best < len(left) - 1:
         return 0.0
     before, here, after = left[best - 1 : best + 2]

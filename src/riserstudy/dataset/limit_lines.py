@@ -10,23 +10,23 @@ from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.scene.limits import UNITS
 
 HEADS = ("limit", "value", "allowable", "use", "place and time", "verdict")
-BEYOND = 1e3  # share of a limit from which on no share is told
-ROUNDING = 1e-6  # share of a limit that is none
+BEYOND = 1e3  # utilisation from which on no number is printed
+ROUNDING = 1e-6  # utilisation that counts as zero
 
 
 class Line(NamedTuple):
-    """A line of the table, and the share of its limit that is used: nan where there is none."""
+    """A line of the table, and the utilisation of its limit: NaN if it has none."""
 
     text: str
     use: float
 
 
 def lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> list[Line]:
-    """A heading, a line per limit from the most used to the least, and notes on what they count.
+    """A heading, a line per limit in order of decreasing utilisation, and notes on the limits.
 
     Parameters
     ----------
-    rows : limits of a run, as its dataset has them.
+    rows : limits of a run, as in its dataset.
     system : units of the values.
     """
     if not rows:
@@ -55,7 +55,7 @@ def _share(row: dict[str, Any]) -> float:
 
 
 def _rank(row: dict[str, Any]) -> tuple[bool, bool, float]:
-    """What is exceeded first, then by use; what could not be evaluated last."""
+    """Sort key: exceeded limits first, then by utilisation; limits that could not be evaluated last."""
     return row["demand"] is None, row["verdict"] != EXCEEDED, -float(row["utilisation"] or 0.0)
 
 
@@ -74,7 +74,7 @@ def _cells(row: dict[str, Any], system: UnitSystem) -> tuple[str, ...]:
 
 
 def _use(row: dict[str, Any], value: str) -> str:
-    """Share of a limit that is used; of a floor of zero, of which there are no shares, the margin."""
+    """Utilisation of a limit; for a smallest allowable of zero, which has no utilisation, the margin."""
     if row["side"] == "smallest" and row["allowable"] == 0.0:
         return f"margin {value}"
     if not row["utilisation"] < BEYOND:
@@ -84,7 +84,7 @@ def _use(row: dict[str, Any], value: str) -> str:
 
 
 def _notes(row: dict[str, Any]) -> list[str]:
-    """What a limit counts, and what it lacks."""
+    """Notes on what a limit includes, and on missing inputs."""
     notes = [row["takes"]] if row.get("takes") else []
     if row["missing"]:
         found = "not evaluated" if row["demand"] is None else "not known everywhere"

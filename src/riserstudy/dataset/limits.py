@@ -1,4 +1,4 @@
-"""Demand against allowable: how much of each limit a run uses, where and when."""
+"""Demand and allowable: the utilisation of each limit in a run, with place and time."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from riserstudy.scene.riser import Section
 
 #: outputs whose sign is a convention
 SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
-#: outputs whose error is estimated but bounded by no accuracy, by the name of the error, and that of one
+#: outputs whose error is estimated but not limited by a tolerance: by key of the error, its name and outputs
 UNBOUNDED = {"angle": ("angle", ANGLES), "shear": ("shear force", ("shear_force",))}
-#: estimated errors of other outputs, which an accuracy bounds and a mesh of the scene does not
+#: estimated errors of other outputs, which a tolerance limits, but a prescribed mesh does not
 BOUNDED = {
     "bending_moment": ("moment",),
     "effective_tension": ("tension",),
@@ -25,7 +25,8 @@ BOUNDED = {
     "x": ("displacement",),
     "y": ("displacement",),
 }
-LEAST_LEFT = 0.1  # of a value, after an error relative to a larger one: beyond it nothing is known
+# smallest remainder of a value after subtraction of its error, as a share; below it, nothing is known
+LEAST_LEFT = 0.1
 WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
 
 
@@ -45,19 +46,19 @@ class Checked(NamedTuple):
     missing: str
     origin: str
     unit: str
-    takes: str = ""  # what it looks at, where its name does not tell
+    takes: str = ""  # part that the limit applies to, if its name does not show it
 
 
 def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[Checked]:
-    """Every limit of a scene against the extremes of its run.
+    """Every limit of a scene, compared with the extremes of its run.
 
-    Nothing is within a limit that is known no better than by an error larger than itself. No accuracy bounds
-    the error of angles and of shear, and a mesh of the scene bounds no error; so an output is within a limit
-    if it is with its own estimated error on top.
+    An output whose error exceeds its value does not meet any limit. A tolerance does not limit the error of
+    angles and shear, and a prescribed mesh does not limit any error. An output therefore meets a limit only
+    if it meets the limit with its estimated error added.
 
     Parameters
     ----------
-    facts : of the run: its extremes, a row an output and place, and its estimated errors.
+    facts : facts of the run: its extremes, one row per output and place, and its estimated errors.
     """
     rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
@@ -79,24 +80,24 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
 
 
 def _unbounded(output: str) -> str | None:
-    """The error of an output, where no accuracy bounds it: "angle" or "shear"; None elsewhere."""
+    """Key of an output's error that no tolerance limits, "angle" or "shear"; None for other outputs."""
     return next((name for name, (_, of) in UNBOUNDED.items() if output in of), None)
 
 
 class Error(NamedTuple):
     """Estimated error of an output."""
 
-    size: float  # in its SI unit
-    share: float  # of the largest value
+    size: float  # absolute error, in the SI unit of the output
+    share: float  # error as a share of the largest value
     words: str
 
 
 def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
-    """Estimated error of an output, which no accuracy bounds; zero where one does, and where it is unknown.
+    """Estimated error of an output if no tolerance limits it; else, or if it is not known, zero.
 
     Parameters
     ----------
-    own_mesh : whether the scene gives its mesh, which bounds no error.
+    own_mesh : whether the scene prescribes its mesh, so no error is limited.
     """
     estimated = facts.get("error_estimate", {})
     if name := _unbounded(output):
@@ -112,9 +113,10 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
 
 
 def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) -> float:
-    """A relative error (1) of outputs in their unit.
+    """A relative error (1) of outputs, converted to their unit.
 
-    It is relative to the largest value of a finer run, which exceeds that of the run by no more than itself.
+    It is relative to the largest value of a finer run, which exceeds that of this run by at most the error
+    itself.
     """
     rows = [row for row in facts.get("extremes", []) if row["output"] in outputs]
     largest = max((abs(row[side]) for row in rows for side in ("largest", "smallest")), default=0.0)
@@ -122,7 +124,7 @@ def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) 
 
 
 def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Checked:
-    """A limit that is not met for certain where the error of its output is larger than what is left."""
+    """The limit, marked as not certainly met if the error of its output exceeds the margin."""
     if one.verdict != WITHIN or one.demand is None:
         return one
     name = _unbounded(one.output)
@@ -134,7 +136,7 @@ def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Check
     if use(one.side, worst, one.allowable) <= 1.0:
         return one
     remedy = "request a smaller error by analysis.accuracy"
-    if name in facts.get("sampling_error", {}):  # partly that of a vibration over so long a time
+    if name in facts.get("sampling_error", {}):  # partly due to the limited duration of a vibration
         remedy = f"run longer, or {remedy}"
     if name is None:
         remedy = "give more analysis.mesh.elements and a shorter analysis.step, or analysis.accuracy instead"
@@ -142,7 +144,7 @@ def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Check
 
 
 def _with_mud_above(one: Checked, mud: float) -> Checked:
-    """A smallest tension that is not within its limit if the mud above the riser (N) takes what is left."""
+    """The limit of a smallest tension, not met if the mud above the riser (N) exceeds the margin."""
     if one.verdict != WITHIN or one.demand is None or one.side != "smallest":
         return one
     if use(one.side, one.demand - mud, one.allowable) <= 1.0:
@@ -172,7 +174,7 @@ def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str)
 
 
 def takes(scene: Resolved, limit: Limit) -> str:
-    """What a limit applies to where its name does not show it: sections, and what counts where they meet."""
+    """Sections that a limit applies to, if its name does not show them, and the side used between them."""
     if limit.side == "mean" and 0.0 < scene.built_up < (scene.analysis.duration or 0.0):
         return f"from {scene.built_up:g} s on, when ramps are over"
     if limit.output == "stroke":
@@ -196,11 +198,11 @@ def takes(scene: Resolved, limit: Limit) -> str:
 def demand_of(
     scene: Resolved, limit: Limit, rows: list[dict[str, Any]]
 ) -> tuple[float, float | None, float | None] | None:
-    """Value, place (m) and time (s) at which most of a limit is used; None where no row tells it.
+    """Value, place (m) and time (s) of the largest utilisation of a limit; None if no row has it.
 
     Parameters
     ----------
-    rows : extremes of a run, a row an output and place.
+    rows : extremes of a run, one row per output and place.
     """
     names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
     places = limit.places(names)
@@ -215,7 +217,7 @@ def sections_of(scene: Resolved, limit: Limit) -> list[Section]:
 
 
 def _demand(limit: Limit, row: Mapping[str, Any]) -> tuple[float, float | None, float | None]:
-    """Value, place (m) and time (s) that a limit asks for of a row of extremes."""
+    """Value, place (m) and time (s) in a row of extremes that a limit applies to."""
     sides = [limit.side]
     if limit.side == "largest" and limit.output in SIGNED:
         sides = ["largest", "smallest"]
@@ -225,15 +227,16 @@ def _demand(limit: Limit, row: Mapping[str, Any]) -> tuple[float, float | None, 
 
 
 def use(side: str, demand: float, allowable: float) -> float:
-    """Share of an allowable that a demand uses, above 1 where it is exceeded; both in one unit.
+    """Utilisation of an allowable by a demand, above 1 if it is exceeded; both in the same unit.
 
-    A floor above zero is used as far as it is from the demand: twice the floor is a use of a half.
+    For a smallest allowable above zero, it is allowable divided by demand: twice the allowable gives one
+    half.
     """
     if side == "smallest" and allowable >= 0.0:
         if demand <= 0.0:
             return 1.0 if demand == allowable else math.inf
         return allowable / demand
-    if allowable < 0.0 and side == "largest":  # stays below a negative value
+    if allowable < 0.0 and side == "largest":  # demand must be below a negative value
         return math.inf if demand >= 0.0 else allowable / demand
     return max(0.0, demand / allowable)
 

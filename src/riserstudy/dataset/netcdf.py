@@ -1,4 +1,4 @@
-"""Write a dataset as netCDF, whole or not at all."""
+"""Write a dataset as netCDF, completely or not at all."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ if TYPE_CHECKING:
 
 
 def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[str, Any]]) -> None:
-    """Write a netCDF file whole or not at all.
+    """Write a netCDF file completely or not at all.
 
     Parameters
     ----------
-    encoding : of variables by name, as xarray takes it.
+    encoding : encoding of variables by name, as for xarray.
 
     Raises
     ------
     SimulationError
         When it cannot be written, as on a full disk.
     """
-    with written_whole(target) as partial, without("dask"):  # whose locks only its own arrays need
+    with written_whole(target) as partial, without("dask"):  # only dask's arrays need its locks
         dataset.to_netcdf(partial, engine="netcdf4", encoding=encoding)
 
 
 @contextmanager
 def written_whole(target: Path) -> Iterator[Path]:
-    """The path of a file to write, which takes the place of a netCDF file when it is whole.
+    """The path of a temporary file, which replaces the netCDF file when it is complete.
 
     Raises
     ------
@@ -45,18 +45,18 @@ def written_whole(target: Path) -> Iterator[Path]:
         target.parent.mkdir(parents=True, exist_ok=True)
         yield partial
         partial.replace(target)
-    except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
+    except (OSError, RuntimeError) as error:  # the netCDF library raises RuntimeError
         reason, remedy = _reason(error, partial), "see whether the disk is full"
         if "\\" in str(target.absolute()) and os.name == "posix":
             remedy = "the netCDF library takes no folder with a backslash in its name"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
-        with suppress(OSError):  # of a folder that cannot be written it is told why
+        with suppress(OSError):  # if the folder cannot be written, the first error is reported
             partial.unlink(missing_ok=True)
 
 
 def _reason(error: Exception, partial: Path) -> str:
-    """Why a file cannot be written: the library reports a full disk as a lack of permission, too."""
+    """The reason why a file cannot be written; the library also reports a full disk as missing permission."""
     try:
         partial.write_bytes(bytes(4096))
     except OSError as own:

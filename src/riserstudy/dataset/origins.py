@@ -1,4 +1,4 @@
-"""Where the values behind a dataset come from: those of its scene, and those that its axes set."""
+"""Origins of a dataset's inputs: the values of its scene, and the values that its axes set."""
 
 from __future__ import annotations
 
@@ -14,23 +14,25 @@ from riserstudy.scene.paths import within
 if TYPE_CHECKING:
     import xarray as xr
 
-#: of several origins of one path the first of these is told: what a verdict must not overlook
+#: if a path has several origins, the first of these is reported, since a verdict must not overlook it
 FIRST = ("calibrated", "assumed", "derived", "chosen")
 
 
 def origins_of(dataset: xr.Dataset) -> dict[str, str]:
-    """Origins of all values that any point of a dataset rests on, by path.
+    """Origins of all values that any point of a dataset depends on, by path.
 
     Parameters
     ----------
-    dataset : simulated, whose axes say what each of their values sets; or derived, which says it all itself.
+    dataset : a simulated dataset, whose axes list the values that they set; or a derived dataset, whose
+        attributes contain all origins.
     """
     origins: dict[str, str] = json.loads(dataset.attrs.get("origins", "{}"))
     if "parents" in dataset.attrs or "point_key" not in dataset:
         return origins
     of = {path: {status} for path, status in origins.items()}
     axes = dataset["point_key"].dims
-    picked = [name for name in dataset.coords if name not in axes]  # one value of what was an axis
+    # a selected value of a former axis
+    picked = [name for name in dataset.coords if name not in axes]
     for axis in (*axes, *picked):
         sets = json.loads(dataset[axis].attrs.get("sets", "{}"))
         values = [sets.get(str(value), {}) for value in np.ravel(dataset[axis].values).tolist()]
@@ -41,7 +43,7 @@ def origins_of(dataset: xr.Dataset) -> dict[str, str]:
 
 
 def joined(origins: Iterable[Mapping[str, str]]) -> dict[str, str]:
-    """Origins of several datasets as one; as ``origins_of`` tells one of several."""
+    """Joint origins of several datasets; of several origins, one is selected as in ``origins_of``."""
     of: dict[str, set[str]] = {}
     for one in origins:
         for path, status in one.items():
@@ -54,12 +56,12 @@ def _first(of: Mapping[str, set[str]]) -> dict[str, str]:
 
 
 def _cover(sets: Mapping[str, Any], path: str) -> bool:
-    """Whether a value of an axis takes the place of what stands at a path."""
+    """Whether a value of an axis replaces the value at a path."""
     return any(within(path, own) for own in sets)
 
 
 def _statuses(values: Iterable[Mapping[str, Any]]) -> Iterator[tuple[str, str]]:
-    """What values of an axis say of themselves, by path."""
+    """Origins that values of an axis state, by path."""
     for sets in values:
         for path, value in sets.items():
             for place, origin in unwrap(value, path)[1].items():

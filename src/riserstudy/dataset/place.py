@@ -1,4 +1,4 @@
-"""One point of a dataset that has axes, by what a user types of it."""
+"""Selection of one point of a dataset with axes, from text that a user types."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
 
     Parameters
     ----------
-    at : value by axis, as text; axes of one value need none.
+    at : values by axis, as text; not required for axes with one value.
 
     Raises
     ------
     InputError
-        When the dataset has no such axis or value, or an axis is left open.
+        When the dataset has no such axis or value, or an axis has no value in ``at``.
     """
     axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
     if unknown := [axis for axis in at if axis not in axes]:
@@ -38,15 +38,15 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     return index
 
 
-#: of runs, along which other points of a study may have more
+#: dimensions of runs, along which other points of a study may have more values
 OF_RUNS = ("time", "cylinder", "s", "s_node")
 
 
 def own_values(run: xr.Dataset) -> xr.Dataset:
-    """One point of a study, or points along an axis, without what only other points of the study have.
+    """One point of a study, or points along an axis, without coordinates that only other points have.
 
-    Those that last longer have later times, those of longer risers more nodes. All that this point has of
-    these is not a number. At rest a point has one value at all times of others.
+    Longer runs have later times, and longer risers have more nodes. The values of this point there are NaN. A
+    static point has one constant value at all times of the others.
     """
     if "point_key" not in run:
         return run
@@ -64,12 +64,12 @@ def own_values(run: xr.Dataset) -> xr.Dataset:
 
 
 def complete(run: xr.Dataset) -> xr.Dataset:
-    """One point of a dataset, or points along an axis, with what these have.
+    """One point of a dataset, or points along an axis, with the variables that these points have.
 
     Raises
     ------
     SimulationError
-        When one of them failed, so that it has no results.
+        When one of them failed, and has no results.
     """
     reasons = run["failure"].values.reshape(-1).tolist() if "failure" in run else []
     if failed := [reason for reason in reasons if reason]:
@@ -82,7 +82,7 @@ def complete(run: xr.Dataset) -> xr.Dataset:
     run = own_values(run)
     within = [name for name, values in run.data_vars.items() if {*OF_RUNS} & {*values.dims}]
     absent = [name for name in within if "point_key" in run and run[name].isnull().all()]
-    return run.drop_vars(absent)  # as y of a run in the plane is
+    return run.drop_vars(absent)  # such as y of a run in a plane
 
 
 def value_of(dataset: xr.Dataset, axis: str, wanted: str) -> int:

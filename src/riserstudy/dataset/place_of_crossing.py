@@ -1,4 +1,4 @@
-"""Where a curve first reaches a level."""
+"""The place at which a curve first reaches a level."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 def place_of_crossing(
     curve: NDArray[np.float64], level: float, place: NDArray[np.float64]
 ) -> float:
-    """Place at which a curve first reaches a level, straight between points; infinite if never.
+    """Place at which a curve first reaches a level, linear between points; infinite if never.
 
-    The curve ends with its last value: missing values after it are those of a shorter run. It is not known,
-    and the place not a number, where there is no value at all, or one is missing that could have reached the
+    The curve ends with its last value: missing values after it belong to a shorter run. The place is not
+    known, and the result is NaN, if there is no value at all, or if a missing value could have reached the
     level first.
 
     Parameters

@@ -1,7 +1,7 @@
-"""The scene behind a dataset: how runs and studies write it down, and how it is read again.
+"""The scene of a dataset: how runs and studies store it, and how it is read.
 
-A dataset may come from anybody. What it holds is checked as a scene file is, its tables stay in memory, and
-nothing that it names is read or written.
+A dataset may come from any source. Its content is checked like a scene file, its tables stay in memory, and
+no file that it names is read or written.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 
 def provenance_of_run(file: SceneFile) -> dict[str, Any]:
-    """Version, engine and scene behind a result, with the origin of each value that has one."""
+    """Version, engine and scene of a result, with the origin of each value that has one."""
     return {
         "riserstudy": package_version(),
         "engine": engine_digest(),
@@ -39,12 +39,12 @@ def provenance_of_run(file: SceneFile) -> dict[str, Any]:
 
 @cache
 def package_version() -> str:
-    """That of this package, which takes a millisecond to look up."""
+    """Version of this package; cached, because the lookup takes a millisecond."""
     return version("riserstudy")
 
 
 def provenance_of_study(study_file: SceneFile, tables: Mapping[str, str]) -> dict[str, str]:
-    """The same of a study, as attributes of their own, with the evidence of each origin."""
+    """The same for a study, as separate attributes, with the evidence of each origin."""
     origins = study_file.origins
     return {
         "engine": engine_digest(),
@@ -58,7 +58,7 @@ def provenance_of_study(study_file: SceneFile, tables: Mapping[str, str]) -> dic
 
 
 def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
-    """Scene, tables and engine behind a dataset of a study or of one run.
+    """Scene, tables and engine of a dataset, which is a study or one run.
 
     Returns
     -------
@@ -68,7 +68,7 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
     Raises
     ------
     InputError
-        When the dataset was not simulated, or holds something else under these names.
+        When the dataset was not simulated, or the content of these attributes is wrong.
     """
     attrs = dataset.attrs
     if "provenance" in attrs:
@@ -101,12 +101,12 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
 
     Parameters
     ----------
-    index : of the point on each axis; empty for a dataset without axes.
+    index : index of the point on each axis; empty for a dataset without axes.
 
     Raises
     ------
     InputError
-        When the dataset was not simulated, or holds no scene of the point.
+        When the dataset was not simulated, or has no scene of the point.
     """
     record = read_provenance(dataset)
     sets: dict[str, Any] = {}
@@ -129,17 +129,17 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
 
 
 def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Resolved:
-    """The scene of one point, as ``scene_file_of`` has it."""
+    """The resolved scene of one point, from ``scene_file_of``."""
     return scene_file_of(dataset, index).resolved()
 
 
 def _name(dataset: xr.Dataset | xr.DataArray) -> str:
-    """How errors name a dataset: by its file, where it was read from one."""
+    """Name of a dataset in errors: its file, if it was read from one."""
     return str(dataset.encoding.get("source", "dataset"))
 
 
 def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
-    """What an attribute holds as JSON."""
+    """The mapping in an attribute with JSON text."""
     try:
         value = json.loads(labelled.attrs[name])
     except (KeyError, TypeError, ValueError, RecursionError):
@@ -150,6 +150,6 @@ def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
 
 
 def _damaged(labelled: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
-    """What is said of a dataset that no simulation wrote like this."""
+    """The error for a dataset that no simulation can have written."""
     allowed = "the file is damaged, or riserstudy did not write it; run its scene again"
     return InputError(_name(labelled), name, found, allowed)

@@ -12,8 +12,8 @@ from riserstudy.scene.resolve import Resolved
 if TYPE_CHECKING:
     import xarray as xr
 
-TOUCHING = 1e-6  # m, beyond an end of the stroke that is contact
-AXIAL = 0.005  # m, up to which a distance from the well is none
+TOUCHING = 1e-6  # m, distance beyond an end of the stroke that counts as contact
+AXIAL = 0.005  # m, distance from the well that counts as zero
 
 
 def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
@@ -22,7 +22,7 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
     Raises
     ------
     InputError
-        When the scene has no disconnect, or its run ends before.
+        When the scene has no disconnect, or its run ends before the disconnect.
     """
     of, release = dataset.attrs, scene.disconnect
     if release is None:
@@ -77,12 +77,12 @@ def _contact(of: dict[str, Any]) -> str:
 
 
 def _aside(distance: float | None) -> str:
-    """Distance (m) of the LMRP from the well, where it is not above it; absent from older datasets."""
+    """Distance (m) of the LMRP from the well, if it is not above the well; absent from older datasets."""
     return f"{distance:.3g} m aside from the well" if (distance or 0.0) > AXIAL else ""
 
 
 def _strokes(scene: Resolved, extremes: list[dict[str, Any]]) -> list[list[Cell]]:
-    """Largest strokes of cylinders and telescopic joint, with the ends that they have."""
+    """Largest strokes of cylinders and telescopic joint, with the ends of their strokes."""
     rig, joint = scene.top.tensioners, scene.top.telescopic_joint
     ends: dict[str, tuple[str, float | None, float | None]] = {}
     if rig:

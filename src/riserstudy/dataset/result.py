@@ -1,4 +1,4 @@
-"""What a run returns. Needs no kernels: reading stored points must not load them."""
+"""The result of a run. This module loads no kernels, so reading stored points stays fast."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 @dataclass
 class Result:
-    """Arrays of one run by name, facts about it, and what it knows of all steps until it is finished."""
+    """Arrays of one run by name, its facts, and its values at all steps until the run is finished."""
 
     arrays: dict[str, NDArray[np.float64]]
     facts: RunFacts = field(default_factory=dict)  # type: ignore[assignment]

@@ -1,4 +1,4 @@
-"""The stack-up of a riser, as a tally has it: joints, weights dry and in water, and the load on the hook."""
+"""The stack-up of a riser, like a tally: joints, dry and submerged weights, and the load on the hook."""
 
 from __future__ import annotations
 
@@ -21,32 +21,33 @@ COLUMNS = {
 
 
 class Piece(NamedTuple):
-    """A section or a body; weights in kN, None where they are not known."""
+    """A section or a body; weights in kN, None if they are not known."""
 
     about: list[Cell]  # name to mass
     joints: int | None
     dry: float | None
-    empty: float | None  # in water, as if the bore were empty
+    empty: float | None  # submerged weight with an empty bore
     flood: float  # sea water in the bore
     inside: float  # contents
     parts: list[Cell]  # lines, modules, lift
 
     @property
     def wet(self) -> float | None:
-        """Weight in water with the bore flooded (kN)."""
+        """Submerged weight with the bore flooded (kN)."""
         return None if self.empty is None else self.empty + self.flood
 
 
 def stack_up(scene: Resolved) -> Table:
     """The riser from the top down, with sums.
 
-    ``wet weight`` is in water with the bore flooded with sea water, as joints hang on the hook: ``hook load``
-    is the sum of all that hangs in the table from its line on, when that is made up. ``wet weight, bore
-    empty`` leaves what is inside out; ``contents`` are the scene's; the last column is what the tension loses
-    from the top on. Of a section without contents the scene's weight has what is in its bore. Weights are of
-    pipe, modules and lines together, above the water in air. ``uplift`` is what the dry weight loses in water
-    with the bore empty; modules lift beyond their own weight. A telescopic joint above the ring hangs on the
-    deck and is left out.
+    ``wet weight`` is the submerged weight with the bore flooded with sea water, as when joints hang on the
+    hook. ``hook load`` is the sum of the wet weights from its line downwards, when these joints are made up.
+    ``wet weight, bore empty`` excludes everything inside the bore. ``contents`` are the contents in the
+    scene. The last column is the decrease of tension from the top to this line. For a section without
+    contents, the weight in the scene includes the fluid in its bore. Weights are those of pipe, modules and
+    lines together; above the water, they are weights in air. ``uplift`` is the difference of dry weight and
+    submerged weight with an empty bore. The lift of modules is a net lift, beyond their own weight. A
+    telescopic joint above the ring hangs on the deck and is not included.
 
     Parameters
     ----------
@@ -112,7 +113,7 @@ def _section(scene: Resolved, k: int, upper: float | None) -> Piece:
 
 
 def _flooding(scene: Resolved, k: int) -> float:
-    """Mass of the sea water in the bore of a section (kg/m), where its weight leaves out what is inside."""
+    """Mass of the sea water in the bore of a section (kg/m), if its weight excludes the bore's contents."""
     section, ends = scene.riser[k], levels(scene, k)
     surface = scene.water.surface if scene.water else None
     dry = ends is not None and surface is not None and ends[0] >= surface
@@ -122,7 +123,7 @@ def _flooding(scene: Resolved, k: int) -> float:
 
 
 def _parts(section: Section, gravity: float) -> list[Cell]:
-    """Dry weight of lines and of modules, and what modules lift beyond theirs (kN); None without."""
+    """Dry weight of lines and of modules, and net lift of modules (kN); None without them."""
     total = gravity * section.total_length / 1e3
     lines = total * sum(x.all_mass for x in section.lines) if section.lines else None
     count = section.joints.count if section.joints else 1
@@ -132,8 +133,8 @@ def _parts(section: Section, gravity: float) -> list[Cell]:
 
 
 def _upper_end(scene: Resolved) -> float | None:
-    """Elevation of the riser's upper end before it stretches (m)."""
+    """Elevation of the upper end of the unstretched riser (m)."""
     if scene.bottom.elevation is not None:
         upper = scene.bottom.elevation + sum(s.total_length for s in scene.sections)
-        return round(upper, 9) + 0.0  # without the rounding of sums
+        return round(upper, 9) + 0.0  # without rounding errors of sums
     return scene.top.elevation

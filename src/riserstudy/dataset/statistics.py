@@ -1,4 +1,4 @@
-"""Statistics of responses to irregular seas: of one record, and of the extremes of several seeds."""
+"""Statistics of responses to irregular seas: for one record, and for extremes of several seeds."""
 
 from __future__ import annotations
 
@@ -9,53 +9,54 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 FloatArray = NDArray[np.float64]
-FEWEST_PEAKS = 10  # of a record, from which a distribution is fitted
-LOWER = 0.5  # share of peaks, the smallest, that the fit leaves out
-GRINGORTEN = 0.44  # of his plotting positions
+FEWEST_PEAKS = 10  # smallest number of peaks for the fit of a distribution
+LOWER = 0.5  # share of the smallest peaks that the fit excludes
+GRINGORTEN = 0.44  # constant of Gringorten's plotting positions
 FEWEST_SEEDS = 5
-ALIKE = 1e-3  # deviation of peaks over their mean, below which a motion is regular
-SAME = 1e-10  # difference of extremes over their magnitude, up to which they are the same
-NOT_EXCEEDED = 0.9  # share of seas whose extreme stays within the fractile that is told
+ALIKE = 1e-3  # relative deviation of peaks from their mean below which a motion is regular
+SAME = 1e-10  # relative difference of extremes up to which they are equal
+NOT_EXCEEDED = 0.9  # share of seas whose extreme does not exceed the reported fractile
 
 
 class Statistics(NamedTuple):
-    """Of one record, in its own unit; not a number where it has too few peaks."""
+    """Statistics of one record, in its unit; NaN if it has too few peaks."""
 
     mean: float
     deviation: float
     period: float  # mean time between upcrossings of the mean (s)
     largest: float
-    most_probable_largest: float  # in the time of exposure
+    most_probable_largest: float  # in the exposure time
     smallest: float
     most_probable_smallest: float
 
 
 class Gumbel(NamedTuple):
-    """The Gumbel distribution of largest values, one a seed."""
+    """The Gumbel distribution of largest values, one per seed."""
 
     mode: float  # the most probable largest value
     scale: float
-    fractile: float  # that nine seas in ten do not exceed
+    fractile: float  # value that nine seas in ten do not exceed
     mode_error: float  # standard error of the mode
 
 
 def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> Statistics:
-    """Statistics of a record, and the most probable extremes in a time of exposure.
+    """Statistics of a record, and the most probable extremes in an exposure time.
 
-    Peaks are one between each upcrossing of the mean and the next. Their higher half follows a Weibull
-    distribution of which shape and scale are fitted; of a Gaussian process that is nearly Rayleigh's, of
-    shape 2. Among N peaks the most probable largest is mean + scale (ln N)^(1 / shape). The lower half is
-    left out: small peaks, of which a sea of a broad band has many, say little of the largest.
+    There is one peak between each upcrossing of the mean and the next. A Weibull distribution, with shape and
+    scale as parameters, is fitted to the upper half of the peaks. For a Gaussian process it is nearly the
+    Rayleigh distribution, whose shape is 2. Among N peaks, the most probable largest value is mean + scale
+    (ln N)^(1 / shape). The lower half is excluded, because small peaks, of which a broad-banded process has
+    many, have little relation to the largest.
 
     Parameters
     ----------
-    time, values : of the record, (n,); time in s, evenly spaced.
-    exposure : time (s) for which extremes are told.
+    time, values : the record, (n,); times in s, equally spaced.
+    exposure : exposure time of the extremes (s).
 
     References
     ----------
     Ochi 1998, Ocean Waves: The Stochastic Approach, chapters 3 and 6. Gringorten 1963, J. Geophys. Res. 68,
-    for the chances of ordered values.
+    for the probabilities of ordered values.
     """
     mean, deviation = float(values.mean()), float(values.std())
     upward = peaks(values - mean)
@@ -74,12 +75,12 @@ def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> 
 
 
 def upcrossings(values: FloatArray) -> NDArray[np.int64]:
-    """Number (crossings,) of the first of some values, (n,) in any unit, after each upcrossing of zero."""
+    """Index (crossings,) of the first value after each upcrossing of zero; values (n,) in any unit."""
     return np.asarray(np.flatnonzero((values[:-1] < 0.0) & (values[1:] >= 0.0)) + 1)
 
 
 def peaks(values: FloatArray) -> FloatArray:
-    """Largest of some values, (n,), between each upcrossing of zero and the next, (peaks,), in their unit."""
+    """Largest value between each upcrossing of zero and the next, (peaks,); values (n,), in the same unit."""
     starts = upcrossings(values)
     if len(starts) < 2:
         return np.empty(0)
@@ -87,11 +88,11 @@ def peaks(values: FloatArray) -> FloatArray:
 
 
 def _most_probable(found: FloatArray, count: float) -> float:
-    """Most probable largest of so many peaks of the distribution that some peaks have."""
+    """Most probable largest of ``count`` peaks with the same distribution as the peaks ``found``."""
     if len(found) < FEWEST_PEAKS or not count > 1.0:
         return math.nan
     if found.std() <= ALIKE * found.mean():
-        return float(found.max())  # of a regular motion, for which no shape can be fitted
+        return float(found.max())  # a regular motion, for which no shape can be fitted
     higher = np.sort(found)
     not_exceeded = (np.arange(len(higher)) + 1.0 - GRINGORTEN) / (
         len(higher) + 1.0 - 2.0 * GRINGORTEN
@@ -102,7 +103,7 @@ def _most_probable(found: FloatArray, count: float) -> float:
 
 
 def gumbel(largest: ArrayLike) -> Gumbel:
-    """The Gumbel distribution that largest values, one a seed, are most likely from.
+    """The Gumbel distribution of largest values, one per seed, by maximum likelihood.
 
     References
     ----------
@@ -112,7 +113,7 @@ def gumbel(largest: ArrayLike) -> Gumbel:
     from scipy.stats import gumbel_r
 
     values: Any = np.asarray(largest, float)
-    if np.ptp(values) <= SAME * np.abs(values).max():  # of what no sea moves
+    if np.ptp(values) <= SAME * np.abs(values).max():  # the sea does not change the quantity
         return Gumbel(float(values.mean()), 0.0, float(values.max()), 0.0)
     mode, scale = gumbel_r.fit(values)
     fractile = gumbel_r.ppf(NOT_EXCEEDED, mode, scale)

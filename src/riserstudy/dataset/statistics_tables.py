@@ -1,4 +1,4 @@
-"""Statistics of a run in an irregular sea, and of the same in several seeds, as tables."""
+"""Statistics of a run in an irregular sea, and of runs with several seeds, as tables."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from riserstudy.errors import InputError
 if TYPE_CHECKING:
     import xarray as xr
 
-EVEN = 1e-6  # share of an interval by which output times are apart evenly
+EVEN = 1e-6  # largest relative deviation of intervals that count as equal
 OF_A_RECORD = {
     "mean": OF_ROW, "standard deviation": OF_ROW, "mean upcrossing period": "s", "largest": OF_ROW,
     "most probable largest": OF_ROW, "smallest": OF_ROW, "most probable smallest": OF_ROW,
@@ -40,17 +40,17 @@ OF_SEEDS = {"seeds": ""} | dict.fromkeys(
 
 
 def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
-    """Statistics of every history of a run, a row each and for each place along the riser.
+    """Statistics of every history of a run, one row per history and place along the riser.
 
     Parameters
     ----------
-    start : time (s) before which the sea grows, and that is left out.
-    exposure : time (s) for which the most probable extremes are told; None: that of the record.
+    start : time (s) up to which the sea builds up, and which is excluded.
+    exposure : exposure time (s) of the most probable extremes; None: the duration of the record.
 
     Raises
     ------
     InputError
-        When nothing varies with time after the start, or at uneven intervals.
+        When no output varies with time after the start, or output intervals are not equal.
     """
     rows: list[list[Cell]] = []
     sizes = _sizes(run)
@@ -65,12 +65,12 @@ def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
 def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
     """Statistics over an axis of seeds, with the Gumbel distribution of largest and smallest values.
 
-    What is before ``start`` (s) is left out.
+    Times before ``start`` (s) are excluded.
 
     Raises
     ------
     InputError
-        When there is no such axis, or too few seeds on it.
+        When there is no such axis, or it has too few seeds.
     """
     axes = [str(dim) for dim in grid["point_key"].dims] if "point_key" in grid else []
     if axis not in axes:
@@ -108,14 +108,14 @@ def _sizes(run: xr.Dataset) -> tuple[str, ...]:
 
 
 def _least(value: float, size: bool) -> float:
-    """A most probable smallest value, of a magnitude at least zero; not a number stays that."""
+    """A most probable smallest value; for a magnitude at least zero. NaN is kept."""
     return float(np.maximum(value, 0.0)) if size else value
 
 
 def _histories(
     run: xr.Dataset, start: float
 ) -> Iterator[tuple[str, float | None, str, xr.DataArray]]:
-    """Name, arclength (m), unit and history from a time (s) on, of all that varies with time."""
+    """Name, arclength (m), unit and history from a time (s) on, of all outputs that vary with time."""
     if "time" not in run:
         raise InputError("dataset", "time", "a static run", "statistics need analysis.duration")
     time = run["time"].values

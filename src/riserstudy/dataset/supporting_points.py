@@ -1,4 +1,4 @@
-"""The simulated studies behind a dataset, with their axes: by these a cell is led back to its points."""
+"""The simulated studies that a dataset is derived from, with their axes, which identify points of a cell."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Axes = dict[str, list[Any]]  # values by axis
 
 
 def parent(source: xr.Dataset) -> dict[str, Any]:
-    """What a derived dataset says of a source: tier, engine, digest, and its axes or its own sources.
+    """The record of a source in a derived dataset: tier, engine, digest, and its axes or its sources.
 
     The digest covers scene, axes and points.
     """
@@ -30,11 +30,11 @@ def axes_of(dataset: xr.Dataset) -> Axes:
 
 
 def supporting_studies(name: str, dataset: xr.Dataset) -> dict[str, Axes]:
-    """Axes of the simulated studies behind a dataset, itself where it is simulated; by name.
+    """Axes of the simulated studies that a dataset is derived from, or of itself if it is simulated; by name.
 
     Parameters
     ----------
-    name : of the dataset.
+    name : name of the dataset.
     """
     return _studies(name, parent(dataset))
 

@@ -7,11 +7,11 @@ from typing import NamedTuple
 Cell = str | float | int | None
 
 
-OF_ROW = "*"  # unit of a column whose values are in the unit that their row names
+OF_ROW = "*"  # unit of a column whose unit differs by row, and is in the column `unit`
 
 
 class Table(NamedTuple):
-    """Columns, their units ("" for none, ``OF_ROW`` for that in the row's column ``unit``) and rows."""
+    """Columns, their units ("" for none, ``OF_ROW`` for the unit in the row's column ``unit``) and rows."""
 
     columns: list[str]
     units: list[str]

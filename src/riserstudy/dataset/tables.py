@@ -1,4 +1,4 @@
-"""Tables of a run: stack-up, extremes, time series, limits; each a heading and rows of plain values."""
+"""Tables of a run: stack-up, extremes, time series, limits; each has a heading and rows of plain values."""
 
 from __future__ import annotations
 
@@ -41,12 +41,12 @@ def extremes(dataset: xr.Dataset) -> Table:
 
 
 def time_series(dataset: xr.Dataset) -> Table:
-    """All histories, a column each: those along the riser at their stations.
+    """All histories, one column each; histories along the riser at their stations.
 
     Raises
     ------
     InputError
-        When the run has no time.
+        When the run is static.
     """
     if "time" not in dataset:
         raise InputError("dataset", "time", "a static run", "time series need analysis.duration")
@@ -67,12 +67,12 @@ def time_series(dataset: xr.Dataset) -> Table:
 
 
 def _place(dim: str, value: float) -> str:
-    """Where a history is, in a heading that `compare` reads: a station (m), or a cylinder."""
+    """Place of a history in a heading that `compare` can read: a station (m), or a cylinder."""
     return f" at {value:.8g} m" if dim == "s" else f" at {dim} {value:g}"
 
 
 def limits(dataset: xr.Dataset) -> Table:
-    """Demand, allowable and use of every limit of the scene, with place, time and verdict, in SI units."""
+    """Demand, allowable and utilisation of every limit, with place, time and verdict, in SI units."""
     rows = json.loads(dataset.attrs.get("limits", "[]"))
     names = ["output", "at", "mode", "side", "unit", "demand", "allowable", "utilisation"]
     names += ["s", "time", "verdict", "missing", "origin", "takes"]
@@ -82,9 +82,9 @@ def limits(dataset: xr.Dataset) -> Table:
 
 
 def in_units(table: Table, system: UnitSystem) -> Table:
-    """A table with its values in the units of a system, which its heads and its column ``unit`` name.
+    """A table with values in a system of units, which its headings and its column ``unit`` state.
 
-    Places in heads are in the unit of a length, too.
+    Places in headings are converted, too.
     """
     length = read_in("m", system)
     columns = [
@@ -114,9 +114,9 @@ def in_units(table: Table, system: UnitSystem) -> Table:
 
 
 def in_columns(table: Table) -> list[str]:
-    """A table as aligned lines: names with their units, then the rows, numbers to five digits.
+    """A table as aligned lines: names with units, then the rows with numbers to five digits.
 
-    Where there is no value, nothing is printed.
+    A missing value is printed as an empty cell.
     """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
     texts = [[_cell_text(cell) for cell in row] for row in table.rows]
@@ -146,29 +146,29 @@ def write_csv(table: Table, target: Path) -> None:
 
 
 def _cell_text(cell: Cell) -> str:
-    """A cell in columns; "" where there is no value."""
-    if cell is None or cell != cell:  # not a number
+    """Text of a cell; "" for a missing value."""
+    if cell is None or cell != cell:  # NaN
         return ""
     return f"{cell:.5g}" if isinstance(cell, float) else str(cell)
 
 
 def _text(cell: Cell) -> Cell:
-    """To ten digits, as datasets are stored."""
+    """A cell with ten digits, as in datasets."""
     return f"{cell:.10g}" if isinstance(cell, float) else cell
 
 
 def table_of(kind: str, scene: Resolved | None, dataset: xr.Dataset | None) -> Table:
-    """A table by its name: stack-up is that of the scene, recoil of both, the others of its run.
+    """A table by its name: stack-up needs the scene, recoil scene and run, the others the run.
 
     Raises
     ------
     InputError
-        When what the table is made of is not there.
+        When the scene or the run is missing.
     """
     if kind == "stack-up" and scene is not None:
         return stack_up(scene)
     if kind == "recoil" and scene is not None and dataset is not None:
-        from riserstudy.dataset.recoil_table import recoil  # which is made of tables
+        from riserstudy.dataset.recoil_table import recoil  # which imports this module
 
         return recoil(scene, dataset)
     made = {"extremes": extremes, "time-series": time_series, "limits": limits}.get(kind)
@@ -178,7 +178,7 @@ def table_of(kind: str, scene: Resolved | None, dataset: xr.Dataset | None) -> T
 
 
 def tables_of(scene: Resolved | None, dataset: xr.Dataset) -> dict[str, Table]:
-    """All tables that there are of a run, by their names: of a run at rest no time series."""
+    """All tables of a run, by name; a static run has no time series."""
     names = ["extremes", *(["time-series"] if "time" in dataset else [])]
     names += ["limits"] if json.loads(dataset.attrs.get("limits", "[]")) else []
     made = {name: table_of(name, scene, dataset) for name in names}

@@ -1,4 +1,4 @@
-"""Units that one reads results in: SI as stored, kN and MPa as on a rig, or feet and kips."""
+"""Units in which results are shown: SI as stored, kN and MPa as on a rig, or feet and kips."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ class UnitSystem(StrEnum):
 
 
 class Reading(NamedTuple):
-    """How a value is read: what it is multiplied with, and the unit that it then has."""
+    """Conversion of a value: its factor, and the resulting unit."""
 
     factor: float
     unit: str
 
 
 _SYSTEM: ContextVar[UnitSystem] = ContextVar("system of units", default=UnitSystem.FIELD)
-#: units as limits write them, and as datasets do
+#: units in limits, with the corresponding units in datasets
 AS_STORED = {"N*m": "N m", "N/m^2": "Pa", "m/s": "m s-1", "kg/m": "kg m-1", "kg/m^3": "kg m-3"}
 
 
 @contextmanager
 def reading_in(system: UnitSystem) -> Iterator[None]:
-    """Have what is read within be read in a system of units."""
+    """Show values in a system of units within this context."""
     token = _SYSTEM.set(system)
     try:
         yield
@@ -45,7 +45,7 @@ def reading_in(system: UnitSystem) -> Iterator[None]:
 
 
 def read_in(unit: str, system: UnitSystem | None = None) -> Reading:
-    """How a value in a unit of a dataset is read, in a system or in that of :func:`reading_in`."""
+    """Conversion of a unit of a dataset to a system of units, by default that of :func:`reading_in`."""
     known = systems()[system or _SYSTEM.get()]
     stored = AS_STORED.get(unit, unit)
     if density := re.fullmatch(r"(.+) Hz-1", stored):
@@ -55,7 +55,7 @@ def read_in(unit: str, system: UnitSystem | None = None) -> Reading:
 
 
 def _of_a_density(squared: str, stored: str, known: dict[str, tuple[str, float]]) -> Reading:
-    """Of a spectral density, whose unit has the squares of the quantity's: ``N2 m2 Hz-1``."""
+    """Conversion of a spectral density, whose unit is the quantity's unit squared / Hz: ``N2 m2 Hz-1``."""
     parts = [re.fullmatch(r"(\D+?)(-?\d+)?", part) for part in squared.split()]
     powers = [(p[1], int(p[2] or 1) // 2) for p in parts if p]
     plain = " ".join(name + (str(power) if power != 1 else "") for name, power in powers)
@@ -65,8 +65,8 @@ def _of_a_density(squared: str, stored: str, known: dict[str, tuple[str, float]]
 
 @cache
 def systems() -> dict[str, dict[str, tuple[str, float]]]:
-    """For each system the units that it reads in, and how many stored units one is, by the stored unit."""
-    from riserstudy.inputs.plain_yaml import read_yaml  # takes long to load
+    """For each system and stored unit, the unit that is shown, and its size in stored units."""
+    from riserstudy.inputs.plain_yaml import read_yaml  # slow to load
 
     tables = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
     return {

@@ -1,4 +1,4 @@
-"""Names, units and labels of variables, from the one file that holds them."""
+"""Names, units and labels of variables, from the file ``variables.yaml``."""
 
 from __future__ import annotations
 
@@ -32,12 +32,12 @@ DIMENSIONS = (
     "point",
     "limit",
     "statistic",
-)  # of runs and of studies while they are joined
-#: what runs return, with endings or without, where a scene has it
+)  # names in runs, and in studies while they are joined
+#: quantities that runs return, with or without endings, if the scene has them
 OF_RUNS = frozenset(name for name, of in QUANTITIES.items() if of.is_array)
 
 DATA_FILES = ("variables.yaml",)
-#: dimensions and variables of natural modes, where a study asks for them
+#: dimensions and variables of natural modes, if a study requests them
 OF_MODES = frozenset(
     (
         *("mode", "s_relative", "natural_frequency", "natural_period", "mode_motion"),
@@ -47,17 +47,17 @@ OF_MODES = frozenset(
 
 
 def of_points(name: str) -> bool:
-    """Whether a name is that of a number that studies may hold of each of their points."""
+    """Whether a name belongs to a number that studies may hold for each point."""
     return any(c.name == name and c.about.kind != "text" for c in point_columns())
 
 
 def about_points() -> frozenset[str]:
-    """Names of everything that studies may hold of each of their points."""
+    """Names of all variables that studies may hold for each point."""
     return frozenset(("point_key", "failure", *(column.name for column in point_columns())))
 
 
 def of_runs(name: str) -> bool:
-    """Whether a name is that of something that runs return."""
+    """Whether a name belongs to a variable that runs return."""
     return any(name.removesuffix(ending) in OF_RUNS for ending in ("", *ENDINGS))
 
 
@@ -88,12 +88,12 @@ def attributes(name: str) -> dict[str, str]:
 def density(unit: str) -> str:
     """Unit of a spectral density over frequency: ``N m`` becomes ``N2 m2 Hz-1``."""
     parts = (re.fullmatch(r"(\D+?)(-?\d+)?", part) for part in unit.split())
-    powers = [f"{p[1]}{2 * int(p[2] or 1)}" for p in parts if p]  # none of the number 1
+    powers = [f"{p[1]}{2 * int(p[2] or 1)}" for p in parts if p]  # without the number 1
     return " ".join([*powers, "Hz-1"])
 
 
 def cf_unit(unit: str) -> str:
-    """A unit as CF writes it: ``kN*s^2/m^2`` becomes ``kN s2 m-2``; it stays what it is where it is so."""
+    """A unit in the notation of CF: ``kN*s^2/m^2`` becomes ``kN s2 m-2``; CF units are not changed."""
     unit = re.sub(r"\bdeg\b", "degree", unit)
     over, *under = unit.replace("^", "").split("/")
     below = [re.sub(r"(?<=[A-Za-z])(\d*)$", r"-\1", u) for part in under for u in part.split("*")]

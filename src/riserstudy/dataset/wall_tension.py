@@ -1,8 +1,8 @@
-r"""Wall tension of another program as effective tension, by the pressures on the walls of the run's scene.
+r"""Conversion of wall tension of another program to effective tension, by the pressures of the run's scene.
 
 .. math:: T_e = T_w + p_o A_o - p_i A_i
 
-Pressures are gauge, of columns at rest, at the elevations of the run.
+Pressures are hydrostatic gauge pressures at the elevations of the run.
 
 References
 ----------
@@ -28,15 +28,15 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 FloatArray = NDArray[np.float64]
-SAME = 1e-6  # share of the riser's length by which two places are one
+SAME = 1e-6  # share of the riser's length within which two places are equal
 
 
 class Added(NamedTuple):
-    """What is added to wall tension to have effective tension, and how it was found.
+    """The difference of effective and wall tension, and notes on its computation.
 
     Attributes
     ----------
-    force : p_o A_o - p_i A_i (N), of the shape that was requested; not a number where two walls meet.
+    force : p_o A_o - p_i A_i (N), in the requested shape; NaN where two walls meet.
     notes : a line each.
     """
 
@@ -49,9 +49,9 @@ class Walls:
 
     Parameters
     ----------
-    run : one point, with ``z`` over ``s``, and over ``time`` where it moves.
-    scene : that it is of.
-    path, title : of the column, for errors.
+    run : one point, with ``z`` over ``s``, and over ``time`` if it is dynamic.
+    scene : scene of this point.
+    path, title : file and name of the column, for errors.
     """
 
     def __init__(self, run: xr.Dataset, scene: Resolved, path: Path, title: str):
@@ -88,7 +88,7 @@ class Walls:
         return Added(force, notes)
 
     def _elevations(self, run: xr.Dataset) -> tuple[FloatArray | None, FloatArray, FloatArray]:
-        """Times (s; None at rest), stations (m) and their elevations (m), (time, station) or (station,)."""
+        """Times (s; None if static), stations (m), and elevations (m), (time, station) or (station,)."""
         low = levels(self._scene, 0)
         if "z" in run and "s" in run["z"].dims:
             z = run["z"].transpose(..., "s")
@@ -121,7 +121,7 @@ class Walls:
         return force
 
     def _areas(self, place: float) -> tuple[float, float]:
-        """Areas of outer and inner circle (m2) at a place; not numbers where two walls meet."""
+        """Areas of outer and inner circle (m2) at a place; NaN where two walls meet."""
         found = {self._discs(section) for section in self._sections(place)}
         return found.pop() if len(found) == 1 else (math.nan, math.nan)
 
@@ -155,7 +155,7 @@ class Walls:
         return 0.25 * math.pi * outer**2, 0.25 * math.pi * inner**2
 
     def _places_in_words(self, places: list[float]) -> list[str]:
-        """Convention and walls."""
+        """Notes on the sign convention and on the walls at the places."""
         water = self._scene.water.density if self._scene.water else 0.0
         walls = dict.fromkeys(
             f"{s.name}: {s.outer_diameter:g} by {s.inner_diameter:g} m, contents {s.contents.density:g} kg/m³"

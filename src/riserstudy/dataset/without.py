@@ -1,4 +1,4 @@
-"""Keep libraries from loading others that nothing here needs, which takes longer than most runs."""
+"""Prevents imports of unneeded libraries by other libraries, which would take longer than most runs."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from contextlib import contextmanager
 
 @contextmanager
 def without(*modules: str) -> Iterator[None]:
-    """While it lasts, modules that are not loaded yet are not to be found.
+    """Within this context, modules that are not loaded yet cannot be imported.
 
-    An xarray that is loaded looks anew, now and afterwards, for what it remembers to have found; one that is
-    loaded meanwhile goes on without them.
+    If xarray is already loaded, its memory of available modules is cleared now and afterwards. If xarray is
+    loaded within this context, it works without these modules.
     """
     away = [name for name in modules if name not in sys.modules]
     remembered = getattr(sys.modules.get("xarray.namedarray.utils"), "module_available", None)

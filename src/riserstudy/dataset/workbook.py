@@ -1,4 +1,4 @@
-"""Tables as one workbook, a sheet each; what writes it comes with the extra ``workbook``."""
+"""Tables as one workbook with a sheet for each; requires the extra ``workbook``."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from riserstudy.errors import InputError
 from riserstudy.folders import whole_file
 
 ENDING = ".xlsx"
-WIDEST = 28.0  # characters of a column
-LONGEST = 1_000_000  # rows of a sheet
+WIDEST = 28.0  # largest width of a column, in characters
+LONGEST = 1_000_000  # largest number of rows of a sheet
 
 
 def lacks_library(target: Path) -> InputError | None:
-    """What to raise of a workbook that cannot be written here; None where it can."""
+    """The error if no workbook can be written here; None if it can."""
     if find_spec("openpyxl") is not None:
         return None
     allowed = "install it with `pip install 'riserstudy[workbook]'`, or write .csv"
@@ -27,12 +27,12 @@ def lacks_library(target: Path) -> InputError | None:
 
 
 def _cell(value: Cell) -> Cell:
-    """A cell as a workbook can hold it: what is no number as a word."""
+    """A cell that a workbook can hold: NaN and infinity become words."""
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
-    """Write tables as the sheets of a workbook, by their names.
+    """Write tables as sheets of a workbook, by name.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
             sheet.append([_cell(cell) for cell in row])
             for cell in sheet[sheet.max_row]:
                 if isinstance(cell.value, str):
-                    cell.data_type = "s"  # a name that begins like a formula is none
+                    cell.data_type = "s"  # a name that begins like a formula is text
         for k, cell in enumerate(sheet[1], start=1):
             cell.font, cell.alignment = Font(bold=True), Alignment(wrap_text=True, vertical="top")
             words = [

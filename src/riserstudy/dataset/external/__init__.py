@@ -1,1 +1,1 @@
-"""Files of other programs and of measurements: tables of text, and time series that QATS reads."""
+"""Files of other programs and measurements: tables of text, and time series that QATS reads."""

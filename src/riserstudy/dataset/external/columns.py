@@ -1,7 +1,8 @@
-"""A column of another file: what it is, where along the riser, in which unit, and its numbers.
+"""A column of another file: its quantity, place along the riser, unit and numbers.
 
-The heading of a column names a variable of the run, where along the riser it is, and the unit:
-``effective_tension at 300 m (kN)``. The first column is ``time (s)``, or ``s (m)`` of values along the riser.
+The heading of a column names a variable of the run, its place along the riser, and the unit:
+``effective_tension at 300 m (kN)``. The first column is ``time (s)``, or ``s (m)`` for values along the
+riser.
 """
 
 from __future__ import annotations
@@ -30,12 +31,12 @@ EXAMPLE = "write, for example, `effective_tension at 300 m (kN)`"
 
 
 class Heading(NamedTuple):
-    """What a heading says: variable, arclength from the bottom (m) or None, unit.
+    """Content of a heading: variable, arclength from the bottom (m) or None, unit.
 
     Attributes
     ----------
-    size : whether the column is the size of a quantity that a run has with its sign.
-    cylinder : which of the tensioners, from 0, or None.
+    size : whether the column is the magnitude of a quantity that has a sign in a run.
+    cylinder : index of the tensioner cylinder, from 0, or None.
     """
 
     name: str
@@ -46,12 +47,12 @@ class Heading(NamedTuple):
 
 
 class Column(NamedTuple):
-    """Numbers of another file over time (s) or arclength from the bottom (m), in its own unit.
+    """Numbers of another file over time (s) or arclength from the bottom (m), in the file's unit.
 
     Attributes
     ----------
-    title : how the file calls it.
-    along, values : (n,); a value that is missing is not a number.
+    title : name in the file.
+    along, values : (n,); a missing value is NaN.
     """
 
     title: str
@@ -61,12 +62,12 @@ class Column(NamedTuple):
 
 
 class External(NamedTuple):
-    """What is read of another file.
+    """The content of another file.
 
     Attributes
     ----------
     axis : "time" or "s".
-    notes : what was decided in reading it, a line each.
+    notes : notes on how it was read, a line each.
     """
 
     axis: str
@@ -75,12 +76,12 @@ class External(NamedTuple):
 
 
 def heading_of(path: Path, text: str) -> Heading:
-    """What a heading in the words of a run says.
+    """The content of a heading in the terms of a run.
 
     Raises
     ------
     InputError
-        When it is none.
+        When the text is no such heading.
     """
     found = _HEADING.fullmatch(text.strip())
     if not found:
@@ -92,17 +93,17 @@ def heading_of(path: Path, text: str) -> Heading:
 
 
 def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) -> FloatArray:
-    """Numbers in the unit of a variable of a dataset, of their shape.
+    """Numbers converted to the unit of a variable of a dataset, in the same shape.
 
     Raises
     ------
     InputError
-        When the unit is not known, or of another dimension.
+        When the unit is not known, or has another dimension.
     """
     si = SI.get(stored, stored)
     if unit in (si, stored):
         return values
-    # kN.m, as decks of other programs write it, and kN m
+    # kN.m, as in files of other programs, and kN m
     product = re.sub(r"(?<=[A-Za-z])[.·]\s*(?=[A-Za-z])", "*", unit.replace("°", "deg"))
     try:
         return values * factor("*".join(product.split()), si)
@@ -113,12 +114,12 @@ def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) ->
 
 
 def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
-    """Times (s) or places (m), (n,), as they are.
+    """Check times (s) or places (m), (n,), and return them.
 
     Raises
     ------
     InputError
-        When one is missing, or they do not rise.
+        When a value is missing, or they do not increase.
     """
     missing = np.flatnonzero(~np.isfinite(along))
     if len(missing):
@@ -134,12 +135,12 @@ def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
 
 
 def only_once(path: Path, columns: list[Column]) -> list[Column]:
-    """Columns, as they are.
+    """Check columns, and return them.
 
     Raises
     ------
     InputError
-        When two are the same variable at the same place.
+        When two columns are the same variable at the same place.
     """
     seen: dict[tuple[str, float | None, int | None], str] = {}
     for column in columns:

@@ -1,8 +1,8 @@
-"""Headings of OrcaFlex's text results: which variable of a run each is, and where arc length begins.
+"""Headings of OrcaFlex's text results: the variable of a run for each, and the origin of arc length.
 
-A result is named by its variable and unit, ``Effective tension (kN)``; the values of a range graph are over
-``Arc length (m)``, which counts from end A of the line, by their minimum, maximum and mean. Where end A is,
-a file does not say. Bend moment and shear force are sizes, without a sign.
+A result has a heading with variable and unit, ``Effective tension (kN)``. A range graph has minimum, maximum
+and mean over ``Arc length (m)``, which is measured from end A of the line. A file does not state the position
+of end A. Bend moment and shear force are magnitudes, without a sign.
 
 References
 ----------
@@ -18,7 +18,7 @@ from typing import NamedTuple
 from riserstudy.dataset.external.columns import Heading
 from riserstudy.errors import InputError
 
-#: variables of lines, and of a run; whether OrcaFlex's has no sign
+#: variables of lines, the corresponding variables of a run, and whether OrcaFlex's variable has no sign
 VARIABLES = {
     "effective tension": ("effective_tension", False),
     "wall tension": ("wall_tension", False),
@@ -28,7 +28,7 @@ VARIABLES = {
     "y": ("y", False),
     "z": ("z", False),
 }
-#: what no run has in this definition
+#: variables that no run has in the same definition
 OTHERWISE = {
     "end force": "it is a force in space; compare the effective tension at that end",
     "max von mises stress": "it has shear and torsion, which von_mises_stress leaves out",
@@ -52,23 +52,23 @@ END_A = "allowed is `top`, `bottom`, or its arclength from the riser's lower end
 
 
 class EndA(NamedTuple):
-    """Where arc length begins: metres from the riser's lower end, and 1 where it counts upwards, else -1."""
+    """Origin of arc length: distance from the lower end (m), and 1 if it increases upwards, else -1."""
 
     s: float
     way: int
 
     def place(self, arc: float) -> float:
-        """Arclength from the lower end (m) of an arc length (m)."""
+        """Arclength from the lower end (m) for an arc length of OrcaFlex (m)."""
         return self.s + self.way * arc
 
 
 def end_a(text: str, length: float) -> EndA:
-    """What an option says of end A, of a riser of a length (m).
+    """End A from the text of an option, for a riser of a length (m).
 
     Raises
     ------
     InputError
-        When it says neither an end nor a place and a way.
+        When the text is neither an end nor a place with a direction.
     """
     if text in ("top", "bottom"):
         return EndA(length, -1) if text == "top" else EndA(0.0, 1)
@@ -79,7 +79,7 @@ def end_a(text: str, length: float) -> EndA:
 
 
 def axis_of(title: str) -> tuple[str, str] | None:
-    """Axis of a run and unit, of a first heading in OrcaFlex's words."""
+    """Axis of a run and unit, from a first heading in OrcaFlex's terms."""
     found = re.fullmatch(r"(time|arc length)\s*[(\[](\w+)[)\]]", title.strip(), re.IGNORECASE)
     return (AXES[found[1].lower()], found[2]) if found else None
 
@@ -87,17 +87,17 @@ def axis_of(title: str) -> tuple[str, str] | None:
 def heading_of(
     path: Path, title: str, above: list[str], end: EndA | None, length: float
 ) -> Heading | None:
-    """What a heading in OrcaFlex's words is of a run; None where it is not in these words.
+    """Content of a heading in OrcaFlex's terms; None if it is not in these terms.
 
     Parameters
     ----------
-    above : lines above the headings: a range graph may have its variable there.
-    length : of the riser (m).
+    above : lines above the headings, which may contain the variable of a range graph.
+    length : length of the riser (m).
 
     Raises
     ------
     InputError
-        When it is defined otherwise than what a run has, or its place is not said.
+        When its definition differs from that of a run, or its place is not given.
     """
     statistic = STATISTICS.get(re.sub(r"[^a-z]+", " ", title.lower()).strip())
     texts = above if statistic else [title]
@@ -121,7 +121,7 @@ def heading_of(
 
 
 def _place(path: Path, title: str, after: str, end: EndA | None, length: float) -> float | None:
-    """Arclength from the lower end (m) that a heading ends with; None where it ends with its unit."""
+    """Arclength from the lower end (m) at the end of a heading; None if it ends with the unit."""
     if not after.strip():
         return None
     found = _PLACE.fullmatch(after)

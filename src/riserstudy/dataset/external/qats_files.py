@@ -1,6 +1,6 @@
-"""Time series of the trade, as QATS reads them: SIMO, RIFLEX and SIMA, Matlab, TDMS, OpenFAST, Bladed.
+"""Time series of other programs, read by QATS: SIMO, RIFLEX and SIMA, Matlab, TDMS, OpenFAST, Bladed.
 
-QATS is no dependency: ``pip install "riserstudy[formats]"`` adds it, and all that it brings.
+QATS is optional: ``pip install "riserstudy[formats]"`` adds it with its dependencies.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from riserstudy.errors import InputError, printable
 
 FloatArray = NDArray[np.float64]
-#: endings of files that QATS is asked for; its pickles are left out: to open one runs what is in it
+#: endings of files that QATS reads; its pickles are not allowed, because opening a pickle executes its
+#: content
 ENDINGS = (".ts", ".tda", ".asc", ".bin", ".dat", ".h5", ".mat", ".tdms", ".outb", ".out")
 NEEDS = 'install it with pip install "riserstudy[formats]"'
 MOST_BYTES = 2_000_000_000
@@ -22,7 +23,7 @@ MOST_NAMES = 12
 
 
 class Series(NamedTuple):
-    """A time series: what the file calls it, its unit or "", times (s) and values (n,)."""
+    """A time series: name in the file, unit or "", times (s) and values (n,)."""
 
     title: str
     unit: str
@@ -31,11 +32,11 @@ class Series(NamedTuple):
 
 
 def read_series(path: Path, titles: list[str]) -> list[Series]:
-    """Series of a file, by their names in it.
+    """Series of a file, selected by their names in it.
 
     Parameters
     ----------
-    titles : which. Groups of a series stand before its name, with a slash between.
+    titles : names of the series. Groups of a series precede its name, separated by a slash.
 
     Raises
     ------
@@ -57,7 +58,7 @@ def read_series(path: Path, titles: list[str]) -> list[Series]:
         missing = [title for title in titles if title not in known]
         if not missing:
             read = source.read([known[title] for title in titles])
-    except Exception as error:  # of any reader, about what is in the file
+    except Exception as error:  # any error of a reader about the content of the file
         found = f"qats cannot read it: {type(error).__name__}: {error}"
         allowed = "allowed is a file of its format, with the file of names that belongs to it"
         raise InputError(path, "", found, allowed) from None

@@ -1,4 +1,4 @@
-"""Another file's columns, by what they are of a run: text in the words of a run or of OrcaFlex, or series."""
+"""Columns of another file in the terms of a run: text with headings of a run or OrcaFlex, or time series."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from riserstudy.dataset.external.qats_files import ENDINGS, read_series
 from riserstudy.dataset.external.text import Text, read_table
 from riserstudy.errors import InputError
 
-AXES = {"time": "s", "s": "m"}  # what a first column may be, in its SI unit
+AXES = {"time": "s", "s": "m"}  # possible first columns, with their SI units
 AXIS = "begin with `time (s)` or `s (m)`, or name the variable with --column"
 
 
@@ -25,10 +25,10 @@ def read_external(
 
     Parameters
     ----------
-    called : headings in the words of a run by what the file calls its columns; where there are some, the
-        others are left out.
-    end_a : where OrcaFlex's arc length begins, see ``orcaflex.end_a``.
-    length : of the riser (m).
+    called : headings in the terms of a run, by the names of the columns in the file; if given, all other
+        columns are ignored.
+    end_a : origin of OrcaFlex's arc length, see ``orcaflex.end_a``.
+    length : length of the riser (m).
 
     Raises
     ------
@@ -49,7 +49,7 @@ def read_external(
 
 
 def _series(path: Path, called: Mapping[str, str]) -> External:
-    """Series over time, each by the name that the user gives it."""
+    """Series over time, each with the heading that the user gives."""
     if not called:
         found = f"names of a {path.suffix} file do not state which variable of a run they are"
         allowed = "name it with --column 'NAME=effective_tension at 300 m (kN)'"
@@ -103,7 +103,7 @@ def _table(
 
 
 def _axis(path: Path, title: str, called: Mapping[str, str]) -> tuple[str, str, bool]:
-    """Axis, unit, and whether it is in OrcaFlex's words."""
+    """Axis, unit, and whether the heading is in OrcaFlex's terms."""
     if title not in called and (theirs := orcaflex.axis_of(title)) and title.lower() != title:
         return *theirs, True
     heading = own.heading_of(path, called.get(title, title))

@@ -1,7 +1,7 @@
-"""Tables of text: cells apart by comma, semicolon or tab, headings above numbers.
+"""Tables of text: cells separated by comma, semicolon or tab, with headings above numbers.
 
-What programs and spreadsheets write: lines of titles above the headings, units on a line of their own, commas
-as decimal marks, cells that are empty. Whatever is decided or left out is in the notes.
+Tables of programs and spreadsheets may have titles above the headings, units on a separate line, commas as
+decimal marks, and empty cells. The notes state all decisions and omissions.
 """
 
 from __future__ import annotations
@@ -33,8 +33,8 @@ class Text(NamedTuple):
     Attributes
     ----------
     above : lines above the headings.
-    headings : (k,). columns : k of (n,), not a number where a cell is empty.
-    notes : what was decided in reading it.
+    headings : (k,). columns : k arrays (n,), NaN for an empty cell.
+    notes : notes on how it was read.
     """
 
     above: list[str]
@@ -49,14 +49,14 @@ def read_table(path: Path) -> Text:
     Raises
     ------
     InputError
-        When it is no table of numbers below headings.
+        When the file is not a table of numbers below headings.
     """
     lines = read_text(path, MOST_BYTES).splitlines()
     name, mark = _mark(lines)
     rows = [(k, [cell.strip() for cell in row]) for k, row in _rows(path, lines, mark) if any(row)]
     decimal = _decimal_comma(path, mark, rows)
     first = next((n for n, (_, row) in enumerate(rows) if _is_numbers(row, decimal)), None)
-    if not first:  # 0 is a table without headings
+    if not first:  # 0: a table without headings
         raise InputError(
             path, "", "no numbers below a line of headings", "write a heading above each column"
         )
@@ -74,7 +74,7 @@ def read_table(path: Path) -> Text:
 
 
 def _mark(lines: list[str]) -> tuple[str, str]:
-    """Name and sign of what is between cells: the first of tab, semicolon and comma in half of the lines."""
+    """Name and sign of the separator: the first of tab, semicolon and comma that is in half of the lines."""
     full = [line for line in lines[:1000] if line.strip()]
     for name, mark in MARKS:
         if full and sum(mark in line for line in full) > 0.5 * len(full):
@@ -92,7 +92,7 @@ def _rows(path: Path, lines: list[str], mark: str) -> list[tuple[int, list[str]]
 
 
 def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> bool:
-    """Whether commas are decimal marks: where cells are apart by another sign, and none has a point."""
+    """Whether commas are decimal marks: cells have another separator, and no cell has a point."""
     if mark == ",":
         return False
     point = comma = 0
@@ -111,7 +111,7 @@ def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> 
 
 
 def _value(cell: str, decimal: bool) -> float | None:
-    """Number of a cell, not a number of an empty one; None of a text."""
+    """Number in a cell; NaN for an empty cell, None for text."""
     if cell.lower() in MISSING:
         return math.nan
     text = cell.replace(",", ".", 1) if decimal else cell
@@ -119,14 +119,14 @@ def _value(cell: str, decimal: bool) -> float | None:
 
 
 def _is_numbers(row: list[str], decimal: bool) -> bool:
-    """Whether a row is one of numbers: its first cell is one, and no cell is a text."""
+    """Whether a row has numbers: its first cell is a number, and no cell is text."""
     first = _value(row[0], decimal) if row else None
     known = first is not None and math.isfinite(first)
     return known and all(_value(cell, decimal) is not None for cell in row)
 
 
 def _headings(rows: list[tuple[int, list[str]]], first: int) -> tuple[list[str], int]:
-    """Headings, with units of a line of their own, and how many lines they take."""
+    """Headings, with units from a separate line, and the number of their lines."""
     titles = rows[first - 1][1]
     if first < 2 or not any(titles) or not all(_UNIT.fullmatch(cell) for cell in titles):
         return titles, 1
@@ -138,7 +138,7 @@ def _headings(rows: list[tuple[int, list[str]]], first: int) -> tuple[list[str],
 def _numbers(
     path: Path, rows: list[tuple[int, list[str]]], titles: list[str], decimal: bool
 ) -> list[FloatArray]:
-    """Numbers below the headings; empty cells beyond the last heading are no cells."""
+    """Numbers below the headings; empty cells beyond the last heading are ignored."""
     width, numbers = len(titles), list[float]()
     for line, row in rows:
         if len(row) < width or any(row[width:]):
