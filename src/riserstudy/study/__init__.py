@@ -1,1 +1,1 @@
-"""Grids of scenes: what a study file asks for, its points, their store, and the datasets they become."""
+"""Grids of scenes: study files, their points, the point store, and the resulting datasets."""

@@ -1,4 +1,4 @@
-"""What study and published files give the functions of a chapter, held against what these take."""
+"""Check of the arguments that study and published files give to functions of a chapter."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from riserstudy.folders import chapter_modules
 def refuse_arguments(
     path: Path, field: str, paper: str, part: str, function: str, given: Iterable[str]
 ) -> None:
-    """Refuse what a function of a chapter does not take, or lacks, before it runs.
+    """Refuse unknown or missing arguments of a chapter's function, before it runs.
 
     Raises
     ------

@@ -1,4 +1,4 @@
-"""Axes of studies: numbers with a unit, samples of assumptions, labels, and readings of the study file."""
+"""Axes of studies: numbers with a unit, samples of assumptions, labels, and interpretations (readings)."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from pydantic import Field, model_validator
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 
-MOST_VALUES = 1_000_000  # of an axis, and points of a study
-#: of axes, which name dimensions and variables of datasets
+MOST_VALUES = 1_000_000  # largest number of values of an axis, and of points of a study
+#: names of axes, which become names of dimensions and variables of datasets
 AxisName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
 TIERS = ("preview", "standard", "reference")
 Tier = Literal["preview", "standard", "reference"]
 
 
 class Steps(Strict):
-    """Evenly spaced values, both ends included."""
+    """Equally spaced values, both ends included."""
 
     start: float
     stop: float
@@ -38,7 +38,7 @@ class Steps(Strict):
 
     @property
     def values(self) -> list[float]:
-        """The values in the axis's unit, added up as they are written: in decimals, without rounding."""
+        """The values in the axis's unit, summed as decimal numbers, without binary rounding errors."""
         return [self._at(k) for k in range(self._count + 1)]
 
     @property
@@ -50,10 +50,10 @@ class Steps(Strict):
 
 
 class Numbers(Strict):
-    """An axis of numbers put at a path of the scene, or at several, with a unit ("1": none).
+    """An axis of numbers that are set at one or several paths of the scene, with a unit ("1": none).
 
-    On the way a number is multiplied by ``factor`` and ``offset`` is added, where the axis counts in
-    another direction or from elsewhere than the path. Absent: as it is.
+    A number is multiplied by ``factor``, and ``offset`` is added, before it is set. They are for axes with
+    another direction or another origin than the value in the scene. Absent: the number is not changed.
     """
 
     path: str | Annotated[list[str], Field(min_length=1)]
@@ -77,17 +77,17 @@ class Numbers(Strict):
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
-        """Values of a tier, in the axis's unit."""
+        """Values for a tier, in the axis's unit."""
         every = self.values.values if isinstance(self.values, Steps) else self.values
         return self.preview if tier == "preview" and self.preview else every
 
     @property
     def paths(self) -> list[str]:
-        """Where its numbers are put."""
+        """Paths at which its numbers are set."""
         return [self.path] if isinstance(self.path, str) else self.path
 
     def overrides(self, number: float) -> dict[str, Any]:
-        """What a value, in the axis's unit, sets: by path of the scene."""
+        """Values that a number, in the axis's unit, sets, by path of the scene."""
         value = number if self.factor is None else number * self.factor
         value += self.offset or 0.0
         text = value if self.unit == "1" else f"{value!r} {self.unit}"
@@ -95,9 +95,9 @@ class Numbers(Strict):
 
 
 class Samples(Strict):
-    """An axis of samples: every assumption of the scene varied over its range or options at once.
+    """An axis of samples: all assumptions of the scene are varied together over their ranges or options.
 
-    ``readings`` names readings of the study file that are varied with them, each with equal chance.
+    ``readings`` names interpretations of the study file that are also varied, with equal probability.
     """
 
     count: dict[Tier, Annotated[int, Field(ge=2, le=MOST_VALUES)]]
@@ -113,7 +113,7 @@ class Samples(Strict):
 
 
 Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
-#: an axis over all readings of that name in the study file
+#: an axis over all interpretations with the axis's name in the study file
 Reading = Literal["readings"]
-#: any of these
+#: any kind of axis
 Axis = Numbers | Samples | Labels | Reading

@@ -45,11 +45,12 @@ if TYPE_CHECKING:
 
 
 HISTORIES = frozenset(("x", "y", "z", "effective_tension", "bending_moment"))  # over s
-PACKED = {"zlib": True, "complevel": 3}  # how large arrays are stored
+PACKED = {"zlib": True, "complevel": 3}  # compression of large arrays
 ROUNDED = {"significant_digits": 10, "quantize_mode": "GranularBitRound"}
-ATTEMPTS = 3  # to simulate a point: a study beside this one may store it, without what is kept here
-SMALL = 4096  # bytes of an array that other points may have, too
-NODE_DIGITS = 6  # decimals (m) to which nodes of different meshes are compared
+# attempts to simulate a point: a parallel study may store the point without arrays that this study keeps
+ATTEMPTS = 3
+SMALL = 4096  # size in bytes up to which equal arrays of several points are stored once
+NODE_DIGITS = 6  # decimals (m) for the comparison of nodes of different meshes
 
 
 def results_of(
@@ -59,9 +60,10 @@ def results_of(
     count: Count | None = None,
     points: list[Point] | None = None,
 ) -> tuple[list[Result], int]:
-    """Results of points in order, and how many had to be simulated.
+    """Results of points in order, and the number of points that had to be simulated.
 
-    ``tell`` is told that in words at the end, ``count`` of each point that is done. Absent points: all.
+    At the end, ``tell`` is called with a sentence about this number; ``count`` is called for each completed
+    point. Absent points: all.
 
     Raises
     ------
@@ -91,12 +93,12 @@ def results_of(
 def _take(
     study: Study, points: list[Point], kept: dict[str, Result], shared: dict[Any, Any]
 ) -> list[Point]:
-    """Take what a study keeps of points from the store; the points that are not there with all of it.
+    """Read the arrays that a study keeps from the store; returns the points that lack some of them.
 
-    What many points have alike, by ``shared``, takes memory once.
+    Equal values of many points are kept in memory once, by ``shared``.
     """
     extremes = limited(study)
-    needed = {column.fact for column in point_columns()}  # facts of a point are many more
+    needed = {column.fact for column in point_columns()}  # a few of the many facts of a point
     for point in points:
         stored = store.get(point.key, study.model.keep)
         if stored is not None and not lacks(study, point, stored):
@@ -111,7 +113,7 @@ def _take(
 
 
 def _once(shared: dict[Any, Any], value: Any) -> Any:
-    """The first value that was equal to this one, where values are small and likely to be."""
+    """The first value that was equal to this value, for small values of kinds that are often equal."""
     if isinstance(value, np.ndarray):
         if value.nbytes > SMALL:
             return value
@@ -129,10 +131,10 @@ SHARED = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")  # dimensio
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """Dataset with the study's axes as dimensions, over the quantities of its runs.
 
-    Histories stand at the stations that were asked for. What runs on different meshes have at nodes is laid
-    on the finest mesh among them, by the shapes of their own elements; risers of different lengths share
-    the nodes of all, and have no values above their own tops. Statistics of points are those of the runs
-    as they are, which no common mesh changes.
+    Histories are at the requested stations. Values at nodes of different meshes are interpolated to the
+    finest of these meshes, by the shape functions of each mesh. For risers of different lengths, the nodes of
+    all risers are used, and a riser has no values above its top. Statistics of points are those of the runs
+    before interpolation.
     """
     import xarray as xr
 
@@ -149,7 +151,8 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         compat="override",
     )
     order = np.argsort([k for of in places for k in of])
-    flat = flat.isel(point=order, missing_dims="ignore")  # nothing to keep: no points either
+    # without variables, there is no dimension `point`
+    flat = flat.isel(point=order, missing_dims="ignore")
     flat = with_details(flat.assign(point_statistics), study.base)
     for column in point_columns():
         if not column.about.optional or any(column.is_in(r.facts) for r in results):
@@ -175,10 +178,10 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 
 
 def _named(name: str, axis: Any, paper: str) -> dict[str, Any]:
-    """Attributes of an axis, which counts in the unit that the study gives it.
+    """Attributes of an axis, with the unit that the study gives.
 
-    Words that others choose for an axis mean what they say, whatever a chapter of the package has of that
-    name; and so do numbers, where the two have no unit in common.
+    If a user's axis has the name of a variable of a chapter in the package, but has labels or another
+    dimension, the attributes of this variable are not used.
     """
     known, unit = attributes(name), axis.unit if isinstance(axis, Numbers) else None
     ours = (PACKAGE.parents[1] / "chapters" / paper).is_dir()  # of the checkout
@@ -188,7 +191,7 @@ def _named(name: str, axis: Any, paper: str) -> dict[str, Any]:
 
 
 def _layouts(results: list[Result]) -> list[list[int]]:
-    """Places of the runs that have the same arrays over the same nodes and times."""
+    """Groups of indices of runs that have the same arrays over the same nodes and times."""
     places: dict[Any, list[int]] = {}
     for k, result in enumerate(results):
         shapes = tuple((name, values.shape) for name, values in result.arrays.items())
@@ -198,7 +201,7 @@ def _layouts(results: list[Result]) -> list[list[int]]:
 
 
 def statistics(results: list[Result], keep: Collection[str] | None) -> dict[str, Any]:
-    """Statistics of the quantities of runs (keep: of which) over ``point``, at each run's own nodes."""
+    """Statistics of the quantities of runs (``keep``: of these) over ``point``, at the nodes of each run."""
     wide = keep and with_envelopes(keep)
     return as_variables(
         [(of, of_runs(run)) for of, run in zip(*by_layout(results, wide), strict=True)]
@@ -208,7 +211,7 @@ def statistics(results: list[Result], keep: Collection[str] | None) -> dict[str,
 def by_layout(
     results: list[Result], keep: Collection[str] | None
 ) -> tuple[list[list[int]], list[xr.Dataset]]:
-    """Runs of each layout as one dataset of the quantities to keep (None: all), with their places."""
+    """Runs of each layout as one dataset of the quantities to keep (None: all), with their indices."""
     places = _layouts(results)
     runs = [_stacked([results[k] for k in of]) for of in places]
     if keep is not None:
@@ -229,7 +232,7 @@ def _stacked(results: list[Result]) -> xr.Dataset:
 
 
 def _on_common_nodes(results: list[Result]) -> list[Result]:
-    """Runs on the finest of their meshes, or on the nodes of all where risers differ in length."""
+    """Runs interpolated to the finest of their meshes, or to the nodes of all if risers differ in length."""
     meshes = {result.arrays["s_node"].tobytes(): result.arrays["s_node"] for result in results}
     if len(meshes) < 2:
         return results
@@ -240,9 +243,9 @@ def _on_common_nodes(results: list[Result]) -> list[Result]:
 
 
 def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
-    """A run's values over its nodes at other places (m, shape (n,)), not a number above its top.
+    """A run's nodal values interpolated to other places (m, shape (n,)), NaN above its top.
 
-    At its own nodes they are its values, whatever is next to them: a wall may end there.
+    At a node of the run, its value is used without interpolation, because a wall may end there.
     """
     own = result.arrays
     curve = curve_of(own)
@@ -273,7 +276,7 @@ def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
 
 
 def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
-    """What each sample assumed, as variables named assumed_..."""
+    """Add the inputs that each sample assumes, as variables named assumed_..."""
     import xarray as xr
 
     for name, axis in study.model.axes.items():
@@ -289,7 +292,7 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
 
 
 class Known(NamedTuple):
-    """What is known of some points together: their number, those with an estimated error, all effects."""
+    """Summary of points: their number, the number with an estimated error, and all their effects."""
 
     points: int
     estimated: int
@@ -297,20 +300,20 @@ class Known(NamedTuple):
 
 
 def known_of(results: list[Result]) -> Known:
-    """What is known of points by their results."""
+    """Summary of points from their results."""
     estimated = sum(bool(result.facts.get("error_estimate")) for result in results)
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
     return Known(len(results), estimated, effects)
 
 
 def joined(parts: list[Known]) -> Known:
-    """What is known of the points of several parts."""
+    """Joint summary of the points of several parts."""
     effects = {name: why for part in parts for name, why in part.effects.items()}
     return Known(sum(p.points for p in parts), sum(p.estimated for p in parts), effects)
 
 
 def attributes_of_points(known: Known) -> dict[str, str]:
-    """Attributes of a dataset that say what is known of its points."""
+    """Attributes of a dataset with the summary of its points."""
     estimated = f"{known.estimated} of {known.points} points, chosen by their keys"
     return {"effects": json.dumps(known.effects), "errors_estimated": estimated}
 
@@ -330,7 +333,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
 
 
 def write_dataset(dataset: xr.Dataset, target: Path) -> None:
-    """Write a netCDF file whole or not at all.
+    """Write a netCDF file completely or not at all.
 
     Raises
     ------
@@ -342,11 +345,11 @@ def write_dataset(dataset: xr.Dataset, target: Path) -> None:
 
 
 def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
-    """Ten digits of large arrays over time: the others are noise, which takes two fifths of a file.
+    """Encoding that keeps ten digits of large arrays over time; other digits are noise, two fifths of a file.
 
-    Extremes are stored as they are, so that a point has the same ones in every study, large or small.
-    The library rounds what is finite and neither huge nor next to nothing, and writes the number of digits
-    into the variable's attributes; arrays with anything else are stored as they are.
+    Extremes are not rounded, so a point has the same extremes in every study, large or small. The library can
+    round finite numbers of ordinary size, and writes the number of digits to the variable's attributes.
+    Arrays with other values are not rounded.
     """
     return {
         str(name): PACKED | (ROUNDED if _rounded(values) else {})
@@ -356,7 +359,7 @@ def _compressed(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
 
 
 def _rounded(values: xr.DataArray) -> bool:
-    """Whether values vary over time, have more digits, and are zero or of a size that rounding keeps."""
+    """Whether values vary over time, have more digits, and are zero or of a size that can be rounded."""
     if "time" not in values.dims or values.dtype.itemsize < np.dtype(float).itemsize:
         return False
     size = np.abs(values.values)

@@ -1,4 +1,4 @@
-"""config/config.yaml as a model: which papers, which tier."""
+"""config/config.yaml as a model: papers and tier."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from riserstudy.study.models import Name
 
 
 class TierModel(Strict):
-    """A tier: the accuracy asked of scenes that name no mesh and step; absent: the default."""
+    """A tier: the tolerance for scenes without a mesh and time step; absent: the default."""
 
     accuracy: str | None = None
 
 
-#: rules beside which each paper gets one of its own name
+#: names of rules that a paper may not have, because each paper has a rule of its name
 RULES = {
     *("all", "compile", "compiled", "shard", "simulate", "tune", "measure", "derive", "figure"),
     *("sea_states", "hours"),
@@ -29,9 +29,9 @@ RULES = {
 class Config(Strict):
     """config/config.yaml.
 
-    ``points_per_job``: a study of more points is simulated by several jobs. Absent: one job a study.
-    ``units`` of plots that fit any grid and of the report's tables of limits: SI, kN and MPa (field; so where
-    absent), or feet and kips (us).
+    ``points_per_job``: a study with more points is simulated by several jobs. Absent: one job for each study.
+    ``units``: units of plots that fit any grid and of tables of limits in the report: ``si``, ``field`` (kN
+    and MPa, the default) or ``us`` (feet and kips).
     """
 
     papers: list[Name] = Field(min_length=1)

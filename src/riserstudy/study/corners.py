@@ -1,4 +1,4 @@
-"""A few points of a study that stand for all: corners and middles of its axes, ends of what is sampled."""
+"""A few representative points of a study: corners and middles of its axes, ends of sampled ranges."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from riserstudy.study.grid import Index
 from riserstudy.study.study import Study
 
 _NUMBER = re.compile(r"\s*([-+0-9.eE]+)\s")
-TRIES = 50  # a point, beyond which a small grid has no other
+TRIES = 50  # attempts per point, after which a small grid has no further point
 
 
 def corners(study: Study, count: int, seed: int) -> list[Index]:
@@ -21,13 +21,13 @@ def corners(study: Study, count: int, seed: int) -> list[Index]:
 
     Parameters
     ----------
-    count : at most so many; fewer where there are no more.
+    count : largest number of points; the result has fewer if there are no more.
     """
     return list(dict.fromkeys(islice(_turns(study, seed), TRIES * count)))[:count]
 
 
 def others(study: Study, without: list[Index], count: int, seed: int) -> list[Index]:
-    """Points anywhere in the grid, each with equal chance, without some."""
+    """Random points of the grid with equal probability, except those in ``without``."""
     draw, found = Random(f"others {seed}"), dict.fromkeys(without)
     for _ in range(TRIES * count):
         if len(found) == len(without) + count:
@@ -37,7 +37,7 @@ def others(study: Study, without: list[Index], count: int, seed: int) -> list[In
 
 
 def _turns(study: Study, seed: int) -> Iterator[Index]:
-    """Marked points without end, those of each axis in a drawn order, and all of them before one again."""
+    """Endless marked points; each axis passes through all its marks in random order before repeating one."""
     draw = Random(f"corners {seed}")
     models = study.model.axes
     numbers = [name for name in study.axes if isinstance(models[name], Numbers)]
@@ -60,7 +60,7 @@ def _shuffled(marks: list[Any], draw: Random) -> Iterator[Any]:
 
 
 def _marks(study: Study, name: str) -> list[int]:
-    """Every label; of samples those that have the least, the most or an option of an assumption."""
+    """Indices of all labels; for samples, those with the least, the most or an option of an assumption."""
     axis = study.model.axes[name]
     if not isinstance(axis, Samples):
         return list(range(len(study.axes[name])))
@@ -76,7 +76,7 @@ def _marks(study: Study, name: str) -> list[int]:
 
 
 def _size(value: Any) -> Any:
-    """A number, with its unit left out as all samples share it; else text."""
+    """A number without its unit, which all samples share; else text."""
     if isinstance(value, int | float) and not isinstance(value, bool):
         return float(value)
     number = _NUMBER.match(f"{value} ") if isinstance(value, str) else None

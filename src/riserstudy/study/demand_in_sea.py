@@ -1,4 +1,4 @@
-"""Demand of a limit in a sea, from runs of several seeds: what nine in ten intervals do not exceed."""
+"""Demand of a limit in a sea, from runs with several seeds, which nine in ten intervals do not exceed."""
 
 from __future__ import annotations
 
@@ -12,24 +12,24 @@ from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel
 from riserstudy.errors import InputError
 
 FloatArray = NDArray[np.float64]
-ALIKE = 1e-9  # spread of seeds, relative to the largest, that is rounding
+ALIKE = 1e-9  # relative spread of seeds that counts as rounding
 
 
 class Demand(NamedTuple):
-    """What is demanded of a limit, in the unit of its output."""
+    """The demand of a limit, in the unit of its output."""
 
-    value: float  # that nine intervals in ten do not exceed
-    deviation: float  # its standard error for want of seeds; not a number of one seed
-    scale: float  # of the Gumbel distribution from interval to interval; 0 of means, not a number of one seed
+    value: float  # value that nine in ten intervals do not exceed
+    deviation: float  # its standard error due to the number of seeds; NaN for one seed
+    scale: float  # scale of the Gumbel distribution of intervals; 0 for means, NaN for one seed
 
 
 def check_seeds(seeds: int) -> None:
-    """See that so many seeds tell a distribution, or one alone.
+    """Check that the number of seeds is one, or sufficient for a distribution.
 
     Raises
     ------
     InputError
-        Where they do not.
+        If it is neither.
     """
     if seeds != 1 and seeds < FEWEST_SEEDS:
         allowed = f"allowed are 1, whose extremes are used directly, and {FEWEST_SEEDS} or more"
@@ -37,15 +37,15 @@ def check_seeds(seeds: int) -> None:
 
 
 def demand(values: FloatArray, side: str, runs: float) -> Demand:
-    """Demand in an interval that so many runs fit into, by the demands of runs of several seeds.
+    """Demand in an interval as long as ``runs`` runs, from the demands of runs with several seeds.
 
-    Extremes of the seeds follow a Gumbel distribution F; that of r runs one after the other is F^r. Means
-    have the mean of the seeds.
+    Extremes of the seeds follow a Gumbel distribution F. For r successive runs, the distribution is F^r. For
+    means, the result is the mean of the seeds.
 
     Parameters
     ----------
-    values : (n,) demands of runs of n seeds, in the unit of their output.
-    runs : so many of them, one after the other, fit into the interval.
+    values : (n,) demands of runs with n seeds, in the unit of their output.
+    runs : length of the interval divided by the length of a run.
 
     References
     ----------
@@ -61,7 +61,7 @@ def demand(values: FloatArray, side: str, runs: float) -> Demand:
     if np.isnan(values).any() or np.ptp(largest) <= ALIKE * abs(largest).max():
         return Demand(float(sign * largest.max()), 0.0, 0.0)
     found = gumbel(largest)
-    above_mode = math.log(runs) - math.log(-math.log(NOT_EXCEEDED))  # in scales
+    above_mode = math.log(runs) - math.log(-math.log(NOT_EXCEEDED))  # in units of the scale
     share = 1.0 + 6.0 / math.pi**2 * (1.0 - np.euler_gamma + above_mode) ** 2
     deviation = found.scale * math.sqrt(share / len(values))
     value = sign * (found.mode + above_mode * found.scale)

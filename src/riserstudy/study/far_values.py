@@ -1,4 +1,4 @@
-"""Values of an axis that are far from the scene's: what a slip of a unit makes, and a few studies mean."""
+"""Values of an axis that are far from the scene's value, typically by an error of unit."""
 
 from __future__ import annotations
 
@@ -11,15 +11,17 @@ from riserstudy.scene.paths import value_at
 from riserstudy.study.axes import Numbers
 from riserstudy.study.study import Study
 
-FAR = 100.0  # times the next value of the axis, the scene's among them
-ROUNDING = 1e-9  # by which the same ratio comes out otherwise in another unit
+# ratio to the nearest other value, of the axis or the scene, from which on a value is far
+FAR = 100.0
+ROUNDING = 1e-9  # relative difference of the same ratio in different units
 
 
 def far_values(study: Study) -> list[str]:
-    """A warning for each axis of numbers with values a hundred times the scene's, or a hundredth.
+    """A warning for each axis of numbers with values 100 times the scene's value, or a hundredth of it.
 
-    An axis that leads there by smaller steps, or has the scene's own value, is meant so. Numbers without a
-    unit, such as counts and seeds, and paths where the scene has no value or zero, are left alone.
+    There is no warning if the axis reaches such values by smaller steps, or contains the scene's value: it is
+    then intended. Numbers without a unit, such as counts and seeds, and paths without a value or with zero in
+    the scene, are not checked.
     """
     return [
         f"{study.where}: axes.{name}: {text}; check the unit"
@@ -30,7 +32,7 @@ def far_values(study: Study) -> list[str]:
 
 
 def _far(study: Study, axis: Numbers) -> Iterator[str]:
-    """The value of an axis that is farthest from the scene's at a path, where it leaps there."""
+    """A warning about the value of an axis farthest from the scene's value at a path, if it is far."""
     for path in axis.paths:
         there = value_at(study.base.tree, path)
         scene, unit = in_si(path, there)
@@ -47,5 +49,5 @@ def _far(study: Study, axis: Numbers) -> Iterator[str]:
 
 
 def _leaps(values: list[float]) -> bool:
-    """Whether one of some positive values is far from the next."""
+    """Whether two successive values, in order of size, are far apart."""
     return any(b >= FAR * (1.0 - ROUNDING) * a for a, b in pairwise(sorted(values)))

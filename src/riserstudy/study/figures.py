@@ -1,4 +1,4 @@
-"""Figures that a study file asks for: drawn by a function of the chapter, or by a plot that fits any grid."""
+"""Figures of a study file, drawn by a function of the chapter or by a plot that fits any grid."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 
 Plot = Literal["lines", "heat map", "utilisation", "envelope", "time series", "workable hours"]
-#: axes that a grid needs
+#: number of axes that each plot requires
 NEEDS: dict[Plot, int] = {
     "lines": 1,
     "heat map": 2,
@@ -19,20 +19,20 @@ NEEDS: dict[Plot, int] = {
     "time series": 0,
     "workable hours": 0,
 }
-#: plots of datasets below ``seas``, and of no others
+#: plots that are only for datasets below ``seas``
 OF_SEAS: frozenset[Plot] = frozenset(("workable hours",))
 
 
 class FigureModel(Strict):
-    """A figure: its caption, the datasets it reads, and what draws it.
+    """A figure: its caption, the datasets that it reads, and the function or plot that draws it.
 
-    ``plot``: one that fits any grid: lines over an axis, a heat map over two axes, the utilisation of a
-    study's limits over one or two, an envelope along the riser, time series; or workable hours, of a dataset
-    below ``seas``. Absent: the function of the figure's name in its chapter's figures.
-    ``of``: the quantities to plot. Absent: those that matter most among what there is.
-    ``claims``: IDs of the numbers and claims that it is about. Absent: those of the printed figure that it
-    repeats, or those that rest on what it reads.
-    ``with``: further arguments of the function, ``{printed: N1}`` for a printed number of the paper.
+    ``plot``: a plot that fits any grid: lines over an axis, a heat map over two axes, the utilisation of a
+    study's limits over one or two axes, an envelope along the riser, or time series. For a dataset below
+    ``seas``, it is workable hours. Absent: the chapter's function with the name of the figure. ``of``: the
+    quantities to plot. Absent: the most important of the available quantities. ``claims``: IDs of the
+    published values and claims that the figure is about. Absent: those of the published figure that it
+    repeats, or those that use the datasets that it reads. ``with``: further arguments of the function;
+    ``{printed: N1}`` is a published value of the paper.
     """
 
     caption: str

@@ -1,7 +1,7 @@
-"""The scenes of a grid, each with the key it is stored under.
+"""The scenes of a grid, each with its key in the store.
 
-A part of a scene is checked and written out once for all points that share it, so that a point costs a
-look at how its parts fit together, and a hash.
+A part of a scene is checked and converted to text once for all points that share it. For each point, only the
+check of its parts together and a hash remain.
 """
 
 from __future__ import annotations
@@ -26,13 +26,13 @@ from riserstudy.scene.tables import fill_in_tables
 from riserstudy.study.store import COUNTS, key_of, key_of_texts, text_of
 
 Index = tuple[int, ...]
-#: what one value of an axis sets, by path
+#: values that one value of an axis sets, by path
 Sets = dict[str, Any]
 
-REMEMBERED = 10_000  # parts, about 5 kB each
+REMEMBERED = 10_000  # number of cached parts, about 5 kB each
 
 _FIELDS = Parts.model_fields
-# for each part of a scene a model that has this part alone
+# for each part of a scene, a model that has only this part
 _FIELD: dict[str, Any] = {name: (about.annotation, about) for name, about in _FIELDS.items()}
 _ALONE = {name: create_model(name, __base__=Strict, **{name: _FIELD[name]}) for name in _FIELD}
 _NOTHING: dict[str, Any] = dict.fromkeys(_FIELDS)
@@ -41,7 +41,7 @@ _EMPTY = Parts.model_construct(None, **_NOTHING)
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """One point of a grid: where it lies on the axes, and the key of its scene."""
+    """One point of a grid: its indices on the axes, and the key of its scene."""
 
     index: Index
     key: str
@@ -56,7 +56,7 @@ class Part(NamedTuple):
 
 @dataclass(frozen=True)
 class Grid:
-    """A scene varied along axes, of which a later one wins; ``layer`` names the grid in errors."""
+    """A scene varied along axes; later axes override earlier ones. ``layer`` names the grid in errors."""
 
     base: SceneFile
     axes: list[list[Sets]]
@@ -74,17 +74,17 @@ class Grid:
 
     @property
     def ends(self) -> tuple[Index, Index]:
-        """Places of the first and the last point."""
+        """Indices of the first and the last point."""
         lengths = [len(axis) for axis in self.axes]
         return tuple(0 for _ in lengths), tuple(length - 1 for length in lengths)
 
     def points(self, first: int = 0, stride: int = 1) -> Iterator[Point]:
-        """All points, the last axis fastest, or from the first one every so many.
+        """All points with the last axis varying fastest; or every ``stride``-th point from ``first`` on.
 
         Raises
         ------
         InputError
-            When a point's scene cannot be meant.
+            When a point's scene is invalid.
         """
         part = lru_cache(REMEMBERED)(self._part)
         axes_of = {
@@ -99,13 +99,14 @@ class Grid:
                     for name, axes in axes_of.items()
                 }
                 key = _key(parts)
-            except (ValueError, KeyError, InputError):  # the whole scene tells best what is wrong
+            # the check of the whole scene has the best message
+            except (ValueError, KeyError, InputError):
                 key = key_of(self.file(index).resolved())
             yield Point(index, key)
 
     @cached_property
     def _sets(self) -> list[list[dict[str, Sets]]]:
-        """What each value of each axis sets, by part of the scene."""
+        """Values that each value of each axis sets, by part of the scene."""
         return [[self._by_part(sets) for sets in axis] for axis in self.axes]
 
     def _by_part(self, sets: Sets) -> dict[str, Sets]:
@@ -119,7 +120,7 @@ class Grid:
         return Path(self.base.source).parent
 
     def _part(self, name: str, place: tuple[tuple[int, int], ...]) -> Part:
-        """A part of the scene, checked by itself, where some axes have these values."""
+        """A part of the scene, checked alone, for some values of the axes."""
         sets: Sets = {}
         for axis, k in place:
             sets |= self._sets[axis][k].get(name, {})
@@ -135,7 +136,7 @@ def _key(parts: dict[str, Part]) -> str:
     """Key of a scene of checked parts; ValueError when they do not fit together."""
     scene = _EMPTY.model_copy(update={name: part.value for name, part in parts.items()})
     check_rules(scene)
-    resolved = resolve(scene)  # which may replace parts by what they stand for
+    resolved = resolve(scene)  # may replace parts by derived ones
     replaced = [name for name in COUNTS if getattr(resolved, name) is not parts[name].value]
     texts = {name: parts[name].text for name in COUNTS}
     return key_of_texts(texts | {name: text_of(getattr(resolved, name)) for name in replaced})

@@ -12,8 +12,8 @@ from riserstudy.scene.sea import Storm
 class Sea(NamedTuple):
     """An irregular sea."""
 
-    height: float  # significant (m)
-    period: float  # of the peak (s)
+    height: float  # significant wave height (m)
+    period: float  # peak period (s)
 
 
 def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
@@ -28,7 +28,7 @@ def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
 
 
 def values_of(file: SceneFile, sea: Sea) -> dict[str, Any]:
-    """What puts a scene into another sea, by path of the scene.
+    """Values that put a scene into another sea, by path of the scene.
 
     Raises
     ------
@@ -43,7 +43,7 @@ def values_of(file: SceneFile, sea: Sea) -> dict[str, Any]:
 
 
 def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
-    """What gives the sea of a scene other phases, by path of the scene.
+    """Values that give the sea of a scene other phases, by path of the scene.
 
     Raises
     ------
@@ -54,7 +54,7 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
 
 
 def heading_paths(file: SceneFile) -> list[str]:
-    """Where a scene has the heading of its irregular sea.
+    """Paths of the headings of a scene's irregular sea.
 
     Raises
     ------
@@ -68,7 +68,7 @@ def heading_paths(file: SceneFile) -> list[str]:
 
 
 def heading_values(file: SceneFile, sectors: int) -> list[dict[str, Any]]:
-    """What puts the sea of a scene into the heading in the middle of each sector, the first along x.
+    """Values that set the heading of a scene's sea to the middle of each sector, the first along x.
 
     Raises
     ------
@@ -80,7 +80,7 @@ def heading_values(file: SceneFile, sectors: int) -> list[dict[str, Any]]:
 
 
 def sea_of(file: SceneFile) -> Storm:
-    """The irregular sea of a scene: that of the platform, where it has one.
+    """The irregular sea of a scene; the platform's sea, if it has one.
 
     Raises
     ------
@@ -100,7 +100,7 @@ def _seas(file: SceneFile) -> dict[str, Storm]:
     Raises
     ------
     InputError
-        When there are none, or the scene has no time.
+        When there is none, or the scene is static.
     """
     scene = file.resolved()
     response = scene.platform and scene.platform.response

@@ -1,8 +1,8 @@
-"""Make the dataset of a study: at once, or of a big one in parts, so that memory does not grow with points.
+"""Write the dataset of a study: in one piece, or in parts for a big study, to limit the required memory.
 
-The parts are cut along the longest axis. Each is joined as a study of its own, written, and let go; then
-the file of the whole takes them in, one after the other. Where parts differ in more than their values, as by
-nodes of other meshes, the whole is joined at once.
+The parts divide the longest axis. Each part is joined as a separate study, written, and removed from memory.
+Then they are copied into the file of the whole study, one after the other. If parts differ in more than their
+values, for example by nodes of different meshes, the whole study is joined in one piece.
 """
 
 from __future__ import annotations
@@ -37,12 +37,12 @@ if TYPE_CHECKING:
 
     from riserstudy.dataset.result import Result
 
-AT_ONCE = 20_000  # points that are held in memory
-QUANTISED = "_QuantizeGranularBitRoundNumberOfSignificantDigits"  # written by the library itself
+AT_ONCE = 20_000  # largest number of points in memory
+QUANTISED = "_QuantizeGranularBitRoundNumberOfSignificantDigits"  # written by the netCDF library
 
 
 class Part(NamedTuple):
-    """A part of a study: its values of the longest axis, and what is known of its points."""
+    """A part of a study: its values of the longest axis, and the summary of its points."""
 
     path: Path
     first: int
@@ -58,13 +58,13 @@ def write_study(
     count: Count | None = None,
     settings: Settings | None = None,
 ) -> None:
-    """Simulate what a study lacks, and write its dataset.
+    """Simulate the missing points of a study, and write its dataset.
 
     Parameters
     ----------
-    settings : what the study was tuned to, where it is.
-    notify : is told in words how many points were simulated.
-    count : is told of each point that is done; absent: nobody is.
+    settings : tuned settings of the study, if it has them.
+    notify : function that receives a sentence with the number of simulated points.
+    count : function that is called for each completed point; absent: none.
 
     Raises
     ------
@@ -117,7 +117,7 @@ def _parts(
     target: Path,
     made: Callable[[Study, Study | None], tuple[xr.Dataset, list[Result]]],
 ) -> Iterator[Part]:
-    """Write the parts of a study beside its dataset."""
+    """Write the parts of a study next to its dataset."""
     axis = _longest(study)
     length = len(study.axes[axis])
     many = max(1, AT_ONCE * length // len(study.grid))
@@ -131,9 +131,9 @@ def _parts(
 
 
 def _part_of(study: Study, axis: str, first: int, last: int) -> Study:
-    """A study with some values of one axis, whose points are those of the whole."""
+    """A study with some values of one axis, whose points are points of the whole study."""
     part, number = copy(study), list(study.axes).index(axis)
-    held = vars(part)  # properties that are made once
+    held = vars(part)  # cached properties
     held["axes"] = study.axes | {axis: study.axes[axis][first:last]}
     held["plan"] = [point for point in study.plan if first <= point.index[number] < last]
     held["digest"] = study.digest
@@ -141,7 +141,7 @@ def _part_of(study: Study, axis: str, first: int, last: int) -> Study:
 
 
 def _alike(parts: list[Part]) -> bool:
-    """Whether all parts have the same variables over the same coordinates, but for the axis of the cut."""
+    """Whether all parts have the same variables over the same coordinates, except for the divided axis."""
     shapes = set()
     for part in parts:
         with netCDF4.Dataset(part.path) as file:
@@ -156,7 +156,7 @@ def _alike(parts: list[Part]) -> bool:
 
 
 def _over(file: netCDF4.Dataset, name: str) -> tuple[Any, ...]:
-    """Values of a coordinate over a dimension of runs; of others nothing."""
+    """Values of a coordinate over a dimension of runs; empty for other variables."""
     axes = file["point_key"].dimensions
     if file[name].dimensions != (name,) or name in axes:
         return ()
@@ -164,7 +164,7 @@ def _over(file: netCDF4.Dataset, name: str) -> tuple[Any, ...]:
 
 
 def _take_in(parts: list[Part], axis: str, length: int, target: Path) -> None:
-    """Write one file of several that are alike, one after the other along an axis of so many values."""
+    """Write one file from several parts of the same form, along an axis with ``length`` values."""
     with netCDF4.Dataset(parts[0].path) as like, netCDF4.Dataset(target, "w") as whole:
         like.set_auto_maskandscale(False)
         for name, dimension in like.dimensions.items():
@@ -191,7 +191,7 @@ def _take_in(parts: list[Part], axis: str, length: int, target: Path) -> None:
 
 
 def _rounded(parts: list[Part]) -> set[str]:
-    """Variables that are rounded in every part."""
+    """Names of the variables that are rounded in every part."""
     found = []
     for part in parts:
         with netCDF4.Dataset(part.path) as file:
@@ -200,7 +200,7 @@ def _rounded(parts: list[Part]) -> set[str]:
 
 
 def _declare(whole: netCDF4.Dataset, name: str, like: netCDF4.Variable[Any], rounded: bool) -> None:
-    """Make a variable like another."""
+    """Create a variable with the type and attributes of another."""
     about = {n: like.getncattr(n) for n in like.ncattrs() if n != QUANTISED}
     empty = about.pop("_FillValue", None)
     packed: dict[str, Any] = {}

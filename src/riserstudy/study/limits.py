@@ -1,4 +1,4 @@
-"""Limits over a grid: what every point uses of each."""
+"""Limits over a grid: the utilisation of each limit at every point."""
 
 from __future__ import annotations
 
@@ -19,32 +19,32 @@ if TYPE_CHECKING:
     from riserstudy.dataset.result import Result
     from riserstudy.scene.load import SceneFile
 
-#: variables over ``limit``: what of a checked limit they hold, and as what
+#: variables over ``limit``: the field of a checked limit that they hold, and its type
 OVER_LIMITS: dict[str, tuple[str, type]] = {
     "use_of_limit": ("utilisation", float),
     "demand_of_limit": ("demand", float),
     "verdict_of_limit": ("verdict", object),
 }
-#: allowables of points that have different ones: the variable is absent where they are the same
+#: variable with the allowables, which is present only if they differ between points
 ALLOWABLE = "allowable_of_limit"
 FIELDS = ("mode", "side", "output", "at", "allowable", "unit", "origin")
 
 
 def limited(study: Study) -> bool:
-    """Whether the points of a study have limits: by its scene, or by what an axis sets."""
+    """Whether the points of a study have limits, from its scene or from an axis."""
     paths = (path for steps in study.axes.values() for _, sets in steps for path in sets)
     return "limits" in study.base.tree or any(path.startswith("limits") for path in paths)
 
 
 def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None:
-    """Add use, demand and verdict of each limit over the axes and ``limit``, where the study has limits.
+    """Add utilisation, demand and verdict of each limit over the axes and ``limit``, if the study has limits.
 
-    Allowables that differ between points are a variable, too, and have no one value in the attribute.
+    Allowables that differ between points are a variable, and are not in the attribute.
 
     Raises
     ------
     InputError
-        When points differ in what they limit; allowables may differ.
+        When points have different limits; only allowables may differ.
     """
     if not limited(study):
         return
@@ -75,7 +75,7 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
 
 
 def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
-    """What one run uses of each limit of its scene, by the name that ``add_limits`` gives it; (n,) each."""
+    """Values of one run for each limit of its scene, (n,) each, by the variables of ``add_limits``."""
     rows = checked(file, file.resolved(), result.facts)
     return {
         name: np.array([getattr(one, of) for one in rows], kind)

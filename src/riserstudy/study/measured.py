@@ -1,8 +1,8 @@
-"""Datasets that a chapter measures by code of its own, instead of simulating a grid.
+"""Datasets that a chapter measures by its code, instead of simulating a grid.
 
-What stands below ``measured`` in a study file is a model of the chapter: its part ``models`` has a mapping
-``MODELS`` of models by the name of the dataset, its part ``measured`` a function of that name, which takes
-the model and a ``Setting`` and returns the dataset.
+An entry below ``measured`` in a study file is checked by a model of the chapter. The chapter's module
+``models`` has a mapping ``MODELS`` of models by name of the dataset. Its module ``measured`` has a function
+with this name, which takes the model and a ``Setting`` and returns the dataset.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ if TYPE_CHECKING:
 
 
 class Setting(NamedTuple):
-    """What a dataset is measured with; ``compiled`` is the marker that states what compiling took."""
+    """Inputs of a measurement; ``compiled`` is the marker file that states the compile times."""
 
     config: Path
     tier: Tier
     threads: int = 1
-    studies: Sequence[Study] = ()  # of all papers
+    studies: Sequence[Study] = ()  # studies of all papers
     compiled: Path = Path()
 
 
 class MeasuredModel(Strict):
-    """A dataset that a chapter measures: its caption, and whatever its model adds.
+    """A dataset that a chapter measures: its caption, and the fields that its model adds.
 
-    ``timed``: it measures times, and no other job may run beside it.
+    ``timed``: it measures times, so no other job may run at the same time.
     """
 
     timed: ClassVar[bool] = False
@@ -44,18 +44,18 @@ class MeasuredModel(Strict):
     caption: str
 
     def scene_files(self, setting: Setting) -> Iterable[tuple[str, SceneFile]]:
-        """Name and scene of each case: the dataset is made anew when one changes. None unless overridden."""
+        """Name and scene of each case; a change of one repeats the measurement. By default none."""
         del setting
         return ()
 
     def data_files(self, setting: Setting) -> Iterable[Path]:
-        """Files that are read besides: the dataset is made anew when one changes. None unless overridden."""
+        """Further files that are read; a change of one repeats the measurement. By default none."""
         del setting
         return ()
 
 
 def models_of(paper: str) -> dict[str, type[MeasuredModel]]:
-    """Models of the datasets that a chapter measures, by name; none where it has no part ``models``."""
+    """Models of the datasets that a chapter measures, by name; empty if it has no module ``models``."""
     models: dict[str, type[MeasuredModel]] = {}
     for module in chapter_modules(paper, "models"):
         models |= import_of_chapter(module).MODELS
@@ -63,12 +63,12 @@ def models_of(paper: str) -> dict[str, type[MeasuredModel]]:
 
 
 def measured_models(path: Path, paper: str, trees: dict[str, Any]) -> dict[str, MeasuredModel]:
-    """What stands below ``measured`` in the study file ``path``, checked by the models of its chapter.
+    """The entries below ``measured`` in the study file ``path``, checked by the models of its chapter.
 
     Raises
     ------
     InputError
-        When the chapter has no such model, or no function that measures; when a model does not fit.
+        When the chapter lacks the model or the function, or an entry is invalid.
     """
     models = models_of(paper) if trees else {}
     measured = {}

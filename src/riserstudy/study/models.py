@@ -1,4 +1,4 @@
-"""config/studies/<paper>.yaml as models: studies and their axes, derived datasets, what is shown."""
+"""config/studies/<paper>.yaml as models: studies and their axes, derived datasets, figures and schematics."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ from riserstudy.study.measured import MeasuredModel
 from riserstudy.study.seas_model import SeasModel
 
 MOST_MODES = 1000
-#: of the analysis, that a preview may have coarser
+#: settings of the analysis that may be coarser in a preview
 SETTINGS = ("analysis.accuracy", "analysis.mesh", "analysis.method", "analysis.step")
-#: of papers, datasets and figures, which name files
+#: names of papers, datasets and figures, which become names of files
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
 
 
 class Derived(Strict):
     """A dataset derived from others: the studies and derived datasets that it reads, and further arguments.
 
-    These may say where they come from, as values of scenes do: ``assumed`` with a range and why, or
-    ``{printed: N1}`` for a printed number of the paper.
+    Arguments may state their origin, like values of scenes: ``assumed`` with a range and a reason, or
+    ``{printed: N1}`` for a published value of the paper.
     """
 
     reads: list[str]
@@ -53,7 +53,7 @@ class Derived(Strict):
 
 
 def _bare(value: Any) -> Any:
-    """A bare list is what a derived dataset reads."""
+    """Read a bare list as the datasets that a derived dataset reads."""
     return {"reads": value} if isinstance(value, list) else value
 
 
@@ -61,11 +61,11 @@ Reads = Annotated[Derived, BeforeValidator(_bare, json_schema_input_type=list[st
 
 
 class TunedModel(Strict):
-    """What `riserstudy tune` found mesh, step and method of a study on, and what they are worth.
+    """How `riserstudy tune` found mesh, time step and method of a study, with their error and cost.
 
-    ``accuracy``: what was requested; ``points``: so many were tuned on, ``held_out``: so many others were
-    checked. ``error``: the largest at all of them, over the accuracy. ``work``: segments times Newton
-    iterations, over those of requesting the accuracy at each point.
+    ``accuracy``: the tolerance. ``points``: number of points for tuning; ``held_out``: number of other points
+    for the check. ``error``: largest error at all these points, divided by the tolerance. ``work``: segments
+    times Newton iterations, divided by the same product for runs with the tolerance at each point.
     """
 
     accuracy: str
@@ -78,22 +78,22 @@ class TunedModel(Strict):
 
 
 class TuneAt(Strict):
-    """At how many points a job tunes mesh, step and method of a study, and the seed of their draw."""
+    """Number of points at which a job tunes mesh, step and method of a study, and the seed of their draw."""
 
     points: Annotated[int, Field(ge=2, le=256)]
     seed: Annotated[int, Field(ge=0)]
 
 
 class StudyModel(Strict):
-    """One study. Absent set: nothing set on top of the scene; absent keep: all histories are kept.
+    """One study. Without ``set``, the scene is not changed; without ``keep``, all histories are kept.
 
-    ``limits``: those that every point is held against, as scenes have them; absent: those of the scene.
-    ``preview``: coarser settings of the analysis for the preview tier, by path; absent: those of other tiers.
-    ``modes``: how many natural modes each point has, about its static equilibrium; absent: none.
-    ``error_because``: why points whose mesh and step are prescribed may err by more than 1 %.
-    ``settings``: ``tuned``, or at which points: a job tunes mesh, step and method to the accuracy that is
-    requested, and all points are run with them; absent: as scene and set have them.
-    ``tuned``: where `riserstudy tune` wrote mesh, step and method. Absent: nowhere.
+    ``limits``: limits for every point, as in scenes; absent: the limits of the scene. ``preview``: coarser
+    settings of the analysis for the preview tier, by path; absent: as in other tiers. ``modes``: number of
+    natural modes for each point, about its static equilibrium; absent: none. ``error_because``: reason why
+    points with a prescribed mesh and step may have an error of more than 1 %. ``settings``: ``tuned``, or the
+    points for tuning: a job tunes mesh, step and method to the tolerance, and all points are run with them;
+    absent: as in the scene and ``set``. ``tuned``: record of `riserstudy tune` about mesh, step and method
+    that it wrote. Absent: none.
     """
 
     scene: str
@@ -110,12 +110,12 @@ class StudyModel(Strict):
 
     @property
     def on_top(self) -> dict[str, Any]:
-        """What is set on top of the scene, limits included."""
+        """Values that the study sets in the scene, limits included."""
         return self.set | ({"limits": self.limits} if self.limits else {})
 
     @property
     def _numbers(self) -> dict[str, list[str]]:
-        """Paths of the axes of numbers."""
+        """Paths that axes of numbers set, by axis."""
         return {name: axis.paths for name, axis in self.axes.items() if isinstance(axis, Numbers)}
 
     @model_validator(mode="after")
@@ -156,7 +156,7 @@ class StudyModel(Strict):
         return self
 
     def _only_coarser(self) -> None:
-        """Refuse a preview of another riser, and settings that an axis would replace."""
+        """Refuse preview settings that change more than the analysis, or that an axis would replace."""
         for path in self.preview:
             if not any(within(path, setting) for setting in SETTINGS):
                 allowed = "allowed are " + ", ".join(SETTINGS)
@@ -167,9 +167,9 @@ class StudyModel(Strict):
                     raise Misfit("preview", found, "allowed are paths that no axis sets")
 
     def _keep_apart(self) -> None:
-        """Refuse labels that put something else where an axis before them puts its own.
+        """Refuse labels that replace a value which an earlier axis sets.
 
-        What takes a part away, as ``wave: null``, says so.
+        Labels may remove a part explicitly, such as ``wave: null``.
         """
         before: dict[str, str] = {}
         for name, axis in self.axes.items():
@@ -190,24 +190,24 @@ class StudyModel(Strict):
 
 
 def _paths_of(axis: Axis) -> Iterable[str]:
-    """Paths of the scene that values of an axis set, as far as the study file says them."""
+    """Paths of the scene that values of an axis set, if the study file states them."""
     if isinstance(axis, Numbers):
         return axis.paths
     return {path for sets in axis.values() for path in sets} if isinstance(axis, dict) else ()
 
 
 def meets(one: str, other: str) -> bool:
-    """Whether two paths of a scene are the same, or one lies within the other."""
+    """Whether two paths of a scene are equal, or one is below the other."""
     short, long = sorted((one, other), key=len)
     return long == short or long.startswith((f"{short}.", f"{short}["))
 
 
 class SchematicModel(Strict):
-    """A scene drawn to scale, with what is set on top of it. Absent set: nothing.
+    """A scene drawn to scale, with the changes in ``set``. Absent: no changes.
 
-    ``cylinders``: whether tensioners without an arrangement hang from the platform above the ring, or stand
-    on it below the ring; no equation differs. Absent: they hang. ``remarks``: words that follow the labels
-    of parts, by their paths. Absent: none.
+    ``cylinders``: whether tensioners without an arrangement are drawn hanging from the platform above the
+    ring, or standing on it below the ring; the equations are the same. Absent: hanging. ``remarks``: text
+    after the labels of parts, by path. Absent: none.
     """
 
     caption: str
@@ -217,12 +217,12 @@ class SchematicModel(Strict):
     remarks: dict[str, str] = Field(default_factory=dict)
 
     def file(self, config: Path) -> SceneFile:
-        """The scene that is drawn."""
+        """The scene to draw."""
         return read_scene(config / self.scene).with_values(self.set, "schematics.set")
 
 
 class RunInMotion(Strict):
-    """A run that the report shows moving, by its place on the axes, and the quantity that colours it."""
+    """A run that the report shows in motion, by its point on the axes, and the quantity of the colours."""
 
     study: str
     at: dict[str, str | float] = Field(default_factory=dict)
@@ -232,13 +232,13 @@ class RunInMotion(Strict):
 class StudyFile(Strict):
     """Studies of one paper, datasets derived from them, and the figures that read them.
 
-    ``title``, ``reference``, ``about``: the paper's short name, its full reference, and what it is, for the
-    report. ``finding``: the number or claim that the report names first. Absent: named by the file, no paper,
-    nothing said, none named.
-    ``readings``: named ways to read the paper, by what each sets; studies share them as axes or samples.
-    ``seas``: datasets of the hours of a record that the limits of a riser leave; ``measured``: those that
-    code of the chapter makes; ``in_motion``: the run that the report shows moving; ``left_out``: printed
-    figures that are not drawn, and what they show. Absent: none. Absent figures: every plot that fits.
+    ``title``, ``reference``, ``about``: short name, full reference and description of the paper, for the
+    report. ``finding``: the published value or claim that the report gives first. Absent: the title is the
+    name of the file, and the others are omitted. ``readings``: named interpretations of the paper, by the
+    values that each sets; studies use them as axes or samples. ``seas``: datasets of workable hours of a
+    record of sea states. ``measured``: datasets that code of the chapter measures. ``in_motion``: the run
+    that the report shows in motion. ``left_out``: published figures that are not drawn, and their content.
+    Absent: none. Absent ``figures``: every plot that fits.
     """
 
     paper: str
@@ -258,7 +258,7 @@ class StudyFile(Strict):
 
     @property
     def datasets(self) -> list[str]:
-        """Names of all datasets: simulated, of seas, derived and measured."""
+        """Names of all datasets: simulated, derived, measured, and those of seas."""
         return [*self.studies, *self.seas, *self.derived, *self.measured]
 
     @model_validator(mode="after")
@@ -268,7 +268,7 @@ class StudyFile(Strict):
         return self
 
     def _unknown_names(self) -> Iterator[Misfit]:
-        """What names something that the file does not have."""
+        """Faults of names that the file does not define."""
         every: dict[str, StudyModel | SeasModel] = {
             f"studies.{n}": m for n, m in self.studies.items()
         }

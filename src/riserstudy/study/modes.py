@@ -1,4 +1,4 @@
-"""Natural modes of the points of a study, stored as points are: beside the run of the same scene."""
+"""Natural modes of the points of a study, stored like points, with a key that differs from the run's key."""
 
 from __future__ import annotations
 
@@ -19,26 +19,27 @@ if TYPE_CHECKING:
     from riserstudy.study.study import Study
 
 MODES = "riserstudy.simulation.modes"
-STATIONS = 201  # along the riser, that shapes are laid on: as many as nodes of the usual mesh
-#: variables over ``mode``, and with a shape over ``s_relative``
+# number of stations along the riser for shapes, about the number of nodes of a usual mesh
+STATIONS = 201
+#: variables over ``mode``; shapes also have ``s_relative``
 NAMES = ("natural_frequency", "natural_period", "mode_motion")
 SHAPES = ("mode_shape_x", "mode_shape_y", "mode_shape_z")
 
 
 def key_of_modes(key: str, count: int) -> str:
-    """Key of so many modes of the scene of a point."""
+    """Key of ``count`` modes of the scene of a point."""
     about = f"{key} {count} modes {_code()}"
     return hashlib.sha256(about.encode()).hexdigest()[:32]
 
 
 @cache
 def _code() -> str:
-    """Digest of what computes modes, which the engine's need not cover."""
+    """Digest of the code that computes modes, which the engine's digest may not include."""
     return digest(dependencies(MODES))
 
 
 def lacks_modes(study: Study, point: Point) -> bool:
-    """Whether a study asks for modes of a point that are not stored."""
+    """Whether a study requests modes of a point that are not stored."""
     count = study.model.modes
     return count is not None and store.get(key_of_modes(point.key, count)) is None
 
@@ -56,7 +57,7 @@ def make_modes(study: Study, point: Point, file: SceneFile) -> None:
 
 
 def modes_result(file: SceneFile, count: int) -> Result:
-    """So many modes of a scene as arrays, by the names of ``variables_of``."""
+    """``count`` modes of a scene as arrays, by the names of ``variables_of``."""
     import numpy as np
 
     from riserstudy.dataset.result import Result
@@ -78,10 +79,10 @@ def modes_result(file: SceneFile, count: int) -> Result:
 
 
 def add_modes(dataset: xr.Dataset, study: Study) -> None:
-    """Add modes over the axes, ``mode`` and, of shapes, ``s_relative``, where the study asks for them.
+    """Add modes over the axes, ``mode`` and, for shapes, ``s_relative``, if the study requests them.
 
-    A point with fewer modes, as one of an axial spring, has no numbers in the others; nor has one that could
-    not be completed.
+    A point with fewer modes, such as an axial spring, has NaN for the missing modes. A point that could not
+    be completed has NaN for all.
     """
     import numpy as np
 
@@ -100,7 +101,7 @@ def add_modes(dataset: xr.Dataset, study: Study) -> None:
 def variables_of(
     stored: list[dict[str, NDArray[Any]] | None], count: int
 ) -> dict[str, NDArray[Any]]:
-    """Arrays of n points, (n, count), of shapes (n, count, STATIONS); None: a point without."""
+    """Arrays of n points, (n, count), and for shapes (n, count, STATIONS); None: a point without modes."""
     import numpy as np
 
     names = dict.fromkeys(name for arrays in stored for name in arrays or ())

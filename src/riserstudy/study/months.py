@@ -1,4 +1,4 @@
-"""Months of a record: hours of each, and how evenly the record covers them."""
+"""Months of a record: hours of each month, and a check of equal coverage."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from numpy.typing import NDArray
 
 MONTHS = ("Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec")
 DAYS = np.array((31.0, 28.25, 31.0, 30.0, 31.0, 30.0, 31.0, 31.0, 30.0, 31.0, 30.0, 31.0))
-UNEVEN = 0.1  # by which hours of a month may differ from an even share unnoted
+UNEVEN = 0.1  # largest relative difference of a month's hours from an equal share without a note
 
 
 def month_of(time: NDArray[np.datetime64]) -> NDArray[np.int_]:
-    """Month of each time, (n,): 0 of January."""
+    """Month of each time, (n,): 0 is January."""
     return np.asarray(time.astype("datetime64[M]").astype(int) % 12)
 
 
@@ -23,7 +23,7 @@ def hours_of_month(year: int, month: int) -> float:
 
 
 def uneven_months(time: NDArray[np.datetime64]) -> str:
-    """What is noted of times, (n,), that do not cover the months of a year evenly; "" where they do."""
+    """A note about times, (n,), that do not cover the months of a year equally; "" if they do."""
     if not len(time):
         return ""
     rows = np.bincount(month_of(time), minlength=12)

@@ -1,27 +1,27 @@
-"""Which arrays of a run a study needs: what it keeps, its extremes, what lays it on other nodes."""
+"""Arrays of a run that a study needs: kept quantities, extremes, and data to interpolate to other nodes."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 
-#: coordinates, and what tells corners and cylinders
+#: coordinates, and arrays that give corners and the number of cylinders
 ALWAYS = frozenset(("time", "s", "s_node", "mesh_corner", "tensioner_force_static"))
 PLACES = frozenset("xyz")
-#: what lays moments on other nodes, and positions, since a segment bends by its moments
+#: arrays for interpolation of moments and positions to other nodes, since moments bend a segment
 MOMENTS = frozenset(("bending_moment", "mesh_moment"))
 BENDS = PLACES | MOMENTS | {"mesh_flexibility"}
 
 
 def needed(shapes: Mapping[str, Sequence[int]], keep: Collection[str] | None) -> frozenset[str]:
-    """Names of the arrays, out of those of a run, that some quantities are made from; None: all.
+    """Names of the arrays of a run from which the quantities ``keep`` are computed; None: all.
 
     Parameters
     ----------
-    shapes : of all arrays of the run by name; of ``time``, ``s`` and ``s_node`` at least.
+    shapes : shapes of the arrays of the run by name; ``time``, ``s`` and ``s_node`` are required.
     """
     if keep is None:
         return frozenset(shapes)
-    if "time" not in shapes:  # the state at rest has short names, too
+    if "time" not in shapes:  # static arrays also have short names
         keep = {*keep, *(f"{name}_static" for name in keep)}
     wanted = ALWAYS.union(with_envelopes(keep))
     at_nodes = "time" in shapes and shapes["s"] == shapes["s_node"]
@@ -33,5 +33,5 @@ def needed(shapes: Mapping[str, Sequence[int]], keep: Collection[str] | None) ->
 
 
 def with_envelopes(keep: Collection[str]) -> list[str]:
-    """Quantities to keep, and the envelopes of their histories, which see every step and all nodes."""
+    """Quantities to keep, and the envelopes of their histories over all time steps and nodes."""
     return [*keep, *(f"{name}{end}" for name in keep for end in ("_max", "_min"))]

@@ -1,4 +1,4 @@
-"""A folder for a study of one's own, ready for ``snakemake``."""
+"""A folder for your study, ready for ``snakemake``."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ TEMPLATE = Path(__file__).with_name("template")
 
 
 def new_study(folder: Path) -> None:
-    """Lay out Snakefile, configuration, an example of a scene and a study, and schemas for editors.
+    """Write a Snakefile, a configuration, an example of a scene and a study, and schemas for editors.
 
     Raises
     ------
     InputError
-        When the folder holds something, or cannot be made.
+        When the folder is not empty, or cannot be made.
     """
     from riserstudy.study.schemas import schema_files
 
@@ -30,7 +30,7 @@ def new_study(folder: Path) -> None:
             schemas.mkdir()
             for name, text in schema_files().items():
                 (schemas / name).write_text(text, "utf-8")
-        except OSError:  # as on a full disk: nothing stays that a second call would refuse
+        except OSError:  # as on a full disk: remove everything, so a second call is possible
             _empty(folder)
             raise
     except OSError as error:

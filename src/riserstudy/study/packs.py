@@ -1,9 +1,9 @@
-"""Packs: many stored points in one file, so that a million of them need no million files.
+"""Packs: many stored points in one file, so that a million points do not require a million files.
 
-A pack is written whole under another name, renamed, and never changed: a head, a row a point sorted by key
-(key, place, length), then the points as they were stored by themselves, seals and all. Its rows are sealed;
-a pack whose rows are not as they were written counts as missing, and so do its points. Where packs hold a key
-twice, the younger one counts: names begin with the time.
+A pack is written completely under another name, renamed, and never changed. It has a head, one row per point
+sorted by key (key, place, length), and then the points in the form of separate files, with their seals. The
+rows have a hash; a pack with damaged rows counts as missing, and so do its points. If two packs contain a
+key, the younger pack is used; names begin with the time.
 """
 
 from __future__ import annotations
@@ -22,17 +22,18 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 ENDING = ".pack"
-HEAD = struct.Struct("<16sQ32s")  # what it is, points, hash of the rows
+HEAD = struct.Struct("<16sQ32s")  # kind of file, number of points, hash of the rows
 KIND = b"riserstudy pack1"
 ROW = [("key", "S32"), ("begin", "<u8"), ("length", "<u8")]
-UNSURE = 10**9  # ns: a folder that changed so shortly before it was listed may change again unseen
+# ns: after a change this shortly before the listing, a further change of the folder may not be detected
+UNSURE = 10**9
 
 
 class Pack(NamedTuple):
-    """A pack and where its points stand in it."""
+    """A pack and the positions of its points."""
 
     path: Path
-    rows: NDArray[Any]  # of ROW, by key
+    rows: NDArray[Any]  # of type ROW, sorted by key
 
     def place(self, key: str) -> np.void | None:
         """The row of a key."""
@@ -41,7 +42,7 @@ class Pack(NamedTuple):
         return self.rows[at] if at < len(self.rows) and self.rows["key"][at] == wanted else None
 
     def read(self, row: np.void) -> bytes | None:
-        """The stored bytes of a row; None where the pack is gone."""
+        """The stored bytes of a row; None if the pack was removed."""
         try:
             with self.path.open("rb", buffering=0) as file:
                 file.seek(int(row["begin"]))
@@ -51,16 +52,16 @@ class Pack(NamedTuple):
 
 
 def write_pack(folder: Path, points: Mapping[str, bytes], born: str | None = None) -> Path:
-    """Write points, as they are stored, into a new pack.
+    """Write points, in their stored form, to a new pack.
 
     Parameters
     ----------
-    born : time that its name begins with, of the pack that it takes the place of; absent: now.
+    born : time at the begin of its name, from the pack that it replaces; absent: now.
 
     Raises
     ------
     OSError
-        When it cannot be written; nothing is left then.
+        When it cannot be written; no file remains then.
     """
     import numpy as np
 
@@ -80,7 +81,7 @@ def write_pack(folder: Path, points: Mapping[str, bytes], born: str | None = Non
 
 
 def open_pack(path: Path) -> Pack | None:
-    """A pack by its rows; None when they are not as they were written."""
+    """A pack with its rows; None if they are damaged."""
     import numpy as np
 
     try:
@@ -97,16 +98,16 @@ def open_pack(path: Path) -> Pack | None:
 
 
 class Packs:
-    """The packs of a folder, others' new ones among them: the folder is listed again when it changes."""
+    """The packs of a folder; the folder is listed again when it changes, so new packs are included."""
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        self._packs: dict[str, Pack | None] = {}  # by name, oldest first; None: not whole
+        self._packs: dict[str, Pack | None] = {}  # by name, oldest first; None: damaged
         self._holder: dict[bytes, str] = {}  # name of the youngest pack with a key
         self._changed, self._listed = 0, 0
 
     def read(self, key: str) -> bytes | None:
-        """The stored bytes of a point; None where no pack holds it."""
+        """The stored bytes of a point; None if no pack contains it."""
         self._list()
         name = self._holder.get(key.encode())
         pack = self._packs[name] if name else None
@@ -114,7 +115,7 @@ class Packs:
         return pack.read(row) if pack and row is not None else None
 
     def __contains__(self, key: str) -> bool:
-        """Whether a pack holds a key."""
+        """Whether a pack contains a key."""
         self._list()
         return key.encode() in self._holder
 
@@ -124,7 +125,7 @@ class Packs:
         return (key.decode() for key in sorted(self._holder))
 
     def all(self) -> Iterator[tuple[Path, Pack | None]]:
-        """All packs with their files; None: not whole."""
+        """All packs with their files; None: damaged."""
         self._list()
         return ((self.folder / name, pack) for name, pack in self._packs.items())
 

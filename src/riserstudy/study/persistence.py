@@ -1,13 +1,13 @@
-"""How years of workable hours persist, which bands of years to come take for known."""
+"""Persistence of workable hours from year to year, which bands for future years assume."""
 
 from __future__ import annotations
 
-#: Hurst exponent of the shares of years, assumed: the middle of 0.58 to 0.74, which Bakker and van den Hurk
-#: (2012, Climate Dynamics 39) found of annual winds over the North Sea and around it
+#: assumed Hurst exponent of the yearly shares: the middle of the range 0.58 to 0.74 that Bakker and van den
+#: Hurk (2012, Climate Dynamics 39) found for annual winds over the North Sea and around it
 PERSISTENCE = 0.66
-#: exponents that are allowed: from years that do not depend on one another
+#: range of allowed exponents; the smallest is for independent years
 LEAST_PERSISTENCE, MOST_PERSISTENCE = 0.5, 0.95
-#: exponents whose effect is printed: years that do not persist, and the largest of those found
+#: exponents whose effect is printed: independent years, and the largest published exponent
 PERSISTENCES = (LEAST_PERSISTENCE, 0.74)
-#: years to come that a band may be of
+#: largest number of future years of a band
 MOST_AHEAD = 100

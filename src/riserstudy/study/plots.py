@@ -1,4 +1,4 @@
-"""What plots can show of a study, known before anything is run."""
+"""Quantities of a study that plots can show, known before any run."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ from riserstudy.study.study import Study
 
 ALONG = (
     *("x", "y", "z", "effective_tension", "bending_moment"),
-    *("shear_force", "von_mises_stress"),  # of which envelopes alone are returned
+    *("shear_force", "von_mises_stress"),  # only envelopes of these are returned
 )
-#: what a heat map shows of them, where nothing is said
+#: default statistic of a quantity in a heat map
 EXTREMES = {
     "bending_moment": "_absmax",
     "effective_tension": "_min",
@@ -29,7 +29,7 @@ EXTREMES = {
     "stroke": "_max",
     "z": "_max",
 }
-#: what each plot takes where a figure names nothing; more of them than it shows
+#: default quantities of each plot, in order of preference; a plot shows fewer of them
 USUAL: dict[Plot, tuple[str, ...]] = {
     "lines": ("x", "bending_moment", "effective_tension", "ufj_angle", "stroke", "z"),
     "heat map": tuple(EXTREMES),
@@ -39,20 +39,20 @@ USUAL: dict[Plot, tuple[str, ...]] = {
     "workable hours": (),
 }
 SIDES = ("_max", "_min", "_absmax")
-#: what is given over time alone, not at rest
+#: prefixes of quantities that exist over time only, not at rest
 _MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
 ANOTHER = "name another quantity or plot"
 
 
 class Reason(NamedTuple):
-    """Why a plot does not show a quantity, and what it may show."""
+    """Why a plot cannot show a quantity, and what it can show."""
 
     why: str
     allowed: str = ANOTHER
 
 
 def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[Misfit]:
-    """Why a figure's plot cannot show what it names; nothing where only runs can say."""
+    """Faults of a figure whose plot cannot show its quantities; empty if only runs can decide."""
     (name, *_) = figure.reads
     if figure.plot is None or name not in studies:
         return
@@ -66,14 +66,14 @@ def faults(figure: FigureModel, studies: dict[str, Study]) -> Iterator[Misfit]:
 
 
 def shows(plot: Plot, study: Study) -> bool:
-    """Whether a plot has something to show of a study where it names nothing."""
+    """Whether a plot can show default quantities of a study."""
     if plot == "utilisation":
         return limited(study)
     return any(not reason_to_leave_out(plot, quantity, study) for quantity in USUAL[plot])
 
 
 def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | None:
-    """Why a plot cannot show a quantity of a study; None where it can, or where only runs can say."""
+    """Why a plot cannot show a quantity of a study; None if it can, or if only runs can decide."""
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")
     if of_points(quantity):
@@ -102,7 +102,7 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
 
 
 def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
-    """Whether a study keeps what a plot makes a quantity from; at rest there are no extremes."""
+    """Whether a study keeps the data from which a plot computes a quantity; static runs have no extremes."""
     keep = study.model.keep
     moves = study.base.tree.get("analysis", {}).get("duration") is not None
 
@@ -124,7 +124,7 @@ def _is_kept(plot: Plot, quantity: str, stem: str, study: Study) -> bool:
 
 
 def _reason_not_returned(plot: Plot, stem: str, study: Study) -> Reason | None:
-    """What no run of a study has, for it to return a quantity; None where one may have it."""
+    """Why no run of a study returns a quantity; None if a run may return it."""
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
         return Reason(f"has no history: the runs of {study.name!r} are at rest")
@@ -136,9 +136,9 @@ def _reason_not_returned(plot: Plot, stem: str, study: Study) -> Reason | None:
 
 
 def _scenes(study: Study) -> Iterator[Resolved]:
-    """Scenes of a study that differ in what they have; none where one of them cannot be meant.
+    """Scenes of a study with different parts; empty if one of them is invalid.
 
-    Numbers on an axis change no more than the first of them; samples may take parts in and out.
+    All numbers of an axis give the same parts as its first number; samples may add and remove parts.
     """
     axes = study.model.axes
     if any(isinstance(axis, Samples) for axis in axes.values()):
@@ -150,7 +150,7 @@ def _scenes(study: Study) -> Iterator[Resolved]:
         places += [[*first[:number], k, *first[number + 1 :]] for k in range(1, labels)]
     try:
         scenes = [study.grid.file(tuple(place)).resolved() for place in places]
-    except InputError:  # planning says what is wrong
+    except InputError:  # planning reports the fault
         return
     yield from scenes
 

@@ -1,8 +1,8 @@
-"""Do a task for many items in several processes: threads would wait for each other's Python.
+"""Run a task for many items in several processes, because threads would wait for each other in Python.
 
-Processes are forks where the system forks well: they have what is loaded, and take no items but by
-number. Elsewhere they begin from nothing and are sent the task and its items, which must be picklable. They
-end with the one that started them, however that ends.
+Processes are forks if the system supports them well: a fork has all loaded data, and receives only the number
+of an item. Otherwise they start empty, and receive the task and its items, which must be picklable. They end
+with the process that started them, however it ends.
 """
 
 from __future__ import annotations
@@ -23,22 +23,22 @@ from riserstudy.errors import SimulationError
 T = TypeVar("T")
 R = TypeVar("R")
 
-AT_ONCE = 20_000  # items that are waited for: each takes memory
+AT_ONCE = 20_000  # largest number of submitted items, each of which takes memory
 
 _work: tuple[Callable[[Any], Any], Sequence[Any]]
 
 
 def forks() -> bool:
-    """Whether processes are forks: where there are, but not on macOS, whose own libraries break in them."""
+    """Whether processes are forks: if available, except on macOS, whose libraries fail in forks."""
     return hasattr(os, "fork") and sys.platform != "darwin"
 
 
 def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:
-    """What a task returns for each item, in order.
+    """Results of a task for each item, in order.
 
     Parameters
     ----------
-    task : a function of a module, or a ``partial`` of one: not every system hands on a closure.
+    task : a function of a module, or a ``partial`` of one; closures are not possible on every system.
 
     Raises
     ------
@@ -65,7 +65,7 @@ def _begin(task: Callable[[Any], Any], items: Sequence[Any]) -> None:
     global _work
     _work = task, items
     use_one_thread()
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the one that started this
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # only the parent process handles an interrupt
     Thread(target=_end_with_parent, daemon=True).start()
 
 

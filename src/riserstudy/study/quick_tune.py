@@ -1,9 +1,9 @@
-"""Tune a small study at one point: what tuning costs is shared by few points, so it must cost little.
+"""Tune a small study at one point, at a small cost, because few points benefit from it.
 
-The reference is a run on the request's mesh halved, by the fourth-order method, which leaves a third of what
-that changes. Of meshes and steps every second is looked at. Points are held against the request by the errors
-that they estimate, which are larger than the true ones; so mesh and step are then made finer until a few
-corners do estimate less.
+The reference is a run by the fourth-order method with the segments of the refined run halved. Its error is a
+third of the change by this halving. Every second mesh and step is tried. Points are then compared with the
+tolerance by their estimated errors, which exceed the true errors. Mesh and step are therefore refined until a
+few corner points have a sufficiently small estimated error.
 """
 
 from __future__ import annotations
@@ -22,28 +22,27 @@ from riserstudy.study.setting import FINER, SHORTER, Setting, layers_of, meshes,
 from riserstudy.study.study import Study
 from riserstudy.study.tune import FREE, Notify, Place, Tuned, Tuner, check_tunable, work_of
 
-LONGER = (
-    2.0  # times the step of a request, whose method is of second order; with events it is of fourth
-)
-LEFT = 3.0  # halving a mesh leaves one in so many of what it changes: second order
+# factor on the refined run's step, whose method is of second order; with events, of fourth
+LONGER = 2.0
+LEFT = 3.0  # ratio of the change by halving a mesh to the remaining error: second order
 METHODS = ("ESDIRK4", "generalised-alpha")
-HELD_OUT = 2  # corners that are held against the setting
-ENOUGH = 0.9  # of the accuracy: error that these estimate, at most
-TWICE = 4  # segments of which a mesh has so many times some: it is halved twice for its error
-ROUNDS = 6  # of finer settings
+HELD_OUT = 2  # number of corner points for the check of the setting
+ENOUGH = 0.9  # largest estimated error at these points, as a share of the tolerance
+TWICE = 4  # number of segments is a multiple of this, since two coarser meshes give the error
+ROUNDS = 6  # largest number of finer settings
 
 
 @dataclass
 class QuickTuner(Tuner):
-    """A study and an accuracy, tuned at one point after the other."""
+    """A study and a tolerance, tuned at one point."""
 
     def place(self, index: Index) -> Place:
-        """A point, and a run on the request's mesh halved, by the fourth-order method.
+        """A point, and a reference run by the fourth-order method with the refined run's segments halved.
 
         Raises
         ------
         SimulationError
-            When it cannot be completed.
+            When the run cannot be completed.
         """
         self.notify(f"a request and a finer run at index {index}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
@@ -58,12 +57,12 @@ class QuickTuner(Tuner):
         return Place(index, file, best, unsure, sum(map(work_of, requested.facts["refinements"])))
 
     def least_work(self, places: list[Place]) -> Setting:
-        """The setting of least work among every second mesh and step along the border of those that suffice.
+        """The setting of least work among every second mesh and step, along the border of those that suffice.
 
         Raises
         ------
         SimulationError
-            When none takes less than requests.
+            When no setting needs less work than runs with a tolerance.
         """
         scenes = [place.file.resolved() for place in places]
         best, least = None, sum(place.work_of_request for place in places)
@@ -82,7 +81,7 @@ class QuickTuner(Tuner):
         return best
 
     def estimated(self, setting: Setting, index: Index) -> float:
-        """Largest error that a point estimates with a setting, over the accuracy (1); infinite: it fails."""
+        """Ratio of a point's largest estimated error to the tolerance (1); infinite if the run fails."""
         file = self.study.grid.file(index).with_values(FREE, "tune")
         try:
             result = run(file.with_values(setting.values, "tune").resolved())
@@ -95,25 +94,25 @@ class QuickTuner(Tuner):
 def finer(setting: Setting) -> Setting:
     """The setting with the next finer mesh and the next shorter step."""
     elements = setting.elements
-    if elements >= TWICE:  # fewer are a massless spring
+    if elements >= TWICE:  # fewer segments are for a massless spring
         elements = _halvable(elements * FINER)
     return replace(setting, elements=elements, step=float(f"{setting.step / SHORTER:.2g}"))
 
 
 def _halvable(elements: float) -> int:
-    """So many segments, or a few more: a mesh whose error is estimated by its halves, and theirs."""
+    """The number of segments, increased to a multiple of `TWICE`, so that it can be halved twice."""
     return TWICE * math.ceil(elements / TWICE) if elements >= TWICE else round(elements)
 
 
 def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tuned:
-    """A setting for a small study, and what it is worth.
+    """A setting for a small study, with its error and cost.
 
     Raises
     ------
     InputError
         When there is nothing to tune.
     SimulationError
-        When the point cannot be run, or no setting that takes less than requests suffices.
+        When the point cannot be run, or no setting suffices with less work than runs with a tolerance.
     """
     check_tunable(study, 1)
     tuner = QuickTuner(study, None, notify)

@@ -26,7 +26,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     Raises
     ------
     InputError
-        When it cannot be meant, or needs code that there is not.
+        When the file is invalid, or requires code that does not exist.
     """
     path = config / "studies" / f"{paper}.yaml"
     file = check(StudyFile, _with_models(read_yaml(path, keep=True), path, paper), path)
@@ -52,7 +52,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
 
 
 def _with_models(tree: Any, path: Path, paper: str) -> Any:
-    """What stands in a study file, with the models of its chapter in place of what it measures."""
+    """The content of a study file, with checked models in place of the entries below ``measured``."""
     trees = tree.get("measured") if isinstance(tree, dict) else None
     if not isinstance(trees, dict):
         return tree
@@ -60,7 +60,7 @@ def _with_models(tree: Any, path: Path, paper: str) -> Any:
 
 
 def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:
-    """Refuse derived datasets and figures whose functions are not there or take something else."""
+    """Refuse derived datasets and figures whose functions do not exist or have other arguments."""
     for name, derived in file.derived.items():
         if defining(chapter_modules(paper, "derived"), name) is None:
             found = f"chapters/{paper}/derived.py defines no function {name}"
@@ -86,11 +86,11 @@ def read_study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | 
 def default_figures(
     studies: dict[str, StudyModel], moving: dict[str, bool]
 ) -> dict[str, FigureModel]:
-    """Figures of a study file that asks for none: every plot that fits each of its grids.
+    """Figures of a study file without ``figures``: every plot that fits each of its grids.
 
     Parameters
     ----------
-    moving : whether a study's runs have a time.
+    moving : function that states whether a study's runs are dynamic.
     """
     limited = {name for name, model in studies.items() if model.limits}
     return {
@@ -115,7 +115,7 @@ def _fitting(axes: int, moving: bool, limited: bool) -> Iterator[tuple[Plot, str
 
 
 def _moves(config: Path, model: StudyModel) -> bool:
-    """Whether the runs of a study have a time."""
+    """Whether the runs of a study are dynamic."""
     file = scene_file(config / model.scene).with_values(model.set, "set")
     analysis = file.tree.get("analysis")
     return isinstance(analysis, dict) and analysis.get("duration") is not None

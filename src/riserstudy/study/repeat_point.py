@@ -1,4 +1,4 @@
-"""Run a point of a dataset anew from what the dataset says of itself, and compare."""
+"""Rerun a point of a dataset from the scene in the dataset, and compare."""
 
 from __future__ import annotations
 
@@ -24,20 +24,21 @@ if TYPE_CHECKING:
     from riserstudy.dataset.result import Result
     from riserstudy.scene.load import SceneFile
 
-#: that are not of the run, or of one that failed
+#: variables that are not results of a completed run
 NOT_COMPARED = ("point_key", "by_request", "failure")
 
 
 @dataclass(frozen=True)
 class Rerun:
-    """A point that was run anew.
+    """A point that was rerun.
 
     Attributes
     ----------
-    place : where it is on the axes.
-    engines : digests of the engine that made the dataset, and of this one.
-    changes : largest change of each variable over its largest magnitude; infinite where one has no value.
-    run : all of it, as ``simulate`` labels it, with what the dataset does not keep.
+    place : its values on the axes.
+    engines : digests of the engine that made the dataset, and of the present engine.
+    changes : largest change of each variable, divided by its largest magnitude; infinite if only one has a
+        value.
+    run : the complete labelled run, as from ``simulate``, with variables that the dataset does not keep.
     """
 
     place: dict[str, Any]
@@ -47,18 +48,18 @@ class Rerun:
 
 
 def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
-    """Run one point of a simulated dataset anew, or the one run of a dataset without axes.
+    """Rerun one point of a simulated dataset, or the single run of a dataset without axes.
 
     Parameters
     ----------
-    at : value by axis, as text; axes of one value need none.
+    at : values by axis, as text; not required for axes with one value.
 
     Raises
     ------
     InputError
         When the dataset was not simulated, or has no such point.
     SimulationError
-        When it cannot be completed.
+        When the run cannot be completed.
     """
     import xarray as xr
 
@@ -98,7 +99,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
 
 
 def _modes(file: SceneFile, point: xr.Dataset) -> dict[str, NDArray[Any]]:
-    """Modes of a scene, as many as a point has, by their names in its dataset."""
+    """Modes of a scene, in the same number as the point has, by their names in its dataset."""
     if "natural_period" not in point:
         return {}
     count = point.sizes["mode"]
@@ -107,7 +108,7 @@ def _modes(file: SceneFile, point: xr.Dataset) -> dict[str, NDArray[Any]]:
 
 
 def _on_nodes_of(point: xr.Dataset, result: Result) -> Result:
-    """A run over the nodes of a dataset, which has them as ``s`` where it keeps histories alone."""
+    """A run interpolated to the nodes of a dataset, which are ``s`` if it keeps histories only."""
     own, at = result.arrays, result.arrays.get("s", result.arrays["s_node"])
     everywhere = at.shape == own["s_node"].shape and np.array_equal(at, own["s_node"])
     name = "s_node" if "s_node" in point.dims else "s"
@@ -121,9 +122,9 @@ def _on_nodes_of(point: xr.Dataset, result: Result) -> Result:
 
 
 def _like(old: xr.DataArray, new: xr.DataArray | Any) -> NDArray[Any]:
-    """Values of a run as its dataset holds them.
+    """Values of a run in the form of its dataset.
 
-    That has values at rest at all times of other points, and not a number where only others have values.
+    The dataset repeats static values at all times of other points, and has NaN where only others have values.
     """
     if new is None:
         return np.full_like(old, np.nan) if old.dtype.kind == "f" else np.asarray(np.nan)
@@ -133,10 +134,10 @@ def _like(old: xr.DataArray, new: xr.DataArray | Any) -> NDArray[Any]:
 
 
 def _change(old: Any, new: Any) -> float:
-    """Largest difference of two arrays over their largest magnitude."""
+    """Largest difference of two arrays, divided by their largest magnitude."""
     if old.shape != new.shape:
         return float("inf")
-    if old.dtype.kind not in "fiub":  # texts are the same or not
+    if old.dtype.kind not in "fiub":  # text is either equal or not
         return 0.0 if np.array_equal(old, new) else float("inf")
     if not np.array_equal(np.isnan(old), np.isnan(new)):
         return float("inf")

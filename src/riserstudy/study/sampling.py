@@ -1,4 +1,4 @@
-"""The space that a paper leaves open: samples over the ranges and options of its assumptions."""
+"""Samples of unspecified inputs of a paper, over the ranges and options of the assumptions."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ _PARTS = re.compile(r"\s*([-+0-9.eE]+)\s*(.*)")
 
 
 def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[str, Any]]:
-    """Overrides of ``count`` scrambled Sobol points over all assumptions at once.
+    """Overrides for ``count`` scrambled Sobol points over all assumptions together.
 
-    A range is sampled evenly, options with equal chance.
+    A range is sampled uniformly, and options with equal probability.
 
     Raises
     ------
     InputError
-        When nothing is open, or the ends of a range have different units.
+        When there is no assumption to vary, or the ends of a range have different units.
     """
     if not assumptions:
         raise InputError(
@@ -37,9 +37,9 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
 
 
 def sobol(dimensions: int, count: int, seed: int) -> list[list[float]]:
-    """Scrambled Sobol points in the unit cube, ``count`` of so many coordinates.
+    """``count`` scrambled Sobol points in the unit cube of ``dimensions`` dimensions.
 
-    They are kept in the cache: scipy.stats takes 0.6 s to start, more than planning.
+    They are cached, because scipy.stats needs 0.6 s to start, longer than planning.
     """
 
     def draw() -> list[list[float]]:

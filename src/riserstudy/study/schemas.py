@@ -16,16 +16,17 @@ from riserstudy.study.models import StudyFile
 
 
 def study_schema(papers: Iterable[str] = ()) -> dict[str, Any]:
-    """Of study files; what the chapters of some papers measure is known by its fields."""
+    """Schema of study files; with the fields of datasets that the chapters of ``papers`` measure."""
     schema = {"$schema": DIALECT, **StudyFile.model_json_schema()}
     definitions = schema["$defs"]
-    definitions["MeasuredModel"]["additionalProperties"] = True  # what the model of a chapter adds
+    # fields that a chapter's model adds
+    definitions["MeasuredModel"]["additionalProperties"] = True
     rules = [rule for paper in papers if (rule := _measured_rule(paper, definitions))]
     return schema | ({"allOf": rules} if rules else {})
 
 
 def _measured_rule(paper: str, definitions: dict[str, Any]) -> dict[str, Any]:
-    """What a study file of a paper may have below ``measured``; models join the ``definitions``."""
+    """Schema of the entries below ``measured`` for a paper; its models are added to ``definitions``."""
     models = models_of(paper)
     if not models:
         return {}
@@ -41,16 +42,16 @@ def _measured_rule(paper: str, definitions: dict[str, Any]) -> dict[str, Any]:
 
 
 def config_schema() -> dict[str, Any]:
-    """Of the configuration."""
+    """Schema of the configuration."""
     return {"$schema": DIALECT, **Config.model_json_schema()}
 
 
 def schemas(papers: Iterable[str] = ()) -> dict[str, Callable[[], dict[str, Any]]]:
-    """What makes each schema as plain data, by the kind of file.
+    """Functions that return each schema as plain data, by the kind of file.
 
     Parameters
     ----------
-    papers : whose chapters may have models of what they measure.
+    papers : papers whose chapters may have models of measured datasets.
     """
     study = partial(study_schema, papers)
     return {"scene": scene_schema, "study": study, "config": config_schema}

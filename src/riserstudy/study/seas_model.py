@@ -1,4 +1,4 @@
-"""``seas`` of a study file: the hours of a record that the limits of a riser leave, over settings of it."""
+"""``seas`` of a study file: workable hours of a record by the limits of a riser, over its settings."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from riserstudy.study.persistence import (
     PERSISTENCE,
 )
 
-HEADING = "heading"  # the axis of the headings that directions of a record become
+HEADING = "heading"  # the axis of headings, to which directions of a record are converted
 
 
 class SyntheticModel(Strict):
-    """A synthetic record: so many years, made with a seed."""
+    """A synthetic record: its number of years, and the seed of its generation."""
 
     years: Annotated[int, Field(ge=1, le=100)]
     seed: Annotated[int, Field(ge=0)]
 
 
 class HeadingsModel(Strict):
-    """Directions of a record as headings of the scene: in sectors, the first about x.
+    """Conversion of a record's directions to headings of the scene, in sectors, the first about x.
 
-    ``x_towards``: the bearing that the scene's x points to, clockwise from north, such as ``90 deg``.
+    ``x_towards``: bearing of the scene's x axis, clockwise from north, such as ``90 deg``.
     """
 
     sectors: Annotated[int, Field(ge=2, le=36)]
@@ -44,16 +44,16 @@ class HeadingsModel(Strict):
 
 
 class SeasModel(Strict):
-    """Hours of a record of sea states that the limits of a riser leave, at each point of a grid of settings.
+    """Workable hours in a record of sea states, by the limits of a riser, at each point of a grid.
 
-    ``record``: a file below the folder of the configuration (CSV or netCDF), or a synthetic record.
-    ``set``, ``limits`` and ``axes`` are those of a study. ``headings``: absent: all seas come from the
-    heading of the scene. ``sea_limits``: limits on the sea itself that must be met too, as ``hs <= 2.5 m``;
-    absent: none. ``seeds``: runs of each sea state. ``error``: of the response between sea states, as part of
-    what is allowed. ``most``: sea states of a heading at most. ``windows``: lengths of work in one go, as
-    ``24 h``; absent: none. ``next_years``: for how many years to come a band is given. ``persistence``: Hurst
-    exponent of the shares of years, which bands take for known. ``return_periods``: years in which a response
-    is exceeded once; absent: none.
+    ``record``: a file in the folder of the configuration (CSV or netCDF), or a synthetic record. ``set``,
+    ``limits`` and ``axes`` are as in a study. ``headings``: absent: all seas have the heading of the scene.
+    ``sea_limits``: additional limits on the sea, such as ``hs <= 2.5 m``; absent: none. ``seeds``: number of
+    runs for each sea state. ``error``: tolerance for the response between sea states, as a share of the
+    allowable. ``most``: largest number of sea states for each heading. ``windows``: lengths of continuous
+    work, such as ``24 h``; absent: none. ``next_years``: number of future years for which a band is given.
+    ``persistence``: Hurst exponent of the yearly shares, which bands assume. ``return_periods``: return
+    periods of responses in years; absent: none.
     """
 
     scene: str

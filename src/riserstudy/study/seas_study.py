@@ -1,4 +1,4 @@
-"""Hours of a record over settings of a riser, ready to be planned: a part for each setting and heading."""
+"""Workable hours of a record over settings of a riser, to be planned: one part per setting and heading."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Settings(Study):
 
     @property
     def where(self) -> str:
-        """How errors name it."""
+        """Name of the dataset in errors."""
         return f"config/studies/{self.paper}.yaml: seas.{self.name}"
 
 
@@ -47,7 +47,7 @@ class SeasStudy:
 
     @cached_property
     def parts(self) -> Study:
-        """The grid of settings and headings; what a job simulates is one point of it."""
+        """The grid of settings and headings; a job simulates one point of it."""
         if self.model.headings is None:
             return self.settings
         sets = heading_values(self.settings.base, self.model.headings.sectors)
@@ -70,27 +70,27 @@ class SeasStudy:
 
     @property
     def record_file(self) -> Path | None:
-        """The file of the record; None of a synthetic one."""
+        """The file of the record; None for a synthetic record."""
         return self.config / self.model.record if isinstance(self.model.record, str) else None
 
     def part(self, number: int) -> tuple[SceneFile, int]:
-        """Scene of the setting of a part, and the number of its heading (0 where there is one alone)."""
+        """Scene of a part's setting, and the index of its heading (0 if there is only one)."""
         index = self.parts.plan[number].index
         if self.model.headings is None:
             return self.settings.grid.file(index), 0
         return self.settings.grid.file(index[:-1]), index[-1]
 
     def check(self) -> None:
-        """See that each setting has what hours of a record need, before any job.
+        """Check, before any job, that each setting has the inputs for workable hours.
 
         Raises
         ------
         InputError
-            Where one has not.
+            If a setting lacks them.
         """
         for point in self.parts.plan:
             file = self.parts.grid.file(point.index)
-            phases_of(file, 1)  # refuses a scene without a sea or a time
+            phases_of(file, 1)  # refuses a scene without a sea, or a static scene
             if not file.resolved().limits:
                 raise InputError(
                     self.settings.where, "limits", "none", "give the limits of the riser"
@@ -98,13 +98,13 @@ class SeasStudy:
 
     @cached_property
     def digest(self) -> str:
-        """One string that changes when anything that the dataset depends on changes."""
+        """A text that changes with every input of the dataset."""
         about = [self.parts.digest, self.model.model_dump(mode="json"), self._content]
         return hashlib.sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()[:16]
 
     @property
     def _content(self) -> str:
-        """Digest of the file of the record."""
+        """Digest of the content of the record's file."""
         if self.record_file is None:
             return ""
         try:

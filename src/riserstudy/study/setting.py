@@ -1,4 +1,4 @@
-"""Mesh, step and method of a study, as its file writes them, and those that tuning tries."""
+"""Mesh, time step and method of a study, as in its file, and the settings that tuning tries."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import end_layers, massless, period
 from riserstudy.simulation.time_stepping import RHO_INF, STIFF
 
-#: methods by name: how a scene has each, and solutions of a step that it takes at least
+#: methods by name: the value in a scene, and the smallest number of solutions per time step
 METHODS: dict[str, tuple[Any, int]] = {
     "generalised-alpha": ({"rho_inf": RHO_INF}, 1),
     "TR-BDF2": ("TR-BDF2", 2),
     "ESDIRK4": ("ESDIRK4", 5),
 }
 COARSE = 8  # segments of the coarsest mesh
-FINER = 2 ** (1 / 4)  # from mesh to mesh
-LONG, SHORT = 4.0, 400.0  # steps a period, from the longest to the shortest
-SHORTER = 2 ** (1 / 3)  # from step to step
+FINER = 2 ** (1 / 4)  # ratio of segments of successive meshes
+LONG, SHORT = 4.0, 400.0  # time steps in a period, for the longest and the shortest step
+SHORTER = 2 ** (1 / 3)  # ratio of successive time steps
 ENDS = ("bottom", "top")
 #: lengths of layers by end (m)
 Layers = tuple[tuple[str, float], ...]
@@ -37,7 +37,7 @@ class Setting:
 
     @property
     def analysis(self) -> dict[str, Any]:
-        """Mesh, step and method as a scene's analysis has them."""
+        """Mesh, step and method in the form of a scene's analysis."""
         mesh: dict[str, Any] = {"elements": self.elements}
         if self.layers:
             mesh["layers"] = {end: f"{length:g} m" for end, length in self.layers}
@@ -45,18 +45,18 @@ class Setting:
 
     @property
     def values(self) -> dict[str, Any]:
-        """What it sets in a scene, by path."""
+        """Values that it sets in a scene, by path."""
         paths = {f"analysis.{name}": value for name, value in self.analysis.items()}
         return paths | {"analysis.accuracy": None}
 
     @property
     def least_work(self) -> float:
-        """Segments times solutions in a second of a run, at least (1/s)."""
+        """Smallest number of segments times solutions per second of a run (1/s)."""
         return self.elements * METHODS[self.method][1] / self.step
 
 
 def own_setting(scene: Resolved) -> Setting | None:
-    """The setting that a scene has; None where it has none, or one of a method that is not tried."""
+    """The setting of a scene; None if it has none, or has a method that tuning does not try."""
     a = scene.analysis
     method: Any = a.method or (STIFF if scene.events else "generalised-alpha")
     if isinstance(method, GeneralisedAlpha) and method.rho_inf == RHO_INF:
@@ -69,7 +69,7 @@ def own_setting(scene: Resolved) -> Setting | None:
 
 
 def layers_of(scenes: list[Resolved], own: Setting | None) -> list[Layers]:
-    """Ways to grade a mesh: evenly, by the thinnest layers of some scenes, by those of a setting."""
+    """Gradings of a mesh to try: even, by the thinnest layers of some scenes, by the layers of a setting."""
     ends = zip(*map(end_layers, scenes), strict=True)
     thinnest = zip(ENDS, map(min, ends), strict=True)
     graded = tuple((end, float(f"{x:.2g}")) for end, x in thinnest if x < math.inf)
@@ -77,7 +77,7 @@ def layers_of(scenes: list[Resolved], own: Setting | None) -> list[Layers]:
 
 
 def meshes(scenes: list[Resolved], finest: int) -> list[int]:
-    """Numbers of segments to try, up to about the finest."""
+    """Numbers of segments to try, up to about ``finest``."""
     if massless(scenes[0]):
         return [len(scenes[0].riser)]
     count = max(1, math.ceil(math.log(finest / COARSE) / math.log(FINER)) + 1)

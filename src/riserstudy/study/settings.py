@@ -1,8 +1,8 @@
-"""Mesh, step and method that are tuned to a study once, and the points that they do not serve.
+"""Mesh, time step and method that are tuned once for a study, and the points for which they do not suffice.
 
-A job tunes them and leaves a file, and the points depend on it. Keys under which the plan knows points are
-those of the request, so that all is planned before anything is tuned; a tuned point is stored under its own
-key. What is tuned is the same every time, so the plan's keys tell of it, too.
+A job tunes them and writes a file, on which the points depend. In the plan, points have the keys of runs with
+the tolerance, so everything is planned before tuning. A tuned point is stored under another key. Tuning is
+deterministic, so the plan's keys also identify the tuned points.
 """
 
 from __future__ import annotations
@@ -34,15 +34,16 @@ from riserstudy.study.tune import Notify, tune
 if TYPE_CHECKING:
     import xarray as xr
 
-#: what a point sets that is run by request, in place of what was tuned
+#: values of a point that is run with the tolerance, in place of the tuned settings
 BY_REQUEST = {"analysis.mesh": None, "analysis.step": None, "analysis.method": None}
 
 
 @dataclass(frozen=True)
 class Settings:
-    """What a study was tuned to. Without a setting all points are run by request, ``because`` of that.
+    """Tuned settings of a study. Without a setting, all points use the tolerance, for the reason ``because``.
 
-    ``error``: the largest over the accuracy, at points tuned on and others; ``work``: over that of requests.
+    ``error``: largest ratio of error to tolerance, at points for tuning and for the check. ``work``: work
+    relative to runs with the tolerance.
     """
 
     setting: Setting | None
@@ -56,7 +57,7 @@ class Settings:
 
 
 def tuned_for(study: Study, notify: Notify) -> Settings:
-    """Settings for a study; none where requests are cheaper, or no setting serves."""
+    """Tuned settings for a study; no setting if runs with the tolerance are cheaper, or none suffices."""
     count, seed = study.tuned_at
     try:
         found = (
@@ -74,18 +75,18 @@ def tuned_for(study: Study, notify: Notify) -> Settings:
 
 
 def write_settings(settings: Settings, target: Path) -> None:
-    """Write settings whole."""
+    """Write settings completely or not at all."""
     target.parent.mkdir(parents=True, exist_ok=True)
     write_whole(target, (json.dumps(asdict(settings), indent=1) + "\n").encode())
 
 
 def read_settings(path: Path) -> Settings:
-    """Settings as they were written.
+    """Settings from their file.
 
     Raises
     ------
     InputError
-        When the file is not there, or not whole.
+        When the file is missing or damaged.
     """
     try:
         return from_plain(json.loads(path.read_text("utf-8")))
@@ -96,7 +97,7 @@ def read_settings(path: Path) -> Settings:
 
 
 def from_plain(held: dict[str, Any]) -> Settings:
-    """Settings of plain data, as `dataclasses.asdict` makes it."""
+    """Settings from plain data of `dataclasses.asdict`."""
     setting = held["setting"]
     if setting is not None:
         layers = tuple((end, float(length)) for end, length in setting["layers"])
@@ -105,7 +106,7 @@ def from_plain(held: dict[str, Any]) -> Settings:
 
 
 def with_setting(study: Study, setting: Setting) -> Study:
-    """A study whose points have a mesh, a step and a method, and no accuracy; its digest stays."""
+    """A study whose points have a mesh, a step and a method, and no tolerance; its digest does not change."""
     made = copy(study)
     for name in ("grid", "plan", "kernel_groups"):
         vars(made).pop(name, None)
@@ -115,7 +116,7 @@ def with_setting(study: Study, setting: Setting) -> Study:
 
 
 class Points(NamedTuple):
-    """Points of a study by request, the same as they were tuned, and which of them are run by request."""
+    """Points of a study with the tolerance, the same points tuned, and which of them use the tolerance."""
 
     requested: list[Point]
     tuned: list[Point]
@@ -129,20 +130,20 @@ def fill_tuned(
     processes: int,
     count: Count | None = None,
 ) -> Points:
-    """Simulate those of some points that the store lacks, as tuned, and by request where that does not serve.
+    """Simulate points that the store lacks, with the tuned setting, or with the tolerance where it fails.
 
-    A tuned point does not serve that cannot be completed, or estimates an error above the request. Nor does
-    one that estimates none, if the nearest that is known of does not.
+    The tuned setting does not suffice for a point that cannot be completed, or whose estimated error exceeds
+    the tolerance. For a point without an estimate, the nearest point with an estimate decides.
 
     Parameters
     ----------
-    both : points by request and as tuned, in pairs.
-    count : is told of each point that is done; absent: nobody is.
+    both : points with the tolerance and with the tuned setting, in pairs.
+    count : function that is called for each completed point; absent: none.
 
     Raises
     ------
     SimulationError
-        When a point cannot be completed by request either.
+        When a point cannot be completed with the tolerance either.
     """
     pairs = list(both)
     total = len({one.key for _, one in pairs})
@@ -164,7 +165,7 @@ def fill_tuned(
 
 
 def _serves(study: Study, tuned: Study, point: Point) -> bool | None:
-    """Whether a stored point estimates an error within what the study requests; None: it estimates none."""
+    """Whether a stored point's estimated error is within the study's tolerance; None without estimate."""
     if not has_error_estimate(tuned, point):
         return None
     held = store.about(point.key)
@@ -172,9 +173,10 @@ def _serves(study: Study, tuned: Study, point: Point) -> bool | None:
 
 
 def _by_nearest(study: Study, points: list[Point], serves: dict[int, bool]) -> list[bool]:
-    """Which of some points are not served: as is known of them by their place, or of the nearest on the axes.
+    """For each point, whether the setting does not suffice: as known for it, or for the nearest known point.
 
-    Along an axis of numbers the distance is a share of its length; other labels are farther than any number.
+    Along an axis of numbers, the distance is a share of its length; a different label is farther than any
+    number.
     """
     from scipy.spatial import KDTree
 
@@ -190,7 +192,7 @@ def _by_nearest(study: Study, points: list[Point], serves: dict[int, bool]) -> l
 
 
 def exceeds(study: Study, facts: dict[str, Any]) -> bool:
-    """Whether a run estimates an error above what a study requests; not where it estimates none."""
+    """Whether the estimated error of a run exceeds a study's tolerance; False without an estimate."""
     target = allowed_of(study.base.resolved())
     error = facts.get("error_estimate", {})
     return any(error.get(name, 0.0) > limit for name, limit in target.items())
@@ -204,14 +206,16 @@ def dataset_tuned(
     notify: Callable[[str], None],
     count: Count | None = None,
 ) -> tuple[xr.Dataset, list[Result]]:
-    """Dataset of a study that was tuned, and its results.
+    """Dataset of a tuned study, and its results.
 
-    Each point says whether it was run by request (``by_request``), and whether its error was estimated.
+    For each point, it has whether the point was run with the tolerance (``by_request``), and whether its
+    error was estimated.
 
     Parameters
     ----------
-    tuned : the study with its setting; None where there is none.
-    notify : is told in words how many points were simulated, ``count`` of each point that is done.
+    tuned : the study with its setting; None without a setting.
+    notify : function that receives a sentence with the number of simulated points; ``count`` is called for
+        each completed point.
 
     Raises
     ------

@@ -1,6 +1,7 @@
 """Simulate the points of a study that the store lacks.
 
-What is made goes to the store and is let go, so memory does not grow with the number of points.
+Results are written to the store and removed from memory, which therefore does not grow with the number of
+points.
 """
 
 from __future__ import annotations
@@ -16,17 +17,18 @@ from riserstudy.study.modes import key_of_modes, lacks_modes, make_modes
 from riserstudy.study.processes import each
 from riserstudy.study.study import Study
 
-FEW = 16  # points of a study, up to which the error of each is estimated, but in a preview
-ONE_IN = 8  # points of others, by their keys: mostly the same whatever the study
+FEW = 16  # number of points up to which the error of every point is estimated, except in a preview
+# in larger studies, one in this number of points has an error estimate, selected by key
+ONE_IN = 8
 
 
 def has_error_estimate(study: Study, point: Point) -> bool:
-    """Whether the error of a point is estimated where its mesh and step are prescribed.
+    """Whether the error of a point with a prescribed mesh and step is estimated.
 
-    To estimate it takes as long again as the run. In a study whose points have one mesh and one step it is
-    much the same from point to point, so that one in so many tells it. The first and the last point of the
-    grid always do: keys are as good as drawn, and might leave a study of some twenty points with none. In a
-    preview, which is made to be waited for, this goes for small studies too.
+    An estimate takes as long as the run itself. In a study whose points have the same mesh and step, errors
+    are similar, so only one in `ONE_IN` points has an estimate. The first and the last point of the grid
+    always have one, because the selection by keys is random, and might select none of some twenty points. In
+    a preview, which should be fast, the same applies to small studies.
     """
     grid = study.grid
     if not study.estimates:
@@ -36,7 +38,7 @@ def has_error_estimate(study: Study, point: Point) -> bool:
 
 
 def lacks(study: Study, point: Point, stored: Result | None) -> bool:
-    """Whether a point is missing, does not tell an error that it should, or lacks its modes."""
+    """Whether a point is missing, lacks a required error estimate, or lacks its modes."""
     return _lacks_run(study, point, stored) or lacks_modes(study, point)
 
 
@@ -46,21 +48,22 @@ def _lacks_run(study: Study, point: Point, stored: Result | None) -> bool:
     )
 
 
-#: is told how many points are done, and of how many
+#: function that receives the number of completed points, and the total number
 Count = Callable[[int, int], None]
 
 
 def fill(study: Study, points: Iterable[Point], processes: int, count: Count | None = None) -> int:
-    """Simulate those of some points that the store lacks, and count them.
+    """Simulate the points that the store lacks; returns their number.
 
     Parameters
     ----------
-    count : is told of each point that is done; absent: nobody is.
+    count : function that is called for each completed point; absent: none.
 
     Raises
     ------
     SimulationError
-        When points cannot be completed: once per cause, with their number and the first one.
+        When points cannot be completed; for each cause, the message has the number of points and the first
+        one.
     """
     every = list(points)
     total = len({point.key for point in every})
@@ -86,11 +89,12 @@ def fill(study: Study, points: Iterable[Point], processes: int, count: Count | N
 def attempt(
     study: Study, points: Iterable[Point], processes: int, notify: Callable[[int], None]
 ) -> dict[str, SimulationError]:
-    """Simulate what the store lacks of some points, and say why points cannot be completed, by their keys.
+    """Simulate the points that the store lacks; returns the reasons why points cannot be completed, by key.
 
     Parameters
     ----------
-    notify : is told how many more of the points, each counted once, are done: first how many are stored.
+    notify : function that receives the number of additional completed points; the first call has the stored
+        ones.
     """
     each_once = {point.key: point for point in points}
     stored = partial(store.get, keep=study.model.keep)
@@ -104,7 +108,7 @@ def attempt(
         if why:
             failures[point.key] = why
         done += _keys(study, point)
-        if len(done) >= store.A_PACK:  # so that never many points have files of their own
+        if len(done) >= store.A_PACK:  # to limit the number of points in separate files
             store.pack(done)
             done.clear()
     store.pack(key for point in each_once.values() for key in _keys(study, point))
@@ -112,13 +116,13 @@ def attempt(
 
 
 def _keys(study: Study, point: Point) -> list[str]:
-    """What a point is stored under, and its modes."""
+    """Keys of a point and of its modes in the store."""
     count = study.model.modes
     return [point.key] if count is None else [point.key, key_of_modes(point.key, count)]
 
 
 def _simulate(study: Study, point: Point) -> SimulationError | None:
-    """Simulate a point and store it, or say why it cannot be completed."""
+    """Simulate a point and store it; returns the error if it cannot be completed."""
     from riserstudy.simulation.refine import run
 
     file, keep = study.grid.file(point.index), study.model.keep

@@ -1,10 +1,10 @@
 """The point store: every simulated point under the hash of its parameters and of the engine.
 
-A point is one file, written under another name and renamed when complete: what it says of itself as JSON,
-the arrays that its studies need one after the other, both compressed, and a seal, the hash of all this and
-of the point's key. What is not as it was written, stands under another's name, or holds less than is asked
-for, counts as missing. Where there are many, `pack` brings them together in few files. Planning needs no
-numpy: keys come from plain text.
+A point is one file, written under another name and renamed when complete. It contains its description as
+JSON, the arrays that its studies need, both compressed, and a seal, which is the hash of all this and of the
+point's key. A point that is damaged, has the name of another point, or lacks requested arrays counts as
+missing. `pack` combines many points in few files. Planning needs no numpy, because keys follow from plain
+text.
 """
 
 from __future__ import annotations
@@ -39,15 +39,15 @@ if TYPE_CHECKING:
 
 
 SEAL = hashlib.sha256().digest_size  # bytes
-ENDING = ".point2"  # of the second format; files of former ones are let lie until they are pruned
-LENGTH = struct.Struct("<Q")  # of the compressed JSON
-LEVEL = 6  # of compression: 2.4 % less than level 1, for 0.13 ms a point
-A_PACK = 1000  # points at most
-LEAST = 256  # points that are worth a pack
+ENDING = ".point2"  # of the second format; files of the first format remain until they are pruned
+LENGTH = struct.Struct("<Q")  # length of the compressed JSON
+LEVEL = 6  # level of compression: 2.4 % smaller than level 1, for 0.13 ms per point
+A_PACK = 1000  # largest number of points in a pack
+LEAST = 256  # smallest number of points for a pack
 
 
 def canonical(value: Any) -> Any:
-    """Plain data with floats in hexadecimal: equal numbers give equal text, and only they."""
+    """Plain data with floats in hexadecimal, so that only equal numbers give equal text."""
     if isinstance(value, float):
         return value.hex()
     if isinstance(value, dict):
@@ -61,7 +61,7 @@ def canonical(value: Any) -> Any:
 
 _to_json = json.JSONEncoder(sort_keys=True).encode
 
-#: parts of a scene that a simulation depends on, as keys order them
+#: parts of a scene that a simulation depends on, in the order of keys
 COUNTS = tuple(sorted(set(Parts.model_fields) - {"title", "note", "paper", "limits"}))
 
 
@@ -78,7 +78,7 @@ def key_of_texts(texts: dict[str, str]) -> str:
 
 
 def key_of(scene: Parts) -> str:
-    """Hash of a checked scene and the engine; titles and notes do not count."""
+    """Hash of a checked scene and the engine; titles and notes have no effect."""
     return key_of_texts({name: text_of(getattr(scene, name)) for name in COUNTS})
 
 
@@ -87,14 +87,14 @@ def _file(key: str) -> Path:
 
 
 def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None = None) -> None:
-    """Store what some quantities of a point need (None: all of it), complete or not at all.
+    """Store the arrays of a point for some quantities (None: all), completely or not at all.
 
-    What the point was stored with before, for another study, stays.
+    Arrays that were stored earlier, for another study, are kept.
 
     Raises
     ------
     SimulationError
-        When nothing can be stored, as in a read-only cache or on a full disk.
+        When the point cannot be stored, as in a read-only cache or on a full disk.
     """
     import numpy as np
 
@@ -113,7 +113,7 @@ def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None 
 
 
 def packed(key: str, result: Result, file: SceneFile, names: Collection[str]) -> bytes:
-    """A point with some of its arrays as it is stored, with its seal."""
+    """A point with some of its arrays in stored form, with its seal."""
     import numpy as np
 
     arrays = {n: np.asarray(a, order="C") for n, a in result.arrays.items() if n in names}
@@ -133,12 +133,12 @@ def packed(key: str, result: Result, file: SceneFile, names: Collection[str]) ->
 
 
 def _by_place(values: NDArray[Any]) -> bytes:
-    """The first bytes of all numbers, then the second ones: signs and exponents are alike, and pack well."""
+    """The first bytes of all numbers, then the second bytes, and so on: equal exponents compress well."""
     return values.reshape(-1).view("u1").reshape(-1, values.itemsize).T.tobytes()
 
 
 def _from_places(content: memoryview, dtype: np.dtype[Any]) -> NDArray[Any]:
-    """The numbers again."""
+    """The numbers from bytes in the order of `_by_place`."""
     import numpy as np
 
     places = np.frombuffer(content, "u1").reshape(dtype.itemsize, -1)
@@ -146,14 +146,14 @@ def _from_places(content: memoryview, dtype: np.dtype[Any]) -> NDArray[Any]:
 
 
 def _seal(key: str, content: bytes | memoryview) -> bytes:
-    """What stands at the end of a whole point."""
+    """The seal at the end of a complete point."""
     total = hashlib.sha256(key.encode() + b"\n")
     total.update(content)
     return total.digest()
 
 
 class Stored(NamedTuple):
-    """A point that was read whole: what it says of itself, and its arrays, compressed."""
+    """A complete point from the store: its description, and its compressed arrays."""
 
     about: dict[str, Any]
     content: memoryview
@@ -176,7 +176,7 @@ class Stored(NamedTuple):
 
 
 def _read(key: str) -> Stored | None:
-    """A stored point, from its file or else from a pack; None when it is missing or not as it was written."""
+    """A stored point, from its file or else from a pack; None if it is missing or damaged."""
     try:
         alone = unpacked(key, _file(key).read_bytes())
     except OSError:
@@ -196,9 +196,9 @@ def _packs_of(folder: Path) -> Packs:
 
 
 def pack(keys: Iterable[str]) -> None:
-    """Bring those of some points that have a file of their own together in packs, unless they are few.
+    """Combine points in separate files into packs, unless they are few.
 
-    Files go when their pack is written; where none can be written, they stay.
+    Files are removed after their pack is written; if it cannot be written, they are kept.
     """
     alone = [key for key in keys if _file(key).exists()]
     for first in range(0, len(alone), A_PACK):
@@ -218,12 +218,12 @@ def pack(keys: Iterable[str]) -> None:
             return
         for key in contents:
             with suppress(OSError):
-                if _file(key).stat().st_ino == same[key]:  # else another process stored more of it
+                if _file(key).stat().st_ino == same[key]:  # else another process has replaced it
                     _file(key).unlink()
 
 
 def unpacked(key: str, whole: bytes) -> Stored | None:
-    """A point out of its stored bytes; None when they are not as they were written for that key."""
+    """A point from its stored bytes; None if they are damaged or belong to another key."""
     content = memoryview(whole)[:-SEAL]
     begin = LENGTH.size
     if len(content) < begin or whole[-SEAL:] != _seal(key, content):
@@ -234,9 +234,9 @@ def unpacked(key: str, whole: bytes) -> Stored | None:
 
 
 def get(key: str, keep: Collection[str] | None = None) -> Result | None:
-    """What some quantities (None: all) need of a stored point.
+    """The arrays of a stored point for some quantities (None: all).
 
-    None when the point is missing, is not whole, or was stored without something that they need.
+    None if the point is missing, is damaged, or lacks a required array.
     """
     stored = _read(key)
     if stored is None:
@@ -248,39 +248,39 @@ def get(key: str, keep: Collection[str] | None = None) -> Result | None:
 
 
 class Part(NamedTuple):
-    """What the store holds of a point: what it says of itself, and the result with the arrays it holds."""
+    """The stored content of a point: its description, and the result with the stored arrays."""
 
     about: dict[str, Any]
     result: Result
 
 
 def all_of(key: str) -> Part | None:
-    """All that is held of a stored point, which need not be all of its run; None when not whole."""
+    """The stored content of a point, which may be only a part of its run; None if damaged."""
     stored = _read(key)
     return stored and Part(stored.about, stored.result(stored.about["arrays"]))
 
 
 def has(key: str) -> bool:
-    """Whether something is stored under that key; `get` tells whether it is whole."""
+    """Whether something is stored under this key; `get` also checks that it is undamaged."""
     return _file(key).exists() or key in _packs()
 
 
 def about(key: str) -> dict[str, Any] | None:
-    """What a stored point says of itself: facts, scene, source, engine, origins; None when not whole."""
+    """Description of a stored point: facts, scene, source, engine, origins; None if damaged."""
     stored = _read(key)
     return None if stored is None else stored.about
 
 
 class Held(NamedTuple):
-    """Something that takes space in the store; without a key where it is no point of today's format."""
+    """An item in the store; without a key if it is not a point of the present format."""
 
     key: str | None
     bytes: int
-    path: Path  # of the point, or of the pack that it is in
+    path: Path  # file of the point, or of its pack
 
 
 def everything() -> Iterator[Held]:
-    """All that lies in the store, whole or not."""
+    """All items in the store, damaged or not."""
     packs = dict(_packs().all())
     for path in sorted((cache_folder() / "points").glob("*/*")):
         if one := packs.get(path):
@@ -291,12 +291,12 @@ def everything() -> Iterator[Held]:
 
 
 def remove(going: Iterable[Held]) -> None:
-    """Take things out of the store; a pack is written anew without them.
+    """Remove items from the store; a pack is rewritten without them.
 
     Raises
     ------
     OSError
-        When a pack cannot be written anew; it stays as it is.
+        When a pack cannot be rewritten; it is then not changed.
     """
     packs, out_of = dict(_packs().all()), defaultdict(set)
     for held in going:

@@ -1,4 +1,4 @@
-"""A study of a tier: a scene and the axes it is varied along, planned without numpy."""
+"""A study of a tier: a scene and the axes of its variation, planned without numpy."""
 
 from __future__ import annotations
 
@@ -26,16 +26,16 @@ from riserstudy.study.store import canonical
 TUNED_AT, FEW = (
     12,
     1000,
-)  # points that settings are tuned at; of a study, below which it is one of them
-ALL_OF = 16  # values of an axis, up to which each is looked at for the kernels that it needs
+)  # number of points for tuning; number of points of a study below which one point is used
+ALL_OF = 16  # number of values of an axis up to which every value is examined for its kernels
 
 
 def scene_file(path: Path) -> SceneFile:
-    """A scene file, read once as long as it stays the same: many studies share one."""
+    """A scene file, reread only if it has changed, because many studies share one scene."""
     try:
         stamp = path.stat().st_mtime_ns
     except OSError:
-        stamp = 0  # reading it tells what is wrong
+        stamp = 0  # reading the file then raises the error
     return _scene_file(path, stamp)
 
 
@@ -59,7 +59,7 @@ class Study:
 
     @cached_property
     def base(self) -> SceneFile:
-        """The scene with what the study sets on top of it."""
+        """The scene with the values that the study sets."""
         path = self.config / self.model.scene
         file = scene_file(path).with_values(self.model.on_top, f"{self.where}.set")
         if self.tier == "preview":
@@ -73,12 +73,12 @@ class Study:
 
     @property
     def where(self) -> str:
-        """How errors name the study."""
+        """Name of the study in errors."""
         return f"config/studies/{self.paper}.yaml: studies.{self.name}"
 
     @cached_property
     def axes(self) -> dict[str, list[tuple[Any, dict[str, Any]]]]:
-        """Per axis the coordinate values and what each sets."""
+        """For each axis, its coordinate values, each with the values that it sets."""
         axes: dict[str, list[tuple[Any, dict[str, Any]]]] = {}
         for name, axis in self.model.axes.items():
             if isinstance(axis, Numbers):
@@ -92,7 +92,7 @@ class Study:
         return axes
 
     def assumed(self, axis: Samples) -> list[dict[str, Any]]:
-        """What each sample assumes: values by path of the scene, and readings by name."""
+        """The assumptions of each sample: values by path of the scene, and interpretations by name."""
         from riserstudy.study.sampling import sample
 
         open_values = {p: o for p, o in self.open_assumptions.items() if p not in axis.leave}
@@ -102,7 +102,7 @@ class Study:
         return sample(open_values, axis.count[self.tier], axis.seed)
 
     def _samples(self, axis: Samples) -> list[dict[str, Any]]:
-        """What each sample sets."""
+        """Values that each sample sets."""
         samples = []
         for values in self.assumed(axis):
             sets = {path: value for path, value in values.items() if path not in axis.readings}
@@ -138,9 +138,9 @@ class Study:
 
     @cached_property
     def plan(self) -> list[Point]:
-        """All points, checked; InputError when one cannot be meant.
+        """All points, checked; InputError if one is invalid.
 
-        To check 40 000 takes ten seconds; so what was checked once is remembered by all that it depends on.
+        Checking 40 000 points takes ten seconds, so the result is cached by all inputs that it depends on.
         """
         keys = remembered(f"plans/{self._plan_digest}", lambda: [p.key for p in self.grid.points()])
         every = product(*(range(len(axis)) for axis in self.grid.axes))
@@ -148,7 +148,7 @@ class Study:
 
     @cached_property
     def kernel_groups(self) -> list[str]:
-        """Groups of kernels that its points run, by the scene as each value of an axis alone changes it."""
+        """Groups of kernels that its points need, from scenes with the value of one axis changed."""
 
         def find_groups() -> list[str]:
             lengths = [len(axis) for axis in self.grid.axes]
@@ -164,7 +164,7 @@ class Study:
 
     @property
     def tuned_at(self) -> tuple[int, int]:
-        """Number of points that settings are tuned at, one of a small study, and the seed of their draw."""
+        """Number of points for tuning (one for a small study), and the seed of their draw."""
         at = self.model.settings
         if isinstance(at, TuneAt):
             return at.points, at.seed
@@ -178,7 +178,7 @@ class Study:
 
     @property
     def _plan_digest(self) -> str:
-        """Digest of scene, axes, tables that they name, and the code that checks them."""
+        """Digest of scene, axes, their tables, and the code that checks them."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         code = [engine_digest(), digest(dependencies(Grid.__module__))]
         about = [code, canonical(self.base.tree), canonical(axes), self._contents_of_tables]
@@ -193,17 +193,18 @@ class Study:
         return {name: _content(folder / name) for name in names}
 
     def shard(self, number: int, shards: int) -> list[Point]:
-        """Points of one of several jobs, spread over the grid; a job does not plan those of others."""
+        """Points of one of several jobs, spread over the grid; a job does not plan the points of others."""
         if "plan" in self.__dict__:
             return self.plan[number::shards]
         return list(self.grid.points(number, shards))
 
     @cached_property
     def digest(self) -> str:
-        """One string that changes when anything that the dataset depends on changes.
+        """A text that changes with every input of the dataset.
 
-        Keys of points leave out limits, titles, notes and origins, which change no run. These stand in the
-        dataset all the same, and limits decide its verdicts. So what axes set counts as it is written.
+        Keys of points exclude limits, titles, notes and origins, which change no run. The dataset contains
+        them, though, and limits determine its verdicts. The digest therefore includes the values of axes as
+        written.
         """
         model = self.model
         axes = [[name, self._about_axis(name)] for name in self.axes]
@@ -214,7 +215,7 @@ class Study:
         return hashlib.sha256(json.dumps(about, sort_keys=True).encode()).hexdigest()[:16]
 
     def _about_axis(self, name: str) -> list[Any]:
-        """What a dataset says of an axis: its unit, and what each value sets, or each sample assumes."""
+        """Attributes of an axis: its unit, and the inputs that each value sets or each sample assumes."""
         axis = self.model.axes[name]
         if isinstance(axis, Samples):
             return [canonical(self.axes[name]), canonical(self.assumed(axis))]
@@ -223,12 +224,12 @@ class Study:
 
 
 def _in_order(sets: dict[str, Any]) -> Any:
-    """What a value of an axis sets; its order counts where one path lies within another."""
+    """Values that a value of an axis sets; their order is kept, because one path may be below another."""
     return [*sets.items()] if any(meets(*two) for two in combinations(sets, 2)) else sets
 
 
 def _content(path: Path) -> str:
-    """Digest of a file; "" where there is none, which planning tells."""
+    """Digest of a file; "" if it is missing, which planning reports."""
     try:
         return hashlib.sha256(path.read_bytes()).hexdigest()
     except OSError:
@@ -236,5 +237,5 @@ def _content(path: Path) -> str:
 
 
 def threads_worth(points: int) -> int:
-    """Threads that a study of so many points can use; beside few points another study does more good."""
+    """Number of useful threads for a study; with few points, other studies run in parallel instead."""
     return max(1, min(8, math.ceil(points / 32)))

@@ -1,7 +1,6 @@
-"""A scene over a grid in one call: the points, store and datasets of studies, from Python.
+"""A scene over a grid in one call from Python, with the points, store and datasets of studies.
 
-A point that cannot be completed need not cost the others: it stands in the dataset without numbers, with its
-reason.
+A point that cannot be completed does not stop the others: the dataset has NaN for this point, and the reason.
 """
 
 from __future__ import annotations
@@ -44,7 +43,7 @@ Labelled = Mapping[str, Mapping[str, Any]]
 
 #: a number with its unit
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d].*?)\s*")
-EVERY = 5.0  # s between two lines of progress
+EVERY = 5.0  # interval of progress lines (s)
 KEPT = frozenset(
     (*SHARED, "mesh_corner")
 )  # arrays that say where and when, of points without numbers too
@@ -52,7 +51,7 @@ KEPT = frozenset(
 
 @dataclass(frozen=True)
 class Sweep(Study):
-    """A study of a scene that is at hand, not of a file below a configuration."""
+    """A study of a given scene, not of a file below a configuration."""
 
     file: SceneFile = field(kw_only=True)
 
@@ -63,7 +62,7 @@ class Sweep(Study):
 
     @property
     def where(self) -> str:
-        """How errors name it."""
+        """Name of the sweep in errors."""
         return "sweep"
 
 
@@ -139,12 +138,12 @@ def _check_failures(
 
 
 def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) -> xr.Dataset:
-    """Results of points, and why some have none.
+    """Results of points, and the reasons why some have none.
 
     Raises
     ------
     SimulationError
-        When the store has lost some.
+        When points are no longer in the store.
     """
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
@@ -162,7 +161,7 @@ def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) 
 
 
 def _in_words(study: Study, points: list[Point], failures: Mapping[str, object]) -> str:
-    """How many points cannot be completed, and why the first cannot."""
+    """The number of points that cannot be completed, and the reason for the first, in words."""
     point = next(p for p in points if p.key in failures)
     place = {name: study.axes[name][k][0] for name, k in zip(study.axes, point.index, strict=True)}
     many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
@@ -179,12 +178,12 @@ def as_study(
     keep: list[str] | None,
     modes: int | None = None,
 ) -> Sweep:
-    """A grid over a scene as a study, with its axes as `sweep` takes them.
+    """A grid over a scene as a study; axes as in `sweep`.
 
     Raises
     ------
     InputError
-        When an axis cannot be meant.
+        When an axis is invalid.
     """
     if not axes:
         raise InputError("sweep", "axes", "none", "name at least one path with its values")
@@ -208,7 +207,7 @@ def as_study(
 
 
 def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, Any]:
-    """Name of a dimension and its axis, as study files have it."""
+    """Name of a dimension, and its axis in the form of study files."""
     if isinstance(values, Mapping):
         return path, {label: dict(sets) for label, sets in values.items()}
     allowed = "allowed is a list of numbers or texts, such as [8, 10] or ['8 s', '10 s']"
@@ -234,7 +233,7 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
 
 
 def _in_one_unit(path: str, quantities: list[tuple[float, str]]) -> list[float]:
-    """Numbers of quantities in the unit of the first."""
+    """Numbers of quantities, converted to the unit of the first."""
     unit = quantities[0][1]
     try:
         return [
@@ -246,14 +245,14 @@ def _in_one_unit(path: str, quantities: list[tuple[float, str]]) -> list[float]:
 
 
 def _unit_at(file: SceneFile, path: str) -> str:
-    """Unit of the scene's value at a path; "1" where it has none, or there is no value."""
+    """Unit of the scene's value at a path; "1" if it has no unit or no value."""
     value = value_at(file.tree, path)
     quantity = _QUANTITY.fullmatch(value) if isinstance(value, str) else None
     return quantity[2] if quantity else "1"
 
 
 def _without_numbers(result: Result) -> Result:
-    """A result of the same form in which nothing is a number."""
+    """A result of the same form in which all numbers are NaN."""
     arrays = {
         name: values if name in KEPT or values.dtype.kind != "f" else np.full_like(values, np.nan)
         for name, values in result.arrays.items()
@@ -267,7 +266,7 @@ def _cores() -> int:
 
 @contextmanager
 def _progress(progress: bool, count: int) -> Iterator[Callable[[int], None]]:
-    """Something to tell how many more points are done: to a terminal or a notebook, or as lines elsewhere."""
+    """A function for the number of additional completed points, which shows progress."""
     from rich.console import Console
     from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeRemainingColumn
 
@@ -282,14 +281,14 @@ def _progress(progress: bool, count: int) -> Iterator[Callable[[int], None]]:
 
 
 class Lines:
-    """Tells on the error stream how far a sweep is, a line when it begins and then one in a few seconds."""
+    """Prints the progress of a sweep on stderr: a line at the begin, and then one every few seconds."""
 
     def __init__(self, count: int):
         self._count, self._done, self._stored = count, 0, -1
         self._began = self._last_notice = time.monotonic()
 
     def __call__(self, more: int) -> None:
-        """So many more points are done; told first how many are stored."""
+        """Report additional completed points; the first call has the stored points."""
         now, self._done = time.monotonic(), self._done + more
         if self._stored < 0:
             self._stored = self._done

@@ -1,10 +1,11 @@
-"""Find the cheapest mesh, step and method that a study's points meet an accuracy with.
+"""Find the cheapest mesh, time step and method with which a study's points meet a tolerance.
 
-Settings are tried on a few points that stand for all. Their errors are measured against runs that are
-four times as fine as a request, and what these may err themselves counts too. The grid of meshes and steps
-is walked along the border between settings that suffice and those that do not, from long steps on fine
-meshes to short ones on coarse; so a method and a kind of mesh take some forty trials, most of which end at
-their first point. The setting is then held against other points, and tuned anew with them where it fails.
+Settings are tried on a few representative points. Their errors are differences from reference runs with
+segments a quarter as long as in a run with the tolerance, plus the possible errors of the references. The
+search follows the border between sufficient and insufficient settings, from long steps on fine meshes to
+short steps on coarse meshes. Each method and kind of mesh takes about forty trials, most of which end at
+their first point. The setting is then checked at other points. If it fails there, tuning is repeated with
+these points included.
 """
 
 from __future__ import annotations
@@ -29,20 +30,21 @@ from riserstudy.study.grid import Index
 from riserstudy.study.setting import METHODS, Setting, layers_of, meshes, own_setting, steps
 from riserstudy.study.study import Study
 
-FALL = 6.0  # of errors from a request to segments a quarter as long: no more is counted on
-ENOUGH = 0.9  # of the accuracy: error at points that are tuned on, at most
-UNSURE = 0.4  # of the accuracy: error of the run to compare with, at most
-ROUNDS = 4  # of points held against a setting
+# largest assumed ratio of errors, from a run with the tolerance to segments a quarter as long
+FALL = 6.0
+ENOUGH = 0.9  # largest error at points for tuning, as a share of the tolerance
+UNSURE = 0.4  # largest error of the reference run, as a share of the tolerance
+ROUNDS = 4  # largest number of rounds of checks
 TUNED = (None, *(method for method, _ in METHODS.values()))  # methods that may be replaced
-OWN = ("mesh", "step", "method", "accuracy")  # of an analysis, which tuning chooses
+OWN = ("mesh", "step", "method", "accuracy")  # keys of an analysis that tuning chooses
 FREE = {f"analysis.{name}": None for name in OWN} | {"analysis.output.stations": None}
-#: is told what is at work
+#: function that receives a description of the present run
 Notify = Callable[[str], None]
 
 
 @dataclass
 class Place:
-    """A point, with a run to compare others with, the errors of that run, and the work of a request."""
+    """A point with its reference run, the errors of this run, and the work of a run with the tolerance."""
 
     index: Index
     file: SceneFile
@@ -53,10 +55,11 @@ class Place:
 
 @dataclass
 class Tuned:
-    """A setting and what it is worth.
+    """A setting with its error and cost.
 
-    ``error``: the largest over the accuracy at points tuned on, ``held_out`` at others. ``work``: over that
-    of requesting the accuracy at each point. ``own``: what the study had, its largest error and its work.
+    ``error``: largest ratio of error to tolerance at points for tuning; ``held_out``: the same at other
+    points. ``work``: work relative to runs with the tolerance at each point. ``own``: the study's previous
+    setting, its largest error and its work.
     """
 
     accuracy: str
@@ -70,12 +73,12 @@ class Tuned:
 
 
 def check_tunable(study: Study, count: int) -> None:
-    """Refuse a study that tuning is no help to.
+    """Refuse a study for which tuning is not useful.
 
     Raises
     ------
     InputError
-        When its runs have no time, its axes or solver fix what would be tuned, or it has few points.
+        When its runs are static, its axes or solver prescribe the tuned settings, or it has few points.
     """
     where, analysis = study.where, study.base.tree.get("analysis") or {}
     if not isinstance(analysis, dict) or analysis.get("duration") is None:
@@ -100,19 +103,19 @@ def check_tunable(study: Study, count: int) -> None:
 def tune(
     study: Study, accuracy: str | None, count: int, seed: int, notify: Notify = lambda _: None
 ) -> Tuned:
-    """The cheapest setting that meets an accuracy at a few points, and at others that it is held against.
+    """The cheapest setting that meets a tolerance at a few points, and at other points for the check.
 
     Parameters
     ----------
-    accuracy : such as "1 %"; None: that of the study, or the default.
-    count : points to tune on; half as many, four at least, are held against the setting.
+    accuracy : tolerance, such as "1 %"; None: the tolerance of the study, or the default.
+    count : number of points for tuning; half of this number, at least four, are used for the check.
 
     Raises
     ------
     InputError
-        When there is nothing to tune, or the accuracy is none.
+        When there is nothing to tune, or the tolerance is invalid.
     SimulationError
-        When a point cannot be run to compare others with, or no setting suffices.
+        When a reference run fails, or no setting suffices.
     """
     check_tunable(study, count)
     tuner = Tuner(study, accuracy, notify)
@@ -142,7 +145,7 @@ def described(setting: Setting) -> str:
 
 @dataclass
 class Tuner:
-    """A study and an accuracy, with every error and work that was measured."""
+    """A study and a tolerance, with all errors and work that were measured."""
 
     study: Study
     accuracy: str | None
@@ -159,12 +162,12 @@ class Tuner:
         self.target = allowed_of(free.with_values(self.request, "--accuracy").resolved())
 
     def place(self, index: Index) -> Place:
-        """A point with a run to compare others with.
+        """A point with its reference run.
 
         Raises
         ------
         SimulationError
-            When that run cannot be completed, or be as accurate as it has to be.
+            When this run cannot be completed, or is not accurate enough.
         """
         at = dict(zip(self.study.axes, index, strict=True))
         where = f"{self.study.where}: at index {at}"
@@ -193,19 +196,19 @@ class Tuner:
 
     @property
     def words(self) -> str:
-        """The accuracy in words."""
+        """The tolerance in words."""
         return str(self.request.get("analysis.accuracy") or _percent(self.target))
 
     def work(self, setting: Setting, places: list[Place]) -> float:
-        """Segments times Newton iterations (1) of a setting at some points together."""
+        """Sum over some points of segments times Newton iterations (1) with a setting."""
         return sum(self._tried(setting, place)[1] for place in places)
 
     def excess(self, setting: Setting, place: Place) -> float:
-        """Error of a setting at a point, relative to the accuracy; infinite where it fails."""
+        """Ratio of error to tolerance (1) of a setting at a point; infinite if the run fails."""
         return self._tried(setting, place)[0]
 
     def _tried(self, setting: Setting, place: Place) -> tuple[float, float]:
-        """What a setting may err by at a point, over the accuracy, and its segments times iterations."""
+        """Ratio of the largest possible error to the tolerance at a point, and segments times iterations."""
         key = (setting, place.index)
         if key not in self.known:
             try:
@@ -222,9 +225,10 @@ class Tuner:
         return self.known[key]
 
     def _suffices(self, setting: Setting, places: list[Place]) -> float:
-        """Work of a setting that suffices at all points; infinite for others.
+        """Work of a setting that suffices at all points; infinite if it does not.
 
-        The point that a setting fails at goes first: it is likely to tell of the next.
+        A point at which a setting fails is tried first next time, because other settings probably fail there,
+        too.
         """
         for k, place in enumerate(places):
             if self.excess(setting, place) > ENOUGH:
@@ -238,14 +242,14 @@ class Tuner:
         Raises
         ------
         SimulationError
-            When none does.
+            When no setting suffices.
         """
         scenes = [place.file.resolved() for place in places]
         own = self.own
         best: Setting | None = None
         least = sum(
             place.work_of_request for place in places
-        )  # a setting that takes more is of no use
+        )  # a setting with more work is not useful
         if own and (work := self._suffices(own, places)) < least:
             best, least = own, work
         # twice as fine as the finest request
@@ -268,7 +272,7 @@ class Tuner:
 
     @property
     def own(self) -> Setting | None:
-        """The setting that the study has."""
+        """The present setting of the study."""
         return own_setting(self.study.base.resolved())
 
     def _along_border(
@@ -276,7 +280,7 @@ class Tuner:
     ) -> tuple[Setting | None, float]:
         """The cheapest of settings, by mesh from coarse to fine and step from long to short, and its work.
 
-        None where none needs less work than the least that is known.
+        None if no setting needs less work than the best known one.
         """
         best, n, k = None, len(every) - 1, 0
         seconds = sum(place.file.resolved().analysis.duration or 0.0 for place in places)
@@ -293,7 +297,7 @@ class Tuner:
         return best, least
 
     def worth(self, setting: Setting, places: list[Place], checks: list[Place]) -> Tuned:
-        """What a setting errs by and costs, compared with requests and with what the study had."""
+        """Error and cost of a setting, relative to runs with the tolerance and to the present setting."""
         requested = sum(place.work_of_request for place in places)
         work = self.work(setting, places)
         own = None
@@ -314,9 +318,9 @@ class Tuner:
 
 
 def _finer(scene: Resolved, mesh: Mesh, requested: Result) -> Result:
-    """A run on segments a quarter as long as a request's, by half its step with the fourth-order method.
+    """A fourth-order run with segments a quarter as long as in a run with the tolerance, and half its step.
 
-    With events the request is by that method already; the step is a quarter then.
+    With events, the run with the tolerance already uses this method; the step is then a quarter.
 
     Raises
     ------
@@ -335,5 +339,5 @@ def _percent(error: dict[str, float]) -> str:
 
 
 def work_of(spent: Mapping[str, Any]) -> float:
-    """Segments times Newton iterations (1): what a run costs, the same on every machine."""
+    """Segments times Newton iterations (1): a measure of cost that is the same on every machine."""
     return float(spent["elements"]) * float(spent["newton_iterations"])

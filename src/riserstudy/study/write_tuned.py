@@ -1,4 +1,4 @@
-"""Write a tuned mesh, step and method into the study file, and leave the rest of it as it is."""
+"""Write a tuned mesh, time step and method into the study file, without changing the rest of it."""
 
 from __future__ import annotations
 
@@ -20,18 +20,18 @@ from riserstudy.study.tune import Tuned
 
 
 def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -> None:
-    """Put what was tuned into a study's ``set``, and what it was tuned on into its ``tuned``.
+    """Write tuned settings into a study's ``set``, and the record of tuning into its ``tuned``.
 
     Parameters
     ----------
-    about : fields of ``tuned`` that the file gets.
+    about : fields of ``tuned`` to write.
 
     Raises
     ------
     InputError
         When the file may not be written.
     SimulationError
-        When it cannot be written, as on a full disk. It then stays as it is.
+        When it cannot be written, as on a full disk. The file is then not changed.
     """
     yaml = _yaml()
     tree = yaml.load(read_text(path, MOST_BYTES))
@@ -52,11 +52,11 @@ def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -
 
 
 def _put(sets: Any, study: Study, analysis: dict[str, Any]) -> None:
-    """Mesh, step and method where the study has such values: in its analysis, or by path."""
+    """Set mesh, step and method at the place of the study's present values: in its analysis, or by path."""
     nested = sets.get("analysis")
     inside = isinstance(nested, dict)
     for name, value in analysis.items():
-        # a part of the mesh by its path would be put on top of the whole
+        # a part of the mesh set by its path would override the whole mesh
         for stale in [p for p in sets if p.startswith(f"analysis.{name}.")]:
             del sets[stale]
         if inside:
