@@ -1,1 +1,1 @@
-"""What is signed before a riser is run: tension, offsets, watch circles."""
+"""Design checks before a riser is deployed: tension, offsets, watch circles."""

@@ -1,4 +1,4 @@
-"""The same minimum tension by the engine: the top tension at which the riser is slack nowhere at rest."""
+"""Minimum tension by the engine: the top tension at which no effective tension at rest is negative."""
 
 from __future__ import annotations
 
@@ -24,31 +24,32 @@ from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 
 FloatArray = NDArray[np.float64]
-EXACT = 1e-10  # share of the tension that counts as slack
-PLENTY = 1.5  # of the formula's tension, from which on it falls
-MOST = 20  # equilibria
+# smallest effective tension, as a share of the top tension, at which the iteration ends
+EXACT = 1e-10
+PLENTY = 1.5  # initial top tension, as a multiple of the formula's tension
+MOST = 20  # largest number of equilibria
 
 
 class Slack(NamedTuple):
-    """Where and at which top tension a riser at rest comes slack."""
+    """Top tension at which the smallest effective tension of a riser at rest is zero, and its place."""
 
     tension: float  # N
     s: float  # m from the bottom
-    left: float  # effective tension that is left there (N)
+    left: float  # remaining effective tension there (N)
 
 
 def lacks(scene: Resolved) -> list[str]:
-    """What a scene lacks that the engine needs beside the formula."""
+    """Fields that a scene lacks for the engine, in addition to those for the formula."""
     top, joint = scene.top, scene.top.telescopic_joint
     pulled = top.tension is not None or top.tensioners or (joint and joint.tension is not None)
     return [] if pulled else ["top.tension, top.telescopic_joint.tension or top.tensioners"]
 
 
 def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
-    """Smallest top tension at which no point of a riser at rest is slack.
+    """Smallest top tension at which no point of a riser at rest has a negative effective tension.
 
-    The tension falls by what is left at the slackest point until nothing is left there. Tensioners are
-    replaced by a constant tension on the ring, along the telescopic joint where there is one.
+    In each iteration, the top tension is reduced by the smallest effective tension, until this is zero.
+    Tensioners are replaced by a constant tension at the ring, along the telescopic joint if there is one.
 
     Raises
     ------
@@ -68,9 +69,9 @@ def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
 
 
 def along(scene: Resolved) -> tuple[FloatArray, FloatArray]:
-    """Places from the bottom (m) and effective tension (N) of a riser at rest, each (nodes of the riser,).
+    """Arclength from the bottom (m) and effective tension (N) of a riser at rest, each (nodes of the riser,).
 
-    Stack and conductor below the riser's flex joint are left out: they stand.
+    Stack and conductor below the riser's flex joint are excluded, because they stand on the seabed.
 
     Raises
     ------
@@ -85,7 +86,7 @@ def along(scene: Resolved) -> tuple[FloatArray, FloatArray]:
 
 
 def with_tension(scene: Resolved, tension: float) -> Resolved:
-    """The scene with a constant tension (N) on the ring, in place of its tension or of its tensioners."""
+    """The scene with a constant tension (N) at the ring, instead of its tension or tensioners."""
     top, joint = scene.top, scene.top.telescopic_joint
     changed: dict[str, Any] = {"tension": tension}
     if joint and (joint.tension is not None or top.tensioners):
@@ -94,7 +95,7 @@ def with_tension(scene: Resolved, tension: float) -> Resolved:
 
 
 def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
-    """The scene with weights of steel, the ring's too, and lifts of modules off by their tolerances."""
+    """The scene with weights of steel, ring included, and lifts of modules changed by their tolerances."""
     of = columns_above(scene)
     steel, lift, water = (-np.diff(values) for values in (of.steel, of.lift, of.water))
     weights = carrying_tension(steel, lift, -water, tolerances)

@@ -25,11 +25,11 @@ from riserstudy.study.in_sea import Sea
 COLUMNS = ["mode", "sea", "current", "from", "to", "limit at from", "limit at to", "note"]
 UNITS = ["", "", "m/s", "m", "m", "", "", ""]
 CALM = "calm"
-STILL = 1e-9  # share of the fastest current that is rounding
+STILL = 1e-9  # share of the fastest current that counts as rounding
 
 
 class Envelope(NamedTuple):
-    """Rows by mode, sea and current, and the limits that could not be evaluated, with why."""
+    """Rows by mode, sea and current, and the limits that could not be evaluated, with the reasons."""
 
     table: Table
     missing: dict[str, str]
@@ -43,26 +43,26 @@ def envelope(
     seeds: int,
     notify: Callable[[str], None] = lambda _: None,
 ) -> Envelope:
-    """Offsets between which the limits of each mode are met, on risers at rest with allowances for seas.
+    """Offsets between which the limits of each mode are met, for risers at rest with allowances for seas.
 
     Parameters
     ----------
-    reach : how far to either side of the well the search goes (m).
+    reach : largest offset of the search, to both sides of the well (m).
     currents : speeds of the current at the surface (m/s).
     seas : irregular seas; none: calm.
-    seeds : runs of each sea.
-    notify : is given what runs next.
+    seeds : number of runs for each sea.
+    notify : function that receives a description of the next run.
 
     Raises
     ------
     InputError
-        When the scene cannot be moved, or has no current or sea of its own.
+        When the scene has no offset that can be changed, or has no current or sea.
     SimulationError
         When a run in a sea cannot be completed.
     """
     scene = file.resolved()
     limits = scene.limits or []
-    moved(scene, 0.0)  # refuses a scene that cannot be moved
+    moved(scene, 0.0)  # refuses a scene without an offset that can be changed
     with_speeds = [with_current(scene, speed) for speed in currents]
     added = [allowances(file, sea, seeds, notify) for sea in seas] or [[0.0] * len(limits)]
     labels = [label(limit) for limit in limits]
@@ -94,7 +94,7 @@ def envelope(
 
 
 def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[Offsets]]:
-    """Offsets of all limits with the allowances of each sea, on risers at rest that all seas share."""
+    """Offsets of all limits with the allowances of each sea; all seas share the static solutions."""
     limits = scene.limits or []
     try:
         at = AtRest(scene, reach)
@@ -113,12 +113,12 @@ def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[
 
 
 def with_current(scene: Resolved, speed: float) -> Resolved:
-    """The scene in a current of another speed at the surface (m/s); a table of speeds is scaled.
+    """The scene with another surface speed of the current (m/s); a table of speeds is scaled.
 
     Raises
     ------
     InputError
-        When its current has no speed at the surface that could be changed.
+        When its current has no surface speed that can be changed.
     """
     current = scene.current
     allowed = "Give `current.profile` as a shape with surface_speed, or as points"
@@ -130,7 +130,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     if isinstance(profile, Shape):
         changed: object = profile.model_copy(update={"surface_speed": speed})
     elif isinstance(profile, list):
-        x, y = surface_current(current, scene.water)  # which a table may reach above
+        x, y = surface_current(current, scene.water)  # a table may extend above the surface
         turn = current.towards
         own = math.hypot(x, y) if current.turns else x * math.cos(turn) + y * math.sin(turn)
         if abs(own) <= STILL * max(abs(point.speed) for point in profile):
@@ -144,9 +144,9 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
 
 
 def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_]) -> list[Cell]:
-    """Offsets of one mode in one sea and current, the limits there, and a note.
+    """Offsets of one mode in one sea and current, the governing limits, and a note.
 
-    ``lost``: (limits,), which could not be evaluated.
+    ``lost``: (limits,), true for limits that could not be evaluated.
     """
     labels = [str(name).split(": ", 1) for name in limits["limit"].values]
     of = [k for k, (of_mode, _) in enumerate(labels) if of_mode == mode]

@@ -10,9 +10,9 @@ NONE = "none"
 
 
 def envelopes(limits: xr.DataArray) -> xr.Dataset:
-    """Offsets between which all limits of a mode are kept, and the limit that governs either side.
+    """Offsets between which all limits of a mode are met, and the limit that governs each side.
 
-    Not a number where no offset keeps them.
+    NaN if they are met at no offset.
     """
     modes = [str(name).split(":")[0] for name in limits["limit"].values]
     parts = []

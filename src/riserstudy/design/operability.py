@@ -1,10 +1,10 @@
-"""Offsets at which limits are reached, to both sides of the well: found on risers at rest, limit by limit.
+"""Offsets at which limits are reached, to both sides of the well, for risers at rest, limit by limit.
 
-An offset is the horizontal distance of the riser's top from the well, and with the top moves all that it
-hangs from: the platform, its tensioners and their deck.
+An offset is the horizontal distance of the riser's top from the well. The platform, the tensioners and their
+deck have the same offset.
 
-Waves count by a dynamic allowance: what they add to the static value of an output. Limits are held by it
-but for means, which have none.
+Waves are represented by a dynamic allowance, which is added to the static value of an output. Limits on means
+have no allowance.
 """
 
 from __future__ import annotations
@@ -33,16 +33,16 @@ from riserstudy.simulation.run import single
 from riserstudy.simulation.tolerance import MOMENT
 from riserstudy.study.processes import each
 
-NODES = 9  # offsets at which a search begins, alike for all limits
-CLOSE = 0.05  # m, to which an offset is found
-SURE = 0.05  # of an allowable angle or shear, and of other outputs: error that a mesh of the scene may have
+NODES = 9  # number of initial offsets of a search, the same for all limits
+CLOSE = 0.05  # m, tolerance of an offset
+SURE = 0.05  # largest error on a prescribed mesh, as a share of the allowable
 
 
 class Offsets(NamedTuple):
-    """Offsets (m) between which a limit is kept.
+    """Offsets (m) between which a limit is met.
 
-    Infinite: not reached within the search; not a number: exceeded at every offset, or not evaluated for
-    want of what ``missing`` says.
+    Infinite: not reached within the search. NaN: exceeded at every offset, or not evaluated because of the
+    missing inputs in ``missing``.
     """
 
     low: float
@@ -51,16 +51,16 @@ class Offsets(NamedTuple):
 
 
 def offsets(scene: Resolved, reach: float, allowances: Mapping[str, float]) -> list[Offsets]:
-    """The offsets between which each limit of a scene is kept.
+    """The offsets between which each limit of a scene is met.
 
     Parameters
     ----------
-    scene : with limits, its top held, on a platform or on a vessel.
-    reach : how far to either side is looked (m).
-    allowances : dynamic allowance by output, in the SI unit of its limit; absent: none.
+    scene : a scene with limits, whose top is held, on a platform or on a vessel.
+    reach : largest offset of the search to both sides (m).
+    allowances : dynamic allowances by output, in the SI unit of its limit; absent: none.
     """
     limits = scene.limits or []
-    moved(scene, 0.0)  # refuses a scene that cannot be moved
+    moved(scene, 0.0)  # refuses a scene without an offset that can be changed
     try:
         at = AtRest(scene, reach)
     except SimulationError as failure:
@@ -72,24 +72,24 @@ def offsets(scene: Resolved, reach: float, allowances: Mapping[str, float]) -> l
 def offsets_at(
     at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, float]
 ) -> list[Offsets]:
-    """The same of some limits, on risers at rest that others are looked for on, too."""
+    """The same for some limits, with static solutions that are shared with other limits."""
     return [_between(at, limit, reach, allowances) for limit in limits]
 
 
 def chart(
     scenes: Sequence[Resolved], reach: float, allowances: Mapping[str, float], processes: int = 1
 ) -> list[list[Offsets]]:
-    """The same of several scenes, such as currents and muds, in several processes."""
+    """The same for several scenes, such as different currents and mud densities, in several processes."""
     task = partial(offsets, reach=reach, allowances=allowances)
     return list(each(task, scenes, processes))
 
 
 class AtRest:
-    """A scene at rest at offsets from the well, each computed once and shared by all limits.
+    """A scene at rest at several offsets, each computed once and shared by all limits.
 
     Parameters
     ----------
-    reach : farthest offset (m) that the mesh is to serve.
+    reach : largest offset (m) for which the mesh must be sufficient.
     """
 
     def __init__(self, scene: Resolved, reach: float) -> None:
@@ -97,7 +97,7 @@ class AtRest:
         elements = scene.analysis.mesh and scene.analysis.mesh.elements
         self.mesh = prescribed(scene, elements) if elements else _fine_enough(scene, reach)
         self.rows: dict[float, list[dict[str, Any]]] = {}  # extremes by offset
-        self.lost: dict[float, str] = {}  # why there is no equilibrium, by offset
+        self.lost: dict[float, str] = {}  # reasons for missing equilibria, by offset
         self.estimated: dict[float, RunFacts] = {}  # facts with an estimated error, by offset
 
     def extremes(self, offset: float) -> list[dict[str, Any]]:
@@ -120,7 +120,7 @@ class AtRest:
         return self.rows[offset]
 
     def error_of(self, output: str, offset: float) -> Error:
-        """Estimated error of an output at an offset (m), on the mesh of the scene.
+        """Estimated error of an output at an offset (m), on the prescribed mesh of the scene.
 
         Raises
         ------
@@ -133,12 +133,12 @@ class AtRest:
 
 
 def moved(scene: Resolved, offset: float) -> Resolved:
-    """The scene at rest, with the riser's top, and all that it hangs from, at an offset from the well (m).
+    """The scene at rest, with the riser's top, the platform and the tensioners at an offset (m).
 
     Raises
     ------
     InputError
-        When nothing holds the top aside.
+        When the riser's top is not held horizontally.
     """
     scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
@@ -149,7 +149,8 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     if top.x in ("held", "vessel"):
         moved: dict[str, Any] = {"top": top.model_copy(update={"offset": offset})}
         about = scene.platform and scene.platform.centre_of_rotation
-        if top.x == "vessel" and scene.platform and about:  # which the vessel takes with it
+        # the centre of rotation moves with the vessel
+        if top.x == "vessel" and scene.platform and about:
             x = (about.x or 0.0) + offset - (top.offset or 0.0)
             about = about.model_copy(update={"x": x})
             moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
@@ -161,8 +162,8 @@ def moved(scene: Resolved, offset: float) -> Resolved:
 
 
 def _fine_enough(scene: Resolved, reach: float) -> Mesh:
-    """The finest of the meshes that the accuracy needs above the well and at both ends of the search."""
-    accuracy = 0.5 * (scene.analysis.accuracy or MOMENT)  # half is left for the offset itself
+    """The finest of the meshes that the tolerance requires above the well and at both ends of the search."""
+    accuracy = 0.5 * (scene.analysis.accuracy or MOMENT)  # the other half is for the offset itself
     analysis = scene.analysis.model_copy(update={"duration": None, "accuracy": accuracy})
     still = scene.model_copy(update={"analysis": analysis})
     meshes, why = [], None
@@ -180,7 +181,7 @@ def _fine_enough(scene: Resolved, reach: float) -> Mesh:
 
 
 def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, float]) -> Offsets:
-    """The offsets between which one limit is kept."""
+    """The offsets between which one limit is met."""
     if missing := lacks(at.scene, limit):
         return Offsets(math.nan, math.nan, ", ".join(missing))
     over = partial(excess, at, limit, allowances.get(limit.output, 0.0))
@@ -204,7 +205,7 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
 
 
 def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
-    """Offsets that were found, unless the mesh of the scene is too coarse for the output at them."""
+    """The offsets, unless the prescribed mesh is too coarse for the output at them."""
     if at.scene.analysis.mesh is None:
         return found
     ends = {min(max(end, -at.reach), at.reach) for end in (found.low, found.high)}
@@ -221,12 +222,12 @@ def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
 
 
 def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
-    """By how much a limit is exceeded at an offset (m), in the SI unit of its output; below zero: kept.
+    """Amount by which a limit is exceeded at an offset (m), in the SI unit of its output; below 0: met.
 
     Raises
     ------
     SimulationError
-        When no equilibrium is found there.
+        When no equilibrium is found at the offset.
     """
     found = demand_of(at.scene, limit, at.extremes(offset))
     if found is None:
@@ -239,19 +240,19 @@ def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
 
 
 def _least(over: Callable[[float], float], near: float, tried: list[float]) -> float:
-    """Offset (m) at which a limit is exceeded least, about one that is the best of those tried."""
+    """Offset (m) at which the excess of a limit is smallest, near the best offset that was tried."""
     k = tried.index(near)
     ends = tried[max(k - 1, 0)], tried[min(k + 1, len(tried) - 1)]
     return float(minimize_scalar(over, bounds=ends, method="bounded", options={"xatol": CLOSE}).x)
 
 
 def _edge(over: Callable[[float], float], inside: float, at: AtRest, side: int) -> float:
-    """The first offset (m) to a side of one inside at which a limit is reached; infinite where it is not.
+    """The first offset (m) to a side of ``inside`` at which a limit is reached; infinite if it is not.
 
     Raises
     ------
     SimulationError
-        When there is an offset without equilibrium before that.
+        When an offset before that has no equilibrium.
     """
     last = inside
     for offset in sorted([*at.rows, *at.lost], key=lambda one: side * one):

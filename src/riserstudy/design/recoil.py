@@ -1,4 +1,4 @@
-"""Emergency disconnects judged: lift, clearance, what comes down again, what runs out of stroke."""
+"""Evaluation of emergency disconnects: lift, clearance, re-contact, stroke-out."""
 
 from __future__ import annotations
 
@@ -8,27 +8,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
-TOUCHING = 1e-6  # contact, with the stack or a stop (m)
+TOUCHING = 1e-6  # distance that counts as contact with the stack or a stop (m)
 
 
 class Outcome(NamedTuple):
-    """What points did after their release, (points,) each."""
+    """Results after the release, (points,) each."""
 
     lift: FloatArray  # largest (m)
-    clearance: FloatArray  # smallest from the first height on (m); NaN: rises to the end
-    recontact: NDArray[np.bool_]  # comes down on the stack again, or never leaves it
-    shortest: FloatArray  # reach of the cylinders from mid-stroke (m)
-    stroked_out: NDArray[np.bool_]  # touches an end of the stroke
+    clearance: FloatArray  # smallest lift after its first maximum (m); NaN: it increases to the end
+    recontact: NDArray[np.bool_]  # whether the lower end re-contacts the stack, or never leaves it
+    shortest: FloatArray  # smallest reach of the cylinders from mid-stroke (m)
+    stroked_out: NDArray[np.bool_]  # whether a cylinder reaches an end of its stroke
 
 
 def outcome(lift: FloatArray, reach: FloatArray, ends: tuple[float, float]) -> Outcome:
-    """Judge histories.
+    """Evaluate histories.
 
     Parameters
     ----------
-    lift : of the lower end above the stack (m), (points, times); zero until the release.
-    reach : of the cylinder that goes farthest, from mid-stroke (m), (points, times).
-    ends : of the stroke (m), shortest and longest.
+    lift : height of the lower end above the stack (m), (points, times); zero until the release.
+    reach : reach of the cylinder with the largest motion, from mid-stroke (m), (points, times).
+    ends : ends of the stroke (m), shortest and longest.
     """
     highest = np.array([_first_height(row) for row in lift])
     after = np.arange(lift.shape[1]) >= highest[:, None]
@@ -42,27 +42,27 @@ def outcome(lift: FloatArray, reach: FloatArray, ends: tuple[float, float]) -> O
 
 
 def _first_height(lift: FloatArray) -> int:
-    """Where the lift, once it has begun, falls for the first time; the end where it never does."""
+    """Index at which the lift first decreases after it has begun; the end if it never does."""
     falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
     return int(falls[0]) if len(falls) else len(lift) - 1
 
 
 class Limits(NamedTuple):
-    """Settings that an analysis of recoil allows (N); NaN where none does.
+    """Settings that an analysis of recoil allows (N); NaN if none is allowed.
 
-    Each lies between two settings of the grid: what was tried and serves, and what was tried and does not.
+    Each limit is between two settings of the grid, one that is allowed and one that is not.
     """
 
-    smallest: float  # of all that serve
-    below: float  # the next one below it, which comes down again; NaN: none was tried
-    largest: float  # of all that serve
-    above: float  # the next one above it, which runs out of stroke; NaN: none was tried
+    smallest: float  # smallest allowed setting
+    below: float  # the next smaller setting, with re-contact; NaN: none was tried
+    largest: float  # largest allowed setting
+    above: float  # the next larger setting, with stroke-out; NaN: none was tried
 
 
 def limits(
     setting: FloatArray, recontact: NDArray[np.bool_], stroked_out: NDArray[np.bool_]
 ) -> Limits:
-    """Smallest and largest of rising settings (N), (settings,), that neither come down nor stroke out."""
+    """Smallest and largest of increasing settings (N), (settings,), without re-contact and stroke-out."""
     serves = np.flatnonzero(~recontact & ~stroked_out)
     if not len(serves):
         return Limits(*[float("nan")] * 4)

@@ -1,4 +1,4 @@
-"""What irregular seas add to each limit's demand at rest: runs of several seeds, and their extremes."""
+"""Allowances of irregular seas for each limit, added to the demand at rest, from runs with several seeds."""
 
 from __future__ import annotations
 
@@ -24,19 +24,19 @@ FloatArray = NDArray[np.float64]
 def allowances(
     file: SceneFile, sea: Sea, seeds: int, notify: Callable[[str], None] = lambda _: None
 ) -> list[float]:
-    """What a sea adds to the demand of each limit of a scene, that nine seas in ten do not exceed.
+    """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
-    By runs with the scene's own current and offset. The extremes of the seeds follow a Gumbel distribution.
+    Runs have the current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
     Limits on means have no allowance.
 
     Parameters
     ----------
-    notify : is given what runs next.
+    notify : function that receives a description of the next run.
 
     Raises
     ------
     InputError
-        When the scene has no irregular sea, or its riser does not stay at its offset.
+        When the scene has no irregular sea, or the riser leaves its offset.
     SimulationError
         When a run cannot be completed.
     """
@@ -53,12 +53,12 @@ def allowances(
 
 
 def _refuse_departures(source: str, scene: Resolved) -> None:
-    """What a sea adds is not told from what a tow or a release does in the same run.
+    """Refuse a scene with a tow or a release, whose effect cannot be separated from that of the sea.
 
     Raises
     ------
     InputError
-        When the scene has one of these.
+        When the scene has one of them.
     """
     if scene.platform and scene.platform.cruise:
         found = "moves the platform away during the runs in a sea"
@@ -69,7 +69,7 @@ def _refuse_departures(source: str, scene: Resolved) -> None:
 
 
 def allowance(added: FloatArray) -> float:
-    """What nine seas in ten do not exceed, by what each seed added, (seeds,), in its unit; not below zero."""
+    """Addition that nine seas in ten do not exceed, from those of the seeds, (seeds,), same unit; >= 0."""
     return max(demand(added, "largest", 1.0).value, 0.0)
 
 
@@ -81,7 +81,7 @@ def _extremes(scene: Resolved) -> list[dict[str, Any]]:
 def _added(
     scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
 ) -> float:
-    """What a run adds to the demand at rest; not a number where either has none."""
+    """The demand of a run minus the demand at rest; NaN if one of them is missing."""
     still, moving = demand_of(scene, limit, rest), demand_of(scene, limit, rows)
     if limit.side == "mean":
         return 0.0

@@ -1,15 +1,15 @@
-r"""Minimum tension of a drilling riser at all of its points, by the formula of the trade.
+r"""Minimum tension of a drilling riser at all of its points, by the usual formula of the industry.
 
 .. math:: T_{SRmin} = W_s f_{wt} - B_n f_{bt} + A_i (d_m H_m - d_w H_w),\quad
           T_{min} = \frac{T_{SRmin} N}{R_f \cos\varphi\,(N - n)}
 
-W_s is the weight in water of the steel above a point, with that of a body at the tension ring, B_n what
-buoyancy modules above it lift, A_i the bore, d and H unit weight and height of the columns of mud and sea
-above it, N the tensioner units and n those that failed. Where the bore changes, columns are counted section
-by section.
+W_s is the submerged weight of the steel above a point, including a body at the tension ring. B_n is the net
+lift of the buoyancy modules above it, and A_i the bore. d and H are unit weight and height of the columns of
+mud and sea above it. N is the number of tensioner units, and n the number of failed units. If the bore
+varies, the columns are summed section by section.
 
-R_f has two conventions: the vertical tension over the setting, 0.90 to 0.95, and no fleet angle; or
-what friction leaves, with the fleet angle apart.
+R_f has two conventions. It is the ratio of vertical tension to setting, 0.90 to 0.95, without a fleet angle;
+or it is the remaining share after friction, with a separate fleet angle.
 """
 
 from __future__ import annotations
@@ -28,55 +28,56 @@ FloatArray = NDArray[np.float64]
 
 
 class Tolerances(NamedTuple):
-    """By how much weights differ from those told: 1 where they were weighed."""
+    """Tolerance factors on given weights; 1 for weights that were measured."""
 
     weight: float  # f_wt, of steel
     buoyancy: float  # f_bt, of modules
 
 
 class Rig(NamedTuple):
-    """Tensioner units, and what of their setting pulls the riser up."""
+    """Tensioner units, and the reduction from their setting to the vertical tension."""
 
     units: int
     failed: int
     tension_ratio: float  # R_f
-    fleet_angle: float  # rad, of lines to the vertical; 0 where the ratio counts it
+    fleet_angle: float  # rad, of lines from the vertical; 0 if the ratio includes it
 
 
 class Governing(NamedTuple):
-    """Where the riser needs most tension."""
+    """The point that governs the minimum tension."""
 
     tension: float  # T_SRmin (N)
-    end: int  # lower end of the section of this index, the riser's upper end for one more
+    # lower end of the section with this index; for the number of sections, the riser's upper end
+    end: int
 
 
 class Columns(NamedTuple):
-    """What hangs above points of the riser, from the bottom up, each (points,)."""
+    """Weights and lifts above points of the riser, from the bottom up, each (points,)."""
 
     elevation: FloatArray  # m
-    steel: FloatArray  # weight in water, that of the body at the upper end included (N)
-    lift: FloatArray  # of modules (N)
-    mud: FloatArray  # weight (N)
-    water: FloatArray  # weight of the sea's column in the bore (N)
+    steel: FloatArray  # submerged weight, with the body at the upper end (N)
+    lift: FloatArray  # net lift of modules (N)
+    mud: FloatArray  # weight of the mud column in the bore (N)
+    water: FloatArray  # weight of a sea-water column in the bore (N)
 
 
 def carrying_tension(
     steel: ArrayLike, lift: ArrayLike, columns: ArrayLike, tolerances: Tolerances
 ) -> FloatArray:
-    """T_SRmin (N) from weight of steel, lift of modules, and mud's column less the sea's (N)."""
+    """T_SRmin (N) from weight of steel, lift of modules, and weights of the mud and sea columns (N)."""
     weight = np.asarray(steel) * tolerances.weight - np.asarray(lift) * tolerances.buoyancy
     return np.asarray(weight + np.asarray(columns))
 
 
 def setting(tension: float, rig: Rig) -> float:
-    """Tension setting (N) of which a vertical tension (N) is left with the failed units out."""
+    """Tension setting (N) that gives a vertical tension (N) without the failed units."""
     working = rig.units - rig.failed
     ratio = rig.tension_ratio * math.cos(rig.fleet_angle)
     return tension * rig.units / (ratio * working)
 
 
 def lacks(scene: Resolved) -> list[str]:
-    """What a scene lacks for the minimum tension, by its fields; empty where it is all there."""
+    """Fields that a scene lacks for the minimum tension; empty if it has all."""
     missing = [] if scene.gravity is not None else ["gravity"]
     if scene.water is None or scene.water.surface is None:
         missing.append("water.surface")
@@ -91,7 +92,7 @@ def lacks(scene: Resolved) -> list[str]:
 
 
 def columns_above(scene: Resolved) -> Columns:
-    """What hangs above each section's ends.
+    """Weights and lifts above the ends of sections.
 
     Raises
     ------
@@ -114,7 +115,7 @@ def columns_above(scene: Resolved) -> Columns:
     above = mud_above_the_riser(scene)
     return Columns(
         elevation,
-        # a given weight has the bore displace water
+        # a given submerged weight includes the buoyancy of the bore
         _from_above(net + lift + water) + weight_of_ring(scene),
         _from_above(lift),
         _from_above(mud) + above,
@@ -123,14 +124,14 @@ def columns_above(scene: Resolved) -> Columns:
 
 
 def weight_of_ring(scene: Resolved) -> float:
-    """Weight in water (N) of the body at the riser's upper end, such as a tension ring; 0 without one."""
+    """Submerged weight (N) of the body at the riser's upper end, such as a tension ring; 0 without one."""
     if scene.top.body is None:
         return 0.0
     return scene.top.body.weight(scene.gravity or 0.0, scene.water.density if scene.water else 0.0)
 
 
 def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:
-    """T_SRmin (N) at the ends of sections, from the bottom up, (sections + 1,): straight between them.
+    """T_SRmin (N) at the ends of sections, from the bottom up, (sections + 1,); it is linear between them.
 
     Raises
     ------
@@ -142,7 +143,7 @@ def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:
 
 
 def governing(scene: Resolved, tolerances: Tolerances) -> Governing:
-    """The largest T_SRmin of the riser itself; stack and conductor below its flex joint stand.
+    """The largest T_SRmin of the riser, without the stack and conductor below its flex joint.
 
     Raises
     ------
@@ -156,5 +157,5 @@ def governing(scene: Resolved, tolerances: Tolerances) -> Governing:
 
 
 def _from_above(values: FloatArray) -> FloatArray:
-    """Sums of what is above each end."""
+    """Sums of the values above each end."""
     return np.concatenate([np.cumsum(values[::-1])[::-1], [0.0]])

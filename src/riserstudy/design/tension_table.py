@@ -1,4 +1,4 @@
-"""What the command `tension` reports: tension along the riser, setting, and the window of the setting."""
+"""Results of the command `tension`: tension along the riser, setting, and the window of the setting."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from riserstudy.scene.resolve import Resolved
 
 
 class TensionRequest(NamedTuple):
-    """What a tension is wanted for."""
+    """Inputs of the command."""
 
     tolerances: Tolerances
     rig: Rig
     overpull: float | None = None  # N
-    ceiling: tuple[float, float] | None = None  # dynamic tension limit (N), share of it
+    ceiling: tuple[float, float] | None = None  # dynamic tension limit (N), allowed share of it
 
 
 class Found(NamedTuple):
@@ -37,22 +37,22 @@ class Rows(NamedTuple):
 
     @property
     def missing(self) -> bool:
-        """Whether something was asked for that could not be evaluated."""
+        """Whether a requested tension could not be evaluated."""
         return any(row.tension is None for row in self.totals)
 
     def table(self) -> Table:
-        """The same as a table in SI units."""
+        """The rows as a table in SI units."""
         rows = [[row.quantity, row.tension, row.note] for row in (*self.ends, *self.totals)]
         return Table(["quantity", "tension", "note"], ["", "N", ""], rows)
 
 
 def tension_table(scene: Resolved, request: TensionRequest) -> Rows:
-    """Minimum tension by formula and engine, the setting, and the window that it lies in.
+    """Minimum tension by formula and engine, the setting, and its window.
 
     Raises
     ------
     ValueError
-        When the scene does not give what the formula takes.
+        When the scene lacks inputs of the formula.
     SimulationError
         When no equilibrium is found.
     """
@@ -85,7 +85,7 @@ def _engine(scene: Resolved, request: TensionRequest) -> Found:
 
 
 def _window(scene: Resolved, request: TensionRequest, minimum: float) -> list[Found]:
-    """Floor by the LMRP, ceiling, and what is between floors and ceiling; nothing where none is wanted."""
+    """Floor by the LMRP, ceiling, and the gap between floors and ceiling; empty if not requested."""
     rows, lifted = [], None
     if request.overpull is not None:
         if missing := lift_off_lacks(scene):

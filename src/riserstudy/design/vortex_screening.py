@@ -1,9 +1,9 @@
-"""Screening for vortex-induced vibration: which modes may lock in where, their amplitude, what drag becomes.
+"""Screening for vortex-induced vibration: modes that may lock in, their places and amplitudes, and the drag.
 
-A mode of frequency f may lock in where the current's reduced velocity U / (f D) lies within bounds, and takes
-power there as the synchronisation model has it: lift of coefficient C_v in phase with the velocity of the
-riser across the flow. It gives power away by drag all along the riser. Its amplitude is that at which both
-are equal over a cycle. Waves, other modes and damping of the structure are left out.
+A mode of frequency f may lock in where the current's reduced velocity U / (f D) is within bounds. There it
+receives power, as in the synchronisation model, from a lift of coefficient C_v in phase with the velocity of
+the riser across the flow. It loses power by drag along the whole riser. At its amplitude, both powers are
+equal over a cycle. Waves, other modes and structural damping are neglected.
 
 References
 ----------
@@ -34,55 +34,55 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 
-PHASES = 64  # of a cycle over which power is averaged
-LARGEST = 10.0  # amplitude over diameter beyond which no balance is looked for
-FIRST = 20  # modes computed at first; as many more as currents can excite
-TWINS = 1e-3  # by which frequencies of two modes differ that may swing in any two directions
-LEAST_ACROSS = 0.1  # of a mode's motion where it may lock in, that lift has to find across the flow
+PHASES = 64  # number of phases of a cycle over which power is averaged
+LARGEST = 10.0  # largest ratio of amplitude to diameter in the search for a balance
+FIRST = 20  # number of modes computed first; more follow, as long as the current can excite them
+TWINS = 1e-3  # largest relative difference of frequencies of one mode in two directions
+LEAST_ACROSS = 0.1  # smallest share of a mode's motion across the flow, where it may lock in
 
 
 class Coefficients(NamedTuple):
-    """What screening assumes; each has a range in the literature."""
+    """Assumed coefficients; each has a range in the literature."""
 
-    strouhal: float = 0.2  # shedding frequency over U / D: 0.17 to 0.25 at a cylinder at rest
-    slowest: float = 4.0  # reduced velocity from which on a mode may lock in
-    fastest: float = 8.0  # and up to which
-    lift: float = 1.2  # of the force in phase with velocity
-    drag: float | None = None  # absent: the scene's own
-    drag_gain: float = 2.1  # by which drag grows with amplitude over diameter
+    strouhal: float = 0.2  # shedding frequency / (U / D): 0.17 to 0.25 for a cylinder at rest
+    slowest: float = 4.0  # smallest reduced velocity at which a mode may lock in
+    fastest: float = 8.0  # largest reduced velocity at which a mode may lock in
+    lift: float = 1.2  # coefficient of the force in phase with velocity
+    drag: float | None = None  # absent: coefficients of the scene
+    drag_gain: float = 2.1  # increase of the relative drag per ratio of amplitude to diameter
 
 
 class Flow(NamedTuple):
-    """The current at the segments' middles of a riser at rest, bottom up; (n,) each."""
+    """The current at the middles of the segments of a riser at rest, from the bottom up; (n,) each."""
 
     z: FloatArray  # elevation (m)
     length: FloatArray  # m
-    speed: FloatArray  # of the water across the riser (m/s)
+    speed: FloatArray  # speed of the water across the riser (m/s)
     diameter: FloatArray  # m
     drag: FloatArray  # coefficient
     across: FloatArray | None = None  # (3, n) unit vectors across riser and flow; None: in a plane
 
 
 def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.Dataset:
-    """Which lateral modes a scene's current may excite.
+    """Lateral modes that a scene's current may excite.
 
     Parameters
     ----------
     file : SceneFile
-        A scene with a current; its modes are those about its static equilibrium, in still water.
+        A scene with a current. Its modes are about its static equilibrium in still water.
     coefficients : Coefficients
-        What is assumed; absent: the defaults of that class.
+        Assumed coefficients; absent: the defaults of this class.
 
     Returns
     -------
     xarray.Dataset
         Over ``z``, the elevations (m) of the middles of the segments: ``current_speed`` across the riser
-        (m/s), ``shedding_frequency`` (Hz). Over ``mode``, those that may lock in, by their numbers among
+        (m/s), ``shedding_frequency`` (Hz). Over ``mode``, the modes that may lock in, by their numbers among
         all modes: ``natural_frequency`` (Hz), ``excited_length`` (m), ``excited_from`` and ``excited_to``
-        (m, elevations between which it lies, not everywhere perhaps), ``slowest_current`` and
+        (m, elevations between which it is excited, perhaps not everywhere), ``slowest_current`` and
         ``fastest_current`` (m/s, speeds across the riser between which the mode may lock in anywhere),
-        ``amplitude`` (over diameter, the largest along the riser), ``amplitude_limit`` (the same were the
-        whole riser excited in its own flow's phase, the largest of excited places) and ``drag_factor``
+        ``amplitude`` (largest ratio to the diameter along the riser), ``amplitude_limit`` (the same if the
+        whole riser were excited in the phase of its flow, the largest of excited places) and ``drag_factor``
         (mean over the excited length). Over both, ``excited`` and ``relative_amplitude``.
 
     Raises
@@ -107,14 +107,14 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
     while (count := found.sizes["mode"]) < MOST_MODES and found["frequency"].max() < highest:
         found = modes_of(scene, min(2 * count, MOST_MODES))
         if found.sizes["mode"] <= count:
-            break  # there are no more
+            break  # there are no more modes
     if not highest > 0.0:
         raise SimulationError("the current does not flow across the riser: no vortices are shed")
     return _dataset(file, flow, found, given)
 
 
 def flow_along(scene: Resolved, given: Coefficients) -> Flow:
-    """The whole current, its ramp aside, across a riser at rest.
+    """The full current, without its ramp, across a riser at rest.
 
     Raises
     ------
@@ -135,13 +135,13 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     speed = np.where(wet, np.linalg.norm(across, axis=0), 0.0)
     diameter, drag = np.full(n, math.nan), np.zeros(n)
     for e, k in enumerate(mesh.section):
-        if k < len(scene.riser):  # else it is the telescopic joint's
+        if k < len(scene.riser):  # otherwise the segment is the telescopic joint
             section = scene.riser[k]
             size = section.drag.diameter if section.drag else section.outer_diameter
             diameter[e] = size or math.nan
             if wet[e]:
                 drag[e] = given.drag or _coefficient(section, float(z[e]))
-    bare = np.isnan(diameter)  # nothing to shed from
+    bare = np.isnan(diameter)  # no diameter for vortex shedding
     sideways = None
     if d == len("xyz"):
         sideways = np.cross(tangent, across, axis=0) / np.where(speed > 0.0, speed, np.inf)
@@ -159,7 +159,7 @@ def _in_water(scene: Resolved, z: FloatArray) -> NDArray[np.bool_]:
 
 
 def _coefficient(section: Section, z: float) -> float:
-    """The scene's own drag coefficient at an elevation (m); 0 without drag."""
+    """The scene's drag coefficient at an elevation (m); 0 without drag."""
     if section.drag is None:
         return 0.0
     if not section.drag.table:
@@ -187,21 +187,21 @@ def amplitude_of(
     lift: float,
     across: FloatArray | None = None,
 ) -> float:
-    """Amplitude (m) at which a mode takes as much power from the flow as drag takes from it.
+    """Amplitude (m) at which the power that a mode receives from the flow equals its loss by drag.
 
-    Per length, with v the riser's velocity across the flow of speed U and V both together: it takes
-    rho/2 D C_v V U cos(t) v where it is excited, and loses rho/2 D C_d V v^2 everywhere.
+    With the riser's velocity v across a flow of speed U, and their resultant V, the mode receives the power
+    per length rho/2 D C_v V U cos(t) v where it is excited, and loses rho/2 D C_d V v^2 everywhere.
 
     Parameters
     ----------
-    shape : (n,) size of the mode across the riser at the segments' middles, of which the largest is 1.
-    excited : (n,) where lift acts.
-    frequency : Hz.
-    across : (n,) the part of the shape that lift works on, across the flow; absent: all of it.
+    shape : (n,) magnitude of the mode across the riser at the middles of segments; the largest is 1.
+    excited : (n,) true where lift acts.
+    frequency : frequency of the mode (Hz).
+    across : (n,) component of the shape across the flow, on which lift does work; absent: the whole shape.
 
     Returns
     -------
-    0 where nothing is excited, infinite where there is no drag.
+    0 if no place is excited, infinite without drag.
     """
     from scipy.optimize import brentq
 
@@ -225,10 +225,11 @@ def amplitude_of(
 
 
 def _shapes(flow: Flow, found: xr.Dataset) -> tuple[FloatArray, FloatArray]:
-    """Size of modes across the riser, (modes, n), and of the part of it that is across the flow.
+    """Magnitude of modes across the riser, (modes, n), and of their component across the flow.
 
-    In a plane these are the same: its modes stand for those across it. In space two modes of one frequency
-    may swing in any two directions; they are turned so that one of them takes the most power.
+    In a plane both are equal: its modes represent the modes across the plane. In space, two modes of one
+    frequency may vibrate in any two directions; they are rotated to maximise the power that one of them
+    receives.
     """
     nodes = np.stack([found[name].values for name in "xyz" if name in found], axis=1)
     middles = 0.5 * (nodes[:, :, :-1] + nodes[:, :, 1:])
@@ -252,7 +253,7 @@ def _shapes(flow: Flow, found: xr.Dataset) -> tuple[FloatArray, FloatArray]:
 
 
 def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients) -> xr.Dataset:
-    """Modes that lie within the bounds anywhere."""
+    """The dataset of modes whose reduced velocity is within the bounds at any place."""
     import xarray as xr
 
     from riserstudy.dataset.describe import label_variables
@@ -271,7 +272,7 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
         shape, part = size[k] / size[k].max(), across[k] / size[k].max()
         amplitude = amplitude_of(flow, shape, excited, frequency, given.lift, part)
         relative = amplitude * shape / flow.diameter
-        with np.errstate(divide="ignore"):  # without drag there is no limit
+        with np.errstate(divide="ignore"):  # without drag, there is no limit
             limit = given.lift * reduced[excited] / (2.0 * math.pi * flow.drag[excited])
         length = flow.length[excited]
         rows.append(

@@ -1,4 +1,4 @@
-"""Watch circles: the offset at which an alarm must be given for the riser to be off before a limit."""
+"""Watch circles: the offset at which an alarm must be given to disconnect before a limit is reached."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import xarray as xr
 from riserstudy.dataset.crossing import at_time
 from riserstudy.scene.units import to_si
 
-#: what a watch circle can be, by its flag
+#: outcomes of a watch circle, as flags
 NEVER, TOO_LATE, CIRCLE, UNKNOWN = range(4)
 MEANINGS = "no_limit_is_reached even_an_alarm_at_the_start_is_too_late circle not_known"
 FLAGS = {"flag_values": np.arange(4, dtype=np.int8), "flag_meanings": MEANINGS}
@@ -19,19 +19,19 @@ FLAGS = {"flag_values": np.arange(4, dtype=np.int8), "flag_meanings": MEANINGS}
 def watch_circle(
     first: xr.DataArray, offset: xr.DataArray, before: xr.DataArray | float
 ) -> xr.Dataset:
-    """Offset at which a disconnect must start to be over when the first limit is reached.
+    """Offset at which a disconnect must start in order to end when the first limit is reached.
 
     Parameters
     ----------
-    first : time at which the first limit is reached (s), infinite if never, not a number if it is not known.
-    offset : the platform's way off the well over ``time`` (m).
-    before : time that the emergency disconnect takes, with what must come before it (s).
+    first : time at which the first limit is reached (s), infinite if never, NaN if it is not known.
+    offset : distance of the platform from the well over ``time`` (m).
+    before : duration of the emergency disconnect, and of the actions before it (s).
 
     Returns
     -------
-    ``circle_outcome`` (flag, see MEANINGS) and ``circle_radius`` (m), which is 0 where an alarm at the
-    very start would be too late, the largest offset where no limit is reached at all, and not a number where
-    the first limit is not known.
+    ``circle_outcome`` (flag, see MEANINGS) and ``circle_radius`` (m). The radius is 0 if an alarm at the very
+    start would be too late, the largest offset if no limit is reached, and NaN if the first limit is not
+    known.
     """
     latest = first - before
     outcome = xr.where(np.isinf(first), NEVER, xr.where(latest > 0.0, CIRCLE, TOO_LATE))
@@ -54,8 +54,8 @@ def red_and_yellow(
     Parameters
     ----------
     first, offset : as in ``watch_circle``.
-    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
-    preparing : time from the yellow alarm to the red one, with its unit.
+    eds_times : durations of the emergency disconnect from the red alarm on, with units.
+    preparing : time from the yellow alarm to the red alarm, with its unit.
     """
     seconds = [to_si(time, "s") for time in eds_times]
     eds = xr.DataArray(seconds, dims="eds_time", coords={"eds_time": seconds})
@@ -67,7 +67,7 @@ def red_and_yellow(
 
 
 def with_flags(circles: xr.Dataset) -> xr.Dataset:
-    """The dataset, with the meanings of the flags among the attributes of each outcome."""
+    """The dataset with the meanings of the flags in the attributes of each outcome."""
     for name in circles:
         if str(name).endswith("circle_outcome"):
             circles[name].attrs |= FLAGS

@@ -1,4 +1,4 @@
-"""Watch circles of one run, limit by limit: when each is reached, and where alarms must be given."""
+"""Watch circles of one run: for each limit, the time at which it is reached, and offsets of the alarms."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from riserstudy.scene.resolve import Resolved
 
 COLUMNS = ["limit", "reached", "offset", "red circle", "yellow circle", "note"]
 UNITS = ["", "s", "m", "m", "m", ""]
-FOR_A_CUBIC = 4  # outputs
-COARSE = 0.01  # share of a circle's radius from which on an error by coarse outputs is told
-LEAST = 0.01  # m, below which it is not
+FOR_A_CUBIC = 4  # smallest number of outputs for a cubic spline
+COARSE = 0.01  # error by coarse outputs, as a share of the radius, from which on it is reported
+LEAST = 0.01  # m, error below which it is not reported
 
 
 class Times(NamedTuple):
-    """What must be over before a limit is reached (s)."""
+    """Durations that must end before a limit is reached (s)."""
 
     disconnect: float  # from the red alarm on
-    prepare: float  # from the yellow alarm to the red one
+    prepare: float  # from the yellow alarm to the red alarm
 
 
 class Circles(NamedTuple):
-    """Rows by mode, and what could not be evaluated."""
+    """Rows by mode, and the limits that could not be evaluated."""
 
     table: Table
     missing: bool
@@ -42,7 +42,7 @@ def moves_off(scene: Resolved) -> None:
     Raises
     ------
     InputError
-        When there is neither a vessel nor a cruising platform, or no time, or outputs begin late.
+        When there is neither a vessel nor a cruising platform, the scene is static, or outputs begin late.
     """
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
@@ -67,10 +67,11 @@ class Way(NamedTuple):
 
 
 def way_of(scene: Resolved, dataset: xr.Dataset) -> Way:
-    """How far the platform is from the well over time, first-order motions left out.
+    """Distance of the platform from the well over time, without first-order motions.
 
-    That of a cruise is known at any time. That of a vessel is a cubic spline through the outputs; its error
-    is at most that of straight lines, whose deviation from the spline is given for it.
+    The distance of a cruise is known at any time. The distance of a vessel is a cubic spline through the
+    outputs. Its error is at most the error of linear interpolation; the deviation of the two is the estimated
+    error.
     """
     time = dataset["time"].values
     if scene.vessel is None:
@@ -85,7 +86,7 @@ def way_of(scene: Resolved, dataset: xr.Dataset) -> Way:
     if len(time) < FOR_A_CUBIC:
         longest = float(np.hypot(*np.diff(place)).max(initial=0.0))
         return Way(straight, lambda _: longest)
-    from scipy.interpolate import CubicSpline  # which takes long to load
+    from scipy.interpolate import CubicSpline  # slow to load
 
     cubic = CubicSpline(time, place, axis=1)
 
@@ -99,7 +100,7 @@ def _cruised(scene: Resolved, time: float) -> float:
     """Distance of a cruising platform from the well (m) at a time (s)."""
     platform = scene.platform
     if platform is None or platform.cruise is None:
-        raise TypeError("nothing leaves the well")  # asked before
+        raise TypeError("nothing leaves the well")  # excluded by the caller
     cruise, at = platform.cruise, platform.position
     ramp = cruise.ramp or 0.0
     late = max(time - ramp, 0.0)
@@ -147,20 +148,20 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
 
 
 def _unknown(side: str, time: float | str, row: dict[str, object]) -> str:
-    """Why it is not known when a limit is first reached; empty where it is."""
+    """Why the time at which a limit is first reached is not known; empty if it is known."""
     if side == "mean":
         return "a mean has no time at which it is reached. Give `largest`"
     if time == "unknown" or row["demand"] is None:
         return str(row["missing"] or f"no history of {row['output']}")
     if time == "never" and row["verdict"] == EXCEEDED:
         return "exceeded between two outputs. Give a shorter analysis.output.interval"
-    if time == "never" and row["verdict"] == UNKNOWN:  # with its error it may be reached
+    if time == "never" and row["verdict"] == UNKNOWN:  # within its error, the limit may be reached
         return str(row["missing"])
     return ""
 
 
 def _row(name: str, first: float, error: float, way: Way, times: Times) -> list[Cell]:
-    """Time, offset and both circles of one first time (s), known within an error (s)."""
+    """Time, offset and both circles for a first time (s) with an error (s)."""
     if math.isinf(first):
         return [name, None, None, None, None, "not reached within the run"]
     cells: list[Cell] = [name, first, way.at(first)]

@@ -1,4 +1,4 @@
-"""The window of a tension setting: what it must not be below, what it must not exceed, and the gap."""
+"""The window of a tension setting: its lower and upper limits, and the gap between them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ WEIGHED = Tolerances(1.0, 1.0)
 
 
 class Window(NamedTuple):
-    """Floors and ceilings of a setting (N) by name."""
+    """Lower limits (floors) and upper limits (ceilings) of a setting (N) by name."""
 
     floors: dict[str, float]
     ceilings: dict[str, float]
@@ -30,7 +30,7 @@ class Window(NamedTuple):
 
     @property
     def gap(self) -> float:
-        """What is left between them (N); below zero there is no setting."""
+        """Ceiling minus floor (N); below zero, no setting is possible."""
         return self.ceilings[self.ceiling] - self.floors[self.floor]
 
 
@@ -46,12 +46,12 @@ def window(
 
     Parameters
     ----------
-    minimum : vertical tension that keeps the riser stable with tolerances on its weights (N), needed with
-        the failed units out.
-    lift_off : vertical tension that lifts the LMRP off with its overpull (N), needed with all units; None:
-        not asked for.
-    dynamic_limit, share : dynamic tension limit of all units (N), and how much of it a setting may be.
-    recoil : smallest and largest setting (N) of an analysis of recoil; None: not known.
+    minimum : vertical tension for stability of the riser with tolerances on its weights (N), required without
+        the failed units.
+    lift_off : vertical tension that lifts the LMRP off with its overpull (N), required with all units; None:
+        not requested.
+    dynamic_limit, share : dynamic tension limit of all units (N), and the allowed share of it.
+    recoil : smallest and largest setting (N) from an analysis of recoil; None: not known.
     """
     floors = {"minimum tension": setting(minimum, rig)}
     if lift_off is not None:
@@ -67,17 +67,17 @@ class Ceiling(NamedTuple):
     """The upper end of a setting."""
 
     dynamic_limit: float  # dynamic tension limit of all units (N)
-    share: float  # of it that a setting may be
+    share: float  # share of the limit that a setting may have
 
 
 def window_of(
     scene: Resolved, tolerances: Tolerances, rig: Rig, overpull: float | None, ceiling: Ceiling
 ) -> Window:
-    """The window of a scene's setting by the formula.
+    """The window of a scene's setting, by the formula.
 
     Parameters
     ----------
-    overpull : effective tension wanted between LMRP and stack (N); None: the LMRP is not lifted off.
+    overpull : required effective tension between LMRP and stack (N); None: the LMRP is not lifted off.
 
     Raises
     ------
@@ -90,12 +90,12 @@ def window_of(
 
 
 def lift_off(scene: Resolved, overpull: float, weighed: float | None = None) -> float:
-    """Vertical tension (N) at which the riser pulls its LMRP off with an overpull (N).
+    """Vertical tension (N) that lifts the LMRP off with an overpull (N).
 
     Parameters
     ----------
-    weighed : vertical tension (N) at which nothing is left at the riser's lower end, weights as given;
-        absent: by the formula.
+    weighed : vertical tension (N) at which the tension at the riser's lower end is zero, with the given
+        weights; absent: by the formula.
 
     Raises
     ------
@@ -106,14 +106,14 @@ def lift_off(scene: Resolved, overpull: float, weighed: float | None = None) -> 
         raise ValueError("not evaluated: " + ", ".join(missing))
     body, water, gravity = scene.bottom.body, scene.water, scene.gravity
     if body is None or water is None:
-        raise TypeError("no LMRP")  # asked before
+        raise TypeError("no LMRP")  # excluded by the caller
     if weighed is None:
         weighed = float(tension.needed(scene, WEIGHED)[0])
     return weighed + body.weight(gravity or 0.0, water.density) + overpull
 
 
 def lift_off_lacks(scene: Resolved) -> list[str]:
-    """What a scene lacks for lifting its LMRP off, by its fields; empty where it is all there."""
+    """Fields that a scene lacks for lifting its LMRP off; empty if it has all."""
     if scene.lowest_riser_section:
         return ["bottom.body as the LMRP: sections of the riser are below its flex joint"]
     missing = [] if scene.bottom.body else ["bottom.body"]

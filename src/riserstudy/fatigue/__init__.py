@@ -1,1 +1,1 @@
-"""Fatigue over years: damage of a study's sea states by how often each occurs."""
+"""Fatigue over years: damage in a study's sea states, weighted by their frequency of occurrence."""

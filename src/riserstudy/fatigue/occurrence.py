@@ -1,4 +1,4 @@
-"""How often sea states occur: a scatter table, or the hours of a record, in the axes of a study."""
+"""Occurrence of sea states, from a scatter table or the hours of a record, in the axes of a study."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-LARGEST_TABLE = 10**7  # bytes
-HOURS = 8766.0  # of a year of 365.25 days
+LARGEST_TABLE = 10**7  # largest size of a table, in bytes
+HOURS = 8766.0  # hours in a year of 365.25 days
 PEAK = "peak_period"
 FROM = "wave_from_direction"
-WHOLE = 0.005  # by which shares of a table may exceed one: they are rounded
-WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns that say how often, with their units
+WHOLE = 0.005  # largest excess of the sum of shares above one, due to rounding
+WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns with the occurrence, and their units
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*")
 #: names that a column of a table or of a record may have for an axis, in lower case
 ALSO = (
@@ -35,11 +35,11 @@ ALSO = (
     ("tp", "t_p", "peak_period", "wave_period"),
     ("current", "current_speed", "surface_current_speed"),
 )
-#: of these, names that say that a sea is irregular
+#: of these, names that are only for irregular seas
 OF_SEAS = ("hs", "h_s", "hm0", "swh", "significant_height", "significant_wave_height",
            "tp", "t_p", "peak_period")  # fmt: skip
 
-#: names that say neither which height or period of a sea it is, nor whether it is a regular wave's
+#: ambiguous names, of which the height or period is not clear, nor whether it is that of a regular wave
 UNSURE = {
     "wave_height": "significant_height, if it is that: largest waves of a sea are twice as high",
     "wave_period": "peak_period, if it is that",
@@ -47,24 +47,25 @@ UNSURE = {
 
 
 class Occurrence(NamedTuple):
-    """Sea states and how often each occurs: values by axis, (n,) each, and shares of all time, (n,)."""
+    """Sea states and their occurrence: values by axis, (n,) each, and shares of all time, (n,)."""
 
     values: dict[str, Array]
     shares: Array
-    notes: tuple[str, ...]  # what was left out or added up, a line each
-    irregular: tuple[str, ...] = ()  # axes whose values are of irregular seas: H_s, T_p
+    notes: tuple[str, ...]  # notes on omitted or summed rows, a line each
+    irregular: tuple[str, ...] = ()  # axes with values of irregular seas: H_s, T_p
 
 
 def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
-    """Sea states of a scatter table in long form, a row each.
+    """Sea states of a scatter table in long form, with one row for each sea state.
 
-    Its header names axes of the study with their units, and one of ``share (%)``, ``time (h)``, hours a
-    year, and ``count``: ``hs (m),tp (s),share (%)``.
+    Its header names axes of the study with their units, and one of ``share (%)``, ``time (h)``, which is
+    hours per year, and ``count``: ``hs (m),tp (s),share (%)``.
 
     Raises
     ------
     InputError
-        With row and column: no unit, no number, nothing or too much that says how often, shares above 100 %.
+        With row and column: a missing unit or number, no column or several columns of occurrence, or shares
+        above 100 %.
     """
     rows = list(csv.reader(io.StringIO(read_text(path, LARGEST_TABLE))))
     rows = [row for row in rows if any(cell.strip() for cell in row)]
@@ -95,12 +96,12 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
 def _heads(
     path: Path, heads: list[str], study: xr.Dataset, axes: list[str]
 ) -> tuple[int, dict[int, tuple[str, float]], list[str]]:
-    """Column that says how often, axes with their units by column, and axes of irregular seas.
+    """Column of the occurrence, axes with their units by column, and axes of irregular seas.
 
     Raises
     ------
     InputError
-        With the heading: no unit, no axis of the study, ambiguous, or there twice.
+        With the heading, if it has no unit, is no axis of the study, is ambiguous, or occurs twice.
     """
     weight, irregular = None, list[str]()
     factors: dict[int, tuple[str, float]] = {}
@@ -134,13 +135,13 @@ def _heads(
 
 
 def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurrence:
-    """Sea states of a record, hour by hour, each its part of all hours that have every quantity.
+    """Sea states of a record, hour by hour, each with its share of all hours that have every quantity.
 
     Raises
     ------
     InputError
-        When nothing of the record is an axis of the study, has no unit of it, or no row has every quantity.
-        When an axis has the name of the record's bearings, which are no headings of a scene.
+        When no quantity of the record is an axis of the study, a unit does not fit, or no row has every
+        quantity. When an axis has the name of the record's bearings, which are not headings of a scene.
     """
     columns, irregular = {}, []
     for name in map(str, record.data_vars):
@@ -170,11 +171,11 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
 
 
 def _notes(record: xr.Dataset, axes: list[str], whole: NDArray[np.bool_]) -> tuple[str, ...]:
-    """What was converted or is not used of a record, and what its rows, (rows,), with values do not cover."""
+    """Notes on conversions, on unused quantities of a record, and on times without values; rows (rows,)."""
     names = [str(name) for name in record.data_vars]
     used = [name for name in names if axis_of(name, axes)]
     unused = [name for name in names if name not in used]
-    if PEAK in used:  # which a zero-upcrossing period is another statement of
+    if PEAK in used:  # the zero-upcrossing period describes the same property
         unused = [name for name in unused if name != "zero_crossing_period"]
     comments = (f"{n}: {record[n].attrs['comment']}" for n in used if "comment" in record[n].attrs)
     converted = record.attrs.get("conversions", "")
@@ -191,11 +192,11 @@ def _notes(record: xr.Dataset, axes: list[str], whole: NDArray[np.bool_]) -> tup
 
 
 def axis_of(name: str, axes: list[str]) -> str | None:
-    """The axis of a study that a column is about, by its name or another usual one."""
+    """The axis of a study to which a column belongs, by its name or another usual name."""
     if name in axes:
         return name
     alike = next((names for names in ALSO if name in names), ())
-    ends = tuple(f"_{one}" for one in alike)  # of a sweep: wave_significant_height
+    ends = tuple(f"_{one}" for one in alike)  # axes of a sweep, such as wave_significant_height
     return next(
         (a for a in axes if a.lower() in alike or (ends and a.lower().endswith(ends))), None
     )
@@ -209,7 +210,7 @@ def _head(path: Path, text: str) -> tuple[str, str]:
 
 
 def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
-    """What one of a column's unit is in that of an axis, which is CF's."""
+    """Conversion factor from a column's unit to the unit of an axis, in CF notation."""
     if not unit:
         allowed = f"allowed is a unit after the name, as in '{text.strip()} ({of_axis})'"
         raise InputError(path, text.strip(), "no unit", allowed)
@@ -220,7 +221,7 @@ def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
 
 
 def _plain(unit: str) -> str:
-    """A unit of CF as texts with units have it: ``kN s2 m-2`` becomes ``kN*s^2*m^-2``."""
+    """A CF unit in the notation of texts with units: ``kN s2 m-2`` becomes ``kN*s^2*m^-2``."""
     return "*".join(re.sub(r"(?<=[A-Za-z])(-?\d+)$", r"^\1", part) for part in unit.split())
 
 
@@ -252,13 +253,14 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
 
     Parameters
     ----------
-    grid : values of the study by axis, rising.
-    calm : count values below the smallest simulated one as that; else they are refused like those above.
+    grid : increasing values of the study by axis.
+    calm : replace values below the smallest simulated value by it; otherwise they are refused, like those
+        above.
 
     Raises
     ------
     InputError
-        When a state that occurs is outside of the range: axis, share of the time and largest value.
+        When sea states are outside the range, with axis, share of the time and largest value.
     """
     values, notes = dict(of.values), [*of.notes]
     for axis, places in grid.items():

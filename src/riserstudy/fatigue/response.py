@@ -1,10 +1,10 @@
-r"""Damage a year at any sea state of a grid: straight between simulated ones in the fourth root of damage.
+r"""Damage per year at any sea state within a grid, by linear interpolation of the fourth root of damage.
 
 .. math:: \dot D^{1/4}(x) = \sum_k w_k(x)\, \dot D_k^{1/4}
 
-with the weights of a multilinear interpolation. Damage grows about as the third to fifth power of the sea,
-so that its fourth root is nearly straight. What that misses is estimated by leaving every second value of
-each axis out, as an error by halving: a third of the difference is left.
+with the weights of a multilinear interpolation. Damage increases about as the third to fifth power of the
+wave height, so its fourth root is nearly linear. The error of the interpolation is estimated by omission of
+every second value of each axis: a third of the difference remains.
 """
 
 from __future__ import annotations
@@ -18,18 +18,19 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 POWER = 0.25
-ORDER = 4.0  # by which halving the distance of values reduces what straight lines miss
-MANY = 2000  # sea states that are summed together
+# factor by which halving the distance of values reduces the error of linear interpolation
+ORDER = 4.0
+MANY = 2000  # number of sea states that are summed together
 
 
 class Response(NamedTuple):
-    """Damage a year over axes: values by axis, rising, and rates over (axes..., places...), 1/year."""
+    """Damage per year over axes: increasing values by axis, and rates over (axes..., places...), 1/year."""
 
     grid: dict[str, Array]
     rates: Array
 
     def sums(self, values: Mapping[str, Array], shares: Array) -> Array:
-        """Damage a year of each sea state by its share (1), (states, places...)."""
+        """Damage per year of each sea state, weighted by its share (1), (states, places...)."""
         count = len(self.grid)
         corners = np.zeros((len(shares), *self.rates.shape[count:]))
         sides = []
@@ -51,7 +52,7 @@ class Response(NamedTuple):
         return np.asarray(shares.reshape(-1, *[1] * (corners.ndim - 1)) * corners ** (1.0 / POWER))
 
     def thinned(self, axis: str) -> Response | None:
-        """The same without every second value of an axis, both ends kept; None of fewer than three."""
+        """A copy without every second value of an axis, except its ends; None for fewer than three values."""
         places = self.grid[axis]
         if len(places) < 3:
             return None
@@ -60,7 +61,7 @@ class Response(NamedTuple):
         return Response(self.grid | {axis: places[kept]}, self.rates.take(kept, axis=along))
 
     def on_grid(self, values: Mapping[str, Array]) -> bool:
-        """Whether all sea states are simulated ones."""
+        """Whether all sea states were simulated."""
         return all(
             np.isclose(values[axis][:, None], places, rtol=1e-9, atol=0.0).any(axis=1).all()
             for axis, places in self.grid.items()
@@ -68,7 +69,7 @@ class Response(NamedTuple):
 
 
 def in_parts(response: Response, values: Mapping[str, Array], shares: Array) -> Array:
-    """Damage a year of all sea states together, (places...), without holding each of them."""
+    """Damage per year of all sea states together, (places...), computed in blocks to limit memory."""
     total = np.zeros(response.rates.shape[len(response.grid) :])
     for first in range(0, len(shares), MANY):
         part = slice(first, first + MANY)

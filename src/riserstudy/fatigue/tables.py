@@ -11,7 +11,7 @@ from riserstudy.fatigue.years import Years
 
 
 def of_details(years: Years) -> Table:
-    """Each detail where its damage is largest: unfactored and factored damage a year, life, errors."""
+    """Each detail at its largest damage: unfactored and factored damage per year, life, errors."""
     columns = ["detail", "s", "angle", "damage", "safety factor", "factored damage", "life"]
     columns += ["error between seas", "chance of seeds"]
     units = ["", "m", "degree", "1/year", "", "1/year", "year", "%", "%"]
@@ -27,10 +27,10 @@ def of_details(years: Years) -> Table:
 
 
 def along(years: Years) -> Table:
-    """Largest damage a year round the wall along the riser: unfactored and factored, of every detail."""
+    """Largest damage per year around the wall along the riser, unfactored and factored, of every detail."""
     columns, units, values = ["s"], ["m"], [years.s]
     for worst, rates in zip(years.worst, years.rates, strict=True):
-        most = np.fmax.reduce(rates, axis=0)  # no number where a detail is not
+        most = np.fmax.reduce(rates, axis=0)  # NaN at places without the detail
         columns += [f"damage of {worst.detail}", f"factored damage of {worst.detail}"]
         units += ["1/year", "1/year"]
         values += [most, most * worst.safety_factor]
@@ -41,7 +41,7 @@ def along(years: Years) -> Table:
 
 
 def by_sea(years: Years, all_of_them: bool = True) -> Table:
-    """Sea states by what they bring of the governing detail's damage; else those of the first half alone."""
+    """Sea states by their share of the governing detail's damage: all, or those that cause half of it."""
     total = sum(sea.damage for sea in years.seas)
     columns = [*(axis for axis, _ in years.axes), "time", "damage", "share", "together"]
     units = [*(unit for _, unit in years.axes), "%", "1/year", "%", "%"]

@@ -1,4 +1,4 @@
-"""How much of the damage over years vortex-induced vibration brings, by a study with it and one without."""
+"""Share of vortex-induced vibration in the damage over years, from a study with it and a study without it."""
 
 from __future__ import annotations
 
@@ -22,18 +22,19 @@ class Share(NamedTuple):
 
     @property
     def share(self) -> float:
-        """Of the damage at the place: what vibration brings (1); negative where vibration saves damage."""
+        """Share of vibration in the damage at the place (1); negative if vibration reduces damage."""
         return 1.0 - self.without / self.of.rate if self.of.rate > 0.0 else math.nan
 
 
 def shares(years: Years, without: Years) -> list[Share]:
-    """What vibration brings at each detail that both studies have.
+    """Share of vibration in the damage of each detail that both studies have.
 
-    Damage is compared at one place of the riser and its wall; without vibration it may be largest elsewhere.
+    Damage is compared at one place of the riser and its wall; without vibration, the largest damage may be
+    elsewhere.
 
     Parameters
     ----------
-    without : of the same sea states and currents; its places along the riser may be others.
+    without : damage in the same sea states and currents; its places along the riser may differ.
     """
     at_rest = {of.detail: k for k, of in enumerate(without.worst)}
     found = []

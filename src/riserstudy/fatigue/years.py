@@ -1,4 +1,4 @@
-"""Damage over years: sums over sea states, where it is largest, and which seas bring it."""
+"""Damage over years: sums over sea states, places of the largest damage, and the governing sea states."""
 
 from __future__ import annotations
 
@@ -23,53 +23,53 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 PLACES = ("detail", "wall_angle", "s_node")
-VIBRATION = "vortex-induced vibration"  # among the effects of a point
+VIBRATION = "vortex-induced vibration"  # name of the effect
 HALF = 0.5
 
-OF_WAVES = ("height", "amplitude", "period")  # of a regular wave in a scene
+OF_WAVES = ("height", "amplitude", "period")  # keys of a regular wave in a scene
 
 
 class Worst(NamedTuple):
-    """A detail where its damage over the years is largest."""
+    """A detail at the place of its largest damage over the years."""
 
     detail: str
     s: float  # m
     angle: float  # degree
     rate: float  # 1/year, unfactored
     safety_factor: float
-    error_between: float  # relative, of the seas between simulated ones; NaN where it is not known
-    chance: float  # relative standard error by seeds; NaN of fewer than two
+    error_between: float  # relative error of interpolation between sea states; NaN if not known
+    chance: float  # relative standard error by seeds; NaN for fewer than two seeds
 
     @property
     def factored(self) -> float:
-        """Damage a year times the safety factor."""
+        """Damage per year times the safety factor."""
         return self.rate * self.safety_factor
 
     @property
     def life(self) -> float:
-        """Years until factored damage is one."""
+        """Years until the factored damage is one."""
         return 1.0 / self.factored if self.factored > 0.0 else math.inf
 
 
 class Sea(NamedTuple):
-    """A simulated sea state, with all that occurs nearest to it."""
+    """A simulated sea state, with all sea states that are nearest to it."""
 
     values: tuple[float, ...]  # of the axes
     share: float  # of the time
     damage: float  # 1/year, unfactored, where the damage of the governing detail is largest
     vibrates: bool  # whether vortex-induced vibration is simulated there
-    error: float  # estimated relative error of damage of its runs; NaN where it is not known
+    error: float  # estimated relative error of the damage in its runs; NaN if not known
 
 
 class Years(NamedTuple):
-    """Damage a year of all details, and the sea states that bring that of the one that governs."""
+    """Damage per year of all details, and the contributions of sea states to the governing detail."""
 
     rates: Array  # (details, angles, places) 1/year, unfactored
     s: Array  # (places,) m
     worst: list[Worst]
     governing: int
-    seas: list[Sea]  # those that bring most first
-    axes: list[tuple[str, str]]  # of the sea states, with their units
+    seas: list[Sea]  # in order of decreasing damage
+    axes: list[tuple[str, str]]  # axes of the sea states, with their units
     error_runs: (
         float  # estimated relative error of runs, each by its damage; NaN where none is known
     )
@@ -77,7 +77,7 @@ class Years(NamedTuple):
 
     @property
     def half(self) -> list[Sea]:
-        """The sea states that together bring half of the damage, those that bring most first."""
+        """The sea states that together cause half of the damage, in order of decreasing damage."""
         total, found = sum(sea.damage for sea in self.seas), []
         for sea in self.seas:
             found.append(sea)
@@ -87,19 +87,19 @@ class Years(NamedTuple):
 
     @property
     def by_vibration(self) -> float:
-        """Share of the damage in sea states in which vortex-induced vibration is simulated."""
+        """Share of the damage in sea states with simulated vortex-induced vibration."""
         total = sum(sea.damage for sea in self.seas)
         some = sum(sea.damage for sea in self.seas if sea.vibrates)
         return some / total if total > 0.0 else 0.0
 
 
 def axes_of(study: xr.Dataset) -> list[str]:
-    """Axes of a study; none of a single run.
+    """Axes of a study; empty for a single run.
 
     Raises
     ------
     InputError
-        When it holds no damage.
+        When it has no damage.
     """
     if "damage_rate" not in study:
         allowed = "allowed is a study or run of a scene with 'fatigue:', which keeps damage_rate"
@@ -110,21 +110,21 @@ def axes_of(study: xr.Dataset) -> list[str]:
 def over_years(
     study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], calm: bool = False
 ) -> Years:
-    """Damage a year of a study's details in the sea states that occur.
+    """Damage per year of a study's details in the given sea states.
 
-    Seeds count alike. Between simulated sea states the fourth root of damage is straight; what that misses is
-    estimated by leaving every second one out.
+    Seeds have equal weights. Between simulated sea states, the fourth root of damage is interpolated
+    linearly; the error is estimated by omission of every second sea state.
 
     Parameters
     ----------
     study : a dataset with ``damage_rate`` over axes, detail, wall_angle and s_node.
-    at : value of each axis that is neither one of seas nor of seeds, as text.
-    calm : count seas below the lowest simulated value as that.
+    at : value of each axis that is neither an axis of seas nor of seeds, as text.
+    calm : replace values of seas below the lowest simulated value by it.
 
     Raises
     ------
     InputError
-        When an axis is left open, or sea states are outside of what is simulated.
+        When an axis has no value, or sea states are outside the simulated range.
     """
     axes = axes_of(study)
     _check_seas(study, occurs)
@@ -141,7 +141,7 @@ def over_years(
     every = study["damage_rate"].transpose(*seeds, *grid, *PLACES)
     rates = every.mean(seeds).values if seeds else every.values
     missing = np.isnan(every.values.reshape(-1, *every.shape[-3:]))
-    elsewhere = missing.all(axis=0)  # where a detail is not
+    elsewhere = missing.all(axis=0)  # places without the detail
     if elsewhere.all() or (missing != elsewhere).any():
         allowed = "allowed is a study whose points are all complete"
         raise InputError(_name(study), "damage_rate", "points without numbers", allowed)
@@ -167,7 +167,7 @@ def over_years(
 def _at(
     study: xr.Dataset, axes: list[str], occurs: Occurrence, at: Mapping[str, str]
 ) -> xr.Dataset:
-    """The study at what is given, and at the only value of axes that have one."""
+    """The study at the given values, and at the single value of axes with one value."""
     if unknown := [axis for axis in at if axis not in axes]:
         raise InputError("--at", unknown[0], "no axis", f"allowed are {', '.join(axes) or 'none'}")
     for axis in axes:
@@ -181,18 +181,18 @@ def _at(
 
 
 def _paths(study: xr.Dataset, axis: str) -> set[str]:
-    """What of the scene an axis sets."""
+    """Paths of the scene that an axis sets."""
     sets = json.loads(study[axis].attrs.get("sets", "{}"))
     return {path for one in sets.values() for path in one}
 
 
 def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
-    """See that heights and periods of irregular seas are not taken for those of regular waves.
+    """Check that heights and periods of irregular seas are not used for regular waves.
 
     Raises
     ------
     InputError
-        Where they would be.
+        If they would be.
     """
     for axis in occurs.irregular:
         paths = _paths(study, axis) if axis in study.dims else set()
@@ -205,7 +205,7 @@ def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
 
 
 def _is_seed(study: xr.Dataset, axis: str) -> bool:
-    """Whether an axis sets seeds of the sea or of vortices and nothing else."""
+    """Whether an axis sets only seeds of the sea or of vortices."""
     paths = _paths(study, axis)
     return bool(paths) and all(path.endswith(".seed") for path in paths)
 
@@ -218,7 +218,7 @@ def _place(rates: Array, detail: int) -> tuple[int, int, int]:
 def _worst(
     study: xr.Dataset, response: Response, occurs: Occurrence, total: Array, runs: Array
 ) -> list[Worst]:
-    """Each detail where its damage is largest, with what is not known of it."""
+    """Each detail at the place of its largest damage, with its errors."""
     factors = _safety_factors(study)
     found = []
     for k, factor in enumerate(factors):
@@ -249,7 +249,7 @@ def _worst(
 
 
 def _between(here: Response, occurs: Occurrence, rate: float) -> float:
-    """Relative error of seas between simulated ones at a place; NaN where an axis has too few values."""
+    """Relative error of interpolation between sea states at a place; NaN if an axis has too few values."""
     if here.on_grid(occurs.values) or rate == 0.0:
         return 0.0
     error = 0.0
@@ -281,7 +281,7 @@ def gamma_of(study: xr.Dataset) -> float | None:
 
 
 def _safety_factors(study: xr.Dataset) -> list[float]:
-    """Of the details of the scene behind a study."""
+    """Safety factors of the details in a study's scene."""
     fatigue = _first_scene(study).fatigue
     if fatigue is None:
         raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
@@ -291,7 +291,7 @@ def _safety_factors(study: xr.Dataset) -> list[float]:
 def _seas(
     study: xr.Dataset, response: Response, occurs: Occurrence, place: tuple[int, int, int]
 ) -> list[Sea]:
-    """Simulated sea states with what occurs nearest to each, those that bring most damage first."""
+    """Simulated sea states, each with the sea states nearest to it, in order of decreasing damage."""
     here = Response(response.grid, response.rates[(..., *place)])
     each = here.sums(occurs.values, occurs.shares)
     nearest = [
@@ -318,7 +318,7 @@ def _seas(
 
 
 def _vibrating(study: xr.Dataset, here: Response) -> NDArray[np.bool_]:
-    """Over the grid, whether vortex-induced vibration is on at a sea state."""
+    """Over the grid, whether a sea state includes vortex-induced vibration."""
     shape = tuple(map(len, here.grid.values()))
     if "effects" not in study:
         return np.full(shape, VIBRATION in str(study.attrs.get("effects", "")))
@@ -328,7 +328,7 @@ def _vibrating(study: xr.Dataset, here: Response) -> NDArray[np.bool_]:
 
 
 def _errors(study: xr.Dataset, here: Response) -> Array:
-    """Over the grid, the largest estimated relative error of damage; NaN where none was estimated."""
+    """Over the grid, the largest estimated relative error of damage; NaN without an estimate."""
     if "error_damage" not in study:
         return np.full(tuple(map(len, here.grid.values())), math.nan)
     error = study["error_damage"]
@@ -337,7 +337,7 @@ def _errors(study: xr.Dataset, here: Response) -> Array:
 
 
 def _error_of(seas: list[Sea]) -> float:
-    """Error of the seas that know one, each by its damage."""
+    """Mean error of the sea states with an estimate, weighted by damage."""
     known = [sea for sea in seas if math.isfinite(sea.error)]
     total = sum(sea.damage for sea in known)
     return sum(sea.error * sea.damage for sea in known) / total if total > 0.0 else math.nan

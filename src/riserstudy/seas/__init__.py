@@ -1,1 +1,1 @@
-"""Years of sea: records of sea states, and the hours and windows that they leave for work."""
+"""Years of sea: records of sea states, workable hours, and weather windows."""

@@ -1,4 +1,4 @@
-"""How far off the response between two headings is, by runs in waves half-way between them."""
+"""Error of the response interpolated between two headings, from runs in waves half-way between them."""
 
 from __future__ import annotations
 
@@ -18,40 +18,39 @@ if TYPE_CHECKING:
     from riserstudy.seas.riser_response import RiserResponse
 
 FloatArray = NDArray[np.float64]
-COMPARED = (
-    4  # sea states half-way between two headings: the highest, and others drawn by their rows
-)
+# number of sea states half-way between two headings: the highest, and others drawn by their rows
+COMPARED = 4
 
 
 class Half(NamedTuple):
-    """Waves half-way between a heading and the next."""
+    """Waves half-way between a heading and the next heading."""
 
     angle: float  # deg
     file: SceneFile
-    states: FloatArray  # (n, 2) that are compared
-    rows: NDArray[np.bool_]  # (rows,) of the record between the two
-    following: int  # number of the next heading
+    states: FloatArray  # (n, 2) sea states that are compared
+    rows: NDArray[np.bool_]  # (rows,) true for rows of the record between the two headings
+    following: int  # index of the next heading
 
 
 class Middle(NamedTuple):
-    """Responses half-way between two headings, and by how much the mean of the two is off."""
+    """Responses half-way between two headings, and the error of the mean of the two."""
 
     heading: float  # deg
     riser: RiserResponse
     states: FloatArray  # (n, 2) significant height (m), peak period (s)
     responses: FloatArray  # (n, limits)
     deviation: FloatArray  # (n, limits) their standard errors by seeds
-    rows: NDArray[np.bool_]  # (rows,) of the record between the two
-    scale: FloatArray  # (limits,) what errors count against, or the response where that is more
-    error: FloatArray  # (limits,) largest, over that
+    rows: NDArray[np.bool_]  # (rows,) true for rows of the record between the two headings
+    scale: FloatArray  # (limits,) reference value of errors; the response is used if it is larger
+    error: FloatArray  # (limits,) largest error, relative to this reference
 
 
 def states_between(of: SeaStates, inside: NDArray[np.bool_]) -> FloatArray:
-    """Sea states that are compared half-way between two headings, (n, 2).
+    """Sea states to compare half-way between two headings, (n, 2).
 
     Parameters
     ----------
-    inside : (rows,) rows of the record between the two headings.
+    inside : (rows,) true for rows of the record between the two headings.
     """
     there = of.among(inside)
     highest = int(there.states[:, 0].argmax())
@@ -69,8 +68,8 @@ def compared(half: Half, riser: RiserResponse, neighbours: Sequence[Cover]) -> M
 
     Parameters
     ----------
-    riser : in waves half-way between.
-    neighbours : what was simulated of the two.
+    riser : riser in waves half-way between.
+    neighbours : simulated sea states of the two headings.
     """
     came = riser(half.states)
     expected = np.mean([one.surface.at(half.states) for one in neighbours], axis=0)
@@ -82,7 +81,7 @@ def compared(half: Half, riser: RiserResponse, neighbours: Sequence[Cover]) -> M
 
 
 def widened(rows: Response, inside: NDArray[np.bool_], middle: Middle) -> Response:
-    """The response in rows, with what those between two headings, (n,), are off by."""
+    """The response in rows, with the error of rows between two headings, (n,), added to the uncertainty."""
     off = rows.off.copy()
     off[inside] += middle.error * np.maximum(middle.scale, np.abs(rows.demand[inside]))
     return rows._replace(off=off)

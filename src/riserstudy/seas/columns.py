@@ -1,4 +1,4 @@
-"""What columns of a sea record may be: names, units and ranges, and the header that says so."""
+"""Possible columns of a sea record: names, units, ranges, and their headers."""
 
 from __future__ import annotations
 
@@ -18,12 +18,12 @@ class Column(NamedTuple):
     """A quantity of a sea record."""
 
     name: str
-    unit: str  # SI, as `to_si` takes it; "deg" stays degrees
+    unit: str  # SI unit, as for `to_si`; "deg" is not converted
     long_name: str
-    standard_name: str  # of CF
+    standard_name: str  # CF standard name
     least: float
     most: float
-    names: tuple[str, ...]  # that headers give it, in lower case with underscores
+    names: tuple[str, ...]  # its names in headers, in lower case with underscores
 
 
 COLUMNS = (
@@ -75,7 +75,7 @@ COLUMNS = (
     ),
 )
 NAMES = {name: one for one in COLUMNS for name in (one.name, *one.names)}
-#: headers that say too little, and what to say instead
+#: ambiguous headers, and the text of their remedy
 UNSURE = {
     "period": "peak_period or zero_crossing_period: one is some 1.3 times the other",
     "t": "peak_period or zero_crossing_period",
@@ -86,30 +86,31 @@ UNSURE = {
     "dir": "wave_from_direction or wave_to_direction",
 }
 WRITTEN_FOR_NONE = (99.0, 999.0, 9999.0)
-JUMP = 2.0  # factor between rows beside each other, beyond which such a number is hardly a value
-#: noted of records, which seldom hold other heights
+# factor between adjacent rows beyond which a possible fill value is probably not a value
+JUMP = 2.0
+#: note on records with this header, which seldom contain other heights
 UNSURE_HEIGHT = "wave_height is taken as the significant height, not as that of the largest wave"
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*[(\[](?P<unit>[^)\]]*)[)\]]\s*")
 
 
 def labels_of(one: Column) -> dict[str, str]:
-    """Attributes of a variable, by CF."""
+    """CF attributes of a variable."""
     units = {"deg": "degree", "m/s": "m s-1"}.get(one.unit, one.unit)
     return {"units": units, "long_name": one.long_name, "standard_name": one.standard_name}
 
 
-#: directions that waves go to, which are half a turn from those that they come from
+#: names of directions that waves travel to, half a turn from the directions that they come from
 GOES_TO = ("wave_to_direction", "wave_direction_to", "mean_wave_direction_to")
 
 
 class Head(NamedTuple):
-    """A column of a file: its quantity, None of one that is not known, and what one of its units is in SI."""
+    """A column of a file: its quantity (None if not known), and the conversion factor of its unit to SI."""
 
     quantity: Column | None
     heading: str
     factor: float
     unit: str
-    turned: bool = False  # whether it is the direction that waves go to
+    turned: bool = False  # whether it is the direction that waves travel to
 
 
 def plain(name: str) -> str:
@@ -118,12 +119,12 @@ def plain(name: str) -> str:
 
 
 def head(where: str, text: str) -> Head:
-    """What a header such as ``hs (ft)`` says.
+    """The column of a header such as ``hs (ft)``.
 
     Raises
     ------
     InputError
-        When it is ambiguous, or gives no unit of its dimension.
+        When it is ambiguous, or has no unit of its dimension.
     """
     match = _HEAD.fullmatch(text)
     name, unit = (match["name"], match["unit"].strip()) if match else (text, "")
@@ -148,16 +149,16 @@ def head(where: str, text: str) -> Head:
 
 
 def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
-    """See that 99, 999 and 9999, which others write for none, are near the values beside them.
+    """Check that 99, 999 and 9999, which often mark missing values, are near the adjacent values.
 
     Parameters
     ----------
-    values : (rows,) in the unit of the file; NaN where there is none.
+    values : (rows,) in the unit of the file; NaN for missing values.
 
     Raises
     ------
     InputError
-        At the first that is possible, and neither half nor twice a value beside it or between.
+        At the first possible fill value whose ratio to an adjacent value is not between one half and two.
     """
     quantity = one.quantity
     if quantity is None or quantity.unit == "deg":
@@ -179,6 +180,6 @@ def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
 
 
 def _other(one: Head) -> str:
-    """A unit in which no number of the column looks like one that is missing."""
+    """A unit in which no number of the column looks like a fill value."""
     unit = one.quantity.unit if one.quantity else ""
     return {"m/s": "km/h"}.get(unit, unit) if one.factor == 1.0 else unit

@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FloatArray = NDArray[np.float64]
-PLACES = 24  # on a contour
-DRAWS = 20  # of as many whole years as there are, with replacement
+PLACES = 24  # number of points on a contour
+DRAWS = 20  # number of samples of the whole years, drawn with replacement
 COLUMNS = [
     *("return period", "significant wave height", "height from", "height to"),
     *("peak period", "period from", "period to"),
@@ -30,17 +30,17 @@ UNITS = ["years", "m", "m", "m", "s", "s", "s"]
 
 
 def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
-    """A contour that is exceeded once in so many years, a row a place on it, with its band.
+    """A contour with a return period in years, one row for each of its points, with a band.
 
-    Calm rows, without waves, count as time, not as seas.
-    By the inverse first-order reliability method, on a Weibull distribution of three parameters for heights
-    and a log-normal one for periods given the height. The band holds nine in ten contours of years drawn with
-    replacement, place by place of the circle of normal variables.
+    Calm rows, without waves, count as time, but not as sea states. The method is the inverse first-order
+    reliability method, with a three-parameter Weibull distribution of heights and a log-normal distribution
+    of periods for a given height. The band contains nine in ten contours from years drawn with replacement,
+    separately for each point of the circle of normal variables.
 
     Parameters
     ----------
-    record : with significant wave heights (m) and peak periods (s).
-    years : return period.
+    record : record with significant wave heights (m) and peak periods (s).
+    years : return period (years).
 
     Raises
     ------
@@ -81,22 +81,22 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
 
 
 def interval_of(known: NDArray[np.bool_], calm: NDArray[np.bool_], interval: float) -> float:
-    """Mean time (h) between rows that have a sea, where others, an interval apart too, are calm."""
+    """Mean time (h) between rows with waves; other rows, also an interval apart, are calm."""
     seas = int(known.sum())
     return interval * (seas + int(calm.sum())) / seas if seas else interval
 
 
 def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
-    """Places on the contour, (n, 2): height (m), peak period (s)."""
+    """Points on the contour, (n, 2): height (m), peak period (s)."""
     virocon = _import()
     described, fits, _ = virocon.get_DNVGL_Hs_Tz()
     model = virocon.GlobalHierarchicalModel(described)
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # of bins with few sea states, which it leaves out
+        warnings.simplefilter("ignore")  # about bins with few sea states, which virocon excludes
         model.fit(states, fits)
     alpha = virocon.calculate_alpha(interval, years)
     places: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates
-    # the least height of a fit may come out below zero, where there is no sea and no period
+    # the smallest height of a fit may be below zero, where there is no sea and no period
     low = places[:, 0] < 0.0
     if low.any():
         places[low, 0] = 0.0
@@ -106,7 +106,7 @@ def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
 
 
 def _shorter(alpha: float) -> FloatArray:
-    """Chance of a shorter period at each place of a contour, given its height, (PLACES,)."""
+    """Probability of a shorter period for the height at each point of a contour, (PLACES,)."""
     from scipy.special import ndtr, ndtri
 
     angle = 2.0 * np.pi * np.arange(PLACES) / PLACES

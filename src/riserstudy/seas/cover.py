@@ -1,7 +1,8 @@
-"""Which sea states of a record to simulate, until others lie on the surface between them.
+"""Selection of the sea states to simulate, until the surface through them predicts the others.
 
-It begins with the corners of the record, so that every row of it lies between simulated sea states. More are
-added where cubic and flat triangles differ most. Then some are drawn that no surface has seen, and compared.
+It begins with the corners of the record, so every row of the record is between simulated sea states. More sea
+states are added where cubic and linear interpolation over triangles differ most. Then further sea states are
+drawn, which the surface does not use, and compared with it.
 """
 
 from __future__ import annotations
@@ -17,21 +18,24 @@ from riserstudy.seas.sea_states import SeaStates
 from riserstudy.seas.surface import Surface
 
 FloatArray = NDArray[np.float64]
-FIRST = 12  # sea states beside the corners to begin with
-BATCH = 6  # that are added at a time
-HELD_OUT = 16  # that are compared; half drawn among all rows, half among those near a limit
-NEAR = 0.3  # of what is allowed: how near
+FIRST = 12  # number of initial sea states in addition to the corners
+BATCH = 6  # number of sea states that are added at a time
+# number of sea states for comparison; half drawn from all rows, half from rows near a limit
+HELD_OUT = 16
+NEAR = 0.3  # distance from a limit that counts as near, as a share of the allowable
 Run = Callable[[FloatArray], FloatArray]
 Notify = Callable[[str], None]
 
 
 class Cover(NamedTuple):
-    """Sea states that were simulated, and how far off the surface between them others are."""
+    """Simulated sea states, and the error of the surface through them."""
 
     states: FloatArray  # (n, 2) significant height (m), peak period (s)
-    responses: FloatArray  # (n, k) not a number where a run failed
-    held_out: NDArray[np.bool_]  # (n,) compared alone: the surface is without them
-    error: FloatArray  # (k,) largest at those, over what is allowed or over the response if that is more
+    responses: FloatArray  # (n, k) NaN where a run failed
+    # (n,) true for sea states that are compared only, not used by the surface
+    held_out: NDArray[np.bool_]
+    # (k,) largest error at these, relative to the allowable, or the response if larger
+    error: FloatArray
 
     @property
     def surface(self) -> Surface:
@@ -48,23 +52,25 @@ def cover(
     seed: int = 0,
     notify: Notify = lambda _: None,
 ) -> Cover:
-    """Simulate sea states of a record until responses at others are known to an error.
+    """Simulate sea states of a record until responses at others are predicted within an error.
 
     Parameters
     ----------
-    run : responses (m, k) of sea states (m, 2); no number where a run fails.
-    allowed : (k,) what each response may be, in its unit; of 0 the median response counts.
-    error : largest at sea states that are held out, over what is allowed, or the response if that is more.
-    most : sea states at most.
-    seed : of the draw of those that are held out.
-    notify : is given what comes next.
+    run : function that returns responses (m, k) of sea states (m, 2); NaN where a run fails.
+    allowed : (k,) allowable of each response, in its unit; for an allowable of 0, the median response is
+        used.
+    error : largest error at the sea states for comparison, relative to the allowable, or the response if
+        larger.
+    most : largest number of sea states.
+    seed : seed of the draw of sea states for comparison.
+    notify : function that receives a description of the next step.
 
     Raises
     ------
     InputError
-        When the record's sea states lie on a line, so that nothing lies between them.
+        When the record's sea states are on a line, so that there is no area between them.
     SimulationError
-        When so many do not suffice.
+        When ``most`` sea states do not suffice.
     """
     draw = np.random.default_rng(seed)
     known = first(of)
@@ -100,12 +106,12 @@ def cover(
 
 
 def first(of: SeaStates) -> list[int]:
-    """Corners of the record, and those farthest from all before: what is simulated first.
+    """The first sea states to simulate: corners of the record, and those farthest from all previous ones.
 
     Raises
     ------
     InputError
-        When the record's sea states lie on a line.
+        When the record's sea states are on a line.
     """
     chosen = corners(of.states)
     places = _places(of.states)
@@ -120,12 +126,12 @@ def first(of: SeaStates) -> list[int]:
 
 
 def corners(states: FloatArray) -> list[int]:
-    """Numbers of the sea states, (n, 2), between which all others lie.
+    """Indices of the sea states, (n, 2), whose convex hull contains all others.
 
     Raises
     ------
     InputError
-        When they lie on a line.
+        When they are on a line.
     """
     from scipy.spatial import ConvexHull, QhullError
 
@@ -139,27 +145,27 @@ def corners(states: FloatArray) -> list[int]:
 
 
 def _places(states: FloatArray) -> FloatArray:
-    """Sea states with both ranges from 0 to 1."""
+    """Sea states scaled to ranges from 0 to 1."""
     low, wide = states.min(axis=0), np.maximum(np.ptp(states, axis=0), 1e-12)
     return np.asarray((states - low) / wide)
 
 
 def scale_of(allowed: FloatArray, responses: FloatArray) -> FloatArray:
-    """What errors of each response count against, (k,)."""
+    """Reference value for errors of each response, (k,)."""
     usual = np.nanmedian(np.abs(responses), axis=0)
     scale = np.where(allowed == 0.0, usual, np.abs(allowed))
     return np.where(scale > 0.0, scale, 1.0)
 
 
 def off_by(predicted: FloatArray, came: FloatArray, scale: FloatArray) -> FloatArray:
-    """Errors (m, k) of what was predicted, over what is allowed or over the response if that is more."""
+    """Errors (m, k) of predictions, relative to the allowable, or to the response if it is larger."""
     return np.asarray(np.abs(predicted - came) / np.maximum(scale, np.abs(came)))
 
 
 def _next(
     of: SeaStates, surface: Surface, scale: FloatArray, error: float, known: set[int]
 ) -> list[int]:
-    """Sea states where cubic and flat triangles differ by more than the error, one a triangle."""
+    """Sea states where cubic and linear interpolation differ by more than the error, one per triangle."""
     there = surface.at(of.states)
     doubt = surface.bend(of.states) / np.maximum(scale, np.abs(there))
     doubt = np.nan_to_num(doubt, nan=0.0).max(axis=1)
@@ -182,7 +188,7 @@ def _drawn(
     known: list[int],
     draw: np.random.Generator,
 ) -> list[int]:
-    """Sea states that are not on the surface: half by their rows, half near what is allowed."""
+    """Sea states that the surface does not use: half drawn by their rows, half near an allowable."""
     free = of.rows > 0
     free[known] = False
     near = (np.abs(surface.at(of.states) - allowed) <= NEAR * scale).any(axis=1)

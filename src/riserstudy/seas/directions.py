@@ -1,4 +1,4 @@
-"""Directions of a record as headings of a scene, evenly round the turn, with rows between two of them."""
+"""Directions of a record as headings of a scene, at equal angles, with rows between two headings."""
 
 from __future__ import annotations
 
@@ -17,35 +17,36 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 FROM = "wave_from_direction"
-FEWEST = 4  # headings between which a response is interpolated: of fewer those in between are nothing alike
-CLOSE = 1e-9  # of the way between two headings, within which a row has one of them
+# smallest number of headings for interpolation: with fewer, adjacent responses differ too much
+FEWEST = 4
+CLOSE = 1e-9  # share of the angle between two headings within which a row has one of them
 
 
 class Between(NamedTuple):
-    """Headings that the rows of a record lie between."""
+    """The headings between which each row of a record is."""
 
-    lower: NDArray[np.int64]  # (rows,) number of the heading; -1 where a row has no direction
-    share: FloatArray  # (rows,) of the way to the next heading; 0: the row has the lower one
+    lower: NDArray[np.int64]  # (rows,) index of the lower heading; -1 for rows without a direction
+    share: FloatArray  # (rows,) position between the lower (0) and the next heading (1)
 
     def weight(self, heading: int, sectors: int) -> FloatArray:
-        """What a heading counts in each row, (rows,): those of the two beside a row add up to one."""
+        """Weight of a heading in each row, (rows,): the weights of the two adjacent headings sum to one."""
         following = (self.lower + 1) % sectors
         own = np.where(self.lower == heading, 1.0 - self.share, 0.0)
         before = np.where((self.lower >= 0) & (following == heading), self.share, 0.0)
         return np.asarray(own + before)
 
     def inside(self, heading: int) -> NDArray[np.bool_]:
-        """Rows between a heading and the next, (rows,), with neither of them."""
+        """Rows strictly between a heading and the next, (rows,)."""
         return np.asarray((self.lower == heading) & (self.share > 0.0))
 
 
 class Directions(NamedTuple):
-    """How directions of a record become headings: evenly round the turn, the first along the scene's x.
+    """Conversion of a record's directions to headings at equal angles, the first along the scene's x.
 
     Parameters
     ----------
-    sectors : so many headings.
-    x_towards : bearing that x points to, clockwise from north (rad).
+    sectors : number of headings.
+    x_towards : bearing of the x axis, clockwise from north (rad).
     """
 
     sectors: int
@@ -58,13 +59,14 @@ class Directions(NamedTuple):
 
     @property
     def interpolated(self) -> bool:
-        """Whether rows between two headings take from both; of fewer than four they have the nearest."""
+        """Whether rows between two headings are interpolated; with fewer than four headings, they are not."""
         return self.sectors >= FEWEST
 
     def between(self, record: xr.Dataset) -> Between:
-        """Which headings each row lies between; the last and the first are neighbours.
+        """The headings between which each row is; the last and the first heading are adjacent.
 
-        Waves from a bearing go to the opposite one, and headings turn the other way than bearings do.
+        Waves from a bearing travel to the opposite bearing, and headings increase in the opposite sense of
+        bearings.
 
         Raises
         ------
@@ -92,11 +94,11 @@ class Directions(NamedTuple):
         Raises
         ------
         InputError
-            When it has no irregular sea, or headings that it cannot have.
+            When it has no irregular sea, or cannot have these headings.
         """
         files = [file.with_values(one, "--sectors") for one in heading_values(file, self.sectors)]
         for one in files:
-            one.resolved()  # refuses what cannot be meant before anything runs
+            one.resolved()  # refuses invalid scenes before any run
         return files
 
     def middle(self, file: SceneFile, heading: int) -> SceneFile:
@@ -105,7 +107,7 @@ class Directions(NamedTuple):
         Raises
         ------
         InputError
-            When it has no irregular sea, or headings that it cannot have.
+            When it has no irregular sea, or cannot have these headings.
         """
         values = heading_values(file, 2 * self.sectors)[2 * heading + 1]
         return file.with_values(values, "--sectors")

@@ -1,4 +1,4 @@
-"""What was simulated for the hours of a record, as a dataset and in words."""
+"""The simulated responses behind workable hours, as a dataset and in words."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 def largest_errors(parts: Sequence[Part], middles: Sequence[Middle]) -> NDArray[np.float64]:
-    """Largest difference of the response where it was compared, (limits,), of any heading."""
+    """Largest relative error of the response in comparisons, (limits,), of all headings."""
     errors = [*(part.cover.error for part in parts), *(middle.error for middle in middles)]
     return np.asarray(np.max(errors, axis=0))
 
@@ -30,7 +30,7 @@ def largest_errors(parts: Sequence[Part], middles: Sequence[Middle]) -> NDArray[
 def summarise(
     parts: Sequence[Part], middles: Sequence[Middle], hours: RiserHours, record: xr.Dataset
 ) -> list[str]:
-    """What was simulated, in lines of words."""
+    """A summary of the simulations, as lines of text."""
     riser = parts[0].riser
     count = sum(len(part.cover.states) for part in parts)
     compared = sum(int(part.cover.held_out.sum()) for part in parts)

@@ -1,4 +1,4 @@
-"""Headings that a record has, the sea states simulated in each, and those half-way between two."""
+"""Headings of a record, the sea states simulated in each, and sea states half-way between two headings."""
 
 from __future__ import annotations
 
@@ -25,51 +25,53 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 Notify = Callable[[str], None]
-PRICED = 2  # runs by which the time of all is told
+PRICED = 2  # number of runs from which the total time is estimated
 
 
 class Effort(NamedTuple):
-    """How much is simulated."""
+    """Extent of the simulations."""
 
-    seeds: int = 5  # runs of each sea state: 1, or 5 and more
-    error: float = 0.05  # of the response between sea states, as `cover` has it
-    most: int = 400  # sea states of a heading at most
+    seeds: int = 5  # number of runs for each sea state: 1, or 5 and more
+    error: float = 0.05  # tolerance of the response between sea states, as in `cover`
+    most: int = 400  # largest number of sea states for each heading
     cores: int = 1
 
 
 class Heading(NamedTuple):
-    """A scene in waves of one heading, and the rows of the record that take from it."""
+    """A scene in waves of one heading, and its weights in the rows of the record."""
 
-    angle: float  # deg; not a number: that of the scene
+    angle: float  # deg; NaN: the heading of the scene
     file: SceneFile
     of: SeaStates
-    weight: FloatArray  # (rows,) what it counts in each row of the record
-    half: Half | None = None  # absent: no row lies between it and the next
+    weight: FloatArray  # (rows,) its weight in each row of the record
+    half: Half | None = None  # absent: no row is between it and the next heading
 
 
 class Part(NamedTuple):
-    """Waves of one heading, and the riser's responses to those that a record has."""
+    """Waves of one heading, and the riser's responses to the sea states of a record."""
 
     heading: Heading
     riser: RiserResponse
     cover: Cover
-    deviation: FloatArray  # (n, limits) at the cover's sea states
-    scale: FloatArray  # (n, limits) of extremes of an interval, at the cover's sea states
-    mesh: MeshOfSeas | None  # absent: runs have the scene's own, or each finds one
+    deviation: FloatArray  # (n, limits) standard errors at the cover's sea states
+    # (n, limits) Gumbel scale of extremes of an interval, at the cover's sea states
+    scale: FloatArray
+    # absent: runs have the scene's prescribed mesh, or each run refines its mesh
+    mesh: MeshOfSeas | None
 
     @property
     def mesh_error(self) -> FloatArray:
-        """Largest difference of demands by the mesh, (limits,), over what is allowed or over the demand."""
+        """Largest error of demands by the mesh, (limits,), relative to the allowable or the demand."""
         return self.mesh.error if self.mesh else np.zeros_like(self.cover.error)
 
 
 def headings(file: SceneFile, record: xr.Dataset, directions: Directions | None) -> list[Heading]:
-    """The scene in each heading, with the rows of a record that take from it; some may have none.
+    """The scene in each heading, with its weights in the rows of a record; some may have no rows.
 
     Raises
     ------
     InputError
-        When the scene or the record lacks what this needs.
+        When the scene or the record lacks inputs.
     """
     of = sea_states(with_peak_period(record, sea_of(file).peak_enhancement))
     known = of.state_of_row >= 0
@@ -93,7 +95,7 @@ def headings(file: SceneFile, record: xr.Dataset, directions: Directions | None)
 
 
 def _of_heading(of: SeaStates, rows: NDArray[np.bool_]) -> SeaStates:
-    """Sea states of some rows, and the corners of the record where these are few, or lie on a line."""
+    """Sea states of some rows, with the corners of the record added if they are few or on a line."""
     those = of.among(rows)
     if not len(those.states):
         return those
@@ -107,7 +109,7 @@ def _of_heading(of: SeaStates, rows: NDArray[np.bool_]) -> SeaStates:
 def _half(
     number: int, file: SceneFile, of: SeaStates, between: Between, directions: Directions
 ) -> Half | None:
-    """Half-way between a heading and the next; None where the record has no row between them."""
+    """Waves half-way between a heading and the next; None if the record has no row between them."""
     rows = between.inside(number) & (of.state_of_row >= 0)
     if not rows.any():
         return None
@@ -118,14 +120,14 @@ def _half(
 
 
 def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notify) -> Part:
-    """Simulate sea states of one heading, until the response between them is known.
+    """Simulate sea states of one heading, until the response between them is known within the tolerance.
 
     Raises
     ------
     InputError
-        When the scene lacks what this needs, or the sea states lie on a line.
+        When the scene lacks inputs, or the sea states are on a line.
     SimulationError
-        When so many sea states do not suffice.
+        When the largest number of sea states does not suffice.
     """
     if not math.isnan(heading.angle):
         notify(f"heading {heading.angle:g} deg: {heading.of.rows.sum()} rows")
@@ -146,7 +148,7 @@ def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notif
 
 
 def _meshed(riser: RiserResponse, mesh: MeshOfSeas | None) -> RiserResponse:
-    """The riser on a mesh; as it is without one."""
+    """The riser with a mesh; not changed without one."""
     if mesh is None:
         return riser
     file = on_mesh(riser.file, mesh.values)
@@ -160,7 +162,7 @@ def riser_half_way(half: Half, part: Part) -> RiserResponse:
 
 
 def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
-    """What a heading takes at least, in words, by one run."""
+    """Smallest time for a heading, in words, from one run."""
     chosen = first(of)
     least = len(chosen) + HELD_OUT
     runs = least * effort.seeds

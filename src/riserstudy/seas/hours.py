@@ -1,4 +1,4 @@
-"""Hours of a record that limits on the sea leave for work: by month and year, windows, waits, bands."""
+"""Workable hours of a record by limits on the sea: by month and year, windows, waits, bands."""
 
 from __future__ import annotations
 
@@ -24,25 +24,26 @@ from riserstudy.study.persistence import PERSISTENCE
 if TYPE_CHECKING:
     import xarray as xr
 
-ROUNDING = 1e-6  # of a limit: of numbers of four bytes, and of those that were in other units
-NAMED = 6  # months that a line lists at most
-NONE = np.zeros(0, bool)  # rows of a month that is not recorded
+# relative rounding error of values in single precision, or converted from other units
+ROUNDING = 1e-6
+NAMED = 6  # largest number of months in a line
+NONE = np.zeros(0, bool)  # rows of a month without records
 _LIMIT = re.compile(r"\s*(?P<name>[\w ]+?)\s*(?P<sign><=|>=)\s*(?P<value>.+?)\s*")
 
 
 class SeaLimit(NamedTuple):
-    """A bound on a quantity of the sea, such as ``hs <= 2.5 m``."""
+    """A limit on a quantity of the sea, such as ``hs <= 2.5 m``."""
 
     quantity: Column
-    largest: bool  # whether the bound is above
-    value: float  # SI
+    largest: bool  # whether it is an upper limit
+    value: float  # in the SI unit
 
     def __str__(self) -> str:
         sign = "<=" if self.largest else ">="
         return f"{self.quantity.long_name} {sign} {self.value:g} {self.quantity.unit}"
 
     def met(self, record: xr.Dataset) -> NDArray[np.bool_]:
-        """Whether each row meets it, also by rounding; a row without a value does not."""
+        """Whether each row meets it within rounding; a row without a value does not."""
         values = record[self.quantity.name].values
         slack = ROUNDING * abs(self.value)
         below, above = values <= self.value + slack, values >= self.value - slack
@@ -50,28 +51,28 @@ class SeaLimit(NamedTuple):
 
 
 class Hours(NamedTuple):
-    """What is left for work of a record."""
+    """Workable hours of a record."""
 
-    rows: int  # of which all quantities that limits need are there
-    lacking: int  # rows without one: counted as neither
+    rows: int  # number of rows with all quantities of the limits
+    lacking: int  # number of rows without one of them, which are not counted
     interval: float  # h
-    workable: NDArray[np.bool_]  # of those rows
+    workable: NDArray[np.bool_]  # for each of these rows
     time: NDArray[np.datetime64]
     years: list[Year]
     joined: NDArray[np.bool_]  # (rows - 1,) whether a row and the next are one interval apart
 
     @property
     def share(self) -> float:
-        """Workable rows over all."""
+        """Ratio of workable rows to all rows."""
         return float(self.workable.mean())
 
     @property
     def partial_years(self) -> list[Year]:
-        """Years that are left out of bands."""
+        """Years that bands exclude."""
         return [year for year in self.years if year not in whole(self.years)]
 
     def of_windows(self, hours: float) -> Windows:
-        """Windows of so many hours.
+        """Windows of a length in hours.
 
         Raises
         ------
@@ -81,7 +82,7 @@ class Hours(NamedTuple):
         return windows(self.workable, self.joined, rows_of(hours, self.interval))
 
     def of_waits(self, hours: float) -> list[tuple[str, Wait]]:
-        """Waits for a window of so many hours, of all starts and by the month of start.
+        """Waits for a window of a length in hours, for all starts and by month of the start.
 
         Raises
         ------
@@ -98,11 +99,11 @@ class Hours(NamedTuple):
 
     @property
     def band(self) -> Band:
-        """The band of a mean year, from years that are nearly whole."""
+        """The band of a mean year, from nearly complete years, with the default persistence."""
         return self.mean_year()
 
     def mean_year(self, persistence: float = PERSISTENCE) -> Band:
-        """The band of a mean year, from years that are nearly whole.
+        """The band of a mean year, from nearly complete years.
 
         Parameters
         ----------
@@ -111,7 +112,7 @@ class Hours(NamedTuple):
         return band(whole(self.years), persistence)
 
     def next_years(self, count: int, persistence: float = PERSISTENCE) -> Band:
-        """The band of so many years to come, from years that are nearly whole.
+        """The band of ``count`` future years, from nearly complete years.
 
         Parameters
         ----------
@@ -120,7 +121,7 @@ class Hours(NamedTuple):
         return band_of_next(whole(self.years), count, persistence)
 
     def by_month(self) -> Table:
-        """Share of workable hours by month and year, in per cent; empty where a month is not nearly whole."""
+        """Share of workable hours by month and year, in per cent; empty for incomplete months."""
         months = self._months
         rows: list[list[Cell]] = []
         for one in self.years:
@@ -135,7 +136,7 @@ class Hours(NamedTuple):
         return Table(["year", *MONTHS, "workable", "recorded"], units, rows)
 
     def of_months(self) -> list[float]:
-        """Share of workable hours of each month of the year; NaN where no year has it nearly whole."""
+        """Share of workable hours of each calendar month; NaN if it is complete in no year."""
         month = month_of(self.time)
         there = {k for (year, k), of in self._months.items() if self._whole(of, year, k)}
         return [
@@ -144,7 +145,7 @@ class Hours(NamedTuple):
 
     @property
     def notes(self) -> list[str]:
-        """What shares and months do not state: months that are not nearly whole, and uneven ones."""
+        """Notes on incomplete months, and on unequal coverage of months."""
         partial = [
             f"{MONTHS[k]} {year}"
             for (year, k), of in self._months.items()
@@ -158,7 +159,7 @@ class Hours(NamedTuple):
 
     @property
     def _months(self) -> dict[tuple[int, int], NDArray[np.bool_]]:
-        """Whether each row is workable, by year and month, 0 of January, that have rows."""
+        """Whether each row is workable, for each year and month (0: January) with rows."""
         month = self.time.astype("datetime64[M]").astype(int)
         order = np.argsort(month, kind="stable")
         found, first = np.unique(month[order], return_index=True)
@@ -166,12 +167,12 @@ class Hours(NamedTuple):
         return {(1970 + int(k) // 12, int(k) % 12): of for k, of in zip(found, parts, strict=True)}
 
     def _whole(self, rows: NDArray[np.bool_], year: int, month: int) -> bool:
-        """Whether rows are nearly a whole month, 0 of January."""
+        """Whether rows are nearly a complete month (0: January)."""
         return len(rows) * self.interval >= WHOLE * hours_of_month(year, month)
 
 
 def sea_limit(text: str) -> SeaLimit:
-    """A limit out of ``hs <= 2.5 m``.
+    """The limit of a text such as ``hs <= 2.5 m``.
 
     Raises
     ------
@@ -191,7 +192,7 @@ def sea_limit(text: str) -> SeaLimit:
 
 
 def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
-    """What limits leave of a record.
+    """Workable hours of a record by limits on the sea.
 
     Raises
     ------
@@ -204,12 +205,12 @@ def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
 
 
 def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
-    """See that a record has what limits name.
+    """Check that a record has the quantities that limits name.
 
     Raises
     ------
     InputError
-        Where it has not.
+        If it does not.
     """
     for one in limits:
         if one.quantity.name not in record:
@@ -220,7 +221,7 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
 
 
 def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
-    """Which rows have all quantities that limits name, (rows,).
+    """For each row, whether it has all quantities that limits name, (rows,).
 
     Raises
     ------
@@ -238,7 +239,7 @@ def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[
 
 
 def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
-    """Whether each row meets all of some limits; one that lacks a value does not.
+    """Whether each row meets all limits; a row without a value does not.
 
     Raises
     ------
@@ -251,7 +252,7 @@ def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bo
 
 
 def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.bool_]) -> Hours:
-    """The same by which rows of a record, (rows,), are known, and which of those, (known,), are workable."""
+    """Workable hours from flags of known rows, (rows,), and of workable rows among these, (known,)."""
     time = record["time"].values[known]
     interval = float(record.attrs["interval_hours"])
     years = by_year(time, workable, interval)
@@ -267,5 +268,5 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
 
 
 def whole(years: list[Year]) -> list[Year]:
-    """Years that are recorded nearly whole; all where none is: a part of a year says little of others."""
+    """Nearly complete years; all years if none is. A part of a year is not representative of others."""
     return [year for year in years if year.recorded >= WHOLE] or years

@@ -1,9 +1,10 @@
-"""One mesh and one step for all sea states of a heading, the coarsest that leaves demands as they are.
+"""One mesh and time step for all sea states of a heading, the coarsest that hardly change the demands.
 
-A run that finds its own mesh and step does so for moments and displacements along the whole riser, and takes
-ten times as long as demands of limits need. So a few sea states are run by the scene's accuracy, the same
-runs are repeated on coarser meshes with longer steps, and the coarsest serves whose demands differ little.
-What they differ by, also in sea states that it was not chosen by, widens the band of the response.
+A run with a tolerance refines mesh and step for moments and displacements along the whole riser, and takes
+ten times the time that demands of limits require. Therefore, a few sea states are run with the scene's
+tolerance, and the runs are repeated on coarser meshes with longer steps. The coarsest mesh and step whose
+demands differ little are used. The differences, also in sea states that were not used for this choice, widen
+the band of the response.
 """
 
 from __future__ import annotations
@@ -24,32 +25,34 @@ from riserstudy.study.setting import Layers, Setting, layers_of
 
 FloatArray = NDArray[np.float64]
 Notify = Callable[[str], None]
-SHARE = 0.3  # of the error between sea states: what mesh and step may change of a demand
+# largest change of a demand by mesh and step, as a share of the tolerance between sea states
+SHARE = 0.3
 METHOD = "generalised-alpha"
-HALVINGS = 3  # of the mesh and of the step of runs by accuracy, at most
-CHECKED = 2  # sea states that are compared with runs by accuracy afterwards
+HALVINGS = 3  # largest number of coarsenings by 2 of mesh and step, from runs with the tolerance
+CHECKED = 2  # number of sea states that are compared with runs with the tolerance afterwards
 
 
 class MeshOfSeas(NamedTuple):
-    """A mesh and a step, and what they are worth."""
+    """A mesh and a time step, with their error."""
 
-    values: dict[str, Any]  # of the scene, by path
-    error: FloatArray  # (limits,) largest difference of demands, over what is allowed or over the demand
+    values: dict[str, Any]  # values to set in the scene, by path
+    # (limits,) largest difference of demands, relative to the allowable or the demand
+    error: FloatArray
     words: str
 
 
 def on_mesh(file: SceneFile, values: dict[str, Any]) -> SceneFile:
-    """The scene on a mesh and step, as `MeshOfSeas` has them."""
+    """The scene with a mesh and a step from `MeshOfSeas`."""
     return file.with_values(values, "mesh of seas")
 
 
 def checked(accurate: RiserResponse, meshed: RiserResponse, found: Cover) -> FloatArray:
-    """Largest difference of demands, (limits,), at sea states that the mesh was not chosen by.
+    """Largest relative difference of demands, (limits,), at sea states that were not used to choose the mesh.
 
     Parameters
     ----------
-    accurate, meshed : the scene by its accuracy, and on the mesh.
-    found : of the heading; some of the sea states that are held out are run by accuracy, too.
+    accurate, meshed : the scene with its tolerance, and on the mesh.
+    found : cover of the heading; some of its sea states for comparison are also run with the tolerance.
     """
     states = found.states[found.held_out][:CHECKED]
     both = [
@@ -67,15 +70,15 @@ def has_own_mesh(file: SceneFile) -> bool:
 def mesh_of_seas(
     riser: RiserResponse, of: SeaStates, error: float, notify: Notify
 ) -> MeshOfSeas | None:
-    """The coarsest mesh and step whose demands differ little from those of runs by accuracy.
+    """The coarsest mesh and step whose demands differ little from those of runs with the tolerance.
 
-    None where the scene has its own mesh, or none that is cheaper serves.
+    None if the scene prescribes its mesh, or no cheaper mesh suffices.
 
     Parameters
     ----------
-    riser : a scene that requests an accuracy.
-    of : sea states of a heading; the highest, the most frequent and a short one are run.
-    error : of the response between sea states, of which mesh and step get a share.
+    riser : riser of a scene with a tolerance.
+    of : sea states of a heading; the highest, the most frequent and one with a short period are run.
+    error : tolerance of the response between sea states, of which mesh and step may use a share.
     """
     if has_own_mesh(riser.file):
         return None
@@ -90,7 +93,7 @@ def mesh_of_seas(
     step = min(float(facts["step"]) for facts in used)
 
     def differing(setting: Setting) -> FloatArray:
-        """Largest difference of demands on a mesh, (limits,)."""
+        """Largest relative difference of demands on a mesh, (limits,)."""
         other = RiserResponse(on_mesh(riser.file, setting.values), 1, riser.interval, riser.cores)
         return differences(other(states), reference, riser.allowed)
 
@@ -107,7 +110,7 @@ def mesh_of_seas(
 
 
 def probes(of: SeaStates) -> FloatArray:
-    """The highest sea state, the one nearest to the middle, and the shortest of the higher half, (3, 2)."""
+    """The highest sea state, the middle one, and that of the higher half with the least period, (3, 2)."""
     states = of.states[of.rows > 0]
     height, period = states.T
     middle = np.abs(states / np.median(states, axis=0) - 1.0).sum(axis=1)
@@ -117,7 +120,7 @@ def probes(of: SeaStates) -> FloatArray:
 
 
 def differences(found: FloatArray, reference: FloatArray, allowed: FloatArray) -> FloatArray:
-    """Largest difference of demands, (limits,); infinite where a run failed."""
+    """Largest relative difference of demands, (limits,); infinite if a run failed."""
     off = off_by(found, reference, scale_of(allowed, reference))
     return np.asarray(np.nan_to_num(off, nan=math.inf).max(axis=0))
 
@@ -129,15 +132,16 @@ def _coarsest(
     differing: Callable[[Setting], FloatArray],
     allowed: float,
 ) -> MeshOfSeas | None:
-    """The mesh of fewest elements that serves with a short step, with the longest step that serves then.
+    """The mesh with the fewest elements that suffices with a short step, with the longest sufficient step.
 
-    A step of twice the length takes more iterations, and saves a fifth; half the elements save half.
+    Doubling the step requires more iterations, and saves a fifth of the time; half of the elements save half
+    of it.
 
     Parameters
     ----------
-    elements, step : of runs by accuracy.
-    layers : ways to grade a mesh, the even one first.
-    differing : largest difference of demands, (limits,).
+    elements, step : elements and step of runs with the tolerance.
+    layers : gradings of a mesh, the even one first.
+    differing : function that returns the largest difference of demands, (limits,).
     """
     for a, graded in product(range(HALVINGS, -1, -1), reversed(layers)):
         every = [

@@ -1,7 +1,7 @@
-"""Sea states out of netCDF: by CF's names, or those that ERA5, WAVEWATCH III, NORA3 and NDBC give them.
+"""Sea states from netCDF, by CF names, or by the names in ERA5, WAVEWATCH III, NORA3 and NDBC.
 
-Spectra become heights, periods and directions by wavespectra, whose reader of each source knows its units
-and whether directions are those that waves come from or go to.
+The library wavespectra converts spectra to heights, periods and directions. Its readers know the units of
+each source, and whether its directions are where waves come from or travel to.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 CLOCKS = ("time", "valid_time")
 STARTS = "forecast_reference_time"
-#: names of sources that are no names of headers of tables
+#: names in these sources that are not used in headers of tables
 SOURCES = {
     "mp2": "zero_crossing_period",  # ERA5
     "pp1d": "peak_period",
@@ -37,12 +37,12 @@ SOURCES = {
     "tm2": "zero_crossing_period",  # NORA3
     "ff": "wind_speed",
 }
-#: speeds that are given by their parts towards east and north
+#: speeds that are given by components towards east and north
 PARTS = {"wind_speed": (("u10", "v10"), ("uwnd", "vwnd")), "current_speed": (("ucur", "vcur"),)}
 PEAK_FREQUENCY = "sea_surface_wave_frequency_at_variance_spectral_density_maximum"
 GOES_TO = "sea_surface_wave_to_direction"
 COMES_FROM = "sea_surface_wave_from_direction"
-#: of directions that say nothing by their names
+#: ambiguous names of directions
 UNSURE = ("dir", "thq", "pdir", "dp", "dm", "wave_direction")
 SPELT = {
     **dict.fromkeys(("meters", "meter", "metres", "metre"), "m"),
@@ -54,24 +54,24 @@ EARTH = 111.2  # km in a degree of latitude
 
 
 class Place(NamedTuple):
-    """A place that a file of several is read at (degrees north and east)."""
+    """A place at which a file with several places is read (degrees north and east)."""
 
     latitude: float
     longitude: float
 
 
 def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
-    """Columns of a record by time, and what was converted or left out.
+    """Columns of a record by time, and notes on conversions and omissions.
 
     Parameters
     ----------
-    near : the nearest place of a file that has several is read; absent: a file has one place.
+    near : place; the nearest place of a file with several is read; absent: the file has one place.
 
     Raises
     ------
     InputError
-        When it cannot be read, has no times, several places and no ``near``, or a direction that says neither
-        where waves come from nor where they go to.
+        When the file cannot be read, or has no times; when it has several places and ``near`` is absent; when
+        a direction is ambiguous: where waves come from, or travel to.
     """
     import pandas as pd
     import xarray as xr
@@ -107,7 +107,7 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
 
 
 def _unused(path: Path, data: xr.Dataset, clock: str) -> list[str]:
-    """Variables over time that are no quantity of a record, or are over something else, too."""
+    """Variables over time that are no quantity of a record, or have further dimensions."""
     parts = [pair for pairs in PARTS.values() for pair in pairs if {*pair} <= {*data.data_vars}]
     names = []
     for name, values in data.data_vars.items():
@@ -123,7 +123,7 @@ def _unused(path: Path, data: xr.Dataset, clock: str) -> list[str]:
 
 
 def _clock(data: xr.Dataset) -> str | None:
-    """The times at which values are valid, rather than those at which their forecasts start."""
+    """The times at which values are valid, not those at which forecasts start."""
     there = [n for n in CLOCKS if n in data.variables and data[n].ndim == 1]
     there = [n for n in there if np.issubdtype(data[n].dtype, np.datetime64)]
     starts = [n for n in there if data[n].attrs.get("standard_name") == STARTS]
@@ -131,7 +131,7 @@ def _clock(data: xr.Dataset) -> str | None:
 
 
 def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column, FloatArray, str]]:
-    """Quantities that variables over time alone hold, those by CF's own names first."""
+    """Quantities in variables over time alone; quantities with CF standard names come first."""
     over = {str(n): v for n, v in data.data_vars.items() if v.dims == data[clock].dims}
     for by_standard in (True, False):
         for name, values in over.items():
@@ -166,7 +166,7 @@ def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column,
 
 
 def _by_standard(standard: str) -> Column | None:
-    """The quantity of a standard name of CF."""
+    """The quantity of a CF standard name."""
     if standard == PEAK_FREQUENCY:
         return NAMES["peak_period"]
     if standard == GOES_TO:
@@ -175,9 +175,9 @@ def _by_standard(standard: str) -> Column | None:
 
 
 def _by_name(path: Path, name: str, standard: str) -> Column | None:
-    """The quantity of a variable's own name."""
+    """The quantity of a variable's name."""
     if standard.startswith("sea_surface_") or _by_standard(standard):
-        return None  # which the standard name says better: waves of wind alone, for instance
+        return None  # the standard name is more precise, for instance for wind waves alone
     key = plain(name)
     if any(key in pair for pairs in PARTS.values() for pair in pairs):
         return None
@@ -192,12 +192,12 @@ def _by_name(path: Path, name: str, standard: str) -> Column | None:
 
 
 def _periods(path: Path, name: str, numbers: FloatArray, unit: str) -> tuple[FloatArray, str]:
-    """Periods of frequencies."""
+    """Periods, converted from frequencies if needed."""
     factors = {"hz": 1.0, "s-1": 1.0, "1/s": 1.0, "rad/s": 0.5 / np.pi, "rad s-1": 0.5 / np.pi}
     factor = factors.get(unit.lower())
     if factor is None:
         raise InputError(path, name, f"unit {unit!r}", "allowed is Hz or rad/s")
-    with np.errstate(divide="ignore"):  # no frequency is no period, and missing
+    with np.errstate(divide="ignore"):  # a frequency of zero is a missing period
         periods = 1.0 / (factor * numbers)
     return np.where(np.isfinite(periods), periods, np.nan), f"peak_period from {name} ({unit})"
 
@@ -213,13 +213,13 @@ def _from_where(
     note = [f"from {unit}"] if unit != "deg" else []
     note += ["turned by 180 deg from the direction in which waves travel"] if turn else []
     degrees = numbers * factors[unit]
-    # what is no bearing stays as it is, for its row to be named
+    # an invalid bearing is not changed, so the error can name its row
     bearings = np.where(np.abs(degrees) <= 360.0, (degrees + turn) % 360.0, degrees)
     return bearings, f"wave_from_direction {' and '.join(note)}" if note else ""
 
 
 def _written(unit: str) -> str:
-    """A unit of CF, ``m s-1``, as units are written here."""
+    """A CF unit, such as ``m s-1``, in the notation of this package."""
     text = unit.strip()
     if text.lower() in SPELT:
         return SPELT[text.lower()]
@@ -256,7 +256,7 @@ def _at_one_place(path: Path, data: xr.Dataset, near: Place | None) -> tuple[xr.
 
 
 def _places(data: xr.Dataset, lat: str, lon: str) -> tuple[xr.DataArray, xr.DataArray]:
-    """Latitude and longitude over all places, without a time."""
+    """Latitude and longitude of all places, without the dimension time."""
     import xarray as xr
 
     parts = [data[name] for name in (lat, lon)]
@@ -266,7 +266,7 @@ def _places(data: xr.Dataset, lat: str, lon: str) -> tuple[xr.DataArray, xr.Data
 
 
 def _spectra(data: xr.Dataset) -> str:
-    """The variable that holds spectra; "" where there is none."""
+    """Name of the variable with spectra; "" if there is none."""
     names = ("efth", "d2fd", "spectral_wave_density", "density")
     return next((n for n in names if n in data.data_vars and data[n].ndim >= 2), "")
 

@@ -1,4 +1,4 @@
-"""A record of sea states: read from CSV or netCDF, checked row by row, gaps named and never filled."""
+"""A record of sea states: read from CSV or netCDF, checked row by row, gaps reported and never filled."""
 
 from __future__ import annotations
 
@@ -26,22 +26,23 @@ if TYPE_CHECKING:
     import pandas as pd
     import xarray as xr
 
-LARGEST_FILE = 500 * 10**6  # bytes
+LARGEST_FILE = 500 * 10**6  # largest size of a file, in bytes
 MISSING = ("", "nan", "na", "n/a", "null")
-#: cells of NDBC and others without a value; a bearing of 99.0 deg or a height of 99.0 cm is one
+#: fill values of NDBC and others; a bearing of 99.0 deg or a height of 99.0 cm is a value
 FILLS = ("-999", "-999.0", "999", "9999", "99.0", "99.00")
-CLOSER = 0.95  # of the interval between rows, below which rows are closer than others
-MOST_CLOSER = 0.01  # of rows: clocks are set now and then
-NEXT = (0.75, 1.25)  # intervals from a row to the next: some are minutes early or late
+CLOSER = 0.95  # distance of rows, in intervals, below which they count as too close
+MOST_CLOSER = 0.01  # largest share of such rows, since clocks are adjusted occasionally
+# range of the distance of successive rows, in intervals, since some are early or late
+NEXT = (0.75, 1.25)
 SHORTEST_DATE = len("20051231")
-ZONES = ("", "utc", "gmt", "z", "iso 8601", "iso8601")  # what a head may say of times in UTC
-#: of a JONSWAP spectrum, gamma to the powers 0 to 3: zero-upcrossing period over peak period
+ZONES = ("", "utc", "gmt", "z", "iso 8601", "iso8601")  # texts in a header for times in UTC
+#: coefficients of gamma to the powers 0 to 3: zero-upcrossing period / peak period of a JONSWAP spectrum
 PERIODS = (0.6673, 0.05037, -0.006230, 0.0003341)
 PATTERNS = (("YYYY", "%Y"), ("MM", "%m"), ("DD", "%d"), ("hh", "%H"), ("HH", "%H"), ("mm", "%M"))
 
 
 class Gap(NamedTuple):
-    """Hours without a record: the last before, and the first after."""
+    """A gap in a record: the last time before it, and the first time after it."""
 
     before: np.datetime64
     after: np.datetime64
@@ -56,13 +57,13 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
         CSV with a header such as ``time,hs (m),tp (s)``, times in UTC; or netCDF
         (`riserstudy.seas.netcdf_record`).
     near : Place, optional
-        Which place of a netCDF file of several is read: the nearest one.
+        Place; the nearest place of a netCDF file with several places is read.
 
     Returns
     -------
     xarray.Dataset
-        Over ``time``: the quantities of `riserstudy.seas.columns` that the file has, SI units, NaN where rows
-        lack one. ``interval_hours``, an attribute, is the most frequent time between rows.
+        Over ``time``: the quantities of `riserstudy.seas.columns` in the file, in SI units, NaN for missing
+        values. The attribute ``interval_hours`` is the most frequent time between rows.
 
     Raises
     ------
@@ -93,7 +94,7 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
 
 
 def write_record(record: xr.Dataset, target: Path) -> None:
-    """Write a record as CF netCDF, whole or not at all.
+    """Write a record as CF netCDF, completely or not at all.
 
     Raises
     ------
@@ -114,14 +115,14 @@ def interval_hours(time: NDArray[np.datetime64]) -> float:
 
 
 def gaps(record: xr.Dataset) -> list[Gap]:
-    """Where rows are further apart than they are most often, by more than some minutes of a clock."""
+    """Gaps: rows whose distance exceeds the most frequent interval by more than clock errors."""
     time = record["time"].values
     wide = np.flatnonzero(_intervals(time, record.attrs["interval_hours"]) > NEXT[1])
     return [Gap(time[k], time[k + 1]) for k in wide]
 
 
 def next_to_each_other(time: NDArray[np.datetime64], interval: float) -> NDArray[np.bool_]:
-    """Whether each row (n,) and the next are one interval (h) apart, (n - 1,): no gap lies between."""
+    """Whether each row (n,) and the next are one interval (h) apart, (n - 1,), without a gap between."""
     apart = _intervals(time, interval)
     return (apart > NEXT[0]) & (apart < NEXT[1])
 
@@ -132,24 +133,24 @@ def _intervals(time: NDArray[np.datetime64], interval: float) -> NDArray[np.floa
 
 
 def check_windows(record: xr.Dataset, windows: Sequence[str]) -> None:
-    """See that lengths of work, as ``24 h``, are whole numbers of the record's intervals.
+    """Check that lengths of work, such as ``24 h``, are whole numbers of the record's intervals.
 
     Raises
     ------
     InputError
-        Where one is not.
+        If one is not.
     """
     for text in windows:
         rows_of(to_si(text, "s") / 3600.0, float(record.attrs["interval_hours"]))
 
 
 def rows_of(hours: float, interval: float) -> int:
-    """Rows of a record (interval: hours between them) in a length of work (h).
+    """Number of rows of a record (interval: hours between rows) in a length of work (h).
 
     Raises
     ------
     InputError
-        When that is no whole number.
+        When this is not a whole number.
     """
     rows = hours / interval
     if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
@@ -159,7 +160,7 @@ def rows_of(hours: float, interval: float) -> int:
 
 
 def with_peak_period(record: xr.Dataset, gamma: float) -> xr.Dataset:
-    """The record with a peak period, from the zero-upcrossing period where it has no other.
+    """The record with a peak period, from the zero-upcrossing period if it has no peak period.
 
     References
     ----------
@@ -178,7 +179,7 @@ def with_peak_period(record: xr.Dataset, gamma: float) -> xr.Dataset:
 
 
 def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
-    """Columns that are known, by time, with what was converted."""
+    """Known columns by time, with notes on conversions."""
     import pandas as pd
 
     text = read_text(path, LARGEST_FILE)
@@ -229,12 +230,12 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
 
 
 def _check_head(path: Path, text: str, separator: str) -> None:
-    """See that no heading is there twice, and that the first row has no more cells than the head.
+    """Check that no heading occurs twice, and that the first row has no more cells than the header.
 
     Raises
     ------
     InputError
-        Where that is not so: columns would be lost or moved.
+        Otherwise, because columns would be lost or shifted.
     """
     rows = list(islice(csv.reader(io.StringIO(text), delimiter=separator), 2))
     heads = [cell.strip() for cell in rows[0]] if rows else []
@@ -246,12 +247,12 @@ def _check_head(path: Path, text: str, separator: str) -> None:
 
 
 def _check_clock(path: Path, pattern: str) -> None:
-    """See that what a head says of times is a pattern, or that they are in UTC.
+    """Check that the header of times has a pattern, or states UTC.
 
     Raises
     ------
     InputError
-        Where it is another zone, or a unit such as hours.
+        If it states another zone, or a unit such as hours.
     """
     words = re.findall(
         r"[A-Za-z]+", reduce(lambda rest, one: rest.replace(one[0], ""), PATTERNS, pattern)
@@ -299,7 +300,7 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
         )
     check_fills(path, values.to_numpy(), one)
     numbers = values.astype(float) * one.factor
-    # what is no bearing stays as it is, for its row to be named
+    # an invalid bearing is not changed, so the error can name its row
     return (
         numbers.where(~numbers.between(0.0, 360.0), (numbers + 180.0) % 360.0)
         if one.turned
@@ -308,14 +309,14 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
 
 
 def _possible(values: pd.Series, one: Head) -> pd.Series:
-    """Whether numbers that others write for none can be values: bearings, or of a unit other than SI's."""
+    """Whether fill values of others can be values: bearings, or numbers in a unit that is not SI."""
     if one.quantity is None or (one.quantity.unit != "deg" and one.factor == 1.0):
         return values.map(lambda _: False).astype(bool)
     return (values * one.factor).between(one.quantity.least, one.quantity.most)
 
 
 def _fills(cells: pd.Series, one: Head) -> str:
-    """What is noted of numbers that others write for none, where they count as values; "" of none."""
+    """A note on numbers that are fill values elsewhere, but count as values here; "" if there are none."""
     import pandas as pd
 
     texts = cells.str.strip()
@@ -328,12 +329,12 @@ def _fills(cells: pd.Series, one: Head) -> str:
 
 
 def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64]) -> None:
-    """See that rows are hardly ever closer than most are: each counts as one interval.
+    """Check that few rows are closer than the usual interval, because each row counts as one interval.
 
     Raises
     ------
     InputError
-        Where many are, as in a record that becomes hourly.
+        If many are, as in a record that becomes hourly.
     """
     usual = 3600.0 * interval_hours(frame.index.to_numpy())
     closer = steps < CLOSER * usual
@@ -346,12 +347,12 @@ def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64])
 
 
 def _check(path: Path, frame: pd.DataFrame) -> None:
-    """Times rise, and every number is one that the sea may have.
+    """Check that times increase, and that every number is possible.
 
     Raises
     ------
     InputError
-        At the first row where that is not so.
+        At the first row with a fault.
     """
     if len(frame) < 2:
         raise InputError(path, "time", f"{len(frame)} rows", "allowed are two and more")

@@ -1,8 +1,8 @@
-"""Values that are exceeded once in many years, by two methods, each with a band: never one number alone.
+"""Return values for long return periods by two methods, each with a band.
 
-Largest values of years follow a Gumbel distribution. Peaks over a threshold, one a storm, follow a
-generalised Pareto distribution and come as a Poisson process. Bands are those of fits to as
-much drawn from either.
+Largest values of years follow a Gumbel distribution. Peaks over a threshold, one per storm, follow a
+generalised Pareto distribution and a Poisson process. Bands are from fits to samples of the same size, drawn
+from the fitted distribution.
 """
 
 from __future__ import annotations
@@ -21,14 +21,15 @@ from riserstudy.seas.years import WHOLE
 
 FloatArray = NDArray[np.float64]
 DRAWS = 400
-APART = 72.0  # h between peaks of two storms
-PEAKS_A_YEAR = 6  # storms a year whose peaks count
+APART = 72.0  # smallest time between peaks of two storms (h)
+PEAKS_A_YEAR = 6  # number of storms per year whose peaks are used
 FEWEST_YEARS = 5
-SHAPES = (-0.5, 0.5)  # of the generalised Pareto distribution: what seas and responses have
+# range of the shape of the generalised Pareto distribution for seas and responses
+SHAPES = (-0.5, 0.5)
 
 
 class ReturnValue(NamedTuple):
-    """What is exceeded once in so many years, and where nine in ten of such fits lie."""
+    """A return value, and the band that contains nine in ten fits."""
 
     value: float
     low: float
@@ -36,7 +37,7 @@ class ReturnValue(NamedTuple):
 
 
 def of_years(largest: FloatArray, years: float, seed: int = 0) -> ReturnValue:
-    """By the largest value of each year, (n,): exceeded with a chance of 1 / years by their distribution.
+    """Return value from the largest value of each year, (n,): exceeded with a probability of 1 / years.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def of_years(largest: FloatArray, years: float, seed: int = 0) -> ReturnValue:
 def refits_of_years(
     largest: FloatArray, years: float, draw: np.random.Generator, count: int
 ) -> tuple[float, FloatArray]:
-    """What is exceeded once in so many years, and (count,) what fits to as much drawn from the fit give."""
+    """Return value, and (count,) return values of fits to samples drawn from the first fit."""
     mode, scale = _gumbel(largest)
     at = -math.log(-math.log(1.0 - 1.0 / years))  # of the reduced variate
     modes, scales = _gumbel(draw.gumbel(mode, scale, (count, len(largest))))
@@ -63,7 +64,7 @@ def refits_of_years(
 def of_peaks(
     peaks: FloatArray, threshold: float, recorded: float, years: float, seed: int = 0
 ) -> ReturnValue:
-    """By peaks over a threshold, (n,), in a time of record (years).
+    """Return value from peaks over a threshold, (n,), in a recorded time (years).
 
     References
     ----------
@@ -83,9 +84,10 @@ def refits_of_peaks(
     draw: np.random.Generator,
     count: int,
 ) -> tuple[float, FloatArray]:
-    """What is exceeded once in so many years, and (count,) what fits to as much drawn from the fit give."""
+    """Return value, and (count,) return values of fits to samples drawn from the first fit."""
     scale, shape = _pareto(peaks - threshold)
-    once = recorded / (len(peaks) * years)  # the chance of a peak that is exceeded once in the time
+    # probability of a peak that is exceeded once in the period
+    once = recorded / (len(peaks) * years)
     drawn = _over(scale, shape, draw.uniform(size=(count, len(peaks))))
     counts = np.maximum(draw.poisson(len(peaks), count), 1)
     fitted = _over(*_pareto(drawn), once * len(peaks) / counts)
@@ -95,9 +97,9 @@ def refits_of_peaks(
 def storms(
     time: NDArray[np.datetime64], values: FloatArray, a_year: float
 ) -> tuple[FloatArray, float]:
-    """Peaks, (n,), of so many of the highest storms a year, and the threshold below them.
+    """Peaks, (n,), of a number of the highest storms per year, and the threshold below them.
 
-    Storms are apart where 72 hours lie between their peaks. Values may be absent (not a number).
+    Storms are separate if their peaks are at least 72 hours apart. Values may be missing (NaN).
     """
     hours = (time - time[0]) / np.timedelta64(1, "h")
     order = np.argsort(-np.nan_to_num(values, nan=-np.inf))
@@ -119,17 +121,17 @@ def return_values(
     periods: Sequence[float],
     unit: str = "",
 ) -> Table:
-    """Both methods side by side, a row a return period (years).
+    """Results of both methods, one row per return period (years).
 
     Parameters
     ----------
-    interval : hours between rows.
-    unit : of the values, for the heads.
+    interval : time between rows (h).
+    unit : unit of the values, for the headings.
 
     Raises
     ------
     InputError
-        When fewer than five years are recorded nearly whole.
+        When fewer than five years are nearly complete.
     """
     known = np.isfinite(values)
     largest = np.array([np.nanmax(values[of]) for of in whole_years(time, known, interval)])
@@ -145,12 +147,12 @@ def return_values(
 def whole_years(
     time: NDArray[np.datetime64], known: NDArray[np.bool_], interval: float
 ) -> list[NDArray[np.bool_]]:
-    """Rows (n,) of each year that is recorded nearly whole (interval: hours between rows).
+    """Rows (n,) of each nearly complete year (interval: hours between rows).
 
     Raises
     ------
     InputError
-        When these are fewer than five.
+        When there are fewer than five.
     """
     year = time.astype("datetime64[Y]").astype(int) + 1970
     rows = [year == one for one in np.unique(year)]
@@ -167,7 +169,7 @@ COLUMNS = (
 
 
 def _gumbel(values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Mode and scale by L-moments, over the last axis."""
+    """Mode and scale of a Gumbel distribution by L-moments, over the last axis."""
     from scipy.stats import lmoment
 
     mean, second = lmoment(values, order=[1, 2], axis=-1)
@@ -176,7 +178,7 @@ def _gumbel(values: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _pareto(over: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Scale and shape by L-moments, over the last axis; the shape is kept between -0.5 and 0.5."""
+    """Scale and shape by L-moments, over the last axis; the shape is limited to -0.5 to 0.5."""
     from scipy.stats import lmoment
 
     mean, second = lmoment(over, order=[1, 2], axis=-1)
@@ -185,7 +187,7 @@ def _pareto(over: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 
 def _over(scale: ArrayLike, shape: ArrayLike, exceeded: ArrayLike) -> FloatArray:
-    """Excess over the threshold that is exceeded with a chance."""
+    """Excess over the threshold that is exceeded with a probability."""
     from scipy.stats import genpareto
 
     return np.asarray(genpareto.isf(exceeded, shape, scale=scale))

@@ -1,4 +1,4 @@
-"""Downtime of a riser: sea states of a record are simulated, and hours told by the responses between them."""
+"""Downtime of a riser: sea states of a record are simulated, and responses between them are interpolated."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ Notify = Callable[[str], None]
 
 
 class Downtime(NamedTuple):
-    """What a record leaves a riser, and what that rests on."""
+    """Workable hours of a riser, and the responses behind them."""
 
     hours: RiserHours
-    responses: xr.Dataset  # over sea_state and limit, of all headings
-    lines: list[str]  # what was simulated, in words
-    demands: Demands  # of each known row
+    responses: xr.Dataset  # over sea_state and limit, for all headings
+    lines: list[str]  # summary of the simulations, in words
+    demands: Demands  # demands in each known row
 
 
 def riser_downtime(
@@ -51,29 +51,30 @@ def riser_downtime(
     cores: int = 1,
     notify: Notify = lambda _: None,
 ) -> Downtime:
-    """Hours of a record that the limits of a riser leave.
+    """Workable hours of a record by the limits of a riser.
 
     Parameters
     ----------
     file : a scene with limits, an irregular sea and a duration.
-    record : of `riserstudy.seas.record.read_record`.
-    limits : on the sea itself, that must be met, too.
-    directions : of the record as headings of the scene; absent: all seas come from the scene's heading.
-    seeds : runs of each sea state: 1, or 5 and more.
-    error : of the response between sea states, over what is allowed, or the response if that is more.
-    most : sea states to simulate at most, of a heading.
-    notify : is given what comes next.
+    record : record from `riserstudy.seas.record.read_record`.
+    limits : additional limits on the sea.
+    directions : conversion of the record's directions to headings; absent: all seas have the scene's heading.
+    seeds : number of runs for each sea state: 1, or 5 and more.
+    error : tolerance of the response between sea states, relative to the allowable, or the response if
+        larger.
+    most : largest number of simulated sea states for each heading.
+    notify : function that receives a description of the next step.
 
     Raises
     ------
     InputError
-        When the scene or the record lacks what this needs.
+        When the scene or the record lacks inputs.
     SimulationError
-        When so many sea states do not suffice.
+        When ``most`` sea states do not suffice.
     """
     effort = Effort(seeds, error, most, cores)
     check_seeds(seeds)
-    # refuses a scene that lacks what this needs
+    # refuses a scene that lacks inputs
     RiserResponse(file, seeds, interval_of(record), cores)
     parts: dict[int, Part] = {}
     for number, heading in enumerate(headings(file, record, directions)):
@@ -98,7 +99,7 @@ def _counted(
     parts: Sequence[Part],
     middles: Sequence[Middle],
 ) -> Downtime:
-    """Hours by what was simulated, of headings and half-way between them by their numbers."""
+    """Workable hours from simulated headings, and from comparisons half-way between them, by index."""
     riser = parts[0].riser
     responses = [
         response_of(p.heading.of, p.cover, p.deviation, p.scale, riser.limits, p.mesh_error)
@@ -113,7 +114,7 @@ def _counted(
     found = met(rows, riser.limits)
     sea, there = met_by_rows(record, limits), rows_with_values(record, limits)
     error = largest_errors(parts, middles)
-    # of a row without a quantity of a limit on the sea it is not known whether it is workable
+    # a row without a quantity of a sea limit is neither workable nor not workable
     judged = found.among(there[known])
     hours = riser_hours(record, known & there, judged, riser.limits, error, sea)
     lines = summarise(parts, middles, hours, record)

@@ -1,4 +1,4 @@
-"""Hours of a record that the limits of a riser leave, by mode, and those that each limit takes."""
+"""Workable hours of a record by the limits of a riser, for each mode, and hours lost by each limit."""
 
 from __future__ import annotations
 
@@ -22,19 +22,20 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-#: modes, each with those whose limits it keeps: a riser that drills is connected
+#: modes, each with the modes whose limits must be met: a drilling riser is also connected
 MODES = {
     "drilling": ("drilling", "connected", "disconnect"),
     "connected": ("connected", "disconnect"),
     "disconnect": ("disconnect",),
 }
-NINE_IN_TEN = 1.645  # deviations of a normal distribution to both sides
+# standard deviations of a normal distribution to both sides, for nine in ten values
+NINE_IN_TEN = 1.645
 COLUMNS = ["limit", "exceeded", "alone", "allowed", "largest", "unit", "error"]
 UNITS = ["", "%", "%", "*", "*", "", "%"]
 
 
 class OfMode(NamedTuple):
-    """Hours of a mode, and between which shares they are for what is not known of the response."""
+    """Workable hours of a mode, and their range due to the uncertainty of the response."""
 
     mode: str
     hours: Hours
@@ -43,23 +44,25 @@ class OfMode(NamedTuple):
 
 
 class RiserHours(NamedTuple):
-    """What a record leaves a riser."""
+    """Workable hours of a riser."""
 
     modes: list[OfMode]
-    limits: Table  # a row a limit: rows in which it is exceeded, and in which it alone is
-    unknown: float  # share of rows beside sea states whose run failed: not workable
+    # for each limit: share of rows in which it is exceeded, and in which only it is exceeded
+    limits: Table
+    # share of rows next to sea states whose runs failed, which count as not workable
+    unknown: float
 
 
 class Response(NamedTuple):
-    """What limits ask for, (n, limits), in sea states or in rows, in the unit of each limit's output."""
+    """Demands of limits, (n, limits), in sea states or in rows, in the unit of each limit's output."""
 
-    demand: FloatArray  # that nine intervals in ten do not exceed
-    off: FloatArray  # what is not known of it: by the surface, and 1.645 standard errors of seeds
-    scale: FloatArray  # of its Gumbel distribution from interval to interval
+    demand: FloatArray  # value that nine in ten intervals do not exceed
+    off: FloatArray  # its uncertainty: error of the surface, and 1.645 standard errors by seeds
+    scale: FloatArray  # scale of its Gumbel distribution from interval to interval
 
 
 class Met(NamedTuple):
-    """Which limits are met in rows, (n, limits): as found, at worst and at best, and the response."""
+    """Whether limits are met in rows, (n, limits): nominally, at worst and at best; and the response."""
 
     found: Flags
     worst: Flags
@@ -69,13 +72,13 @@ class Met(NamedTuple):
     scale: FloatArray
 
     def among(self, rows: Flags) -> Met:
-        """The same of some rows, (n,), alone."""
+        """The same for some rows, (n,)."""
         limits = self.found[rows], self.worst[rows], self.best[rows]
         return Met(*limits, self.demand[rows], self.off[rows], self.scale[rows])
 
 
 def excess_of(demand: FloatArray, allowed: FloatArray, sides: Sequence[str]) -> FloatArray:
-    """By how much demands, (n, limits), are beyond what is allowed, (limits,); below zero: within."""
+    """Amounts by which demands, (n, limits), exceed the allowables, (limits,); below zero: met."""
     excess: FloatArray = np.where(np.array(sides) == "smallest", -1.0, 1.0) * (demand - allowed)
     return excess
 
@@ -92,15 +95,15 @@ def response_of(
 
     Parameters
     ----------
-    deviation : (n, limits) standard errors at the cover's sea states, in the unit of each limit's output; not
-        a number where not known.
-    scale_of_extremes : (n, limits) of the Gumbel distribution of extremes there.
-    mesh_error : (limits,) what mesh and step change, over what is allowed or over the demand.
+    deviation : (n, limits) standard errors at the cover's sea states, in the unit of each limit's output; NaN
+        if not known.
+    scale_of_extremes : (n, limits) scales of the Gumbel distribution of extremes there.
+    mesh_error : (limits,) change by mesh and step, relative to the allowable or the demand.
     """
     allowed = np.array([limit.allowable for limit in limits])
     demand = cover.surface.at(of.states)
     kept = ~cover.held_out
-    # of one seed no error is known, of a run that failed nothing, which the demand says already
+    # for one seed, the error is not known; for a failed run, nothing is known, as its demand shows
     both = np.nan_to_num(np.hstack([deviation[kept], scale_of_extremes[kept]]))
     seeds, extremes = np.hsplit(Surface(cover.states[kept], both).at(of.states), 2)
     scale = np.maximum(scale_of(allowed, cover.responses[kept]), np.abs(demand))
@@ -109,12 +112,12 @@ def response_of(
 
 
 def by_rows(parts: Sequence[tuple[SeaStates, FloatArray, Response]]) -> tuple[Flags, Response]:
-    """Rows of the record that are known, (rows,), and the response in those, (known, limits).
+    """Flags of known rows of the record, (rows,), and the response in these, (known, limits).
 
     Parameters
     ----------
-    parts : sea states, what the response to them counts in each row, (rows,), and the response; in a row
-        these add up to one.
+    parts : for each heading, its sea states, its weights in the rows, (rows,), and its response; in each row,
+        the weights sum to one.
     """
     rows = len(parts[0][1])
     known = np.any([weight > 0.0 for _, weight, _ in parts], axis=0)
@@ -127,10 +130,10 @@ def by_rows(parts: Sequence[tuple[SeaStates, FloatArray, Response]]) -> tuple[Fl
 
 
 def met(rows: Response, limits: Sequence[Limit]) -> Met:
-    """Limits that are met in rows: as found, and where the demand is off by what is not known of it."""
+    """Limits that are met in rows: nominally, and with the demand changed by its uncertainty."""
     allowed = np.array([limit.allowable for limit in limits])
     excess = excess_of(rows.demand, allowed, [limit.side for limit in limits])
-    # not a number is not met
+    # NaN counts as not met
     return Met(excess <= 0.0, excess + rows.off <= 0.0, excess - rows.off <= 0.0, *rows)
 
 
@@ -142,14 +145,14 @@ def riser_hours(
     error: FloatArray,
     also: Flags,
 ) -> RiserHours:
-    """Hours by mode.
+    """Workable hours by mode.
 
     Parameters
     ----------
-    known : (rows,) of `by_rows`.
-    rows : of `met`.
-    error : (limits,) largest difference of the response, as part of what is allowed.
-    also : (rows,) where limits on the sea itself are met.
+    known : (rows,) from `by_rows`.
+    rows : from `met`.
+    error : (limits,) largest error of the response, as a share of the allowable.
+    also : (rows,) true where limits on the sea are met.
     """
     modes = []
     for mode, needed in MODES.items():
@@ -167,7 +170,7 @@ def riser_hours(
 
 
 def _by_limit(rows: Met, limits: Sequence[Limit], error: FloatArray, lost: Flags) -> Table:
-    """Share of rows in which each limit is exceeded, and in which no other of its mode's is."""
+    """Share of rows in which each limit is exceeded, and in which only this limit of its mode is."""
     exceeded = ~rows.found & ~lost[:, None]
     table: list[list[Cell]] = []
     for k, limit in enumerate(limits):

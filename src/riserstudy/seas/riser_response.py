@@ -1,4 +1,4 @@
-"""What the limits of a riser ask for in sea states: runs of several seeds, stored point by point."""
+"""Demands of a riser's limits in sea states, from runs with several seeds, stored point by point."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ class RiserResponse:
     Parameters
     ----------
     file : a scene with limits, an irregular sea and a duration.
-    seeds : runs of each sea state.
-    interval : of the record (s), in which what is demanded holds.
-    cores : processes.
+    seeds : number of runs for each sea state.
+    interval : interval of the record (s), to which the demands refer.
+    cores : number of processes.
 
     Raises
     ------
     InputError
-        When the scene has no limits, no irregular sea or no duration, or one that is too long.
+        When the scene has no limits, no irregular sea or no duration, or its duration is too long.
     """
 
     file: SceneFile
@@ -52,7 +52,7 @@ class RiserResponse:
     def __post_init__(self) -> None:
         if not self.limits:
             raise InputError(self.file.source, "limits", "none", "give the limits of the riser")
-        phases_of(self.file, 1)  # refuses a scene without a sea or a time
+        phases_of(self.file, 1)  # refuses a scene without a sea, or a static scene
         if not 0.0 < self.exposure <= self.interval:
             found = f"{self.exposure:g} s after the ramps, the record has a row each {self.interval:g} s"
             raise InputError(self.file.source, "analysis.duration", found, "allowed is up to that")
@@ -64,7 +64,7 @@ class RiserResponse:
 
     @cached_property
     def units(self) -> list[str]:
-        """Unit of what each limit allows."""
+        """Unit of each limit's allowable."""
         return [UNITS[limit.output] for limit in self.limits]
 
     @cached_property
@@ -74,19 +74,19 @@ class RiserResponse:
 
     @cached_property
     def allowed(self) -> FloatArray:
-        """What each limit allows, (limits,), in the SI unit of its output."""
+        """Allowable of each limit, (limits,), in the SI unit of its output."""
         return np.array([limit.allowable for limit in self.limits])
 
     @cached_property
     def exposure(self) -> float:
-        """Time of a run in which its sea is whole (s)."""
+        """Duration of a run after its ramps (s)."""
         scene = self.file.resolved()
         return float(scene.analysis.duration or 0.0) - scene.built_up
 
     def seconds(self, states: FloatArray) -> float:
-        """Time of a run (s), the least over sea states (m, 2): the first one also loads kernels.
+        """Elapsed time of a run (s), the smallest over sea states (m, 2), since the first also loads kernels.
 
-        Of runs that are stored or made now; not a number where all fail.
+        It includes stored runs and runs made now; NaN if all fail.
         """
         study = self._study(states)
         points = [point for point in study.plan if point.index[1] == 0]
@@ -98,7 +98,7 @@ class RiserResponse:
         )
 
     def __call__(self, states: FloatArray) -> FloatArray:
-        """Demand of each limit, (m, limits), at sea states (m, 2); no number where a run fails."""
+        """Demand of each limit, (m, limits), at sea states (m, 2); NaN where a run fails."""
         found = np.full((len(states), len(self.limits)), math.nan)
         kept = self._demands(states)
         for k, state in enumerate(states.tolist()):
@@ -116,13 +116,13 @@ class RiserResponse:
         return found
 
     def facts(self, states: FloatArray) -> list[dict[str, Any]]:
-        """What runs of the first seed at sea states (m, 2) say of themselves; empty where one failed."""
+        """Facts of the runs with the first seed at sea states (m, 2); empty for a failed run."""
         study = self._study(states)
         held = [store.about(point.key) for point in study.plan if point.index[1] == 0]
         return [one["facts"] if one else {} for one in held]
 
     def _demands(self, states: FloatArray) -> dict[tuple[int, ...], list[float]]:
-        """Demands of the limits by number of sea state and of seed, of runs that are completed."""
+        """Demands of the limits by index of sea state and seed, for completed runs."""
         study = self._study(states)
         failures = attempt(study, study.plan, self.cores, lambda _: None)
         found = {}
@@ -138,8 +138,8 @@ class RiserResponse:
         return found
 
     def _study(self, states: FloatArray) -> Study:
-        """Sea states by seeds as a study."""
+        """A study over sea states and seeds."""
         seas = {f"{h!r} m, {t!r} s": values_of(self.file, Sea(h, t)) for h, t in states.tolist()}
         seeds = {str(k + 1): phases_of(self.file, k + 1) for k in range(self.seeds)}
-        # errors of demands are measured by other runs, not estimated by each
+        # errors of demands are measured by other runs, not estimated for each run
         return replace(as_study(self.file, {"sea": seas, "seed": seeds}, []), estimates=False)

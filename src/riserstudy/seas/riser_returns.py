@@ -1,8 +1,8 @@
-"""Responses of a riser that are exceeded once in many years, by two methods, each with a band.
+"""Return values of a riser's responses for long return periods, by two methods, each with a band.
 
-The largest response of an interval is not known by its sea state: from one to the next it follows a Gumbel
-distribution. So histories of the record are drawn, each row from its own distribution, and each history is
-fitted as the heights of a record are.
+A sea state does not determine the largest response of an interval, which follows a Gumbel distribution.
+Histories of the record are therefore drawn, each row from its distribution, and each history is fitted like
+the heights of a record.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ from riserstudy.seas.riser_hours import NINE_IN_TEN, Met
 from riserstudy.seas.year_bands import BAND
 
 FloatArray = NDArray[np.float64]
-HISTORIES = 40  # of the record that are drawn
-REFITS = 10  # of each
+HISTORIES = 40  # number of drawn histories of the record
+REFITS = 10  # number of refits of each history
 OF_SCALE = (
     math.sqrt(6.0) / math.pi
 )  # standard error of a Gumbel scale, times the root of the number of seeds
-REDUCED = -math.log(-math.log(NOT_EXCEEDED))  # reduced variate of what demands are
+REDUCED = -math.log(-math.log(NOT_EXCEEDED))  # reduced variate of demands
 COLUMNS = [
     *("limit", "return period", "by years", "years from", "years to"),
     *("by storms", "storms from", "storms to", "unit"),
@@ -45,7 +45,7 @@ HEADS = ["", "years", *["*"] * 6, ""]
 
 
 class Demands(NamedTuple):
-    """What limits ask for in each row of a record."""
+    """Demands of limits in each row of a record."""
 
     time: NDArray[np.datetime64]
     interval: float  # h
@@ -55,7 +55,7 @@ class Demands(NamedTuple):
 
 
 class Returned(NamedTuple):
-    """A response that is exceeded once in so many years, by both methods, in the SI unit of its output."""
+    """A return value of a response by both methods, in the SI unit of its output."""
 
     limit: Limit
     years: float
@@ -64,12 +64,12 @@ class Returned(NamedTuple):
 
 
 def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Returned]:
-    """Responses that are exceeded once in so many years, of each limit whose extremes are known.
+    """Return values of responses, for each limit whose extremes are known.
 
-    A band holds nine in ten fits to as much drawn from the fit of each history. What is not known of the
-    response moves all rows of a history alike, by a normal distribution whose 90 % are the band of the
-    response; so does what is not known of the spread from interval to interval. Means have no such extremes
-    and are left out.
+    A band contains nine in ten fits to samples that are drawn from the fit of each history. The uncertainty
+    of the response changes all rows of a history together, by a normal distribution whose 90 % range is the
+    band of the response. The uncertainty of the scale from interval to interval has the same effect. Means
+    have no such extremes and are excluded.
 
     Parameters
     ----------
@@ -78,7 +78,7 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
     Raises
     ------
     InputError
-        When fewer than five years are recorded nearly whole, or the response is that of one seed.
+        When fewer than five years are nearly complete, or the response is from one seed.
     """
     if of.seeds < FEWEST_SEEDS:
         few = f"{of.seeds}: how extremes vary from run to run is not known"
@@ -96,7 +96,7 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
 
 
 def table_of(found: Sequence[Returned]) -> Table:
-    """Both methods side by side, a row a limit and return period."""
+    """Results of both methods, one row per limit and return period."""
     rows: list[list[Cell]] = [
         [label(one.limit), one.years, *one.by_years, *one.by_storms, UNITS[one.limit.output]]
         for one in found
@@ -107,7 +107,7 @@ def table_of(found: Sequence[Returned]) -> Table:
 def _of_limit(
     of: Demands, number: int, sign: float, periods: Sequence[float], draw: np.random.Generator
 ) -> Iterator[tuple[ReturnValue, ReturnValue]]:
-    """Both methods by return period, of a response that is larger where it is worse."""
+    """Both methods by return period, for a response whose larger values are worse."""
     demand, off, scale = (
         values[:, number] for values in (of.rows.demand, of.rows.off, of.rows.scale)
     )
@@ -131,12 +131,12 @@ def _of_limit(
 
 
 def _joined(fits: Sequence[tuple[float, FloatArray]]) -> ReturnValue:
-    """The median of histories, and the band of all refits."""
+    """The median of all histories, and the band of all refits."""
     low, high = np.quantile(np.concatenate([refits for _, refits in fits]), BAND)
     return ReturnValue(float(np.median([value for value, _ in fits])), float(low), float(high))
 
 
 def _turned(of: ReturnValue, sign: float) -> ReturnValue:
-    """With its own sign."""
+    """The return value with the sign of the response."""
     low, high = sorted((sign * of.low, sign * of.high))
     return ReturnValue(sign * of.value, low, high)

@@ -1,4 +1,4 @@
-"""Sea states of a record as points over height and period, each with the rows that have it."""
+"""Sea states of a record as points of height and period, each with the rows that have it."""
 
 from __future__ import annotations
 
@@ -15,20 +15,20 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 NEEDED = ("significant_wave_height", "peak_period")
-CALM = 0.001  # m: significant height that stands for none, which no sea of a scene has
+CALM = 0.001  # m: significant height that represents a calm sea, which a scene cannot have
 
 
 class SeaStates(NamedTuple):
-    """Sea states that a record has, each once."""
+    """The distinct sea states of a record."""
 
     states: FloatArray  # (n, 2): significant height (m), peak period (s)
-    rows: NDArray[np.int64]  # (n,) rows of the record that have it; 0: none of those that count
+    rows: NDArray[np.int64]  # (n,) number of selected rows that have it
     state_of_row: NDArray[
         np.int64
-    ]  # (rows,) -1 where a row lacks height or period, or does not count
+    ]  # (rows,) index of the sea state; -1 for rows without height or period, or not selected
 
     def among(self, rows: NDArray[np.bool_], besides: Sequence[int] = ()) -> SeaStates:
-        """The states of some rows of the record alone, (rows,), and others by their numbers, without rows."""
+        """The sea states of some rows of the record, (rows,), and others by their indices, without rows."""
         of = np.where(rows, self.state_of_row, -1)
         counts = np.bincount(of[of >= 0], minlength=len(self.states))
         there = counts > 0

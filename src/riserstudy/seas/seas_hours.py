@@ -1,4 +1,4 @@
-"""Hours of a record over a grid of settings as one dataset, made part by part from the store."""
+"""Workable hours of a record over a grid of settings as one dataset, made part by part from the store."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from riserstudy.study.months import MONTHS
 from riserstudy.study.seas_model import SeasModel, SyntheticModel
 from riserstudy.study.seas_study import SeasStudy
 
-#: of a sea state: what `riser_downtime` says of it, over limits or not
+#: variables of sea states from `riser_downtime`, with or without the dimension of limits
 OF_STATES = ("demand_of_limit", "standard_error", "held_out")
 
 
@@ -41,18 +41,18 @@ def record_of(study: SeasStudy) -> xr.Dataset:
 
 
 def directions_of(study: SeasStudy) -> Directions | None:
-    """How directions become headings."""
+    """Conversion of directions to headings."""
     of = study.model.headings
     return Directions(of.sectors, to_si(of.x_towards, "rad")) if of else None
 
 
 def effort_of(study: SeasStudy, cores: int) -> Effort:
-    """How much is simulated."""
+    """Extent of the simulations."""
     return Effort(study.model.seeds, study.model.error, study.model.most, cores)
 
 
 def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> int:
-    """Store the runs of one setting in one heading, and half-way to the next; the number of sea states.
+    """Simulate and store one setting in one heading, and half-way to the next; returns the number of seas.
 
     Raises
     ------
@@ -76,7 +76,7 @@ def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> 
 
 
 def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:
-    """Hours at each setting, what takes them, and the responses that they rest on.
+    """Workable hours at each setting, the limits that reduce them, and the responses behind them.
 
     Raises
     ------
@@ -117,7 +117,7 @@ def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:
 
 
 def _of_setting(of: Downtime, windows: Sequence[float], model: SeasModel) -> xr.Dataset:
-    """Hours of one setting."""
+    """Workable hours of one setting."""
     hours = of.hours
     modes = {one.mode: one for one in hours.modes}
     columns = np.array([row[1:3] for row in hours.limits.rows], float) / 100.0
@@ -140,7 +140,7 @@ def _of_setting(of: Downtime, windows: Sequence[float], model: SeasModel) -> xr.
 
 
 def _returns(of: Downtime, labels: list[str], periods: Sequence[int]) -> xr.Dataset:
-    """Responses that are exceeded once in so many years, with bands; not a number of means."""
+    """Return values of responses, with bands; NaN for means."""
     if not periods:
         return xr.Dataset()
     values = np.full((6, len(labels), len(periods)), math.nan)
@@ -158,7 +158,7 @@ def _returns(of: Downtime, labels: list[str], periods: Sequence[int]) -> xr.Data
 
 
 def _of_mode(one: OfMode, windows: Sequence[float], model: SeasModel) -> xr.Dataset:
-    """Hours of one mode, with bands, by month and year, windows and waits for them."""
+    """Workable hours of one mode, with bands, by month and year, with windows and waits."""
     hours = one.hours
     band = hours.mean_year(model.persistence)
     ahead_of = hours.next_years(model.next_years, model.persistence)
@@ -189,7 +189,7 @@ def _of_mode(one: OfMode, windows: Sequence[float], model: SeasModel) -> xr.Data
 
 
 def _windows(one: OfMode, windows: Sequence[float]) -> dict[str, tuple[str, list[float]]]:
-    """Windows of work, and the waits for them of all starts."""
+    """Windows of work, and waits for them from all starts."""
     of = [one.hours.of_windows(hours) for hours in windows]
     waits = [one.hours.of_waits(hours)[0][1] for hours in windows]
     return {
@@ -203,7 +203,7 @@ def _windows(one: OfMode, windows: Sequence[float]) -> dict[str, tuple[str, list
 
 
 def _on_axes(flat: xr.Dataset, study: SeasStudy) -> xr.Dataset:
-    """A dataset over settings as one over the axes of the study."""
+    """A dataset over settings, reshaped to the axes of the study."""
     grid = study.settings
     shape = tuple(len(steps) for steps in grid.axes.values())
     made = xr.Dataset(coords={name: flat[name] for name in flat.coords if name != "setting"})
@@ -221,7 +221,7 @@ def _on_axes(flat: xr.Dataset, study: SeasStudy) -> xr.Dataset:
 
 
 def _sea_states(found: Sequence[Downtime], study: SeasStudy) -> dict[str, Any]:
-    """Responses to all sea states that were simulated, one setting after the other."""
+    """Responses to all simulated sea states, one setting after the other."""
     grid = study.settings
     many = [one.responses.sizes["sea_state"] for one in found]
     names = ("significant_wave_height", "peak_period", "heading")
@@ -237,7 +237,7 @@ def _sea_states(found: Sequence[Downtime], study: SeasStudy) -> dict[str, Any]:
         every = xr.concat(
             [one.responses[name].drop_vars(names) for one in found], "sea_state", join="outer"
         )
-        joined[name] = every  # by labels of its limits
+        joined[name] = every  # aligned by labels of the limits
     for number, axis in enumerate(grid.axes):
         values = [grid.axes[axis][point.index[number]][0] for point in grid.plan]
         joined[f"{axis}_of_sea_state"] = (
@@ -271,7 +271,7 @@ def _about(study: SeasStudy, found: Sequence[Downtime], record: xr.Dataset) -> d
 
 
 def _in_words(study: SeasStudy, found: Sequence[Downtime]) -> Iterator[str]:
-    """What was simulated, in words, a line each setting."""
+    """A summary of the simulations in words, one line per setting."""
     for point, one in zip(study.settings.plan, found, strict=True):
         axes = study.settings.axes.items()
         place = ", ".join(f"{n}={v[k][0]}" for (n, v), k in zip(axes, point.index, strict=True))

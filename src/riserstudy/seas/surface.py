@@ -1,4 +1,4 @@
-"""Responses between sea states that were simulated: by cubic triangles, and never beyond them."""
+"""Responses between simulated sea states, by cubic interpolation over triangles, without extrapolation."""
 
 from __future__ import annotations
 
@@ -6,19 +6,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
-INWARDS = 1e-9  # share of the way to the middle that places move: none on the border is outside by rounding
+# share of the distance to the middle by which points are moved, so that no border point is outside by
+# rounding
+INWARDS = 1e-9
 
 
 class Surface:
-    """Responses over height and period, continuous with their slopes.
+    """Responses over height and period, with continuous slopes.
 
-    A response without a number belongs to a sea state whose run failed: nothing is known of the triangles
-    that meet there.
+    A response of NaN belongs to a sea state whose run failed; the response is not known in the adjacent
+    triangles.
 
     Parameters
     ----------
-    states : (n, 2) simulated sea states: significant height (m), peak period (s). Not all on one line.
-    responses : (n, k) what was found there, each in its unit.
+    states : (n, 2) simulated sea states: significant height (m), peak period (s); not all on one line.
+    responses : (n, k) responses at these, each in its unit.
 
     References
     ----------
@@ -39,20 +41,20 @@ class Surface:
         self._cubic = CloughTocher2DInterpolator(places[known], responses[known])
 
     def at(self, states: FloatArray) -> FloatArray:
-        """Responses (m, k) at sea states (m, 2); no number outside, or beside a run that failed."""
+        """Responses (m, k) at sea states (m, 2); NaN outside, or next to a run that failed."""
         places = self._inwards(states)
         found = np.asarray(self._cubic(places))
         found[np.isnan(self._straight(places))] = np.nan
         return found
 
     def bend(self, states: FloatArray) -> FloatArray:
-        """By how much responses differ from those by flat triangles, (m, k)."""
+        """Difference of responses from linear interpolation over the triangles, (m, k)."""
         places = self._inwards(states)
         off: FloatArray = np.abs(self._cubic(places) - self._straight(places))
         return off
 
     def triangle(self, states: FloatArray) -> NDArray[np.int64]:
-        """Number of the triangle in which each sea state (m, 2) lies, (m,); -1 outside."""
+        """Index of the triangle that contains each sea state (m, 2), (m,); -1 outside."""
         return np.asarray(self.triangles.find_simplex(self._inwards(states)), np.int64)
 
     def _scaled(self, states: FloatArray) -> FloatArray:

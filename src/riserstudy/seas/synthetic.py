@@ -1,9 +1,10 @@
-"""A seeded record of sea states with seasons, storms that last, and directions: no place's, for examples.
+"""A synthetic record of sea states with seasons, storms and directions, from a seed, for examples.
 
-The logarithm of the significant wave height is a mean with a season, and two first-order autoregressive parts
-that forget within half a day and within three days. Its median is 1.8 m, 1.45 times that in January; the
-deviation of the logarithm about the season is 0.39. The peak period follows the height by a power with noise
-that lasts; waves come from the west, turning by storms.
+The record is not that of a real place. The logarithm of the significant wave height is a seasonal mean plus
+two first-order autoregressive parts with correlation times of half a day and three days. The median height is
+1.8 m, and 1.45 times this value in January. The standard deviation of the logarithm about the season is 0.39.
+The peak period is a power of the height with correlated noise. Waves come from the west, with slow variations
+of the direction.
 """
 
 from __future__ import annotations
@@ -20,13 +21,14 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FIRST_YEAR = 2001
-MEDIAN = 1.8  # m, of the significant wave height over all years
-SEASON = math.log(1.45)  # of its logarithm, largest in mid January
-PARTS = ((12.0, 0.2), (72.0, 0.33))  # h that they last, deviations of the logarithm
+MEDIAN = 1.8  # m, median of the significant wave height over all years
+SEASON = math.log(1.45)  # seasonal amplitude of its logarithm, largest in mid January
+# correlation times (h) and standard deviations of the logarithm
+PARTS = ((12.0, 0.2), (72.0, 0.33))
 
 
 def synthetic(years: int = 10, seed: int = 1) -> xr.Dataset:
-    """An hourly record of whole years, as `riserstudy.seas.record.read_record` returns one."""
+    """An hourly record of whole years, in the form of `riserstudy.seas.record.read_record`."""
     import xarray as xr
 
     draw = np.random.default_rng(seed)
@@ -57,7 +59,7 @@ def synthetic(years: int = 10, seed: int = 1) -> xr.Dataset:
 
 
 def lasting(draw: np.random.Generator, n: int, hours: float) -> NDArray[np.float64]:
-    """Normal numbers of deviation 1 over hours, whose correlation falls by e in so many hours."""
+    """Hourly normal numbers of standard deviation 1, whose correlation decreases by e in ``hours``."""
     from scipy.signal import lfilter
 
     kept = math.exp(-1.0 / hours)

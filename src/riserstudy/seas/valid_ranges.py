@@ -1,4 +1,4 @@
-"""Which values of a netCDF variable its attributes declare valid, and which variables hold flags."""
+"""Valid values of a netCDF variable by its attributes, and variables with quality flags."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ if TYPE_CHECKING:
 
 
 def within_valid_range(data: xr.Dataset) -> xr.Dataset:
-    """The variables, without values beyond ``valid_min``, ``valid_max`` or ``valid_range``.
+    """The variables, without values outside ``valid_min``, ``valid_max`` or ``valid_range``.
 
     References
     ----------
-    CF-1.11, 2.5.1; NetCDF User Guide, Attribute Conventions: values beyond are missing values. The range of a
-    packed variable is that of its packed values, if it is of their type.
+    CF-1.11, 2.5.1; NetCDF User Guide, Attribute Conventions: values outside are missing values. The range of
+    a packed variable refers to its packed values, if it has their type.
     """
     return data.assign({name: _within(values) for name, values in data.data_vars.items()})
 
@@ -28,7 +28,7 @@ def _within(values: xr.DataArray) -> xr.DataArray:
     ends = values.attrs.get("valid_min", low), values.attrs.get("valid_max", high)
     packing = values.encoding
     scale, offset = packing.get("scale_factor", 1.0), packing.get("add_offset", 0.0)
-    # half of the least difference between packed values, for rounding
+    # half of the smallest difference between packed values, for rounding
     slack = 0.5 * abs(scale) if {"scale_factor", "add_offset"} & packing.keys() else 0.0
     valid = np.ones(values.shape, bool)
     least, most = (None if end is None else float(end) for end in ends)

@@ -1,4 +1,4 @@
-"""Hours, windows and waits in a record of which each hour is workable or not; a window ends at a gap."""
+"""Windows and waits in a record whose rows are workable or not; a window ends at a gap."""
 
 from __future__ import annotations
 
@@ -8,35 +8,36 @@ import numpy as np
 from numpy.typing import NDArray
 
 Flags = NDArray[np.bool_]
-MOST_LONGER = 0.01  # share of waits beyond the longest, with which their mean is told
+# largest share of waits longer than the longest known one for which a mean is given
+MOST_LONGER = 0.01
 
 
 class Windows(NamedTuple):
-    """Stretches of workable rows without a gap that are long enough."""
+    """Sufficiently long periods of workable rows without a gap."""
 
     number: int
-    inside: float  # share of all rows that lie inside one
-    starts: float  # share of all rows at which work may start and be done in time
+    inside: float  # share of all rows within a window
+    starts: float  # share of all rows at which work may start and end in time
 
 
 class Waits(NamedTuple):
-    """Hours from a row to the next one at which work may start; of a wait that meets a gap a lower bound."""
+    """Hours from each row to the next row at which work may start; a lower bound for waits with a gap."""
 
     hours: NDArray[np.float64]  # (n,)
-    known: Flags  # (n,) false where a gap or the record's end comes before
+    known: Flags  # (n,) false if a gap or the end of the record is before the start of work
 
 
 class Wait(NamedTuple):
-    """Statistics of waits, with those counted that are known to be longer only."""
+    """Statistics of waits, including waits of which only a lower bound is known."""
 
     mean: float
     p50: float
     p90: float
-    open: int  # waits that meet a gap
+    open: int  # number of waits that a gap or the record's end interrupts
 
 
 def stretches(workable: Flags, joined: Flags) -> NDArray[np.int64]:
-    """First row and row after the last of each stretch of workable rows, (k, 2).
+    """First row and row after the last of each period of workable rows, (k, 2).
 
     Parameters
     ----------
@@ -50,7 +51,7 @@ def stretches(workable: Flags, joined: Flags) -> NDArray[np.int64]:
 
 
 def windows(workable: Flags, joined: Flags, rows: int) -> Windows:
-    """Windows of at least so many rows."""
+    """Windows with at least ``rows`` rows."""
     length = np.diff(stretches(workable, joined), axis=1)[:, 0]
     long = length[length >= rows]
     n = len(workable)
@@ -58,9 +59,9 @@ def windows(workable: Flags, joined: Flags, rows: int) -> Windows:
 
 
 def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
-    """How long each row waits for a window of so many rows (interval: hours between rows).
+    """Wait from each row for a window of ``rows`` rows (interval: hours between rows).
 
-    What the sea does in a gap is not known: a wait that meets one, or the record's end, is longer than that.
+    The sea in a gap is not known: a wait that ends at a gap, or at the record's end, is a lower bound.
     """
     n = len(workable)
     start = np.zeros(n, bool)
@@ -76,9 +77,10 @@ def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
 
 
 def statistics_of(found: Waits) -> Wait:
-    """Mean, median and 90 % of waits by the product-limit estimate, which counts what is known of open ones.
+    """Mean, median and 90 % quantile of waits, by the product-limit estimate, which includes lower bounds.
 
-    NaN where the record does not reach so far: of the mean, where more waits than a few last longer.
+    NaN where the record is too short; for the mean, if more than a few waits are longer than the longest
+    known one.
 
     References
     ----------

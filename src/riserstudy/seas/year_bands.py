@@ -1,9 +1,9 @@
-"""Bands of the share of workable hours, of a mean year and of years to come, from few years of record.
+"""Bands of the share of workable hours, for a mean year and for future years, from few years of record.
 
-Shares of years, made normal by the arcsine of their root, have an unknown mean and deviation, and persist:
-they are fractional Gaussian noise of a Hurst exponent that a record of some years cannot tell. Given the
-exponent, the error of the best linear prediction of years to come, over the deviation of the years of record,
-follows Student's t.
+Yearly shares, transformed to normal numbers by the arcsine of their root, have an unknown mean and standard
+deviation, and persistence. They are fractional Gaussian noise with a Hurst exponent, which cannot be
+estimated from a few years. For a given exponent, the error of the best linear prediction of future years,
+divided by the standard deviation of the recorded years, follows Student's t distribution.
 """
 
 from __future__ import annotations
@@ -20,13 +20,14 @@ from riserstudy.study.persistence import PERSISTENCE
 
 FloatArray = NDArray[np.float64]
 DRAWS = 20_000
-BLOCK = 2_000  # draws at a time
+BLOCK = 2_000  # number of draws at a time
 BAND = (0.05, 0.95)
-NODES = (np.arange(64) + 0.5) / 64  # chances of normal numbers, whose mean is that over many years
+# probabilities of normal numbers, whose mean represents many years
+NODES = (np.arange(64) + 0.5) / 64
 
 
 class Band(NamedTuple):
-    """A share of the record, and what nine in ten predictions lie between; NaN where years tell no spread."""
+    """The share of the record, and the band of nine in ten predictions; NaN if years give no deviation."""
 
     share: float
     low: float
@@ -34,18 +35,18 @@ class Band(NamedTuple):
 
 
 def band(years: Sequence[Year], persistence: float = PERSISTENCE) -> Band:
-    """Of the mean over very many years.
+    """The band of the mean over very many years.
 
     Parameters
     ----------
-    years : of record.
+    years : years of record.
     persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
     """
     return _predicted(years, None, persistence)
 
 
 def band_of_next(years: Sequence[Year], count: int, persistence: float = PERSISTENCE) -> Band:
-    """Of the mean of so many years that follow the last year of record.
+    """The band of the mean of ``count`` years after the last year of record.
 
     Parameters
     ----------
@@ -60,7 +61,7 @@ def band_of_next(years: Sequence[Year], count: int, persistence: float = PERSIST
 
 
 def covariance(lags: FloatArray, persistence: float) -> FloatArray:
-    """Of fractional Gaussian noise of deviation 1, over lags in years."""
+    """Covariance of fractional Gaussian noise with standard deviation 1, over lags in years."""
     power = 2.0 * persistence
     at = np.abs(lags)
     found: FloatArray = 0.5 * ((at + 1.0) ** power - 2.0 * at**power + np.abs(at - 1.0) ** power)
@@ -68,14 +69,15 @@ def covariance(lags: FloatArray, persistence: float) -> FloatArray:
 
 
 class _Known(NamedTuple):
-    """What years of record tell of others."""
+    """Properties of other years that follow from the years of record."""
 
-    mean: float  # best linear estimate, of shares made normal
-    mean_spread: float  # standard error of the mean, in deviations of a year
-    deviation: float  # of a year, root of the unbiased estimate of its square
+    mean: float  # best linear estimate of the transformed shares
+    mean_spread: float  # standard error of the mean, in standard deviations of a year
+    deviation: float  # standard deviation of a year, from the unbiased estimate of its square
     freedom: int
     to_come: FloatArray  # (count,) best linear prediction
-    root: FloatArray  # (count, count) of the covariance of its errors, in deviations of a year
+    # (count, count) root of the covariance of its errors, in standard deviations of a year
+    root: FloatArray
 
 
 def _predicted(years: Sequence[Year], count: int | None, persistence: float) -> Band:
@@ -92,7 +94,7 @@ def _predicted(years: Sequence[Year], count: int | None, persistence: float) -> 
 
 
 def _known(shares: FloatArray, at: NDArray[np.int_], count: int, persistence: float) -> _Known:
-    """By generalised least squares."""
+    """Estimates by generalised least squares."""
     values = np.arcsin(np.sqrt(shares))
     times = np.concatenate([at, at[-1] + 1 + np.arange(count)]).astype(float)
     whole = covariance(times[:, None] - times, persistence)
@@ -104,14 +106,15 @@ def _known(shares: FloatArray, at: NDArray[np.int_], count: int, persistence: fl
     off = values - mean
     square = float(off @ (solved[:, 1] - mean * solved[:, 0])) / (n - 1)
     to_come = mean + solved[:, 2:].T @ off
-    lacking = 1.0 - across @ solved[:, 0]  # what of the mean the years of record do not stand for
+    # share of the mean that the years of record do not represent
+    lacking = 1.0 - across @ solved[:, 0]
     errors = ahead - across @ solved[:, 2:] + np.outer(lacking, lacking) / weight
     root = np.asarray(np.linalg.cholesky(errors)) if count else errors
     return _Known(mean, weight**-0.5, math.sqrt(square), n - 1, to_come, root)
 
 
 def _drawn(known: _Known, count: int | None, draw: np.random.Generator) -> FloatArray:
-    """Shares of means, (BLOCK,)."""
+    """Drawn shares of means, (BLOCK,)."""
     from scipy.special import ndtri
 
     deviation = known.deviation / np.sqrt(draw.chisquare(known.freedom, BLOCK) / known.freedom)

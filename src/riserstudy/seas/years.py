@@ -1,4 +1,4 @@
-"""Rows of a record by year, and how many of them are workable."""
+"""Numbers of rows and workable rows of a record by year."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-WHOLE = 0.8  # of a year's hours that are to be recorded for it to count as one
+WHOLE = 0.8  # smallest share of recorded hours with which a year counts as complete
 
 
 class Year(NamedTuple):
-    """Rows of a year and how many are workable."""
+    """Numbers of rows and workable rows of a year."""
 
     year: int
     rows: int
@@ -20,14 +20,14 @@ class Year(NamedTuple):
 
     @property
     def share(self) -> float:
-        """Workable rows over all."""
+        """Ratio of workable rows to all rows."""
         return self.workable / self.rows
 
 
 def by_year(
     time: NDArray[np.datetime64], workable: NDArray[np.bool_], interval: float
 ) -> list[Year]:
-    """Rows a year (interval: hours between rows)."""
+    """Numbers of rows by year (interval: hours between rows)."""
     years = time.astype("datetime64[Y]").astype(int) + 1970
     found = []
     for year in np.unique(years):

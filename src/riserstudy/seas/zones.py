@@ -1,4 +1,4 @@
-"""Whether times are in UTC: by attributes of netCDF, which its decoder ignores, or by a column of zones."""
+"""Check that times are in UTC, by netCDF attributes, which the decoder ignores, or by a column of zones."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from riserstudy.seas.columns import plain
 if TYPE_CHECKING:
     import xarray as xr
 
-#: names of attributes or columns that give a zone, and of text that may mention one
+#: names of attributes or columns with a zone, and of text that may mention one
 ZONES_BY_NAME = ("time_zone", "timezone", "tz", "zone", "time_offset", "utc_offset", "gmt_offset")
 TEXTS = (
     "long_name",
@@ -38,17 +38,17 @@ OF_FILE = re.compile(rf"{LOCAL}|(?i:\btimes?\b).{{0,20}}{ABBREVIATIONS}")
 
 
 def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, Any]) -> None:
-    """See that no attribute says that times are of another zone than UTC.
+    """Check that no attribute states another time zone than UTC.
 
     Parameters
     ----------
-    clock : the times, of which xarray has taken out a numeric offset in their units.
+    clock : the times; xarray has already applied a numeric offset in their units.
     about : attributes of the file.
 
     Raises
     ------
     InputError
-        With the attribute that says so.
+        With the attribute that states it.
     """
     for source, value in _other_zones(clock, name, about):
         allowed = "convert the times to UTC, or correct the attribute"
@@ -56,7 +56,7 @@ def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, A
 
 
 def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
-    """See that a column of zones, if it is one by its heading, has UTC alone.
+    """Check that a column of zones, identified by its heading, has only UTC.
 
     Raises
     ------
@@ -74,9 +74,9 @@ def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
 def _other_zones(
     clock: xr.DataArray, name: str, about: Mapping[Any, Any]
 ) -> Iterator[tuple[str, str]]:
-    """Attributes that give another zone than UTC, with their values."""
+    """Attributes that state another zone than UTC, with their values."""
     units = str(clock.encoding.get("units", ""))
-    if OF_TIMES.search(units):  # which would be ignored
+    if OF_TIMES.search(units):  # the decoder would ignore it
         yield f"{name}:units", units
     for where, attributes, local in ((f"{name}:", clock.attrs, OF_TIMES), ("", about, OF_FILE)):
         for key, value in attributes.items():
