@@ -18,7 +18,8 @@ from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, keep, recall
 from riserstudy.syntax import meaning
 
-#: folders of the packages whose sources count: ours, and the chapters of a study of one's own
+#: folders of the packages whose sources count: ours, and the chapters of a study of one's own; of modules
+#: that chapters import those count, too, that lie in the folder where one works
 ROOTS = {"riserstudy": PACKAGE, "chapters": Path("chapters")}
 ENGINE = "riserstudy.simulation.refine"  # what simulates
 KEPT = "sources"  # in the cache: what was found out about sources, by hash of their content
@@ -71,22 +72,23 @@ def engine_digest() -> str:
 
 def dependencies(module: str) -> frozenset[Path]:
     """Source files of a module, of all that it imports, and what they read from beside themselves."""
-    return _dependencies(module, tuple(root.absolute() for root in ROOTS.values()))
+    return _dependencies(module, (Path.cwd(), *(root.absolute() for root in ROOTS.values())))
 
 
 @cache
 def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
     seen: set[str] = set()
     files: set[Path] = set()
-    left = [module]
+    left = [(module, False)]
     while left:
-        name = left.pop()
-        file = source_of(name)
+        name, of_chapter = left.pop()
+        file = source_of(name) or (_beside_chapters(name) if of_chapter else None)
         if file is None or name in seen:
             continue
         seen.add(name)
         files |= {file, *data_of(file)}
-        left += [*imported_by(name, file), _above(name)]
+        own = not file.is_relative_to(PACKAGE)
+        left += [(other, own) for other in (*imported_by(name, file), _above(name))]
     _keep_facts()
     return frozenset(files)
 
@@ -95,6 +97,12 @@ def source_of(module: str) -> Path | None:
     """File of a module, or None: a name that is imported may be no module, or another package's."""
     first, *steps = module.split(".")
     return _source_of(ROOTS[first].absolute(), *steps) if first in ROOTS else None
+
+
+def _beside_chapters(module: str) -> Path | None:
+    """File of a module of neither package in the folder where one works, where chapters find it."""
+    first, *steps = module.split(".")
+    return None if first in {"", *ROOTS} else _source_of(Path(first).absolute(), *steps)
 
 
 @cache
@@ -264,7 +272,11 @@ def _executed(tree: ast.AST) -> Iterator[ast.AST]:
     """All nodes but those that only tell types."""
     for node in ast.iter_child_nodes(tree):
         test = node.test if isinstance(node, ast.If) else None
-        if not (isinstance(test, ast.Name) and test.id == "TYPE_CHECKING"):
+        if isinstance(node, ast.If) and isinstance(test, ast.Name) and test.id == "TYPE_CHECKING":
+            for other in node.orelse:  # which is what runs
+                yield other
+                yield from _executed(other)
+        else:
             yield node
             yield from _executed(node)
 

@@ -159,6 +159,39 @@ def test_a_chapter_s_data_counts_where_the_module_names_it(chapter):
     assert "measured.csv" in names_behind("chapters.mine.figures")
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_an_edit_of_what_a_chapter_imports_from_where_one_works_changes_its_digest(
+    seed, chapter, tmp_path
+):
+    draw = random.Random(seed)
+    name = draw.choice(["shared", "lib.tools", "lib.deep.table", "chapters.common.shared"])
+    file = tmp_path.joinpath(*name.split(".")).with_suffix(".py")
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(f"FACTOR = {draw.random()}\n")
+    package, _, last = name.rpartition(".")
+    ways = [f"import {name}", f"from {name} import FACTOR", f"from {name} import *"]
+    ways += [f"from {package} import {last}"] if package else []
+    line = draw.choice(ways)
+    checked = f"if TYPE_CHECKING:\n    import math\nelse:\n    {line}"
+    text = draw.choice([line, f"def inner():\n    {line}", checked])
+    (chapter / "figures.py").write_text("from . import near\n")
+    (chapter / "near.py").write_text(f"import numpy\n{text}\n")
+    forget()
+    before = digest(dependencies("chapters.mine.figures"))
+    file.write_text(f"FACTOR = {draw.random()}\n")
+    forget()
+    assert digest(dependencies("chapters.mine.figures")) != before
+
+
+def test_a_file_where_one_works_is_behind_nothing_of_the_package(chapter, tmp_path):
+    forget()
+    before = dependencies(ENGINE), dependencies(DERIVE)
+    for name in ("numpy", "json", "time", "xarray"):
+        (tmp_path / f"{name}.py").write_text("")
+    forget()
+    assert (dependencies(ENGINE), dependencies(DERIVE)) == before
+
+
 @pytest.mark.parametrize(
     "text, told",
     [
