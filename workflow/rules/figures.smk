@@ -20,7 +20,7 @@ rule figure:
         "draw {wildcards.paper}/{wildcards.figure}"
     shell:
         "python -m riserstudy.jobs draw {wildcards.paper} {wildcards.figure}"
-        " {output:q} {input.data:q} --units {params.units} > {log:q} 2>&1"
+        " {output:q} {input.data:q} --units {params.units} --expect {params.digest} > {log:q} 2>&1"
 
 
 for paper, name in PLAN.figures():

@@ -18,7 +18,7 @@ rule grade:
         "grade {wildcards.paper}"
     shell:
         "python -m riserstudy.jobs grade {wildcards.paper} {output.table:q} {output.errata:q}"
-        " {output.margins:q} {output.false:q} {input.data:q} > {log:q} 2>&1"
+        " {output.margins:q} {output.false:q} {input.data:q} --expect {params.digest} > {log:q} 2>&1"
 
 
 rule reproduction:

@@ -23,4 +23,4 @@ rule report:
         "make the report"
     shell:
         "python -m riserstudy.jobs report {output:q} {input.database:q} {input.compiled:q}"
-        " {params.papers} --units {params.units} > {log:q} 2>&1"
+        " {params.papers} --units {params.units} --expect {params.digest} > {log:q} 2>&1"

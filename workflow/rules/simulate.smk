@@ -162,4 +162,4 @@ rule derive:
         "derive {wildcards.paper}/{wildcards.study}"
     shell:
         "python -m riserstudy.jobs derive {wildcards.paper} {wildcards.study} {output:q} {input.data:q}"
-        " --settings {params.settings:q} > {log:q} 2>&1"
+        " --settings {params.settings:q} --expect {params.digest} > {log:q} 2>&1"

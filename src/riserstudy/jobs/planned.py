@@ -13,11 +13,12 @@ if TYPE_CHECKING:
 CONFIG = Path("config")  # in the folder where Snakemake runs
 
 
-def read_plan(tier: str, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
-    """The plan of a tier, of which some studies are checked."""
+def read_plan(tier: str | None, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
+    """The plan of a tier, of which some studies are checked; None: of that in config.yaml."""
     from riserstudy.jobs.workplan import Workplan
 
-    return Workplan.read(CONFIG, {"tier": tier, "papers": papers}, only=only)
+    settings = {"papers": papers} if tier is None else {"tier": tier, "papers": papers}
+    return Workplan.read(CONFIG, settings, only=only)
 
 
 def check_unchanged(digest: str, expected: str) -> None:
@@ -26,8 +27,9 @@ def check_unchanged(digest: str, expected: str) -> None:
     Raises
     ------
     SimulationError
-        When scene, study or engine changed since the workflow was planned, so that the digests differ.
+        When scene, study, published values, engine or code of the chapter changed since the workflow was
+        planned, so that the digests differ.
     """
     if digest != expected:
-        changed = "scene, study or engine changed while the workflow was running"
+        changed = "scene, study or code changed while the workflow was running"
         raise SimulationError(f"{changed}; run it again")

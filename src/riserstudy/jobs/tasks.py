@@ -1,7 +1,7 @@
 """Jobs of the rules, a function a rule: ``python -m riserstudy.jobs <function> ...``.
 
 A job reads, computes, writes whole files and seals them. One that is told what to ``--expect`` raises a
-`SimulationError` where scene, study or engine changed since the workflow was planned. What a job needs is
+`SimulationError` where scene, study or code changed since the workflow was planned. What a job needs is
 imported when it runs: the process that jobs are forks of has most of it, and a figure needs no solver.
 """
 
@@ -18,6 +18,7 @@ import typer
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, printable
 from riserstudy.jobs import processes
+from riserstudy.jobs.inputs import datasets_of, text_of
 from riserstudy.jobs.planned import CONFIG, check_unchanged, read_plan
 
 if TYPE_CHECKING:
@@ -238,11 +239,14 @@ def derive(
     target: Path,
     sources: list[Path],
     settings: Annotated[str, typer.Option(help="further arguments, as JSON")],
+    expect: Expect,
 ) -> None:
     """Derive a dataset from others."""
     from riserstudy.chapters.derive import derive
 
-    _write(derive(paper, name, _datasets(sources), json.loads(settings)), target)
+    datasets = datasets_of(sources)
+    check_unchanged(read_plan(None, [paper], only=[]).derived_digest(paper, name), expect)
+    _write(derive(paper, name, datasets, json.loads(settings)), target)
 
 
 @job
@@ -250,6 +254,7 @@ def draw(
     paper: str,
     name: str,
     targets: Annotated[tuple[Path, Path, Path], typer.Argument(metavar="PNG PDF CSV")],
+    expect: Expect,
     sources: Annotated[list[Path] | None, typer.Argument()] = None,
     units: Units = UnitSystem.FIELD,
 ) -> None:
@@ -258,18 +263,23 @@ def draw(
     from riserstudy.figures import save
     from riserstudy.jobs.figure import from_datasets, from_scene
 
+    datasets = datasets_of(sources or [])
+    check_unchanged(read_plan(None, [paper], only=[]).figure_digest(paper, name), expect)
     with reading_in(units):
-        if sources:
-            figure = from_datasets(CONFIG, paper, name, _datasets(sources))
-        else:
-            figure = from_scene(CONFIG, paper, name)
-        save(figure, *targets)
+        what = (CONFIG, paper, name)
+        save(from_datasets(*what, datasets) if datasets else from_scene(*what), *targets)
     _seal(*targets)
 
 
 @job
 def grade(
-    paper: str, graded: Path, errata: Path, margins: Path, false: Path, sources: list[Path]
+    paper: str,
+    graded: Path,
+    errata: Path,
+    margins: Path,
+    false: Path,
+    sources: list[Path],
+    expect: Expect,
 ) -> None:
     """Grade the numbers and claims of a paper and its errata; false claims about it, too."""
     from riserstudy.chapters import checks_of
@@ -281,7 +291,8 @@ def grade(
     from riserstudy.grading.rows import ErratumRow, Row, row_of, table
     from riserstudy.records.graded import Case
 
-    datasets, checks = _datasets(sources), checks_of(paper)
+    datasets, checks = datasets_of(sources), checks_of(paper)
+    check_unchanged(read_plan(None, [paper], only=[]).grade_digest(paper), expect)
     file = read_published(CONFIG, paper, datasets)
     items = grading.grade(file, datasets, checks)
     cases = (case for item in items for case in item.cases)
@@ -309,7 +320,7 @@ def join_tables(target: Path, sources: list[Path]) -> None:
     """
     from riserstudy.folders import write_whole
 
-    texts = [_text(source) for source in sources]
+    texts = [text_of(source) for source in sources]
     headers = {text.partition("\n")[0] for text in texts}
     if len(headers) > 1:
         raise InputError(target, "", "tables with different columns", "join tables with the same")
@@ -338,6 +349,7 @@ def report(
     database: Path,
     compiled: Path,
     papers: Papers,
+    expect: Expect,
     units: Units = UnitSystem.FIELD,
 ) -> None:
     """Make the report from all results."""
@@ -345,16 +357,10 @@ def report(
     from riserstudy.report import write_report
     from riserstudy.report.contents import Sources
 
+    check_unchanged(read_plan(None, papers, only=[]).report_digest, expect)
     with reading_in(units):
         write_report(Sources(CONFIG, papers, database, compiled), target)
     _seal(target)
-
-
-def _datasets(sources: list[Path]) -> dict[str, xr.Dataset]:
-    """Datasets by name."""
-    import xarray as xr
-
-    return {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
 
 
 def _write(dataset: xr.Dataset, target: Path) -> None:
@@ -363,13 +369,6 @@ def _write(dataset: xr.Dataset, target: Path) -> None:
 
     write_dataset(dataset, target)
     _seal(target)
-
-
-def _text(source: Path) -> str:
-    try:
-        return source.read_text("utf-8")
-    except OSError as error:
-        raise InputError(source, "", str(error.strerror), "run its job again") from None
 
 
 def _seal(*targets: Path) -> None:

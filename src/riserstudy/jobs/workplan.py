@@ -230,8 +230,12 @@ class Workplan(Configuration):
 
     @property
     def database_digest(self) -> str:
-        """The code that builds the results database."""
-        return digest(dependencies(DATABASE))
+        """The code that builds the results database, and the files of which it tells.
+
+        An older file that is put in the place of a newer one keeps its date.
+        """
+        files = [Path(file) for file in (*self.study_files, *self.published_files)]
+        return f"{digest(files)}-{digest(dependencies(DATABASE))}"
 
     @property
     def published_files(self) -> list[str]:
