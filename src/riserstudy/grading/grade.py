@@ -114,7 +114,7 @@ def graded(
         )
         grounds = explained(shares, found, about, known or verdict, hit, called)
         if known != verdict:
-            grounds = replace(grounds, because="missing values")
+            grounds = replace(grounds, because="missing values", settled=None)
     margins = _margins(_margin(item, space), _margin(item, base))
     return Graded(*printed, simulated, item.unit, off, verdict, grounds, *margins, cases)
 
@@ -193,6 +193,7 @@ def _grounds(task: Task, base: Found, every: Found, found: xr.DataArray) -> Grou
     many = found.dims == ("sample",) and known.size >= MANY
     left_out = found.size - known.size
     alone = share_with_interval(_met(item, granted.value)) if item.together else None
+    hit = bool((_answers(item, base) > 0.0).all())
     return Grounds(
         within=item.within,
         words=[Meaning(*word) for word in item.words],
@@ -200,7 +201,7 @@ def _grounds(task: Task, base: Found, every: Found, found: xr.DataArray) -> Grou
         missing=Missing(left_out, found.size) if left_out else None,
         together=Together(item.together, alone) if alone else None,
         chosen=Chosen(item.chosen.what, item.chosen.varied) if item.chosen else None,
-        settled=settled(known > 0.0) if many else None,
+        settled=settled(known > 0.0, item.kind, hit) if many else None,
         outcomes=[*_outcomes(task, base)],
         note=item.note,
     )

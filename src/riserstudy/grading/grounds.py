@@ -16,7 +16,16 @@ from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding, shares_by_option
 from riserstudy.grading.sequential import SURE, decided_after
 from riserstudy.grading.verdict import ALMOST_ALWAYS, few
-from riserstudy.records.graded import Grounds, Influence, Outcome, Reading, Settled, Share, Verdict
+from riserstudy.records.graded import (
+    Grounds,
+    Influence,
+    Kind,
+    Outcome,
+    Reading,
+    Settled,
+    Share,
+    Verdict,
+)
 
 MANY = 100  # samples from which a share has an interval
 
@@ -45,6 +54,8 @@ def explained(
     if verdict != "depends":
         return grounds
     shares = [reading.share for reading in grounds.readings] or [share_with_interval(found)]
+    if not any(share.met for share in shares):  # of a number that the base case alone meets
+        return replace(grounds, because="base case")
     if all(share.met / share.samples >= ALMOST_ALWAYS for share in shares):
         # whatever else is open, it decides nothing
         short = base and any(few(share.draws) for share in shares)
@@ -116,6 +127,6 @@ def share_with_interval(found: xr.DataArray) -> Share:
     return replace(share, low=float(band.low), high=float(band.high))
 
 
-def settled(hits: NDArray[np.bool_]) -> Settled:
-    """When the verdict was certain; ``hits`` as in ``decided_after``."""
-    return Settled(decided_after(hits), len(hits), SURE)
+def settled(hits: NDArray[np.bool_], kind: Kind, base: bool) -> Settled:
+    """When the verdict was certain; as in ``decided_after``."""
+    return Settled(decided_after(hits, kind, base), len(hits), SURE)

@@ -10,11 +10,19 @@ Clopper and Pearson (1934), bounds of a share from hits among draws.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import binomtest
 
-from riserstudy.grading.verdict import ALMOST_ALWAYS, ALMOST_NEVER
+from riserstudy.grading.verdict import (
+    ALMOST_ALWAYS,
+    ALMOST_NEVER,
+    verdict_of_claim,
+    verdict_of_number,
+)
+from riserstudy.records.graded import Kind, Verdict
 
 SURE = 0.99  # that a share lies on the side of a bound on which it seems to lie
 FIRST = 8  # samples
@@ -37,12 +45,28 @@ def certain(hits: int, samples: int) -> bool:
     return bool(always or never or (band.low > ALMOST_NEVER and band.high < ALMOST_ALWAYS))
 
 
-def decided_after(hits: NDArray[np.bool_]) -> int | None:
-    """Samples after which the verdict was certain; None when all of them leave it open.
+def decided_after(hits: NDArray[np.bool_], kind: Kind = "claim", base: bool = True) -> int | None:
+    """Samples after which the verdict of all of them was certain; None when all of them leave it open.
 
     Parameters
     ----------
     hits : (samples,) in the order of their numbers.
+    kind : "number" or "claim".
+    base : whether the base case is met.
     """
-    total = np.cumsum(hits)
-    return next((n for n in looks(len(hits)) if certain(int(total[n - 1]), n)), None)
+    total, verdict = np.cumsum(hits), _verdict_by_share(kind, base)
+    last = verdict(float(np.mean(hits)))
+    return next(
+        (
+            n
+            for n in looks(len(hits))
+            if certain(int(total[n - 1]), n) and verdict(float(total[n - 1]) / n) == last
+        ),
+        None,
+    )
+
+
+def _verdict_by_share(kind: Kind, base: bool) -> Callable[[float], Verdict]:
+    if kind == "number":
+        return lambda share: verdict_of_number(base, share, False)
+    return lambda share: verdict_of_claim(share, False, base)

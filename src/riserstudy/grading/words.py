@@ -115,7 +115,8 @@ def decided_by(grounds: Grounds) -> str:
     if grounds.because == "base case":
         return "the base case"
     if grounds.because == "missing values" and grounds.missing:
-        return f"{grounds.missing.cases} cases without a result"
+        cases = grounds.missing.cases
+        return f"{cases} {'case' if cases == 1 else 'cases'} without a result"
     if grounds.because == "inputs":
         names = [influence.name for influence in grounds.decided_by]
         weak = grounds.explained is not None and grounds.explained < DECIDES
