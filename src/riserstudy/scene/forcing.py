@@ -73,7 +73,11 @@ class Tilt(Harmonic):
 
 
 class Cruise(Strict):
-    """Constant speed, along x by default. It is reached linearly over the ramp, by default suddenly."""
+    """Cruise of the platform at a constant speed, by default along x.
+
+    Over ``ramp`` the speed increases linearly from zero. By default the platform has this speed from the
+    start.
+    """
 
     speed: u.Speed
     heading: u.Angle | None = None
@@ -168,8 +172,8 @@ class Platform(Strict):
     and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) are those of the
     initial heading of the vessel. Phases are those of the wave at the initial place of the vessel, however
     far it drifts; a run warns if the vessel drifts along the waves of the scene by more than a tenth of
-    their length. Cruise and a position in surge or sway are then not allowed; ``top.offset`` gives the
-    initial place of the vessel.
+    their length. With a ``vessel``, a cruise and a position in surge or sway are not allowed; ``top.offset``
+    gives the initial place of the vessel.
     """
 
     position: Position | None = None

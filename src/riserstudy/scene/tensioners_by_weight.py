@@ -13,7 +13,8 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of cylinders as a ratio of critical damping.
 
-    The critical damping is that of the suspended weight, as one mass, on the stiffness of the cylinders.
+    Critical damping is computed for the suspended weight as one mass on a spring, which has the stiffness of
+    the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]
@@ -24,7 +25,7 @@ class DampingRatio(Strict):
 
 
 class Carried(Strict):
-    """Linear force of the cylinders, derived from the suspended weight; used instead of ``linear``.
+    """Linear force of the cylinders, derived from the suspended weight; it replaces the key ``linear``.
 
     At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
     ``doubles_over``: extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
