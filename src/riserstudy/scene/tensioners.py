@@ -164,9 +164,9 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default they have no damping and no stops.
 
-    ``mid_stroke``: state of the riser in which all cylinders are at mid-stroke. The riser is vertical in
-    still water, at an offset of zero. It is unstretched, or in equilibrium with the tension that all
-    cylinders have at mid-stroke.
+    ``mid_stroke``: state of the riser in which all cylinders are at mid-stroke. In this state the riser is
+    vertical in still water, at an offset of zero. It is either unstretched, or in equilibrium with the
+    tension that all cylinders have at mid-stroke.
 
     ``table``: any other law, as the pull of one cylinder over its reach (its extension from mid-stroke). The
     table is interpolated smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the
