@@ -184,9 +184,28 @@ def test_a_point_that_cannot_be_completed_has_no_numbers_and_says_why():
 )
 def test_failure_is_an_error_where_it_must_be(axes, options):
     with pytest.raises(
-        SimulationError, match=r"points? cannot be completed; at top_tension = (25|30):"
+        SimulationError, match=r"points? cannot be completed; at top_tension = (25|30) kN:"
     ):
         swept(axes, **options)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_failing_points_of_a_study_are_told_by_their_values_and_words(seed, monkeypatch):
+    draw = np.random.default_rng(seed)
+    axes = {"top.tension": [2000.0, 2500.0, 3000.0], "lower_end": TWO_WAYS}
+    study = planned(dict(reversed(axes.items())) if seed % 2 else axes)
+    lost = study.plan[int(draw.integers(len(study.plan)))]
+    failure = SimulationError("it does not stand")
+    monkeypatch.setattr(
+        simulate_points, "_simulate", lambda _, p: failure if p.key == lost.key else None
+    )
+    monkeypatch.setattr(store, "pack", lambda _: None)
+    place = dict(zip(study.axes, lost.index, strict=True))
+    tension = f"top_tension = {[2000, 2500, 3000][place['top_tension']]} kN"
+    words = {"lower_end": f"lower_end = {[*TWO_WAYS][place['lower_end']]}", "top_tension": tension}
+    told = ", ".join(words[name] for name in study.axes)
+    with pytest.raises(SimulationError, match=f"1 of 6 points .* first, at {told}: it does not"):
+        simulate_points.fill(study, study.plan, 1)
 
 
 @pytest.mark.parametrize(

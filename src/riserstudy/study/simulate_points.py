@@ -78,10 +78,9 @@ def fill(study: Study, points: Iterable[Point], processes: int, count: Count | N
     made = total - done[0]
     if failures:
         point = next(point for point in every if point.key in failures)
-        place = dict(zip(study.axes, point.index, strict=True))
         raise SimulationError(
             f"{study.where}: {len(failures)} of {made} points cannot be completed; "
-            f"the first, at index {place}: {failures[point.key]}"
+            f"the first, at {study.place(point.index)}: {failures[point.key]}"
         )
     return made
 

@@ -19,7 +19,7 @@ from riserstudy.scene.origin import Origin
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
-from riserstudy.study.grid import Grid, Point
+from riserstudy.study.grid import Grid, Index, Point
 from riserstudy.study.models import StudyModel, TuneAt, meets
 from riserstudy.study.store import canonical
 
@@ -90,6 +90,16 @@ class Study:
             else:
                 axes[name] = list(axis.items())
         return axes
+
+    def place(self, index: Index) -> str:
+        """A point by its value on each axis, with the unit: ``offset = 10 m, current = half``."""
+        words = []
+        for (name, values), k in zip(self.axes.items(), index, strict=True):
+            axis, value = self.model.axes[name], values[k][0]
+            number = f"{value:g}" if isinstance(value, float) else f"{value}"
+            unit = f" {axis.unit}" if isinstance(axis, Numbers) and axis.unit != "1" else ""
+            words.append(f"{name} = {number}{unit}")
+        return ", ".join(words)
 
     def assumed(self, axis: Samples) -> list[dict[str, Any]]:
         """The assumptions of each sample: values by path of the scene, and interpretations by name."""

@@ -163,13 +163,10 @@ def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) 
 def _in_words(study: Study, points: list[Point], failures: Mapping[str, object]) -> str:
     """The number of points that cannot be completed, and the reason for the first, in words."""
     point = next(p for p in points if p.key in failures)
-    place = {name: study.axes[name][k][0] for name, k in zip(study.axes, point.index, strict=True)}
     many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
-    where = ", ".join(
-        f"{name} = {value:g}" if isinstance(value, float) else f"{name} = {value}"
-        for name, value in place.items()
+    return (
+        f"sweep: {many} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
     )
-    return f"sweep: {many} cannot be completed; at {where}: {failures[point.key]}"
 
 
 def as_study(

@@ -169,9 +169,9 @@ class Tuner:
         SimulationError
             When this run cannot be completed, or is not accurate enough.
         """
-        at = dict(zip(self.study.axes, index, strict=True))
-        where = f"{self.study.where}: at index {at}"
-        self.notify(f"a request and a finer run at index {at}")
+        at = self.study.place(index)
+        where = f"{self.study.where}: at {at}"
+        self.notify(f"a request and a finer run at {at}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
         scene = file.with_values(self.request, "--accuracy").resolved()
         try:
