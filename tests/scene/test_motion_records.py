@@ -67,3 +67,27 @@ def test_the_platform_keeps_the_value_of_the_point_at_the_end(seed, part):
         shift = np.interp(0.0, times, values) - values[0]
         np.testing.assert_allclose(moved[after] + shift, values[-1], atol=1e-6)
     assert any("platform.heave" in text for text in json.loads(one.attrs["warnings"]))
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_records_without_sway_roll_and_yaw_leave_a_riser_in_its_plane(seed):
+    """The columns of zeros of a table of six motions are no reason to simulate the riser in space."""
+    tree = moving(seed, spatial=False)
+    tree["analysis"]["mesh"] = {"elements": 8}
+    still = SceneFile("scene.yaml", written(tree))
+    times = np.linspace(0.0, tree["analysis"]["duration"], 9).tolist()
+
+    def recorded(value, unit):
+        return {"points": [{"time": f"{t!r} s", "value": f"{value!r} {unit}"} for t in times]}
+
+    columns = {"sway": "m", "roll": "rad", "yaw": "rad"}
+    zeros = {f"platform.{name}": recorded(0.0, unit) for name, unit in columns.items()}
+    file = still.with_values(zeros, "test")
+    assert not file.resolved().spatial
+    one, other = (simulate(of, progress=False) for of in (still, file))
+    assert set(one.data_vars) == set(other.data_vars)
+    for name in ("x", "z", "effective_tension", "bending_moment", "ufj_angle", "lfj_angle"):
+        np.testing.assert_array_equal(other[name], one[name])
+    for name, unit in columns.items():
+        moved = still.with_values({f"platform.{name}": recorded(1e-3, unit)}, "test")
+        assert moved.resolved().spatial == f"platform.{name}"

@@ -119,7 +119,8 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
-    Before the first point and after the last, the motion keeps the value of this point.
+    Before the first point and after the last, the motion keeps the value of this point. A sway, roll or yaw
+    whose values are all zero is no motion out of the plane.
     """
 
     points: Annotated[list[P], Field(min_length=4)]

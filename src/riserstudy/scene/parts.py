@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, Any
 
 from pydantic import Field, field_validator
 
@@ -15,7 +15,7 @@ from riserstudy.scene.buoyant_factor import Buoyancy
 from riserstudy.scene.disconnect import Disconnect
 from riserstudy.scene.ends import Body, Bottom, Top
 from riserstudy.scene.fatigue import Fatigue
-from riserstudy.scene.forcing import Current, Platform, Water
+from riserstudy.scene.forcing import Current, Platform, TimeSeries, Water
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.riser import RigidBody, Section
 from riserstudy.scene.sea import IrregularSea, RegularWave
@@ -164,7 +164,7 @@ class Parts(Strict):
         """The key of the scene that requires motion out of the plane of x and z, "" when none does."""
         platform = self.platform or Platform()
         reasons = {
-            f"platform.{where}{name}": getattr(of, name, None)
+            f"platform.{where}{name}": _moving(getattr(of, name, None))
             for where, of in (("position.", platform.position), ("", platform))
             for name in ("sway", "roll", "yaw")
         }
@@ -183,3 +183,9 @@ class Parts(Strict):
         if any(section.viv for section in self.riser):
             reasons["riser.viv"] = True  # across the flow
         return next((name for name, value in reasons.items() if value is not None), "")
+
+
+def _moving(motion: Any) -> Any:
+    """A motion; None for a record whose values are all zero."""
+    still = isinstance(motion, TimeSeries) and not any(point.value for point in motion.points)
+    return None if still else motion
