@@ -130,6 +130,32 @@ def test_circles_of_a_cruise_do_not_depend_on_the_outputs(
     assert number(found[0], "yellow circle (m)") == pytest.approx(late, rel=1e-6)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_run_that_begins_beyond_a_circle_says_so(commands, tmp_path, seed):
+    """A platform that cruises past the well is farther from it at the start than at the alarm, or is not."""
+    draw = np.random.default_rng(seed)
+    start, heading = draw.uniform(-80.0, 20.0), draw.uniform(-0.3, 0.3) if seed % 2 else 0.0
+    speed, limit = draw.uniform(0.8, 1.5), 90.0
+    cruise = {"speed": f"{speed} m/s", "heading": f"{heading} rad"}
+    top = {"x": "platform", "z": "held", "elevation": "1001 m", "offset": f"{start} m"}
+    scene = scene_file(
+        tmp_path, limits=[angled(limit)], vessel=None, top=top, platform={"cruise": cruise}
+    )
+    table, times = tmp_path / "out.csv", ["--disconnect", "30 s", "--prepare", "20 s"]
+    assert commands("watch-circles", scene, *times, "--csv", table)[0] == 0
+    row = rows_of(table)["connected: first of all"]
+
+    def way(time):
+        return abs(start + speed * time * np.exp(1j * heading))
+
+    first = number(row, "reached (s)")
+    for column, before in (("red", 30.0), ("yellow", 50.0)):
+        radius = number(row, f"{column} circle (m)")
+        assert radius == pytest.approx(way(first - before), rel=1e-6)
+        told = f"{column}: the run begins {abs(start):.4g} m from the well" in row["note"]
+        assert told == (abs(start) > radius + 0.01)
+
+
 @pytest.mark.parametrize("force, current, limit, seconds", drawn()[:3])
 def test_circles_of_a_vessel_are_right_or_their_outputs_too_coarse(
     commands, tmp_path, force, current, limit, seconds

@@ -175,6 +175,8 @@ def _row(name: str, first: float, error: float, way: Way, times: Times) -> list[
         if latest <= 0.0:
             note.append(f"{colour}: an alarm at the start is too late")
             continue
+        if (begun := way.at(0.0)) > way.at(latest) + LEAST:
+            note.append(f"{colour}: the run begins {begun:.4g} m from the well, beyond this circle")
         shifted = abs(way.at(latest) - way.at(max(latest - error, 0.0)))
         unsure = way.error(latest) + shifted
         if unsure > max(COARSE * way.at(latest), LEAST):
