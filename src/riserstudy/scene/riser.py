@@ -148,7 +148,7 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. Its weight is added to ``submerged_weight``.
 
-    Its mass moves with the pipe only in directions across the pipe.
+    The mass of the fluid moves with the pipe only in directions across the pipe.
 
     If ``contents`` are absent, no weight of contents is added. For a bore that is open to the sea, give sea
     water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by

@@ -46,8 +46,8 @@ class Swell(Strict):
 class RegularWave(Swell, Wave):
     """A regular Airy wave with an amplitude, or with a height of twice the amplitude.
 
-    Its surface is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and the wave
-    travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
+    The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and
+    the wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
     ``above_mean_level``: velocities above the mean level are zero (none), those of the mean level (constant),
     or those of a stretched profile (stretched, after Wheeler).
     """
