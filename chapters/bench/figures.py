@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, headline, panel_title, panels
+from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
 
 STATIONS = (433.0, 333.0, 233.0, 133.0)  # m from the bottom
 LAST = 40.0  # s at the end of the histories at these
@@ -65,15 +65,14 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     axes[2].set_ylabel("top tension (kN)")
     axes[2].set_ylim(bottom=2100)
     handles = [*axes[0].get_legend_handles_labels(), *axes[1].get_legend_handles_labels()]
-    figure.legend(
-        [*handles[0], *handles[2]], [*handles[1], *(f"{name}, (b) and (c)" for name in handles[3])],
-        loc="outside lower center", ncols=6, fontsize="small",
-    )  # fmt: skip
-    moments = [float(abs(scene["bending_moment_max"]).max()) / 1e3 for scene in (s2, s2c)]
-    headline(
-        figure,
-        f"A held top changes the largest moment by {100 * (moments[1] / moments[0] - 1):+.1f} %",
-    )
+    labels = [*handles[1], *(f"{name}, (b) and (c)" for name in handles[3])]
+    legend_below(figure, [*handles[0], *handles[2]], labels, 6)
+    moments = [
+        max(float(abs(scene[f"bending_moment_{side}"]).max()) for side in ("max", "min"))
+        for scene in (s2, s2c)
+    ]
+    changed = f"{100.0 * (moments[1] / moments[0] - 1.0):+.1f} %".replace("-", "−")
+    headline(figure, f"A held top changes the largest moment by {changed}")
     return figure
 
 
@@ -85,12 +84,12 @@ def heave(s3: xr.Dataset) -> Figure:
     moved = s3["z"] - s3["z_static"].values
     stretch = moved.isel(s=0) - moved.isel(s=-1)
     axes[1].plot(s3["time"], 1e3 * stretch, color=COLOURS[0])
-    axes[1].set_ylabel("lower end above the top's motion (mm)")
+    axes[1].set_ylabel("lower-end motion\nminus top motion (mm)")
     for ax in axes:
         ax.set_xlabel("time (s)")
     headline(
         figure,
-        f"The riser stretches by {1e3 * float(abs(stretch).max()):.0f} mm in "
+        f"The riser stretches by {1e3 * float(-stretch.min()):.0f} mm in "
         f"{float(abs(moved.isel(s=-1)).max()):.2f} m of heave",
     )
     return figure
