@@ -8,8 +8,18 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels
 
+#: a colour for each limit, in all modes
+OF_LIMIT = {
+    "mean lfj_angle": COLOURS[0],
+    "mean ufj_angle": COLOURS[1],
+    "largest lfj_angle": COLOURS[2],
+    "largest ufj_angle": COLOURS[5],
+    "largest joint_stroke": COLOURS[3],
+    "largest von_mises_stress": COLOURS[4],
+    "smallest effective_tension": COLOURS[6],
+}
 #: what a mode allows, as the title says it
 ALLOWED = {
     "drilling": "drilling",
@@ -40,10 +50,11 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     mine = [name for name in operability["limit"].values if str(name).startswith(mode + ":")]
     limits = operability["offset_of_limit"]
     for ax, mud in zip(axes, muds, strict=True):
-        for colour, name in zip(COLOURS, mine, strict=False):
+        for name in mine:
             reached = np.isfinite(limits.sel(limit=name)).any()
-            label = in_words(str(name).partition(": ")[2]) + ("" if reached else " (not reached)")
-            _line(ax, limits.sel(limit=name, mud_weight=mud), colour, label)
+            limit = str(name).partition(": ")[2]
+            label = in_words(limit) + ("" if reached else " (not reached)")
+            _line(ax, limits.sel(limit=name, mud_weight=mud), OF_LIMIT.get(limit, GREY), label)
         envelope = operability["envelope_offset"].sel(operation=mode, mud_weight=mud)
         _shade(ax, envelope, operability.attrs["reach"])
         ax.axhline(0.0, color="black", linewidth=0.6)

@@ -35,9 +35,7 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
         ax.set_yticks(range(len(setting)), [f"{t:.2f}" for t in setting])
         clear = one["clearance_min"].min("phase").transpose("gas_pressure", "heave_amplitude")
         for (row, column), value in np.ndenumerate(clear.values):
-            ax.text(
-                column, row, f"{max(value, 0.0):.1f}", ha="center", va="center", fontsize="x-small"
-            )
+            ax.text(column, row, _metres(value), ha="center", va="center", fontsize="x-small")
         panel_title(ax, f"mud of {mud:g} kg/m³; numbers: smallest clearance (m)")
         ax.set_xlabel("heave amplitude (m)")
     for ax in axes[::columns]:
@@ -45,6 +43,11 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
     _key(figure, recoil_outcome["recoil_verdict"])
     headline(figure, _answer(recoil_outcome))
     return figure
+
+
+def _metres(clearance: float) -> str:
+    """A clearance (m) to one digit, or to two where one would be a zero and there is no contact."""
+    return f"{clearance:.{2 if 0.0 < clearance < 0.05 else 1}f}" if clearance > 0.0 else "0.0"
 
 
 def _cells(ax: Axes, verdict: np.ndarray) -> None:
@@ -71,7 +74,7 @@ def _answer(of: xr.Dataset) -> str:
         if not len(some):
             return "No tested setting allows a safe disconnect in any heave"
         return f"Above {some.max():g} m of heave no tested setting allows a safe disconnect"
-    largest = heaves[every].max()
+    largest = heaves[np.logical_and.accumulate(every)].max()
     return f"Up to {largest:g} m of heave a tested setting allows a safe disconnect"
 
 
@@ -119,7 +122,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
             ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
         ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
         ax.set_xlabel("opening left by the valves (%)")
-        panel_title(ax, f"{count:g} units at work; numbers: largest lift (m)")
+        panel_title(ax, f"{count:g} units at work")
     pressures = recoil_failures_outcome["gas_pressure"].values
     axes[0].set_yticks(range(len(pressures)), [f"{p / 10:g}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")

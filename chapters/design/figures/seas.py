@@ -18,7 +18,8 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
     muds, heights = envelope["mud_weight"].values, envelope["significant_height"].values
     figure, axes = panels(1, len(muds), 4.0, sharey=True)
     for ax, mud in zip(axes, muds, strict=True):
-        for colour, height in zip(_rising(len(heights)), heights, strict=True):
+        widths = np.linspace(3.5, 1.2, len(heights))  # one is seen below the next
+        for colour, height, width in zip(_rising(len(heights)), heights, widths, strict=True):
             at = envelope.sel(mud_weight=mud, significant_height=height)
             angle = np.rad2deg(
                 float(allowances["ufj_angle_allowance"].sel(significant_height=height))
@@ -28,7 +29,15 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
                 ("high", f"$H_s$ = {height:g} m (UFJ angle +{angle:.1f}°)"),
             ):
                 one = at.sel(offset_side=side)
-                ax.plot(one["surface_speed"], one, ".-", color=colour, label=label)
+                ax.plot(
+                    one["surface_speed"],
+                    one,
+                    ".-",
+                    color=colour,
+                    lw=width,
+                    ms=5.0 + width,
+                    label=label,
+                )
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
         panel_title(ax, f"mud of {mud:g} kg/m³")
@@ -39,7 +48,7 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
 
 
 def _answer(of: xr.Dataset) -> str:
-    """By how much the highest sea narrows the offsets that the lowest leaves, in no current."""
+    """By how much the highest sea narrows the offsets that the lowest leaves, in no current, by mud."""
     calm = of.isel(surface_speed=0)
     ends = calm["envelope_offset"]
     room = ends.sel(offset_side="high") - ends.sel(offset_side="low")
@@ -47,10 +56,12 @@ def _answer(of: xr.Dataset) -> str:
     heights = of["significant_height"].values
     if np.isnan(high).any():
         return f"At $H_s$ = {heights[-1]:g} m no offset allows drilling"
-    taken = float((1.0 - high / low).max())
+    taken = 100.0 * (1.0 - high / low)
+    least, most = (f"{float(end):.0f}" for end in (taken.min(), taken.max()))
+    by = most if least == most else f"{least} to {most}"
     return (
         f"Raising $H_s$ from {heights[0]:g} to {heights[-1]:g} m "
-        f"reduces the drilling window by {100 * taken:.0f} %"
+        f"reduces the drilling window by {by} %"
     )
 
 

@@ -10,6 +10,21 @@ from matplotlib.figure import Figure
 from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 BASE = "base"
+WORDS = {
+    "mud": "mud density",
+    "LMRP": "LMRP mass",
+    "modules lift": "lift of the buoyancy modules",
+    "tension": "top tension",
+    "drag": "drag coefficient",
+    "lower joint": "lower flex joint",
+    "upper joint": "upper flex joint",
+    "steel's tolerance": "weight tolerance of steel",
+    "modules' tolerance": "lift tolerance of modules",
+    "tension ratio": "reduction factor",
+    "units out": "failed units",
+    "upper joint's allowance": "upper flex joint allowance",
+    "lower joint's allowance": "lower flex joint allowance",
+}
 LEAST = 0.005  # share of the largest effect that is worth a bar
 
 
@@ -51,7 +66,7 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
             if abs(there - base) > LEAST * largest:
                 side = "left" if there > base else "right"
                 ax.annotate(
-                    value,
+                    value.replace("/deg", "/°"),
                     (there, row),
                     (3 if there > base else -3, 0),
                     textcoords="offset points",
@@ -60,7 +75,8 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
                     fontsize="x-small",
                 )
     ax.axvline(base, color="black", linewidth=0.8)
-    ax.set_yticks(np.arange(len(largest_ones)), largest_ones, fontsize="small")
-    ax.margins(x=0.32)
+    words = [WORDS.get(name, name) for name in largest_ones]
+    ax.set_yticks(np.arange(len(words)), words, fontsize="small")
+    ax.margins(x=0.6)  # room for the ends of the ranges
     ax.grid(visible=False, axis="y")
-    return largest_ones[-1]
+    return words[-1]

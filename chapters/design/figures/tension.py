@@ -76,7 +76,7 @@ def tension_window(
             mud, floor, ceiling, where=ceiling > floor, facecolor="none", edgecolor="0.75",
             hatch="///", lw=0.0, label="between floor and ceiling, before recoil",
         )  # fmt: skip
-        title = f"{count} units failed"
+        title = f"{count or 'no'} unit{'' if count == 1 else 's'} failed"
         if count == 0:
             _recoil(ax, recoil_outcome, tension_ratio)
         else:

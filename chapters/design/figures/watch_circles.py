@@ -43,10 +43,10 @@ def _answer(circles: xr.Dataset) -> str:
         late = (at[f"{name}_circle_outcome"] == TOO_LATE).any("mud_weight").values
         if late.any():
             labels.append(
-                f"{name} alarm comes too late from {at['surface_speed'].values[late][0]:g} m/s"
+                f"{name} alarm is too late from {at['surface_speed'].values[late][0]:g} m/s"
             )
     if labels:
-        return f"The {' and the '.join(labels)}"
+        return f"With {eds:g} s to disconnect, the {' and the '.join(labels)}"
     speed = float(at["surface_speed"].max())
     red = float(at["red_circle_radius"].sel(surface_speed=speed).min())
-    return f"At {speed:g} m/s the red alarm must come within {red:.0f} m"
+    return f"With {eds:g} s to disconnect, the red alarm is due within {red:.0f} m at {speed:g} m/s"

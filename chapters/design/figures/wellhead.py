@@ -53,11 +53,11 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     right.set_xlabel("share of the variance of log damage (%)")
     right.grid(visible=False, axis="y")
     panel_title(right, "by input; grey: as by chance")
-    known = [WORDS.get(name, name) for name, one in zip(names, sure, strict=True) if one]
+    known = [k for k, one in enumerate(sure) if one]
     if known:
-        headline(
-            figure, f"The {known[0]} explains {shares[0]:.0f} % of the spread, more than others"
-        )
+        first = max(known, key=lambda k: float(shares[k]))
+        named, share = WORDS.get(names[first], names[first]), shares[first]
+        headline(figure, f"The {named} explains {share:.0f} % of the spread, more than others")
     else:
         headline(figure, "Damage of a conductor over what is not known of a well")
     return figure

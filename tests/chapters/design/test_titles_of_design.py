@@ -1,0 +1,219 @@
+"""Titles, labels and colours of the design figures, of datasets whose answer is known."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from drawn_whole import assert_whole
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from chapters.design.figures import operability
+from chapters.design.figures.recoil import _answer, _metres, recoil_failures
+from chapters.design.figures.seas import operability_in_seas
+from chapters.design.figures.sensitivity import sensitivity
+from chapters.design.figures.tension import tension_window
+from chapters.design.figures.watch_circles import watch_circles
+from chapters.design.figures.wellhead import wellhead_fatigue
+from riserstudy.design.watch_circles import TOO_LATE
+from riserstudy.figures.drawn import headline
+
+
+def extents(figure, texts):
+    """Where texts are in a figure (pixels)."""
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    return [text.get_window_extent(canvas.get_renderer()) for text in texts]
+
+
+def test_titles_of_three_panels_are_beside_each_other_and_whole():
+    shape = (5, 3, 3)
+    verdict = xr.DataArray(
+        np.zeros(shape, int),
+        dims=("gas_pressure", "valve_left_open", "units"),
+        coords={
+            "gas_pressure": [50.0, 57.0, 64.0, 71.0, 78.0],
+            "valve_left_open": [0.05, 0.3, 1.0],
+            "units": [6, 5, 4],
+        },
+    )
+    lift = xr.ones_like(verdict, float).expand_dims(phase=[0.0])
+    figure = recoil_failures(xr.Dataset({"recoil_verdict": verdict, "lift_max": lift}))
+    assert_whole(figure)
+    titles = [getattr(ax, "_left_title") for ax in figure.axes]  # noqa: B009
+    first, second, third = extents(figure, titles)
+    assert first.x1 < second.x0 and second.x1 < third.x0
+
+
+@pytest.mark.parametrize(
+    "clearance, text", [(-0.1, "0.0"), (0.0, "0.0"), (0.045, "0.04"), (0.06, "0.1"), (2.34, "2.3")]
+)
+def test_a_small_clearance_is_no_contact(clearance, text):
+    assert _metres(clearance) == text
+
+
+def test_a_heave_beyond_one_that_no_setting_survives_does_not_count():
+    of = xr.Dataset(
+        {
+            "recoil_verdict": (
+                ("heave_amplitude", "mud_weight", "gas_pressure"),
+                [[[0]], [[1]], [[0]]],
+            )
+        },
+        {"heave_amplitude": [0.5, 1.0, 2.0]},
+    )
+    assert _answer(of) == "Up to 0.5 m of heave a tested setting allows a safe disconnect"
+
+
+def windows(failed):
+    """Windows of the setting and disconnects, at one pressure in calm water."""
+    over = ("mud_weight", "failed_units")
+    one = np.ones((2, len(failed)))
+    window = xr.Dataset(
+        {
+            "setting_floor": ((*over, "floor"), 2e6 * one[..., None]),
+            "setting_floor_engine": ((*over, "floor"), 2e6 * one[..., None]),
+            "setting_ceiling": (over, 6e6 * one),
+            "setting_gap": (over, 4e6 * one),
+        },
+        {"mud_weight": [1000.0, 2000.0], "failed_units": failed, "floor": ["minimum tension"]},
+    )
+    at = (("heave_amplitude", "mud_weight"), [[3e6, 3e6]])
+    outcome = xr.Dataset(
+        {"recoil_minimum": at, "recoil_maximum": at},
+        {"heave_amplitude": [0.5], "mud_weight": [1000.0, 2000.0]},
+    )
+    return window, outcome
+
+
+def test_one_failed_unit_is_one_unit():
+    figure = tension_window(*windows([0, 1, 2]), tension_ratio=1.0)
+    titles = [ax.get_title(loc="left").partition(";")[0] for ax in figure.axes]
+    assert titles == ["(a) no units failed", "(b) 1 unit failed", "(c) 2 units failed"]
+
+
+def test_the_narrowing_by_seas_is_told_for_all_muds():
+    """By half at one mud density, by a tenth at the other."""
+    half = np.array([[[50.0, 25.0], [50.0, 45.0]]])  # (current, mud, sea)
+    ends = np.stack([-half, half], axis=-1)
+    of = xr.Dataset(
+        {
+            "envelope_offset": (
+                ("operation", "surface_speed", "mud_weight", "significant_height", "offset_side"),
+                ends[None],
+            )
+        },
+        {
+            "operation": ["drilling"],
+            "surface_speed": [0.0],
+            "mud_weight": [1100.0, 1800.0],
+            "significant_height": [2.0, 6.0],
+            "offset_side": ["low", "high"],
+        },
+    )
+    added = xr.Dataset(
+        {"ufj_angle_allowance": ("significant_height", [0.01, 0.02])},
+        {"significant_height": [2.0, 6.0]},
+    )
+    figure = operability_in_seas(of, added)
+    assert headline(figure).endswith("reduces the drilling window by 10 to 50 %")
+    widths = [line.get_linewidth() for line in figure.axes[0].lines[::2][:2]]
+    assert widths[0] > widths[1]  # the one below is seen beside the one above
+
+
+def test_a_limit_has_one_colour_in_all_modes():
+    limits = [
+        f"{mode}: {limit}"
+        for mode, of in (
+            ("drilling", ("mean lfj_angle", "largest lfj_angle", "largest joint_stroke")),
+            ("connected", ("largest lfj_angle", "largest joint_stroke")),
+            ("disconnect", ("largest joint_stroke", "largest lfj_angle")),
+        )
+        for limit in of
+    ]
+    modes = ["drilling", "connected", "disconnect"]
+    ends = np.array([-50.0, 50.0])
+    over = ("surface_speed", "mud_weight")
+    of = xr.Dataset(
+        {
+            "offset_of_limit": (
+                (*over, "limit", "offset_side"),
+                np.broadcast_to(ends, (2, 1, len(limits), 2)),
+            ),
+            "envelope_offset": (
+                (*over, "operation", "offset_side"),
+                np.broadcast_to(ends, (2, 1, 3, 2)),
+            ),
+        },
+        {
+            "surface_speed": [0.0, 1.0],
+            "mud_weight": [1440.0],
+            "limit": limits,
+            "operation": modes,
+            "offset_side": ["low", "high"],
+        },
+        {"reach": 240.0},
+    )
+    colours: dict[str, set[str]] = {}
+    for mode in modes:
+        (ax,) = getattr(operability, f"operability_{mode}")(of).axes
+        for line in ax.lines:
+            if not str(line.get_label()).startswith("_"):
+                colours.setdefault(str(line.get_label()), set()).add(str(line.get_color()))
+    assert set(map(len, colours.values())) == {1}
+    assert len({min(one) for one in colours.values()}) == len(colours)
+
+
+def test_ends_of_ranges_are_written_within_their_panel():
+    labels = [
+        "base",
+        "lower joint, 30 kN m/deg",
+        "lower joint, 150 kN m/deg",
+        "mud, 1200 kg/m³",
+        "mud, 1700 kg/m³",
+    ]
+    values = np.array([80.0, 30.0, 90.0, 84.0, 76.0])
+    figure = sensitivity(
+        xr.Dataset(
+            {
+                "setting_gap": ("varied_input", 1e4 * values),
+                "drilling_room": ("varied_input", values),
+            },
+            {"varied_input": labels},
+        )
+    )
+    for ax in figure.axes:
+        assert [text.get_text() for text in ax.texts][-1] == "150 kN m/°"
+        for extent in extents(figure, ax.texts):
+            assert ax.bbox.x0 < extent.x0 and extent.x1 < ax.bbox.x1
+
+
+def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():
+    """The largest share is as by chance: the next one is named, with its own share."""
+    of = xr.Dataset(
+        {
+            "damage_largest": ("sample", np.geomspace(0.01, 1.0, 9)),
+            "damage_error": 0.05,
+            "share_explained": ("varied_input", [0.3, 0.2, 0.1]),
+            "by_chance": ("varied_input", [0.4, 0.1, 0.05]),
+        },
+        {"varied_input": ["cement", "damping", "platform"]},
+    )
+    said = headline(wellhead_fatigue(of))
+    assert said.startswith("The structural damping explains 20 % of the spread")
+
+
+def test_the_title_on_alarms_states_its_disconnect_time():
+    late = np.zeros((2, 1, 3), int)
+    late[1] = TOO_LATE
+    over = ("surface_speed", "mud_weight", "eds_time")
+    of = xr.Dataset(
+        {
+            "limit_offset": (over[:2], [[100.0], [90.0]]),
+            "red_circle_radius": (over, np.full((2, 1, 3), 50.0)),
+            "yellow_circle_radius": (over, np.full((2, 1, 3), 20.0)),
+            "red_circle_outcome": (over, np.zeros((2, 1, 3), int)),
+            "yellow_circle_outcome": (over, late),
+        },
+        {"surface_speed": [0.0, 1.6], "mud_weight": [1440.0], "eds_time": [30.0, 60.0, 90.0]},
+    )
+    said = headline(watch_circles(of))
+    assert said == "With 60 s to disconnect, the yellow alarm is too late from 1.6 m/s"
