@@ -12,7 +12,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, headline, key_below, panels
+from chapters.numerics.figures.scenes import in_one_line
+from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
 QUANTITIES = ("displacement", "moment", "tension")
 MARKERS = "osD^vPX*<>"
@@ -33,7 +34,7 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
         first = _scene(ax, accuracy.sel({"scene": scene}))
         quickest.append(first)
         words = f"{first or 'no method'} reaches {100 * TARGET:g} %{' first' if first else ''}"
-        ax.set_title(f"{scene}: {words}", fontsize="small")
+        panel_title(ax, f"{in_one_line(scene)}:\n{words}")
         ax.set_xlabel("time of a run (s)")
         ax.set_ylabel("largest error (%)")
         ax.set_xscale("log")
@@ -104,29 +105,29 @@ def requested(accuracy: xr.Dataset) -> Figure:
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
         colour = COLOURS[k % len(COLOURS)]
         worst, estimated = (_largest(of, kind) for kind in ("reached", "estimated"))
-        left.plot(of["requested"], worst, "o-", color=colour, ms=4, label=scene)
+        left.plot(of["requested"], worst, "o-", color=colour, ms=4, label=in_one_line(scene))
         left.plot(of["requested"], estimated, "x:", color=colour, ms=4)
         right.plot(of["requested"], of["request_seconds"], "o-", color=colour, ms=4)
         change = float(accuracy["reference_change"].sel(scene=scene).max())
         if change == change:
             left.axhline(change, color=colour, linewidth=0.9, linestyle=CHANGED)
-            halved = "last halving of the reference"
+            halved = "level below which true errors are unknown"
             changes[scene] = change
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
     floor = BELOW * ends[0]  # a reference that is far better says no more
     if far := [scene for scene, change in changes.items() if change < floor]:
         left.text(
-            0.02, 0.93, f"reference's line below the frame: {', '.join(far)}",
+            0.02, 0.93, f"level below the frame: {', '.join(map(in_one_line, far))}",
             transform=left.transAxes, fontsize="x-small",
         )  # fmt: skip
-    left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the request")
+    left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the tolerance")
     left.plot([], [], "x:", color="0.4", ms=4, label="estimated")
     if halved:
         left.plot([], [], color="0.4", linewidth=0.9, linestyle=CHANGED, label=halved)
     for ax, word in ((left, "error (%)"), (right, "time of all runs (s)")):
         ax.set_xscale("log")
         ax.set_yscale("log")
-        ax.set_xlabel("requested accuracy (%)")
+        ax.set_xlabel("tolerance (%)")
         ax.set_ylabel(word)
         requested = sorted(set(accuracy["requested"].values.tolist()))
         ax.set_xticks(requested, [f"{100 * x:g}" for x in requested])
@@ -139,14 +140,14 @@ def requested(accuracy: xr.Dataset) -> Figure:
     left.set_ylim(bottom=max(left.get_ylim()[0], floor))
     bottom, top = right.get_ylim()
     right.set_ylim(min(bottom, 0.5 * top), max(top, 2.0 * bottom))
-    left.set_title("(a) error reached (o), estimated (x)", loc="left", fontsize="medium")
-    right.set_title("(b) time of all runs of a request", loc="left", fontsize="medium")
+    panel_title(left, "true error (o), estimated error (x)")
+    panel_title(right, "time of all refinements of a tolerance")
     if late := sorted(set(scenes) - set(drawn)):
         right.text(
-            0.02, 0.02, f"not within the time allowed: {', '.join(late)}",
+            0.02, 0.02, f"not within the time allowed: {', '.join(map(in_one_line, late))}",
             transform=right.transAxes, fontsize="x-small",
         )  # fmt: skip
-    figure.suptitle(_met(accuracy), fontsize="medium", x=0.01, ha="left")
+    headline(figure, _met(accuracy))
     key_below(figure, left, 4)
     return figure
 

@@ -12,6 +12,7 @@ from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 from numpy.typing import NDArray
 
 from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price
+from chapters.numerics.figures.scenes import in_one_line, in_two_lines
 from riserstudy.figures.style import COLOURS, GREY, headline
 
 TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
@@ -19,22 +20,14 @@ WIDEST, FINEST = 0.07, 0.0002  # errors that the axis reaches
 LEAST = 1e-5  # error that is drawn, at least
 APART = 1.35  # times, by which names stand apart
 OURS = "riserstudy"
-#: scenes in words, in two lines
-NAMES = {
-    "S2": "riser in surge,\nconstant tension",
-    "S2c": "riser in surge,\ntop held",
-    "S3": "hung-off pipe\nin heave",
-    "Chang at 10 m": "gas tensioner,\nheave of 10 m",
-    "Liu 2020 roll of 4 deg in 10 s": "riser under\nroll of 4°",
-    "fem_riser base": "riser in waves,\nwithout ramp",
-}
+WIDEST_PAGE = 9.8  # inches, at which small text is 6 points on a page of 180 mm
 
 Array = NDArray[np.float64]
 
 
 def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
     """Time over tolerance, single runs of codes, the ratio to the cheapest run, and honesty of estimates."""
-    figure = Figure((10.6, 8.0), dpi=150, layout="constrained")
+    figure = Figure((WIDEST_PAGE, 8.0), dpi=150, layout="constrained")
     (tolerances, runs), (ratios, honest) = figure.subplots(2, 2)
     _tolerances(tolerances, accuracy)
     _runs(runs, accuracy)
@@ -74,11 +67,11 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
         if found and {found.coarse, found.fine} <= set(x[np.isfinite(y)].tolist()):
             ratio = f": {float(y[x == found.fine][0] / y[x == found.coarse][0]):.2g}×"
         last = int(np.flatnonzero(np.isfinite(y))[-1])
-        ends.append((x[last], y[last], " ".join(_short(scene).split()) + ratio, colour))
+        ends.append((x[last], y[last], in_one_line(scene) + ratio, colour))
     _label_ends(ax, ends)
     for tolerance in (found.coarse, found.fine) if found else ():
         ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
-    _time_over_error(ax, FINEST / 70.0)  # names stand to the right
+    _time_over_error(ax, FINEST / 280.0)  # names stand to the right
     ax.set_xlabel("tolerance (%): more accurate →")
     ax.set_ylabel("elapsed time of all runs (s)")
     between = f"; ×: {100 * found.fine:g} % compared with {100 * found.coarse:g} %" if found else ""
@@ -128,8 +121,7 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
     ax.set_xlabel("true error of displacement (%): more accurate →")
     ax.set_ylabel("elapsed time of one run (s)")
     compared = f"; ×: {OURS} = 1 at {100 * COMPARED:g} %" if names[1:] else ""
-    words = " ".join(NAMES.get(scene, scene).split())
-    ax.set_title(f"(b) single runs, {words}{compared}", loc="left", fontsize="small")
+    ax.set_title(f"(b) single runs, {in_one_line(scene)}{compared}", loc="left", fontsize="small")
 
 
 def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
@@ -161,7 +153,7 @@ def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
         short = x > 2.0 * farthest
         at = y if short else max(y, lowest)
         ax.annotate(
-            name, (x, at), xytext=(8, -9) if short else (7, 0), textcoords="offset points",
+            name, (x, at), xytext=(-5, -13) if short else (7, 0), textcoords="offset points",
             ha="center" if short else "left", va="top" if short else "center",
             fontsize="small", color=colour, fontweight="bold" if name == OURS else "normal",
             bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85},
@@ -197,7 +189,7 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
         ax.barh(k, last, height=0.3, color=COLOURS[0], label=labels.pop("last", "_"))
         ax.annotate(f" {every:.1f}×", (every, k), va="center", fontsize="small", color="0.25")
     ax.axvline(1.0, color="black", linewidth=0.8)
-    ax.set_yticks(range(len(scenes)), [_short(scene) for scene in scenes], fontsize="small")
+    ax.set_yticks(range(len(scenes)), [in_two_lines(scene) for scene in scenes], fontsize="small")
     ax.set_ylim(len(scenes) - 0.4, -0.6)
     ax.margins(x=0.16)
     ax.set_xlabel("time / time of the cheapest run of equal error")
@@ -211,14 +203,6 @@ def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
 
 def _scenes(accuracy: xr.Dataset) -> list[str]:
     return list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
-
-
-def _short(scene: str) -> str:
-    """A scene in words, in two lines where it is long."""
-    if scene in NAMES:
-        return NAMES[scene]
-    first, _, rest = scene.partition(" of " if len(scene) > 18 else "\0")
-    return f"{first}\n{rest}" if rest else first
 
 
 def over_lowest_cost(accuracy: xr.Dataset, scene: str) -> tuple[float, float, str]:
@@ -261,7 +245,7 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     kept = int((true <= requested).sum())
     ax.plot([LEAST, 1.0], [LEAST, 1.0], color=GREY, linewidth=0.8)
     ax.axvline(requested, color="black", linestyle=":", linewidth=1.0)
-    label: dict[str, Any] = {"transform": ax.get_xaxis_transform(), "fontsize": "x-small"}
+    label: dict[str, Any] = {"transform": ax.get_xaxis_transform(), "fontsize": "small"}
     ax.text(
         0.93 * requested,
         0.03,

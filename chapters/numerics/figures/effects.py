@@ -26,7 +26,7 @@ KEY = (
 def effects(effects: xr.Dataset) -> Figure:
     """One row per effect: its change of the answer in every scene, and its share of the run time."""
     ranked = ranking(effects)
-    figure = Figure((1.6 * WIDTH, ROW * len(ranked) + 1.9), dpi=150, layout="constrained")
+    figure = Figure((1.53 * WIDTH, ROW * len(ranked) + 1.9), dpi=150, layout="constrained")
     changes, shares = figure.subplots(1, 2, width_ratios=[2.6, 1.0], sharey=True)
     _changes(changes, ranked)
     _shares(shares, ranked)

@@ -8,16 +8,16 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from riserstudy.figures.style import COLOURS, key_below
+from riserstudy.figures.style import COLOURS, headline, key_below
 
 ROUNDING = 1e-14  # share of energy below which nothing but rounding is left
-PARTS = {"numerical": "dissipated by the method itself", "unexplained": "left unexplained"}
+PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
 
 
 def energy(energy: xr.Dataset) -> Figure:
     """A row a case, a mark a method: the largest share over time of the largest energy by then."""
     cases = [str(case) for case in energy["case"].values]
-    figure = Figure((10.2, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
+    figure = Figure((9.8, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
     most = largest(energy)
     high = 10.0 * max(float(most[part].max()) for part in PARTS)
@@ -27,7 +27,7 @@ def energy(energy: xr.Dataset) -> Figure:
         ax.set_title(f"({letter}) {words}", loc="left", fontsize="medium")
     axes[0].set_yticks(range(len(cases)), cases)
     axes[0].set_ylim(len(cases) - 0.5, -0.5)
-    figure.suptitle(answer(energy), fontsize="medium", x=0.01, ha="left")
+    headline(figure, answer(energy))
     key_below(figure, axes[0], 5)
     return figure
 
@@ -69,7 +69,8 @@ def _axis(ax: Axes, high: float) -> None:
     ax.set_xlim(0.3 * ROUNDING, high)
     ax.xaxis.set_major_locator(FixedLocator([ROUNDING, *ticks]))
     ax.xaxis.set_minor_locator(NullLocator())
-    ax.set_xticklabels(["rounding", *(f"{100 * tick:g}" for tick in ticks)])
+    powers = (round(np.log10(100.0 * tick)) for tick in ticks)
+    ax.set_xticklabels(["rounding", *(f"$10^{{{power}}}$" for power in powers)])
     ax.tick_params(axis="y", length=0)
     ax.grid(True, axis="x", color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)

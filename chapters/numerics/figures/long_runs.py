@@ -26,7 +26,7 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
         ax.set_title(
             f"({'abcdef'[k]}) {case}{_lowest_cost(ax, here)}", loc="left", fontsize="medium"
         )
-    axes[-1].set_xlabel("processor time of a run (s)")
+    axes[-1].set_xlabel("CPU time of a run (s)")
     key_below(figure, axes[0], 3)
     headline(figure, answer(long_runs))
     return figure
@@ -63,7 +63,7 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
         value = float(of[f"{name}_seconds"][0])
         if np.isfinite(value):
             ax.axvline(value, color="black", linestyle=style, linewidth=1.0, label=f"{name} time")
-    ax.axhline(WANTED, color="0.5", linewidth=0.8, label="1 %, the default request")
+    ax.axhline(WANTED, color="0.5", linewidth=0.8, label="1 %, the default tolerance")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_ylabel("error of the\nmoment (%)")

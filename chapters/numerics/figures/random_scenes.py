@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
+from chapters.numerics.figures.scenes import family_in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
 
 HONEST = (0.5, 5.0)  # estimate over error
@@ -55,10 +56,11 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
                     markerfacecolor=colour if held_out else "none",
                 )  # fmt: skip
     for k in np.flatnonzero(missed):
+        family = family_in_words(str(of["family"].values[k])).replace(", ", ",\n", 1)
         ax.annotate(
-            str(of["family"].values[k]).replace(" ", "\n", 1), (float(true[k]), float(estimated[k])),
+            family, (float(true[k]), float(estimated[k])),
             xytext=(4, -6), textcoords="offset points", ha="center", va="top", fontsize="x-small",
-            color=COLOURS[1],
+            color=COLOURS[1], bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8},
         )  # fmt: skip
     ax.set_xscale("log")
     ax.set_yscale("log")
@@ -99,7 +101,7 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
         )  # fmt: skip
     ax.set_xscale("log")
     ax.set_xticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
-    ax.set_yticks(range(len(families)), families, fontsize="small")
+    ax.set_yticks(range(len(families)), list(map(family_in_words, families)), fontsize="small")
     ax.set_xlim(0.4, 80.0)
     ax.set_ylim(len(families) - 0.5, -0.5)
     ax.set_xlabel("work / work of the cheapest setting")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
@@ -25,7 +26,7 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
             markersize=5,
             linewidth=1.0,
             color=COLOURS[row % len(COLOURS)],
-            label=str(variant),
+            label=str(variant).replace(" x", " × "),
         )
     ax.axhline(UNSAFE, color="0.4", linewidth=0.8)
     ax.set_xscale("log")
@@ -34,9 +35,23 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
     ax.xaxis.set_minor_formatter(NullFormatter())
     ax.set_xlabel("number of segments")
     ax.set_ylabel("measured / predicted stable step")
+    _count_alike(ax, stable_step["elements"], ratio)
     headline(figure, answer(ratio))
     key_below(figure, ax, 4)
     return figure
+
+
+def _count_alike(ax: Axes, elements: xr.DataArray, ratio: xr.DataArray) -> None:
+    """Write how many lines coincide where the measured step is as predicted."""
+    off = abs(ratio - UNSAFE) >= ALIKE / 100.0
+    alike = ~off.any([dim for dim in ratio.dims if dim != "variant"])
+    count = int(alike.sum())
+    if count > 1:
+        first = float(elements.where(alike).min())
+        ax.annotate(
+            f"{count} of {ratio.sizes['variant']} lines coincide, to {ALIKE:g} %", (first, UNSAFE),
+            xytext=(0, 10), textcoords="offset points", fontsize="small",
+        )  # fmt: skip
 
 
 def answer(ratio: xr.DataArray) -> str:

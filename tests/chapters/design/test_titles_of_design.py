@@ -40,7 +40,8 @@ def test_titles_of_three_panels_are_beside_each_other_and_whole():
     assert_whole(figure)
     titles = [getattr(ax, "_left_title") for ax in figure.axes]  # noqa: B009
     first, second, third = extents(figure, titles)
-    assert first.x1 < second.x0 and second.x1 < third.x0
+    assert first.x1 < second.x0
+    assert second.x1 < third.x0
 
 
 @pytest.mark.parametrize(
@@ -183,7 +184,8 @@ def test_ends_of_ranges_are_written_within_their_panel():
     for ax in figure.axes:
         assert [text.get_text() for text in ax.texts][-1] == "150 kN m/°"
         for extent in extents(figure, ax.texts):
-            assert ax.bbox.x0 < extent.x0 and extent.x1 < ax.bbox.x1
+            assert ax.bbox.x0 < extent.x0
+            assert extent.x1 < ax.bbox.x1
 
 
 def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():

@@ -121,9 +121,9 @@ def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):
 
     halved = surge.copy(deep=True)
     halved["reference_change"][:] = 1e-4
-    assert "last halving of the reference" in key(halved)
+    assert "level below which true errors are unknown" in key(halved)
     halved["reference_change"][:] = np.nan
-    assert "last halving of the reference" not in key(halved)
+    assert "level below which true errors are unknown" not in key(halved)
 
 
 def test_every_scene_is_a_line_or_named_as_too_slow(surge):
@@ -143,7 +143,7 @@ def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     late["request_seconds"][:] = np.nan
     for name, values, words in (
         ("cost", given | {"accuracy": late}, "over the time limit"),
-        ("requested", {"accuracy": late}, "not within the time allowed: S2c"),
+        ("requested", {"accuracy": late}, "not within the time allowed: riser in surge, top held"),
     ):
         said = [text.get_text() for ax in draw("numerics", name, values).axes for text in ax.texts]
         assert words in said

@@ -1,0 +1,160 @@
+"""Figures of the numerics chapter, of datasets whose answer is known: whole, in words, nothing hidden."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from drawn_whole import assert_whole
+from figure_rules import assert_readable
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+from chapters.numerics.figures.accuracy import accuracy
+from chapters.numerics.figures.cost import cost
+from chapters.numerics.figures.energy import energy
+from chapters.numerics.figures.random_scenes import random_scenes
+from chapters.numerics.figures.scenes import NAMES, family_in_words, in_one_line
+from chapters.numerics.figures.stable_step import stable_step
+from chapters.numerics.figures.tiers import tiers
+from riserstudy.figures.drawn import headline
+
+SCENES = ["S2", "Liu 2020 roll of 4 deg in 10 s"]
+
+
+def of_tiers(ratio):
+    """Two scenes in two tiers, the second of which takes ``ratio`` times as long."""
+    seconds = np.array([[0.1, 0.2], [0.1 * ratio, 0.2 * ratio]])
+    return xr.Dataset(
+        {
+            "wall_seconds": (("tier", "scene"), seconds),
+            "estimated": (("tier", "scene"), np.full((2, 2), 0.005)),
+            "error": (("tier", "scene", "quantity"), np.full((2, 2, 1), 0.001)),
+        },
+        {"tier": ["preview", "standard"], "scene": ["Liu 2020, roll of 4 deg", "riser in waves"]},
+    )
+
+
+@pytest.mark.parametrize(
+    "ratio, words",
+    [
+        (0.99, "takes about as long in the standard tier as in preview"),
+        (1.04, "takes about as long in the standard tier as in preview"),
+        (2.5, "takes 2.5 times as long in the standard tier as in preview"),
+        (0.5, "takes 0.5 times as long in the standard tier as in preview"),
+    ],
+)
+def test_equal_times_of_tiers_have_no_factor(ratio, words):
+    assert headline(tiers(of_tiers(ratio))).replace("\n", " ").endswith(words)
+
+
+def test_tiers_that_coincide_are_both_seen_in_a_whole_figure():
+    figure = tiers(of_tiers(1.0))
+    assert_whole(figure)
+    first, second = (line.get_ydata() for line in figure.axes[0].lines)
+    assert (np.asarray(first) < np.asarray(second)).all()
+    assert figure.axes[0].get_yticklabels()[0].get_text() == "Liu 2020, roll of 4°"
+
+
+def test_titles_of_the_panels_on_accuracy_do_not_cross_their_letters():
+    runs = {
+        "error_displacement": 0.01,
+        "error_moment": 0.01,
+        "error_tension": 0.01,
+        "wall_seconds": 0.1,
+    }
+    dims = ("scene", "method", "mesh_level")
+    values = {name: (dims, np.full((2, 1, 2), value)) for name, value in runs.items()}
+    figure = accuracy(xr.Dataset(values, {"scene": SCENES, "method": ["ESDIRK4"]}))
+    for ax, letter, scene in zip(figure.axes, "ab", SCENES, strict=True):
+        assert ax.get_title() == ""
+        assert ax.get_title(loc="left").startswith(f"({letter}) {in_one_line(scene)}:")
+    assert_whole(figure)
+
+
+def test_shares_of_energy_are_powers_of_ten():
+    over = ("case", "method", "instant")
+    part = np.full((1, 2, 1), 1e-5)
+    names = ("exchanged", "stored", "numerical", "unexplained")
+    values = {name: (over, part if name not in names[:2] else np.ones_like(part)) for name in names}
+    figure = energy(xr.Dataset(values, {"case": ["surge"], "method": ["ESDIRK4", "explicit"]}))
+    for ax, words in zip(figure.axes, ("numerical dissipation", "energy residual"), strict=True):
+        ticks = [label.get_text() for label in ax.get_xticklabels()]
+        assert ticks == ["rounding", *(f"$10^{{{power}}}$" for power in (-8, -6, -4, -2, 0, 2))]
+        assert ax.get_title(loc="left").endswith(words)
+    assert_readable(figure)
+
+
+def test_lines_on_one_another_are_counted():
+    ratio = np.array([[1.0, 1.0], [1.0, np.nan], [1.044, np.nan]])
+    of = xr.Dataset(
+        {
+            "measured": (("variant", "mesh"), ratio),
+            "predicted": (("variant", "mesh"), np.ones((3, 2))),
+            "elements": (("variant", "mesh"), [[10.0, 20.0], [10.0, np.nan], [1.0, np.nan]]),
+        },
+        {"variant": ["surge", "drag x50", "cylinders"]},
+    )
+    figure = stable_step(of)
+    assert [text.get_text() for text in figure.axes[0].texts] == ["2 of 3 lines coincide, to 0.1 %"]
+    assert "drag × 50" in {text.get_text() for text in figure.legends[0].get_texts()}
+
+
+def test_random_families_are_named_as_readers_know_their_papers():
+    assert family_in_words("liu2020 surge in a current") == "Liu 2020, surge in a current"
+    assert family_in_words("fem_riser, sudden wave") == "riser in waves, sudden wave"
+    assert family_in_words("vibration in a current") == "vibration in a current"
+    assert "_" not in "".join(NAMES.values())
+
+
+def test_the_name_of_a_scene_that_misses_its_tolerance_is_read_on_the_line_of_the_tolerance():
+    of = xr.Dataset(
+        {
+            "true": ("drawn", [0.011, 0.002]),
+            "estimated": ("drawn", [0.005, 0.004]),
+            "held_out": ("drawn", [True, False]),
+            "family": ("drawn", ["liu2020 surge in a current", "liu2020 roll"]),
+            "work_asked": ("drawn", [1.0, 1.0]),
+            "work_fixed": ("drawn", [0.5, 0.5]),
+        },
+        attrs={"requested": 0.01},
+    )
+    figure = random_scenes(of)
+    FigureCanvasAgg(figure).draw()
+    (name,) = figure.axes[0].texts
+    assert name.get_text() == "Liu 2020,\nsurge in a current"
+    assert name.get_bbox_patch().get_facecolor() == (1.0, 1.0, 1.0, 1.0)
+
+
+def test_names_on_cost_end_within_their_panel_and_are_not_below_6_points():
+    """The longest name, at a line that ends highest, with a ratio."""
+    scenes = [*NAMES][:5]
+    tolerances = [0.05, 0.01, 0.002, 0.0005]
+    number = len(scenes) * len(tolerances)
+    single = np.full((len(scenes), 1, 2), 0.01)
+    over = ("scene", "method", "mesh_level")
+    errors = {f"error_{q}": (over, single) for q in ("displacement", "moment", "tension")}
+    reached = {
+        f"reached_{q}": ("request", np.full(number, 0.001))
+        for q in ("displacement", "moment", "tension")
+    }
+    of = xr.Dataset(
+        errors
+        | reached
+        | {
+            "wall_seconds": (over, 0.1 * np.ones_like(single)),
+            "requested": ("request", tolerances * len(scenes)),
+            "request_scene": ("request", np.repeat(scenes, len(tolerances))),
+            "request_seconds": ("request", np.geomspace(0.01, 1.0, number)),
+            "request_last_seconds": ("request", np.geomspace(0.005, 0.5, number)),
+        },
+        {"scene": scenes, "method": ["ESDIRK4"]},
+    )
+    drawn = xr.Dataset(
+        {"true": ("drawn", [0.004]), "estimated": ("drawn", [0.006])}, attrs={"requested": 0.01}
+    )
+    figure = cost(of, drawn)
+    assert_readable(figure)
+    ax = figure.axes[0]
+    names = [text for text in ax.texts if text.get_text()]
+    assert len(names) == len(scenes)
+    renderer = FigureCanvasAgg(figure).get_renderer()
+    for name in names:
+        assert name.get_window_extent(renderer).x1 < ax.bbox.x1, name.get_text()
