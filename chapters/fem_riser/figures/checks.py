@@ -238,7 +238,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     longer = own / float(high.sel(element=alike))
     slow = ""
     if longer > 2.0 and np.isclose(step, PAPER_STEP):
-        slow = f"; its steps take {longer:.0f} times longer"
+        slow = f"; its steps multiply the time by {longer:.0f}"
         right.annotate(
             f"{longer:.0f} times the longest\nof {alike} above", (own, len(elements)), xytext=(-9, 0),
             textcoords="offset points", ha="right", va="center", fontsize="small",
