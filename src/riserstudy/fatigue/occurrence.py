@@ -28,6 +28,8 @@ PEAK = "peak_period"
 FROM = "wave_from_direction"
 WHOLE = 0.005  # largest excess of the sum of shares above one, due to rounding
 WEIGHTS = {"share": "%", "time": "h", "count": ""}  # columns with the occurrence, and their units
+OF_CALM = ("m", "s", "m s-1")  # units of axes to which `calm` applies
+TURNS = {"degree": 360.0, "rad": 2.0 * math.pi}  # a whole turn, by units of angles
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*(?:[(\[](?P<unit>[^)\]]*)[)\]])?\s*")
 #: names that a column of a table or of a record may have for an axis, in lower case
 ALSO = (
@@ -248,14 +250,19 @@ def _summed(path: Path, shares: Array) -> tuple[str, ...]:
     return ()
 
 
-def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
+def within(
+    of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping[str, str]
+) -> Occurrence:
     """Sea states within the range that a study simulates.
+
+    Angles outside this range are changed by whole turns if they are then within it.
 
     Parameters
     ----------
     grid : increasing values of the study by axis.
-    calm : replace values below the smallest simulated value by it; otherwise they are refused, like those
-        above.
+    calm : replace heights, periods and speeds below the smallest simulated value by it; otherwise, and for
+        all other quantities, they are refused, like those above.
+    units : units of the axes.
 
     Raises
     ------
@@ -264,11 +271,15 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
     """
     values, notes = dict(of.values), [*of.notes]
     for axis, places in grid.items():
+        values[axis] = _turned(values[axis], places, TURNS.get(units[axis]))
         there = values[axis][of.shares > 0.0]
         low, high = float(places[0]), float(places[-1])
         slack = 1e-9 * max(abs(low), abs(high))
         below, above = values[axis] < low - slack, values[axis] > high + slack
-        if calm and below.any():
+        least = (
+            0.0 if units[axis] in OF_CALM and low >= 0.0 else math.inf
+        )  # smallest value that `calm` replaces
+        if calm and below.any() and values[axis].min() >= least:
             notes.append(
                 f"{axis} below {low:g}, {100 * of.shares[below].sum():.3g} % of the time, is set to {low:g}"
             )
@@ -282,6 +293,21 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool) -> Occurrence:
                 f"{100 * of.shares[outside].sum():.3g} % of the time is outside of {low:g} to {high:g}, "
                 f"which the study simulates: from {there.min():g} to {there.max():g}",
                 f"simulate more values of {axis}"
-                + ("" if above.any() else ", or treat calmer seas as the calmest by --calm"),
+                + (
+                    ""
+                    if above.any() or there.min() < least
+                    else ", or treat calmer seas as the calmest by --calm"
+                ),
             )
     return of._replace(values=values, notes=tuple(notes))
+
+
+def _turned(values: Array, places: Array, turn: float | None) -> Array:
+    """Angles (n,); those outside the range of places change by whole turns if they are then within it."""
+    if turn is None:
+        return values
+    low, high = float(places[0]), float(places[-1])
+    slack = 1e-9 * turn
+    outside = (values < low - slack) | (values > high + slack)
+    other = low - slack + (values - low + slack) % turn
+    return np.where(outside & (other <= high + slack), other, values)

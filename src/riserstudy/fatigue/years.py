@@ -137,7 +137,8 @@ def over_years(
     grid = {axis: study[axis].values.astype(float) for axis in occurs.values}
     study = study.sortby([*grid])
     grid = {axis: np.sort(places) for axis, places in grid.items()}
-    occurs = within(occurs, grid, calm)
+    units = {axis: str(study[axis].attrs.get("units", "")) for axis in grid}
+    occurs = within(occurs, grid, calm, units)
     every = study["damage_rate"].transpose(*seeds, *grid, *PLACES)
     rates = every.mean(seeds).values if seeds else every.values
     missing = np.isnan(every.values.reshape(-1, *every.shape[-3:]))
