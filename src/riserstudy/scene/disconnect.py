@@ -27,7 +27,7 @@ class Valve(Strict):
 
 
 class Isolation(Strict):
-    """Gas bottles that are shut off from each cylinder at a time after the release, with their gas."""
+    """Gas bottles that are shut off from each cylinder, with the gas in them, at a time after the release."""
 
     after: Annotated[u.Time, NOT_NEGATIVE]
     volume: Annotated[u.Volume, POSITIVE]
