@@ -61,7 +61,7 @@ def effects(
         bool, typer.Option("--all", help="also list effects that need further inputs")
     ] = False,
     times: Annotated[
-        bool, typer.Option("--times", help="also give the share of run time of each effect")
+        bool, typer.Option("--times", help="also print the share of each effect in the run time")
     ] = False,
 ) -> None:
     """List the effects of a scene with the lines that include them, and effects that it could include.
@@ -141,7 +141,10 @@ def modes(
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o", "--output", help="write frequencies and shapes here (netCDF)", metavar="OUT.nc"
+            "-o",
+            "--output",
+            help="also write frequencies and shapes to this file (netCDF)",
+            metavar="OUT.nc",
         ),
         Writes("dataset"),
     ] = None,

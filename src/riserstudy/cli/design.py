@@ -32,7 +32,9 @@ if TYPE_CHECKING:
 TensionRatioOption = Annotated[
     float,
     typer.Option(
-        min=0.01, max=1.0, help="ratio R_f of vertical tension to tension setting, such as 0.95"
+        min=0.01,
+        max=1.0,
+        help="ratio R_f of the vertical tension at the ring to the tension setting, such as 0.95",
     ),
 ]
 WeightOption = Annotated[
@@ -207,7 +209,9 @@ def envelope(
             metavar="HEIGHT,PERIOD",
         ),
     ] = None,
-    seeds: Annotated[int, typer.Option(min=5, help="number of runs of each sea")] = 5,
+    seeds: Annotated[
+        int, typer.Option(min=5, help="number of runs of each sea, with different random phases")
+    ] = 5,
     settings: SetOption = None,
     csv: CsvOption = None,
     force: ForceOption = False,

@@ -110,7 +110,10 @@ XTowardsOption = Annotated[
     ),
 ]
 SeedsOption = Annotated[
-    int | None, typer.Option(min=1, help="number of runs of each sea state; default: 5")
+    int | None,
+    typer.Option(
+        min=1, help="number of runs of each sea state, with different random phases; default: 5"
+    ),
 ]
 ErrorOption = Annotated[
     float | None,
@@ -130,7 +133,10 @@ CoresOption = Annotated[
 ResponsesOption = Annotated[
     Path | None,
     typer.Option(
-        "-o", "--output", help="also write the simulated responses here (netCDF)", metavar="OUT.nc"
+        "-o",
+        "--output",
+        help="also write the simulated responses to this file (netCDF)",
+        metavar="OUT.nc",
     ),
     Writes("dataset"),
 ]

@@ -176,7 +176,7 @@ def statistics(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.SI,
 ) -> None:
-    """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several seeds.
+    """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several runs.
 
     For one run, the table also gives the most probable extremes within --exposure. With --over, a Gumbel
     distribution is fitted to the extremes of the seeds.

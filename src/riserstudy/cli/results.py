@@ -40,7 +40,10 @@ def results(
     ] = None,
     where: Annotated[
         str | None,
-        typer.Option(help="condition on points: 'heave_amplitude > 3'", metavar="CONDITION"),
+        typer.Option(
+            help="list only points with this condition, such as 'heave_amplitude > 3'",
+            metavar="CONDITION",
+        ),
     ] = None,
     columns: Annotated[str | None, typer.Option(help="columns to show", metavar="A,B,...")] = None,
     sort: Annotated[

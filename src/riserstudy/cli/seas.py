@@ -38,7 +38,8 @@ GammaOption = Annotated[
     typer.Option(
         min=1.0,
         max=7.0,
-        help="JONSWAP gamma that converts zero-crossing to peak periods; default: 3.3",
+        help="peak enhancement (JONSWAP gamma) with which zero-crossing periods are converted to peak "
+        "periods; default: 3.3",
     ),
 ]
 NearOption = Annotated[
@@ -58,7 +59,7 @@ ContourOption = Annotated[
 ]
 OutputOption = Annotated[
     Path | None,
-    typer.Option("-o", "--output", help="write the record here (netCDF)", metavar="OUT.nc"),
+    typer.Option("-o", "--output", help="write the record to this file (netCDF)", metavar="OUT.nc"),
     Writes("dataset"),
 ]
 

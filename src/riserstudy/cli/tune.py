@@ -28,7 +28,8 @@ def tune(
         typer.Option(help="tolerance, such as 1%; default: that of the study", metavar="PERCENT"),
     ] = None,
     points: Annotated[
-        int, typer.Option(min=FEWEST, max=256, help="number of points to tune on")
+        int,
+        typer.Option(min=FEWEST, max=256, help="number of points at which the setting is selected"),
     ] = 12,
     seed: Annotated[
         int, typer.Option(min=0, help="seed (start value) of the random draw of points")
