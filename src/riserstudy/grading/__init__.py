@@ -1,7 +1,7 @@
-"""Published numbers and claims beside what is computed: verdicts, and what decides them.
+"""Comparison of published values and claims with computed results: verdicts, and the inputs that decide them.
 
-What grades is the same for risers and for anything else. The names below are all that a model of another
-kind needs; they load neither scenes nor the simulator.
+The grader is independent of risers. The names below are sufficient for any other kind of model; they load
+neither scenes nor the simulator.
 """
 
 from __future__ import annotations
@@ -55,7 +55,7 @@ if TYPE_CHECKING:
 
 
 def __getattr__(name: str) -> Any:
-    """Import on first use: a plan reads words and printed numbers without loading arrays."""
+    """Import on first use: a plan reads words and published values without loading arrays."""
     if name in _HOMES:
         from importlib import import_module
 

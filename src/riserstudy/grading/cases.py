@@ -1,4 +1,4 @@
-"""Cases of a number or claim: what each found, the points that it rests on, and the verdict of them all."""
+"""Cases of a published value or claim: result of each, points that it uses, and the joint verdict."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from riserstudy.records.graded import Case, Kind, Place, Verdict
 
 
 class Sources:
-    """Simulated studies behind some datasets of a paper."""
+    """Simulated studies from which datasets of a paper are derived."""
 
     def __init__(self, paper: str, datasets: Mapping[str, xr.Dataset]):
         studies: dict[str, Axes] = {}
@@ -27,7 +27,7 @@ class Sources:
         }
 
     def rests_on(self, place: Place) -> dict[str, list[str]]:
-        """Studies, and the axes by which a place picks points: those that have its value."""
+        """Studies, each with the axes by which a place selects points, which have the value of the place."""
         return {
             study: [a for a, value in place.items() if a in axes and value in axes[a]]
             for study, axes in self._values.items()
@@ -35,7 +35,7 @@ class Sources:
 
 
 def places_of(values: xr.DataArray) -> Iterator[tuple[tuple[int, ...], Place]]:
-    """Index and place of each cell."""
+    """Index and place (values by axis) of each cell."""
     dims = [str(dim) for dim in values.dims]
     along = {dim: values[dim].values.tolist() for dim in dims}
     for index in np.ndindex(values.shape):
@@ -43,14 +43,14 @@ def places_of(values: xr.DataArray) -> Iterator[tuple[tuple[int, ...], Place]]:
 
 
 class Dropped:
-    """Points to leave out, by study; a case rests on one where it is at its place on all axes that pick."""
+    """Points to exclude, by study. A case uses a point if both agree on all axes that select points."""
 
     def __init__(self, points: Mapping[str, Iterable[Place]]):
         self._points = {study: [*places] for study, places in points.items()}
         self._picked: dict[tuple[str, ...], set[tuple[Any, ...]]] = {}
 
     def touches(self, case: Case) -> bool:
-        """Whether a case rests on one of the points."""
+        """Whether a case uses one of the points."""
         return any(
             tuple(case.place[axis] for axis in axes) in self._at(study, axes)
             for study, axes in case.rests_on.items()
@@ -58,7 +58,7 @@ class Dropped:
         )
 
     def _at(self, study: str, axes: Sequence[str]) -> set[tuple[Any, ...]]:
-        """Places of the points of a study on some axes, looked up once."""
+        """Values of the points of a study on some axes; cached."""
         key = (study, *axes)
         if key not in self._picked:
             self._picked[key] = {tuple(p[axis] for axis in axes) for p in self._points[study]}
@@ -68,19 +68,20 @@ class Dropped:
 def regrade(
     kind: Kind, cases: Sequence[Case], drop: Mapping[str, Iterable[Place]] | Dropped | None = None
 ) -> Verdict | None:
-    """Verdict of a number or claim without the cases that rest on some points.
+    """Verdict of a published value or claim without the cases that use some points.
 
-    Cases in which nothing is found are not judged; where their answers could turn the verdict, it depends.
+    Cases without a result are not judged; if their answers could change the verdict, the verdict is
+    "depends".
 
     Parameters
     ----------
     kind : "number" or "claim".
-    cases : all of it.
-    drop : places of the points to leave out, by study (paper/name). None: nothing is left out.
+    cases : all its cases.
+    drop : places of the points to exclude, by study (paper/name). None: no exclusion.
 
     Returns
     -------
-    None where no case is left to be judged, or where the base case is left out and decides.
+    None if no case remains to be judged, or if the base case is excluded but decisive.
     """
     dropped = drop if isinstance(drop, Dropped) else Dropped(drop or {})
     left = [case for case in cases if not dropped.touches(case)]
@@ -100,7 +101,7 @@ def regrade(
 def _with_missing(
     kind: Kind, judged: Sequence[Case], missing: Sequence[Case], base: bool
 ) -> Verdict:
-    """The verdict of those judged, where those that are missing could not turn it."""
+    """The verdict of the judged cases, if the missing cases could not change it."""
     ways = [[replace(case, met=met) for case in missing] for met in (True, False)]
     could = {_verdict(kind, [*judged, *way], base) for way in ways}
     verdict = _verdict(kind, judged, base)
@@ -108,7 +109,7 @@ def _with_missing(
 
 
 def _verdict(kind: Kind, judged: Sequence[Case], base: bool) -> Verdict:
-    """One verdict with every interpretation; else it depends. No share is one of interpretations."""
+    """The verdict if it is the same for all interpretations, else "depends"; shares never mix them."""
     calibrated = any(case.calibrated for case in judged)
     verdicts = set()
     for cases in by_reading(judged):
@@ -121,7 +122,7 @@ def _verdict(kind: Kind, judged: Sequence[Case], base: bool) -> Verdict:
 
 
 def by_reading(cases: Iterable[Case]) -> Iterable[list[Case]]:
-    """Cases by their interpretation: their place on all axes but that of samples."""
+    """Cases grouped by interpretation, which is their place on all axes except samples."""
     groups: dict[tuple[Any, ...], list[Case]] = {}
     for case in cases:
         place = tuple(value for axis, value in sorted(case.place.items()) if axis != "sample")
@@ -130,6 +131,6 @@ def by_reading(cases: Iterable[Case]) -> Iterable[list[Case]]:
 
 
 def samples_of(cases: Iterable[Case]) -> int | None:
-    """How many samples some cases are of; None where what is open is a grid, of which all is judged."""
+    """Number of samples of some cases; None if all combinations of a grid are judged."""
     samples = {case.place["sample"] for case in cases if "sample" in case.place}
     return len(samples) or None

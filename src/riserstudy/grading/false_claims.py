@@ -1,6 +1,6 @@
-"""config/false_claims/<paper>.yaml: claims that a paper does not make, each made from one that it prints.
+"""config/false_claims/<paper>.yaml: false claims, each derived from a value or claim that a paper publishes.
 
-A grader that accepts one of them is wrong. How many it accepts is its rate of false positives.
+If the grader accepts one of them, it is wrong. The share that it accepts is its rate of false positives.
 """
 
 from __future__ import annotations
@@ -21,23 +21,22 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
 
-#: what is false of a claim; of the last four it has the form, and nearly the content, of what is printed
+#: kind of falsification; with the last four, form and content are nearly those of the published claim
 How = Literal["opposite", "magnitude", "sign", "factor", "limit", "cases"]
 SUBTLE = ("sign", "factor", "limit", "cases")
 
 
 class Falsified(Strict):
-    """A printed number or claim with one thing changed that makes it false.
+    """A published value or claim with one change that makes it false.
 
-    ``of``: ID of the number or claim that it is made from. ``how``: what is false of it: the whole turned
-    round (``opposite``), a size that is far off (``magnitude``), one ``sign``, a ``factor`` near two, a wrong
-    ``limit``, ``cases`` that change places.
+    ``of``: ID of the published value or claim. ``how``: kind of the falsification: the opposite of the whole
+    (``opposite``), a value far from the true one (``magnitude``), one wrong ``sign``, a ``factor`` near two,
+    a wrong ``limit``, or exchanged ``cases``.
 
-    Of the following one or more: ``published`` and ``with`` take the place of the number and the options;
-    ``check`` that of the function, and then ``with`` of all its options. ``exchanged``: variables, or
-    arguments of the check, that change places, a pair an entry. ``relabelled``: two values of an axis that
-    change places. ``reversed``: axes whose values run the other way. ``negated``: variables whose sign is
-    changed.
+    One or more of the following. ``published`` and ``with`` replace the number and the options. ``check``
+    replaces the function; ``with`` then replaces all its options. ``exchanged``: pairs of variables, or of
+    arguments of the check, that are exchanged. ``relabelled``: two values of an axis that are exchanged.
+    ``reversed``: axes with values in reverse order. ``negated``: variables with the opposite sign.
     """
 
     id: str
@@ -55,7 +54,7 @@ class Falsified(Strict):
     @model_validator(mode="before")
     @classmethod
     def _pairs(cls, tree: object) -> object:
-        """Lists of two as files have them."""
+        """Convert pairs in files, which are lists of two."""
         if not isinstance(tree, dict):
             return tree
         pairs = {
@@ -73,11 +72,11 @@ class Falsified(Strict):
 
     @property
     def subtle(self) -> bool:
-        """Whether it has the form, and nearly the content, of what is printed."""
+        """Whether its form and content are nearly those of the published value or claim."""
         return self.how in SUBTLE
 
     def item(self, printed: Item) -> Item:
-        """The printed number or claim with what is false of it; without further cases."""
+        """The published value or claim with the falsification, and without further cases."""
         options = self.options if self.check else printed.options | self.options
         changed: dict[str, Any] = {
             "id": self.id,
@@ -100,17 +99,17 @@ class FalseClaims(Strict):
 
 
 def false_claims_path(config: Path, paper: str) -> Path:
-    """The file of a paper."""
+    """The file of false claims about a paper."""
     return config / "false_claims" / f"{paper}.yaml"
 
 
 def read_false_claims(config: Path, paper: str, printed: PublishedFile) -> list[Falsified]:
-    """False claims about a paper; none where there is no file.
+    """False claims about a paper; empty without a file.
 
     Raises
     ------
     InputError
-        When the file cannot be meant, an ID occurs twice, or one is made from nothing that can be graded.
+        When the file is invalid, an ID occurs twice, or a claim is not derived from a gradable item.
     """
     path = false_claims_path(config, paper)
     if not path.exists():

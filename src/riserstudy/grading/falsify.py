@@ -1,4 +1,4 @@
-"""Grade false claims by the grader that grades what papers print."""
+"""Grade false claims by the grader for published values and claims."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from riserstudy.grading.grade import Checks, graded
 from riserstudy.grading.models import Item, PublishedFile
 from riserstudy.records.graded import Graded, Verdict
 
-#: verdicts by which a number or claim is taken for true
+#: verdicts that accept a value or claim as true
 ACCEPTED = ("reproduced", "calibrated", "holds")
 
 
@@ -26,10 +26,10 @@ class FalseRow:
 
     Attributes
     ----------
-    made_from, verdict_of_that : ID and verdict of the printed number or claim that it is made from.
-    how : what is false of it. subtle : whether it has nearly the content of what is printed.
-    verdict : by the same grader. accepted : whether that takes it for true, a false positive.
-    met, samples : of the unspecified inputs; None where nothing is sampled.
+    made_from, verdict_of_that : ID and verdict of the published value or claim from which it is derived.
+    how : kind of the falsification. subtle : whether its content is nearly the published one.
+    verdict : verdict of the grader. accepted : whether the verdict accepts it as true, a false positive.
+    met, samples : number of samples that meet it, and of all samples; None without samples.
     """
 
     paper: str
@@ -59,12 +59,12 @@ def false_rows(
 
     Parameters
     ----------
-    printed : how the paper's own numbers and claims came out.
+    printed : results of the paper's published values and claims.
 
     Raises
     ------
     InputError
-        When what is to change places is not there; else as ``graded``.
+        When variables or values to exchange do not exist; also as ``graded``.
     """
     items, verdicts = {item.id: item for item in file.items}, {g.id: g.verdict for g in printed}
     for one in false:
@@ -90,7 +90,7 @@ def _row(one: Falsified, found: Graded, verdict_of_that: Verdict) -> FalseRow:
 
 
 def _exchange_arguments(item: Item, one: Falsified) -> Item:
-    """The item with dataset arguments of its check exchanged, where a pair names two of these."""
+    """The item with exchanged dataset arguments of its check, if a pair names two of them."""
     for a, b in one.exchanged:
         if a in item.reads and b in item.reads:
             fields = {
@@ -104,12 +104,12 @@ def _exchange_arguments(item: Item, one: Falsified) -> Item:
 def falsified(
     datasets: Mapping[str, xr.Dataset], one: Falsified, item: Item, where: str
 ) -> dict[str, xr.Dataset]:
-    """Datasets of one check with variables, values of axes and signs as a false claim has them.
+    """Datasets of one check with the variables, axis values and signs of a false claim.
 
     Raises
     ------
     InputError
-        When none of them has what is to be changed.
+        When no dataset has the variables or axes to change.
     """
     changed = dict(datasets)
     variables = [pair for pair in one.exchanged if not set(pair) <= set(item.reads)]
@@ -152,7 +152,7 @@ def _relabelled(
 
 
 def _with_values(dataset: xr.Dataset, axis: str, values: Any) -> xr.Dataset:
-    """A dataset with other values on an axis; numbers of it rise."""
+    """A dataset with other values on an axis, sorted if they are numbers."""
     relabelled = dataset.assign_coords({axis: (axis, values, dataset[axis].attrs)})
     return relabelled.sortby(axis) if np.issubdtype(values.dtype, np.number) else relabelled
 

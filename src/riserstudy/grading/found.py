@@ -1,4 +1,4 @@
-"""What checks find, and what of it may be believed."""
+"""Results of checks, and their validity."""
 
 from __future__ import annotations
 
@@ -15,11 +15,12 @@ TRUE, NO_DIFFERENCE, FALSE = 1.0, 0.0, -1.0
 
 
 class Found(NamedTuple):
-    """What a check finds: a quantity, and for a claim whether it is true; over the same cells.
+    """The result of a check: a quantity, and for a claim whether it is true; over the same cells.
 
-    ``given``: where what the claim takes for granted is so, over samples; others are not judged. Absent: all.
-    ``margin``: how far the claim is from where it would turn, as `riserstudy.grading.margin` has it.
-    ``same``: where it is not true because what it compares does not differ. Absent: nowhere.
+    ``given``: whether the premise of the claim is met, over samples; other samples are not judged. Absent:
+    all are judged. ``margin``: distance of the claim from its change between true and false, see
+    `riserstudy.grading.margin`. ``same``: whether it is not true because the compared values do not differ.
+    Absent: nowhere.
     """
 
     value: xr.DataArray
@@ -29,7 +30,7 @@ class Found(NamedTuple):
     same: xr.DataArray | None = None
 
     def at(self, cell: Mapping[str, Any]) -> Found:
-        """One cell of it."""
+        """The result in one cell."""
 
         def of(part: xr.DataArray | None) -> Any:
             return (
@@ -41,7 +42,7 @@ class Found(NamedTuple):
         return Found(*map(of, self))
 
     def granted(self) -> Found:
-        """The samples that may be judged."""
+        """The result in the samples that may be judged."""
         if self.given is None or "sample" not in self.given.dims:
             return self
         return self.at({"sample": self.given["sample"][self.given.values]})
@@ -50,7 +51,7 @@ class Found(NamedTuple):
 def judged(
     value: xr.DataArray, judged_by: xr.DataArray | Condition, given: xr.DataArray | None = None
 ) -> Found:
-    """A claim that is true where its condition is met; a margin that is not a number is no answer."""
+    """The result of a claim that is true where its condition is met; a margin of NaN gives no answer."""
     condition = judged_by if isinstance(judged_by, Condition) else plain(judged_by)
     return Found(value, condition.margin > 0.0, given, *condition)
 
@@ -60,13 +61,13 @@ def answers(found: Found) -> xr.DataArray:
 
     Returns
     -------
-    1 where it is true, 0 where what it compares does not differ, -1 where it is false; not a number where
-    value or margin are none, since a missing value is no "no".
+    1 where it is true, 0 where the compared values do not differ, -1 where it is false; NaN where value or
+    margin are NaN, since a missing value does not mean "false".
 
     Raises
     ------
     TypeError
-        When the check judges no claim.
+        When the check does not judge a claim.
     """
     if found.true is None:
         raise TypeError("a check that judges no claim has no answers")
@@ -81,12 +82,12 @@ def answers(found: Found) -> xr.DataArray:
 
 
 def consistent(found: Found, paper: str, check: str) -> Found:
-    """What a check found, as it is.
+    """Check the consistency of a result, and return it.
 
     Raises
     ------
     InputError
-        When the check says true where its margin is negative, or false where it is positive.
+        When the result is true with a negative margin, or false with a positive margin.
     """
     if found.true is None or found.margin is None:
         return found
@@ -104,12 +105,12 @@ def consistent(found: Found, paper: str, check: str) -> Found:
 
 
 def at_cell(found: Found, cell: Mapping[str, Any], where: str, field: str) -> Found:
-    """One cell of what a check found.
+    """One cell of a result.
 
     Raises
     ------
     InputError
-        When it has no such axis, or not that value on it.
+        When it has no such axis, or the axis does not have the value.
     """
     for axis, value in cell.items():
         there = found.value if axis in found.value.dims else found.true

@@ -1,4 +1,4 @@
-"""Grade datasets against what a paper printed: a record of every number and claim, a row of every erratum."""
+"""Grade datasets against a paper: a record for every published value and claim, a row for every erratum."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ __all__ = ["Found", "answers", "errata", "grade", "graded", "judged"]
 
 Datasets = Mapping[str, xr.Dataset]
 Checks = Callable[[str], Callable[..., Any]]  # by their names
-#: attribute of a dataset without a scene: whether a value that was fitted to a published one is behind it
+#: attribute of a dataset without a scene: whether it depends on an input fitted to a published value
 FITTED = "rests_on_fitted"
-ENDS = (0.05, 0.95)  # shares of the samples between which margins are told
+ENDS = (0.05, 0.95)  # quantiles of the samples between which margins are reported
 
 
 def grade(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Graded]:
-    """Every number and claim of a paper, by its checks; raises as ``graded``."""
+    """Results of every published value and claim of a paper, by its checks; raises as ``graded``."""
     by_id = {item.id: item for item in file.items}
     return [
         graded(file.paper, item, checks, datasets, file.called, [by_id[i] for i in item.together])
@@ -66,17 +66,17 @@ def graded(
     called: Mapping[str, str] | None = None,
     others: Sequence[Item] = (),
 ) -> Graded:
-    """One number or claim, with the grounds of its verdict and all its cases.
+    """One published value or claim, with the grounds of its verdict and all its cases.
 
-    ``called``: what inputs are called, as in ``riserstudy.grading.names.input_name``. ``others``: numbers
-    that the same case is to meet.
+    ``called``: names of inputs, as in ``riserstudy.grading.names.input_name``. ``others``: published values
+    that the same case must meet.
 
     Raises
     ------
     SimulationError
         When a check finds no finite number, or no answer, at the base.
     InputError
-        When a check contradicts itself, or finds nothing at the base.
+        When a check contradicts itself, or has no result at the base.
     """
     printed = (paper, item.id, item.figure, item.kind, item.statement, item.published)
     if item.impossible:
@@ -120,7 +120,7 @@ def graded(
 
 
 class Task(NamedTuple):
-    """A number or claim of a paper, and what it is looked up in."""
+    """A published value or claim of a paper, and the datasets that its check reads."""
 
     paper: str
     item: Item
@@ -131,16 +131,16 @@ class Task(NamedTuple):
 
     @property
     def about(self) -> xr.Dataset:
-        """The dataset that says what its samples assume."""
+        """The dataset with the assumptions of its samples."""
         return self.datasets[next(iter((self.item.over or self.item.reads).values()))]
 
     def look(self, reads: Mapping[str, str]) -> Found:
-        """What its check finds in some datasets.
+        """The result of its check in some datasets.
 
         Raises
         ------
         InputError
-            When the check returns neither a judgement nor, for a number, the number.
+            When the check returns neither a result nor, for a published value, a number.
         """
         found = self._found(self.item, reads)
         for other in self.others:
@@ -149,7 +149,7 @@ class Task(NamedTuple):
         return consistent(found, self.paper, self.item.check or "")
 
     def _found(self, item: Item, reads: Mapping[str, str]) -> Found:
-        """What the check of an item finds; the check of a number may return the number alone.
+        """The result of an item's check; the check of a published value may return a number alone.
 
         Raises
         ------
@@ -169,22 +169,22 @@ class Task(NamedTuple):
         raise InputError(where, f"{item.id}.check", found, allowed)
 
     def at_base(self, found: Found, cell: Mapping[str, Any]) -> Found:
-        """The cell that counts as the base case."""
+        """The cell of the base case."""
         if not cell:
             return found
         return at_cell(found, cell, f"config/published/{self.paper}.yaml", f"{self.item.id}.base")
 
 
 def _together(item: Item, found: Found, other: Item, theirs: Found) -> Found:
-    """A number that counts as met where another is, too."""
+    """A published value that counts as met only where another is met, too."""
     mine = _room(item, found.value) if found.margin is None else found.margin
     room = xr.apply_ufunc(np.minimum, mine, _room(other, theirs.value))
-    on_the_bound = (room <= 0.0) & (room > -SLACK)  # is inside it, as of a number alone
+    on_the_bound = (room <= 0.0) & (room > -SLACK)  # counts as met, as for a single value
     return judged(found.value, room.where(~on_the_bound, SLACK), found.given)
 
 
 def _grounds(task: Task, base: Found, every: Found, found: xr.DataArray) -> Grounds:
-    """A premise, what is left out, when the verdict was certain, the base and further cases."""
+    """Grounds: premise, missing cases, samples until the verdict was certain, base and further cases."""
     item, granted = task.item, every.granted()
     premise = None
     if granted is not every:
@@ -208,7 +208,7 @@ def _grounds(task: Task, base: Found, every: Found, found: xr.DataArray) -> Grou
 
 
 def _outcomes(task: Task, base: Found) -> Iterator[Outcome]:
-    """The base case of a claim, of which no column tells, and further cases."""
+    """The base case of a claim, which has no column, and further cases."""
     item = task.item
 
     def of(name: str, found: Found, about: xr.Dataset) -> Outcome:
@@ -225,9 +225,9 @@ def _outcomes(task: Task, base: Found) -> Iterator[Outcome]:
 
 
 def _cases(task: Task, base: Found, space: Found) -> Iterator[Case]:
-    """The base case, and each case that is judged; one case where these are the same."""
+    """The base case, and each judged case; one case if these are the same."""
     item, datasets = task.item, task.datasets
-    # a claim is judged over what is open, where a value fitted for the base case may be free
+    # a claim is judged over unspecified inputs, among which may be one that is fitted in the base case
     judging = {*item.over.values()} if item.kind == "claim" and item.over else item.datasets
     calibrated = any(_rests_on_fitted(datasets[name]) for name in judging)
     calibrated |= item.chosen is not None and not item.chosen.varied
@@ -254,17 +254,17 @@ def _cases(task: Task, base: Found, space: Found) -> Iterator[Case]:
     cases = [*of(space, item.over or item.reads, {})]
     if not item.over:
         cases = [replace(case, base=_is_at(case, item.base)) for case in cases]
-    if not any(case.base for case in cases):  # it is none of those that are judged
+    if not any(case.base for case in cases):  # the base case is not among the judged cases
         alone = of(base, item.reads, item.base)
         yield from (replace(case, base=True, judged=False) for case in alone)
     yield from cases
 
 
 def _rests_on_fitted(dataset: xr.Dataset) -> bool:
-    """Whether a value that was fitted to a printed number is behind a dataset."""
+    """Whether a dataset depends on an input that was fitted to a published value."""
     if FITTED in dataset.attrs:
         return bool(dataset.attrs[FITTED])
-    from riserstudy.dataset.origins import origins_of  # which knows scenes
+    from riserstudy.dataset.origins import origins_of  # imports scenes
 
     return "calibrated" in origins_of(dataset).values()
 
@@ -276,23 +276,23 @@ def _is_at(case: Case, cell: Mapping[str, Any]) -> bool:
 def _margins(
     margin: xr.DataArray | None, at_base: xr.DataArray | None
 ) -> tuple[float | None, float | None, float | None]:
-    """The margin of the base case, and of nine in ten of the cases that are judged."""
+    """The margin of the base case, and the range of nine in ten judged cases."""
     if margin is None or at_base is None:
         return None, None, None
     low, high = (float(margin.quantile(share)) for share in ENDS) if margin.ndim else (None, None)
-    # a base case that is compared in several ways has several
+    # a base case with several comparisons has several margins
     return None if at_base.ndim else float(at_base), low, high
 
 
 def _margin(item: Item, found: Found) -> xr.DataArray | None:
-    """How far a number is from the end of its tolerance, a claim from where it would turn; -1 to 1."""
+    """Distance of a value from the end of its tolerance, or of a claim from its change; -1 to 1."""
     if item.published is None or item.together:
         return None if found.margin is None else found.margin.clip(-1.0, 1.0)
     return _room(item, found.value)
 
 
 def _room(item: Item, value: xr.DataArray) -> xr.DataArray:
-    """How far a number is from the end of its tolerance; -1 to 1."""
+    """Distance of a value from the end of its tolerance; -1 to 1."""
     published, rounding = item.published or 0.0, item.rounding or 0.0
     return below(abs(value - published), tolerance(published, rounding, item.within)).clip(
         -1.0, 1.0
@@ -300,7 +300,7 @@ def _room(item: Item, value: xr.DataArray) -> xr.DataArray:
 
 
 def _answers(item: Item, found: Found) -> xr.DataArray:
-    """Where a number is met, or a claim true; as ``answers``."""
+    """Whether a published value is met, or a claim is true; as ``answers``."""
     if item.published is None or item.together:
         if found.true is None:
             allowed = "allowed is `judged(value, margin)`, as of a claim; of a number, published and rounding"
@@ -310,14 +310,14 @@ def _answers(item: Item, found: Found) -> xr.DataArray:
 
 
 def _met(item: Item, value: xr.DataArray) -> xr.DataArray:
-    """Where a number is met by itself, as ``answers``."""
+    """Whether a published value alone is met, as ``answers``."""
     hits = met(value, item.published or 0.0, item.rounding or 0.0, item.within)
     answer: xr.DataArray = xr.where(hits, TRUE, FALSE).where(value.notnull())
     return answer
 
 
 def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[ErratumRow]:
-    """A row for every erratum of a paper, its text filled with what was simulated."""
+    """A row for every erratum of a paper, with simulated values inserted into its text."""
     return [
         ErratumRow(file.paper, e.id, e.where, e.printed, e.reading, _filled(e, checks, datasets))
         for e in file.errata

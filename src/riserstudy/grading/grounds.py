@@ -1,4 +1,4 @@
-"""The grounds of a verdict as a record: shares of samples, what decides, and further cases. No words."""
+"""The grounds of a verdict as a record, without text: shares of samples, deciding inputs, further cases."""
 
 from __future__ import annotations
 
@@ -27,11 +27,9 @@ from riserstudy.records.graded import (
     Verdict,
 )
 
-MANY = 100  # samples from which a share has an interval
+MANY = 100  # smallest number of samples for an interval of a share
 
-Called = (
-    Mapping[str, str] | None
-)  # what inputs are called, as in ``riserstudy.grading.names.input_name``
+Called = Mapping[str, str] | None  # names of inputs, as in ``riserstudy.grading.names.input_name``
 
 
 def explained(
@@ -42,14 +40,14 @@ def explained(
     base: bool,
     called: Called,
 ) -> Grounds:
-    """The grounds, with what decides: interpretations where these answer differently, else inputs.
+    """The grounds, with the deciding inputs: interpretations if their answers differ, else other inputs.
 
     Parameters
     ----------
-    found : where it is met, over samples and cells; as ``riserstudy.grading.found.answers``.
+    found : whether it is met, over samples and cells; as ``riserstudy.grading.found.answers``.
     about : as in ``deciding``.
-    verdict : of the cases in which something is found.
-    base : whether the base case is met.
+    verdict : verdict of the cases with a result.
+    base : whether the base case meets it.
     """
     if verdict != "depends":
         return grounds
@@ -57,7 +55,7 @@ def explained(
     if not any(share.met for share in shares):  # of a number that the base case alone meets
         return replace(grounds, because="base case")
     if all(share.met / share.samples >= ALMOST_ALWAYS for share in shares):
-        # whatever else is open, it decides nothing
+        # no other unspecified input decides
         short = base and any(few(share.draws) for share in shares)
         return replace(grounds, because="too few samples" if short else "base case")
     if len({reading.answer for reading in grounds.readings}) > 1:
@@ -74,7 +72,7 @@ def explained(
 
 
 def _axes(readings: Sequence[Reading], called: Called) -> list[Influence]:
-    """The axes on which interpretations differ; of one axis with the share under each option."""
+    """The axes on which interpretations differ; for a single axis with the share for each option."""
     axes = [*readings[0].place]
     options = {str(r.place[axes[0]]): r.share.met / r.share.samples for r in readings}
     by_option = options if len(axes) == 1 else {}
@@ -89,14 +87,14 @@ def outcome_of(
     called: Called,
     readings: Sequence[Reading] = (),
 ) -> Outcome:
-    """One further case, of one cell or many; ``found`` and ``about`` as in ``explained``.
+    """One further case with one or many cells; ``found`` and ``about`` as in ``explained``.
 
-    ``readings``: what it finds with each interpretation, where there are several.
+    ``readings``: its results with each interpretation, if there are several.
 
     Raises
     ------
     SimulationError
-        When nothing is found in any cell of it.
+        When it has no result in any cell.
     """
     low, high = float(value.min()), float(value.max())
     if not bool(found.notnull().any()):
@@ -111,9 +109,10 @@ def outcome_of(
 
 
 def share_with_interval(found: xr.DataArray) -> Share:
-    """How many samples are hits of those in which something is found, with the 95 % interval of many.
+    """Number of hits among the samples with a result, with the 95 % interval for many samples.
 
-    By Wilson; too wide for evenly spread ones. All cells of a sample count as one draw.
+    The interval is Wilson's, which is too wide for evenly spread samples. All cells of a sample count as one
+    draw.
     """
     known = found.notnull()
     others = [dim for dim in found.dims if dim != "sample"]
@@ -128,5 +127,5 @@ def share_with_interval(found: xr.DataArray) -> Share:
 
 
 def settled(hits: NDArray[np.bool_], kind: Kind, base: bool) -> Settled:
-    """When the verdict was certain; as in ``decided_after``."""
+    """Number of samples until the verdict was certain; arguments as in ``decided_after``."""
     return Settled(decided_after(hits, kind, base), len(hits), SURE)

@@ -1,7 +1,8 @@
-"""How far a claim is from where it would turn: a signed distance, positive where it is true.
+"""Margin of a claim: signed distance from its change between true and false, positive where it is true.
 
-A difference over the larger of the two that are compared, so that 0.5 is a factor of two whatever the unit,
-and conditions of one claim can be set beside each other: the least of them is the claim's.
+It is the difference of two compared values divided by the larger one. In any unit, 0.5 is therefore a factor
+of two, and margins of several conditions of a claim can be compared: the margin of the claim is the smallest
+of them.
 """
 
 from __future__ import annotations
@@ -14,17 +15,17 @@ Value = xr.DataArray | NDArray[np.float64] | float
 
 
 def above(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray:
-    """By how much a value is above a bound.
+    """Relative amount by which a value exceeds a bound.
 
     Parameters
     ----------
-    value, bound : finite, infinite, or not a number.
-    over : what the difference is a share of, where the bound is zero; absent: the larger of both by size.
+    value, bound : finite, infinite, or NaN.
+    over : reference value of the difference, for a bound of zero; absent: the larger magnitude of both.
 
     Returns
     -------
-    Within -1 to 1 for values of one sign, 1 and -1 where one of them is infinite, 0 where both are alike;
-    not a number where one of them is none.
+    From -1 to 1 for values of the same sign, 1 or -1 if one of them is infinite, 0 if both are equal; NaN if
+    one of them is NaN.
     """
     one, other = xr.broadcast(xr.DataArray(value), xr.DataArray(bound))
     one, other = one.astype(float), other.astype(float)
@@ -33,17 +34,17 @@ def above(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray
     finite = np.isfinite(one) & np.isfinite(other)
     share = (difference / size).where(difference != 0.0, difference)
     margin: xr.DataArray = share.where(finite, np.sign(difference))
-    # two that never come are neither before the other: an answer, and not a missing one
+    # of two events that never occur, neither is before the other: this is an answer, not a missing value
     return margin.where(~(np.isinf(one) & (one == other)), 0.0)
 
 
 def below(value: Value, bound: Value, over: Value | None = None) -> xr.DataArray:
-    """By how much a value is below a bound; as ``above``."""
+    """Relative amount by which a value is below a bound; as ``above``."""
     return above(bound, value, over)
 
 
 def rising(values: xr.DataArray, axis: str, sign: float = 1.0) -> xr.DataArray:
-    """By how much values rise (sign 1) or fall (-1) at the least of the steps along an axis."""
+    """Smallest relative increase (sign 1) or decrease (-1) of values from step to step along an axis."""
     before, after = values.isel({axis: slice(None, -1)}), values.isel({axis: slice(1, None)})
     before = before.assign_coords({axis: after[axis]})
     step = above(after, before) if sign > 0 else above(before, after)
@@ -51,12 +52,12 @@ def rising(values: xr.DataArray, axis: str, sign: float = 1.0) -> xr.DataArray:
 
 
 def everywhere(margin: xr.DataArray, dims: str | list[str]) -> xr.DataArray:
-    """The least along dimensions, where a claim must be true all along; not a number where any is none."""
+    """Smallest margin along dimensions, for a claim that must be true everywhere; NaN if any is NaN."""
     return margin.min(dims, skipna=False)
 
 
 def least(*margins: xr.DataArray) -> xr.DataArray:
-    """The least of several conditions that must all be true."""
+    """Smallest margin of several conditions that must all be true."""
     smallest, *others = margins
     for other in others:
         smallest = xr.apply_ufunc(np.minimum, smallest, other)

@@ -1,4 +1,4 @@
-"""Models of numbers, claims and errata of a paper, each with an ID."""
+"""Models of published values, claims and errata of a paper, each with an ID."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from riserstudy.records.printed_figures import figures_in
 
 
 class PrintedNumber(Strict):
-    """Stands for a printed number of the paper, by its ID."""
+    """Represents a published value of the paper, by its ID."""
 
     printed: str
 
 
 class WordName(Strict):
-    """Stands for a word of size, whose bound `config/published/words.yaml` has."""
+    """Represents a word of size, whose bound is in `config/published/words.yaml`."""
 
     word: str
 
@@ -31,7 +31,7 @@ Option = str | float | list[float] | list[str] | PrintedNumber | WordName | Word
 
 
 class Checked(Strict):
-    """Something that a function of the paper's module looks up in datasets.
+    """An item that a function of the paper's module computes from datasets.
 
     ``reads`` names a dataset for each dataset argument of the function ``check``, ``with`` its options.
     """
@@ -54,14 +54,14 @@ class Checked(Strict):
 
     @property
     def words(self) -> list[Word]:
-        """Words of size that it is judged by."""
+        """Words of size in its options."""
         return [option for option in self.options.values() if isinstance(option, Word)]
 
 
 class ChosenBy(Strict):
-    """What of the base case was chosen because it gives a number or shows a claim.
+    """Inputs of the base case that were chosen because they give a published value or meet a claim.
 
-    ``varied``: whether samples vary it. Where they do not, meeting the number or claim is no evidence.
+    ``varied``: whether samples vary them. If they do not, agreement with the value or claim is no evidence.
     """
 
     what: InWords
@@ -69,17 +69,16 @@ class ChosenBy(Strict):
 
 
 class Item(Checked):
-    """A printed number or claim.
+    """A published value or claim.
 
-    ``over`` names the datasets that take the place of ``reads`` where the check runs over what the
-    paper leaves open; without it the check's own dimensions are that space, and ``base`` picks the cell
-    that counts as the simulated value. ``beside`` names datasets of further cases, told in the note:
-    one cell, or many with their range and the share of hits.
-    ``figure``: the printed figures that it stands in, or another place: `4a, 6 to 8, section 6.2`.
-    ``impossible`` says why nothing can be compared, ``not_comparable`` how what is published is defined
-    otherwise than what is computed.
-    ``within``: share of the printed value that a number is to be met to, as `0.15 %`. Absent: 1 %.
-    ``together``: IDs of numbers that the same case is to meet, since the paper has them of one case.
+    ``over`` names the datasets that replace ``reads`` when the check is run over the unspecified inputs of
+    the paper. Without ``over``, the dimensions of the check's result are these inputs, and ``base`` selects
+    the cell of the simulated value. ``beside`` names datasets of further cases for the note: one cell, or
+    many cells with their range and the share of hits. ``figure``: the published figures that contain it, or
+    another place: `4a, 6 to 8, section 6.2`. ``impossible``: reason why no comparison is possible.
+    ``not_comparable``: difference between the definitions of the published and the computed quantity.
+    ``within``: tolerance as a share of the published value, such as `0.15 %`. Absent: 1 %. ``together``: IDs
+    of published values that the same case must meet, because the paper gives them for one case.
     """
 
     figure: str
@@ -145,9 +144,9 @@ class Item(Checked):
 
 
 class Erratum(Checked):
-    """An error or gap of a paper: what is printed, what is read instead, what the simulation says.
+    """An error or gap of a paper: the printed text, the interpretation used instead, the simulated result.
 
-    ``simulation`` may hold fields such as ``{swing:.0%}``, filled with what ``check`` returns.
+    ``simulation`` may contain fields such as ``{swing:.0%}``, which are replaced by results of ``check``.
     """
 
     where: str
@@ -157,10 +156,10 @@ class Erratum(Checked):
 
 
 class PrintedInput(Strict):
-    """An input that a paper prints, as its scenes write it, and where it is printed.
+    """An input that a paper publishes, in the notation of its scenes, and its place in the paper.
 
-    ``at`` says where scenes hold it as it stands, ``riser[*]`` for any section. Absent: what they hold is
-    derived from it, or it is used nowhere.
+    ``at``: paths of scenes that have this value, with ``riser[*]`` for any section. Absent: scenes have
+    values that are derived from it, or do not use it.
     """
 
     what: str
@@ -170,15 +169,15 @@ class PrintedInput(Strict):
 
     @property
     def paths(self) -> list[str]:
-        """Where scenes hold it."""
+        """Paths of scenes that have it."""
         return [self.at] if isinstance(self.at, str) else self.at
 
 
 class PublishedFile(Strict):
-    """All that a paper printed: its inputs, and what is graded of it. Absent inputs: not yet listed.
+    """A paper's published inputs, values, claims and errata. Without ``inputs``, these are not yet listed.
 
-    ``called``: what verdicts call an unspecified input, by its path in a scene, or the name of its axis or
-    readings. Absent: as ``riserstudy.grading.names.input_name`` says it.
+    ``called``: names of unspecified inputs in verdicts, by path in a scene, or by name of their axis or
+    interpretations. Absent: from ``riserstudy.grading.names.input_name``.
     """
 
     paper: str
@@ -218,7 +217,7 @@ class PublishedFile(Strict):
         return self
 
     def number(self, of: str) -> float:
-        """The printed number of an ID.
+        """The published value with an ID.
 
         Raises
         ------
@@ -237,5 +236,5 @@ class PublishedFile(Strict):
 
     @property
     def checks(self) -> set[str]:
-        """Names of the functions that they are checked by."""
+        """Names of the functions that check them."""
         return {entry.check for entry in (*self.items, *self.errata) if entry.check}

@@ -1,4 +1,4 @@
-"""Inputs and their options as verdicts name them: in words, not as paths of a scene."""
+"""Names of inputs and options in verdicts: in words, not as paths of a scene."""
 
 from __future__ import annotations
 
@@ -13,19 +13,19 @@ OF_A_LOAD = ("coefficient", "diameter")
 
 
 def input_name(path: str, called: Mapping[str, str] | None = None) -> str:
-    """A path of a scene, or the name of an axis or of readings, as one would say it.
+    """A path of a scene, or the name of an axis or of interpretations, in words.
 
     ``current.profile.sum[0].surface_speed`` is the surface speed of current profile part 1.
 
     Parameters
     ----------
-    path : of an input.
-    called : what a paper's file calls inputs, by path. None: nothing of its own.
+    path : path of an input.
+    called : names of inputs in a paper's file, by path. None: none.
     """
     if called and path in called:
         return called[path]
     *above, last = path.split(".")
-    if last in OF_A_LOAD and above:  # the coefficient of a drag is a drag coefficient
+    if last in OF_A_LOAD and above:  # the coefficient of drag is a drag coefficient
         last = f"{above.pop()}_{last}"
     words = " ".join(_part(part) for part in above)
     return f"{_part(last)} of {words}" if words else _part(last)
@@ -40,7 +40,7 @@ def _part(part: str) -> str:
 
 
 def option_name(option: str) -> str:
-    """An option as one would say it; what a scene leaves out is absent."""
+    """An option in words; a part that is removed from a scene is "absent"."""
     if option == "None":
         return ABSENT
     return option.replace("_", " ") if _JOINED.fullmatch(option) else option

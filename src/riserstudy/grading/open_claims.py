@@ -1,6 +1,6 @@
-"""A file of numbers and claims about any model: inputs with what is open of them, and what is published.
+"""A file of published values and claims about any model, with its specified and unspecified inputs.
 
-Nothing here knows risers, scenes or datasets of runs.
+This module does not depend on risers, scenes or datasets of runs.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from riserstudy.inputs.strict import Strict
 Value = float | str
 MOST_SAMPLES = 100_000
 BASE, SAMPLES = "base", "samples"  # datasets of answers
-#: names of inputs, which are arguments
+#: names of inputs, which become arguments
 Name = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]{0,99}$")]
 
 
@@ -35,7 +35,7 @@ class Given(Strict):
 
 
 class Calibrated(Strict):
-    """An input that was fitted to a published number, ``to`` its ID."""
+    """An input that was fitted to a published value, whose ID is ``to``."""
 
     calibrated: Value
     to: str
@@ -43,7 +43,7 @@ class Calibrated(Strict):
 
 
 class Assumed(Strict):
-    """An input that the source does not give: the value of the base case, and its range or its options."""
+    """An input that the source does not give: its value in the base case, and its range or options."""
 
     assumed: Value
     range: Annotated[list[float], Field(min_length=2, max_length=2)] | None = None
@@ -76,7 +76,7 @@ Input = Given | Calibrated | Assumed
 
 
 class OpenClaim(Strict):
-    """A published number or claim, and the function that looks it up; fields as of ``Item``."""
+    """A published value or claim, and the function that computes it; fields as in ``Item``."""
 
     id: str
     kind: Literal["number", "claim"]
@@ -94,10 +94,11 @@ class OpenClaim(Strict):
 
 
 class ClaimsFile(Strict):
-    """Inputs, and numbers and claims that are graded over what is open of these.
+    """Inputs, and published values and claims that are graded over the unspecified inputs.
 
-    ``study`` names the file in tables. ``samples``: draws of all assumed inputs at once, by ``seed``.
-    ``words``: bounds of words of size, as in ``config/published/words.yaml``; absent: no claim has one.
+    ``study`` is the name of the file in tables. ``samples``: number of joint draws of all assumed inputs,
+    with ``seed``. ``words``: bounds of words of size, as in ``config/published/words.yaml``; absent: no claim
+    has one.
     """
 
     study: InWords
@@ -116,7 +117,7 @@ class ClaimsFile(Strict):
             if isinstance(one, Calibrated) and one.to not in ids:
                 raise ValueError(f"inputs.{name}: to: no number {one.to!r}")
         for item in self.items:
-            self.item(item)  # whose own rules hold here, too
+            self.item(item)  # applies the rules of Item
         return self
 
     @property
@@ -126,7 +127,7 @@ class ClaimsFile(Strict):
 
     @property
     def fitted(self) -> bool:
-        """Whether any input was fitted to a published number."""
+        """Whether any input was fitted to a published value."""
         return any(isinstance(one, Calibrated) for one in self.inputs.values())
 
     @property
@@ -135,7 +136,7 @@ class ClaimsFile(Strict):
         return {name: _value(one) for name, one in self.inputs.items()}
 
     def item(self, claim: OpenClaim) -> Item:
-        """A number or claim as the grader takes it."""
+        """A published value or claim in the form of the grader."""
         same = claim.model_dump(exclude={"options", "within", "chosen"})
         reads = {"answers": f"{claim.id} {BASE}"} if claim.check else {}
         over = {"answers": f"{claim.id} {SAMPLES}"} if claim.check and self.open else {}
@@ -163,12 +164,12 @@ def _value(one: Input) -> Value:
 
 
 def read_claims(path: str | Path) -> ClaimsFile:
-    """A file of numbers and claims.
+    """A file of published values and claims.
 
     Raises
     ------
     InputError
-        When it cannot be read, or cannot be meant.
+        When it cannot be read, or is invalid.
     """
     return check(ClaimsFile, read_yaml(Path(path)), path)
 

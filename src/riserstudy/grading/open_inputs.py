@@ -1,4 +1,4 @@
-"""Grade numbers and claims over the unspecified inputs of any model that a Python function can run."""
+"""Grade published values and claims over the unspecified inputs of any model that Python can run."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ from riserstudy.grading.yardstick import Condition, plain
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.graded import Graded
 
-#: from inputs by name, and the options of a number or claim, to a number, or a value with its margin
+#: function of inputs by name, and of the options of an item, that returns a number, or a value with a margin
 Check = Callable[..., Any]
 
 
 def claim(value: float, judged_by: float | Condition) -> Found:
-    """What a check returns of a claim.
+    """The result of a check of a claim.
 
     Parameters
     ----------
-    value : what is told of it, in its unit; not a number where nothing is found.
-    judged_by : a margin, which is above zero where the claim is true; or a condition in words of size, as
-        ``more``, ``less`` and ``alike`` give it.
+    value : value to report, in its unit; NaN if there is no result.
+    judged_by : a margin, which is above zero if the claim is true; or a condition with a word of size from
+        ``more``, ``less`` or ``alike``.
 
     Raises
     ------
@@ -44,22 +44,22 @@ def claim(value: float, judged_by: float | Condition) -> Found:
 
 
 def grade_claims(file: ClaimsFile, checks: Mapping[str, Check]) -> list[Graded]:
-    """Verdicts of all numbers and claims of a file.
+    """Verdicts of all published values and claims of a file.
 
-    Each check is run on the inputs of the base case, then on every sample of what is open: Sobol points,
-    spread over ranges evenly and over options with equal chance.
+    Each check is run with the inputs of the base case, then with every sample of the unspecified inputs:
+    Sobol points, uniform over ranges, and with equal probability over options.
 
     Parameters
     ----------
-    checks : by name. Each takes the inputs as a mapping, and the options of its number or claim by name. Of
-        a number it returns a float, of a claim what ``claim`` makes.
+    checks : functions by name. Each takes the inputs as a mapping, and the options of its item by name. For a
+        published value it returns a float, for a claim the result of ``claim``.
 
     Raises
     ------
     InputError
-        When there is no such check, or it returns neither.
+        When a check does not exist, or returns neither.
     SimulationError
-        When nothing is found in the base case.
+        When the base case has no result.
     """
     draws = sampled(file)
     found: list[Graded] = []
@@ -79,7 +79,7 @@ def grade_claims(file: ClaimsFile, checks: Mapping[str, Check]) -> list[Graded]:
 
 
 def sampled(file: ClaimsFile) -> dict[str, NDArray[Any]]:
-    """Values of all open inputs in every sample, by name; empty where nothing is open."""
+    """Values of all unspecified inputs in every sample, by name; empty if there are none."""
     if not file.open:
         return {}
     points = qmc.Sobol(len(file.open), seed=file.seed).random(file.samples)
@@ -87,7 +87,7 @@ def sampled(file: ClaimsFile) -> dict[str, NDArray[Any]]:
 
 
 def _spread(one: Assumed, share: NDArray[np.float64]) -> NDArray[Any]:
-    """Values of an input at places between 0 and 1 of its range or its options."""
+    """Values of an input at positions from 0 to 1 in its range or its options."""
     if one.range is not None:
         low, high = one.range
         return low + share * (high - low)
@@ -111,7 +111,7 @@ def _function(checks: Mapping[str, Check], one: OpenClaim) -> Check:
 
 
 def _answer(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options: Any) -> Found:
-    """What a check finds with some inputs."""
+    """The result of a check with some inputs."""
     _takes(function, inputs, one, options)
     answer = function(dict(inputs), **options)
     is_number = isinstance(answer, int | float | np.floating | np.integer)
@@ -124,7 +124,7 @@ def _answer(function: Check, inputs: Mapping[str, Value], one: OpenClaim, option
 
 
 def _takes(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options: Any) -> None:
-    """Refuse options that a check does not take, before it is run."""
+    """Refuse options that a check does not accept, before it is run."""
     try:
         inspect.signature(function).bind(inputs, **options)
     except TypeError as error:
@@ -135,7 +135,7 @@ def _takes(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options
 def _dataset(
     answers: list[Found], fitted: bool, draws: Mapping[str, NDArray[Any]] | None = None
 ) -> xr.Dataset:
-    """Answers over samples, with what each sample assumes."""
+    """Answers over samples, with the assumptions of each sample."""
     columns = {
         name: [getattr(answer, name) for answer in answers] for name in ("value", "margin", "same")
     }
@@ -154,7 +154,7 @@ def _dataset(
 
 
 def _looked_up(answers: xr.Dataset, **_: Any) -> Found:
-    """What was found, out of the dataset of answers; options have been used by then."""
+    """The result from the dataset of answers, for which the options have already been used."""
     value = answers["value"].drop_vars("sample") if not answers["value"].ndim else answers["value"]
     if "margin" not in answers:
         return Found(value)

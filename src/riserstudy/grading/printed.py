@@ -1,6 +1,6 @@
-"""What a paper prints: values of scenes, and numbers for figures and derived datasets.
+"""Published values of a paper: inputs of scenes, and numbers for figures and derived datasets.
 
-A plain value of a scene says that it is printed, and must be on the list of its paper.
+A value of a scene without a stated origin counts as published, and must be in the list of its paper.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ from riserstudy.scene.paths import matches
 
 
 def printed_inputs(config: Path, paper: str) -> list[PrintedInput]:
-    """What the file of a paper lists; nothing where there is no file or no list.
+    """Inputs that the file of a paper lists; empty without a file or list.
 
     Raises
     ------
     InputError
-        When the file cannot be meant.
+        When the file is invalid.
     """
     return printed_of(config, paper).inputs if published_path(config, paper).exists() else []
 
@@ -33,16 +33,16 @@ def printed_inputs(config: Path, paper: str) -> list[PrintedInput]:
 def with_printed(
     settings: dict[str, Any], config: Path, paper: str, file: PublishedFile | None = None
 ) -> dict[str, Any]:
-    """Settings of a figure or a derived dataset, ``{printed: N1}`` replaced by that number of the paper.
+    """Arguments of a figure or derived dataset, with ``{printed: N1}`` replaced by the published value.
 
-    ``{word: smaller}`` is replaced by the bound of that word.
+    ``{word: smaller}`` is replaced by the bound of this word.
 
-    ``file`` is what the paper printed, where it has been read.
+    ``file``: the paper's published file, if it has been read.
 
     Raises
     ------
     InputError
-        When the paper has no such number, or the table no such word.
+        When the paper has no such value, or the table no such word.
     """
     if any(_names(value, "word") for value in settings.values()):
         words = read_words(config)
@@ -68,7 +68,7 @@ def _names(value: Any, what: str) -> bool:
 
 
 def printed_as(inputs: Iterable[PrintedInput], path: str, value: Any) -> PrintedInput | None:
-    """The printed input that a value at a dotted path of a scene is, if it is one."""
+    """The published input to which a scene's value at a dotted path belongs, if there is one."""
     for printed in inputs:
         if str(printed.value) == str(value) and any(matches(path, at) for at in printed.paths):
             return printed
@@ -76,7 +76,7 @@ def printed_as(inputs: Iterable[PrintedInput], path: str, value: Any) -> Printed
 
 
 def unprinted(inputs: list[PrintedInput], scene: SceneFile) -> list[tuple[str, Any]]:
-    """Plain values of a scene, by dotted path, that are on no list of what its paper prints."""
+    """Values of a scene without an origin, by dotted path, that are not in the list of its paper."""
     return [
         (path, value)
         for path, value in plain_values(scene.tree, scene.origins)

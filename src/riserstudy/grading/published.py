@@ -1,4 +1,4 @@
-"""config/published/<paper>.yaml, read and held against datasets and the functions of a chapter."""
+"""config/published/<paper>.yaml, read and checked against datasets and functions of a chapter."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from riserstudy.study.arguments import refuse_arguments
 
 
 def published_path(config: Path, paper: str) -> Path:
-    """The file of a paper."""
+    """The published file of a paper."""
     return config / "published" / f"{paper}.yaml"
 
 
 def printed_of(config: Path, paper: str) -> PublishedFile:
-    """All that a paper printed.
+    """The published values and claims of a paper.
 
     Raises
     ------
     InputError
-        When its file cannot be meant, or names a word that is not in the table of words.
+        When its file is invalid, or names a word that is not in the table of words.
     """
     path = published_path(config, paper)
     file = check(PublishedFile, read_yaml(path, keep=True), path)
@@ -37,7 +37,7 @@ def printed_of(config: Path, paper: str) -> PublishedFile:
 
 
 def _look_up_words(file: PublishedFile, config: Path) -> None:
-    """Put bounds in the place of names of words."""
+    """Replace names of words by their bounds."""
     words = cache(partial(read_words, config))
     for entry in (*file.items, *file.errata):
         entry.options.update(looked_up(entry.options, file, words))
@@ -46,14 +46,14 @@ def _look_up_words(file: PublishedFile, config: Path) -> None:
 def looked_up(
     options: Mapping[str, Option], file: PublishedFile, words: Callable[[], WordsFile]
 ) -> dict[str, Option]:
-    """Options with printed numbers and bounds in place of their names; ``words`` reads the table of words.
+    """Options with published values and bounds in place of their names; ``words`` reads the table of words.
 
     Raises
     ------
     InputError
         When the table of words has no such word.
     ValueError
-        When the paper has no such number.
+        When the paper has no such published value.
     """
     found: dict[str, Option] = {}
     for name, option in options.items():
@@ -71,7 +71,7 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
     Raises
     ------
     InputError
-        When it cannot be meant, or needs a dataset that is not ``known``.
+        When it is invalid, or needs a dataset that is not ``known``.
     """
     path = published_path(config, paper)
     file = printed_of(config, paper)
@@ -85,7 +85,7 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
 
 
 def refuse_check(path: Path, paper: str, entry: Checked) -> None:
-    """Refuse a check that the paper's chapter does not define, or that takes other arguments.
+    """Refuse a check that the paper's chapter does not define, or that has other arguments.
 
     Raises
     ------

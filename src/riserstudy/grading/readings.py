@@ -1,4 +1,4 @@
-"""Answers by interpretation: a share is one of samples within one, never one of interpretations."""
+"""Answers by interpretation: a share counts samples within one interpretation, never interpretations."""
 
 from __future__ import annotations
 
@@ -18,16 +18,16 @@ from riserstudy.records.graded import Kind, Place, Reading, ReadingAnswer, Share
 
 
 def axes_of_readings(found: xr.DataArray) -> list[str]:
-    """Axes on which every value is an interpretation: all but samples."""
+    """Axes on which every value is an interpretation: all except samples."""
     return [str(dim) for dim in found.dims if dim != "sample" and found.sizes[dim] > 1]
 
 
 def readings_of(
     kind: Kind, found: xr.DataArray, about: xr.Dataset, called: Mapping[str, str] | None
 ) -> list[Reading]:
-    """What is found with each interpretation; none where there is one only.
+    """Results with each interpretation; empty if there is only one.
 
-    Without samples interpretations differ on the fewest axes that tell the answer.
+    Without samples, interpretations are distinguished on the fewest axes that determine the answer.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def _each(
 
 
 def answer_of(kind: Kind, share: Share) -> ReadingAnswer:
-    """What a share of samples says: almost all of one answer, or that it depends."""
+    """The answer of a share of samples: the answer of almost all samples, or "depends"."""
     true, same = share.met / share.samples, share.same / share.samples
     if true >= ALMOST_ALWAYS:
         return "true"
@@ -73,7 +73,7 @@ def answer_of(kind: Kind, share: Share) -> ReadingAnswer:
 
 
 def base_share(found: xr.DataArray, base: Place) -> Share | None:
-    """The share of samples within the interpretation of the base case, where there are both."""
+    """The share of samples with the interpretation of the base case, if both exist."""
     axes = axes_of_readings(found)
     if "sample" not in found.dims or any(axis not in base for axis in axes):
         return None
@@ -81,7 +81,7 @@ def base_share(found: xr.DataArray, base: Place) -> Share | None:
 
 
 def _deciding_axes(found: xr.DataArray, axes: Sequence[str]) -> list[str]:
-    """The fewest axes whose values tell the answer, whatever the others are; all of one answer."""
+    """The fewest axes whose values alone determine the answer."""
     if float(found.max()) == float(found.min()):
         return [*axes]
     for count in range(1, len(axes)):

@@ -1,4 +1,4 @@
-"""Tables of grading: a row a number or claim, a case, or an erratum; the fields of a row are its columns."""
+"""Tables of grading, with one row per item, case or erratum; the fields of a row are its columns."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from riserstudy.records.graded import Graded, ItemResult
 
 @dataclass(frozen=True)
 class Row(ItemResult):
-    """One line of reproduction.csv: ``grounds`` is JSON, of which ``depends_on`` and ``note`` tell."""
+    """One line of reproduction.csv: ``depends_on`` and ``note`` describe ``grounds``, which is JSON."""
 
     depends_on: str
     margin: float | None
@@ -37,7 +37,7 @@ class ErratumRow:
 
 
 def row_of(graded: Graded) -> Row:
-    """The line of a number or claim."""
+    """The line of a published value or claim."""
     same = {f.name: getattr(graded, f.name) for f in fields(Row) if f.name in _SAME}
     return Row(
         **same,

@@ -1,9 +1,9 @@
-"""Which inputs decide a yes or no.
+"""Inputs that decide a yes or no.
 
-Over samples that mix ranges and options: correlation ratios, the share of the outcome's variance that
-lies between groups of equal input, freed of what chance alone would give (epsilon squared). Estimators
-for given data that rest on a kernel or on the rank of an input (delta, PAWN, RBD-FAST) have no meaning
-for options without an order. Over a full grid of readings: total effects, which count interactions too.
+For samples over ranges and options, the measure is the correlation ratio: the share of the outcome's variance
+between groups of equal input, corrected for chance (epsilon squared). Estimators for given data that use a
+kernel or the rank of an input (delta, PAWN, RBD-FAST) have no meaning for options without an order. For a
+full grid of interpretations, the measure is the total effect, which includes interactions.
 """
 
 from __future__ import annotations
@@ -17,21 +17,22 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-MOST_GROUPS = 8  # of a continuous input
-A_GROUP = 4  # samples at least
-WEAK = 0.5  # below this share of the variance, a second input is looked for
-WORTH = 0.05  # of the variance, for a second input to be named
-SHUFFLES, SURE, SEED = 200, 0.95, 0  # an input is named when it beats so many shuffled outcomes
+MOST_GROUPS = 8  # largest number of groups of a continuous input
+A_GROUP = 4  # smallest number of samples in a group
+WEAK = 0.5  # explained share of the variance below which a second input is searched
+WORTH = 0.05  # smallest additional share of the variance for a second input to be named
+# an input must exceed this share of results for shuffled outcomes
+SHUFFLES, SURE, SEED = 200, 0.95, 0
 
 
 class Deciding(NamedTuple):
-    """Deciding inputs, the most important first, and how much each or all of them explain.
+    """Deciding inputs, the most important first, and the variance that each or all of them explain.
 
     Attributes
     ----------
-    explained : share of the variance that samples' inputs explain together, 0 where none stands out from
-        chance; None over a grid, and where nothing varies.
-    total_effects : of each input over a grid; empty for samples.
+    explained : share of the variance that the inputs of samples explain together, 0 if none exceeds chance;
+        None for a grid, and if the outcome does not vary.
+    total_effects : total effect of each input of a grid; empty for samples.
     """
 
     names: list[str]
@@ -44,9 +45,9 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
 
     Parameters
     ----------
-    outcome : above zero where it is one, over ``sample`` and any other dimensions; cells that are not a
-        number are left out.
-    about : holds what each sample assumed, as variables ``assumed_...`` with the path as long_name.
+    outcome : above zero for a hit, over ``sample`` and any other dimensions; NaN cells are excluded.
+    about : dataset with the assumptions of each sample, as variables ``assumed_...`` with the path as
+        long_name.
     """
     known, hits = _known_hits(outcome)
     if hits.all() or not hits.any():
@@ -74,7 +75,7 @@ def deciding(outcome: xr.DataArray, about: xr.Dataset) -> Deciding:
 
 
 def _known_hits(outcome: xr.DataArray) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Which cells of an outcome are known, flat, and of these which are hits."""
+    """Flags of the known cells of an outcome, flat, and flags of hits among these."""
     values = outcome.values.astype(float).ravel()
     known = ~np.isnan(values)
     return known, values[known] > 0.0
@@ -86,12 +87,12 @@ def _best(
     count: int,
     containing: str = "",
 ) -> tuple[list[str], float, NDArray[np.float64]]:
-    """The one input or the two that explain most of the first outcome, the ``containing`` one first.
+    """The one or two inputs that explain most of the first outcome, with ``containing`` first.
 
-    Also their share, and the largest share that any explain of each of the other outcomes.
+    It also returns their share, and the largest share that any inputs explain of each other outcome.
 
-    Two inputs are laid out coarsely: evenly spread samples leave few in a cell, which then share what
-    other inputs are, and the cell would be given credit for that.
+    Two inputs have coarse groups. With evenly spread samples, small cells contain few samples, which also
+    agree in other inputs, and the effect of those would be attributed to the cell.
     """
     cells: dict[tuple[str, ...], NDArray[np.int64]] = {(n,): group for n, group in groups.items()}
     if count == 2:
@@ -117,7 +118,7 @@ def _coarser(group: NDArray[np.int64], most: int) -> NDArray[np.int64]:
 
 
 def _of_a_grid(outcome: xr.DataArray) -> Deciding:
-    """The dimensions whose total effect is at least half of the largest."""
+    """The dimensions whose total effect is at least half of the largest one."""
     effects = total_effects(outcome)
     largest = max(effects.values(), default=0.0)
     names = sorted(
@@ -138,14 +139,14 @@ def total_effects(outcome: xr.DataArray) -> dict[str, float]:
 def shares_by_option(
     outcome: xr.DataArray, about: xr.Dataset, names: Iterable[str]
 ) -> dict[str, dict[str, float]]:
-    """Share of hits of an outcome under each option, by input.
+    """Share of hits of an outcome for each option, by input.
 
-    Inputs that are no named options, ranges and numbers, are left out.
+    Inputs with ranges or numbers, instead of named options, are excluded.
 
     Parameters
     ----------
     outcome, about : as in ``deciding``.
-    names : of the inputs.
+    names : names of the inputs.
     """
     varied, (known, true) = inputs(outcome, about), _known_hits(outcome)
     shares: dict[str, dict[str, float]] = {}
@@ -158,7 +159,7 @@ def shares_by_option(
 
 
 def inputs(outcome: xr.DataArray, about: xr.Dataset) -> dict[str, NDArray[np.generic]]:
-    """Values of every input in each cell of the outcome, flat: dimensions and what samples assumed."""
+    """Values of every input in each cell of the outcome, flat: dimensions and assumptions of samples."""
     varied: dict[str, xr.DataArray] = {}
     for dim in outcome.dims:
         name = str(dim)
@@ -175,16 +176,16 @@ def inputs(outcome: xr.DataArray, about: xr.Dataset) -> dict[str, NDArray[np.gen
 
 
 def correlation_ratio(values: NDArray[np.float64], group: NDArray[np.int64]) -> NDArray[np.float64]:
-    """Share of the variance between groups, less what chance gives; 0 to 1.
+    """Share of the variance between groups, minus its expectation by chance; 0 to 1.
 
     Parameters
     ----------
     values : (..., n).
-    group : (n,) that each belongs to, counted from 0.
+    group : (n,) group of each value, counted from 0.
 
     Returns
     -------
-    (...), 0 where all values are alike or groups as many as values.
+    (...), 0 if all values are equal or each value is a group.
     """
     n = values.shape[-1]
     around = values - values.mean(-1, keepdims=True)
@@ -201,7 +202,7 @@ def correlation_ratio(values: NDArray[np.float64], group: NDArray[np.int64]) -> 
 
 
 def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
-    """Group of each value: itself for options, one of several equally filled bins for a range."""
+    """Group of each value: the option itself, or one of several equally filled bins for a range."""
     unique, group = np.unique(values, return_inverse=True)
     places: NDArray[np.int64] = np.arange(len(unique))
     numbers = numbers_of(unique)
@@ -213,7 +214,7 @@ def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
 
 
 def numbers_of(values: NDArray[np.generic]) -> NDArray[np.float64] | None:
-    """Numbers that values begin with; None for options, which have no order."""
+    """Numbers at the begin of values; None for options, which have no order."""
     try:
         return np.array([float(str(value).split()[0]) for value in values])
     except ValueError:

@@ -1,11 +1,11 @@
-"""After how many samples a verdict was certain, looking at ever more of them in their order.
+"""Number of samples after which a verdict was certain, with samples examined in their order.
 
-Sobol points are spread evenly at every such prefix. The others are simulated all the same: what decides a
-claim takes more samples to see than whether anything does.
+The first Sobol points of each such number are spread evenly. The others are simulated anyway, because finding
+the deciding inputs requires more samples than the verdict.
 
 References
 ----------
-Clopper and Pearson (1934), bounds of a share from hits among draws.
+Clopper and Pearson (1934): bounds of a share from the number of hits.
 """
 
 from __future__ import annotations
@@ -24,12 +24,12 @@ from riserstudy.grading.verdict import (
 )
 from riserstudy.records.graded import Kind, Verdict
 
-SURE = 0.99  # that a share lies on the side of a bound on which it seems to lie
-FIRST = 8  # samples
+SURE = 0.99  # confidence that a share is on the indicated side of a bound
+FIRST = 8  # smallest number of samples that is examined
 
 
 def looks(samples: int) -> list[int]:
-    """Numbers of samples after which one looks: 8, 16, 32, 64, 96, 128, 192, 256 ..., all of them at last."""
+    """Numbers of samples that are examined: 8, 16, 32, 64, 96, 128, 192, 256 ..., and finally all."""
     counts = [FIRST]
     while counts[-1] < samples:
         last = counts[-1]
@@ -39,18 +39,18 @@ def looks(samples: int) -> list[int]:
 
 
 def certain(hits: int, samples: int) -> bool:
-    """Whether so many hits settle if the share is almost all, almost none, or neither."""
+    """Whether the number of hits determines if the share is almost all, almost none, or neither."""
     band = binomtest(hits, samples).proportion_ci(2.0 * SURE - 1.0, method="exact")
     always, never = band.low >= ALMOST_ALWAYS, band.high <= ALMOST_NEVER
     return bool(always or never or (band.low > ALMOST_NEVER and band.high < ALMOST_ALWAYS))
 
 
 def decided_after(hits: NDArray[np.bool_], kind: Kind = "claim", base: bool = True) -> int | None:
-    """Samples after which the verdict of all of them was certain; None when all of them leave it open.
+    """Number of samples after which the verdict of all samples was certain; None if it never was.
 
     Parameters
     ----------
-    hits : (samples,) in the order of their numbers.
+    hits : (samples,) in the order of the samples.
     kind : "number" or "claim".
     base : whether the base case is met.
     """

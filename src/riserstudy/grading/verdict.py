@@ -1,13 +1,13 @@
-"""How a printed number or claim comes out.
+"""Verdicts of published values and claims.
 
-A number is met within half a unit of its last printed digit or 1 %, whichever is larger; its file may name a
-stricter share than 1 %. Where a paper
-leaves something open, number and claim are judged over samples of it: what almost always holds holds, a
-claim that almost never holds fails, a number fails that no sample meets, anything between depends.
+A published value is met within half a unit of its last printed digit or 1 %, whichever is larger; its file
+may give a stricter share than 1 %. If inputs are unspecified, values and claims are judged over samples of
+these. A claim that is true in almost all samples holds, and a claim that is true in almost none fails. A
+value that no sample meets fails. All other cases depend.
 
 References
 ----------
-Wilks (1941), Determination of sample sizes for setting tolerance limits: how many draws are enough.
+Wilks (1941), Determination of sample sizes for setting tolerance limits: the required number of draws.
 """
 
 from __future__ import annotations
@@ -17,12 +17,13 @@ from typing import Any
 
 from riserstudy.records.graded import Verdict
 
-RELATIVE = 0.01  # a number is met within this share of it, however finely it is printed
+RELATIVE = 0.01  # relative tolerance of a published value, even if it has more digits
 ALMOST_ALWAYS, ALMOST_NEVER = 0.95, 0.05  # shares of the samples
-#: samples of which a claim that holds must be true. If all of 59 random draws are true, at least 95 % of what
-#: is open is, at a confidence of 95 %: 0.95^59 < 0.05. Fewer cannot show it, however they come out.
+#: smallest number of samples for a claim to hold. If all of 59 random draws are true, the claim is true for
+#: at least 95 % of the unspecified inputs, with a confidence of 95 %: 0.95^59 < 0.05. Fewer draws cannot show
+#: this.
 ENOUGH = 59
-SLACK = 1e-9  # so that a value on the bound is inside it
+SLACK = 1e-9  # relative margin, so that a value on the bound meets it
 
 
 def tolerance(published: float, rounding: float, within: float | None = None) -> float:
@@ -31,27 +32,27 @@ def tolerance(published: float, rounding: float, within: float | None = None) ->
 
 
 def met(simulated: Any, published: float, rounding: float, within: float | None = None) -> Any:
-    """Whether a simulated number, or each of an array, is the printed one; ``within`` as in ``tolerance``."""
+    """Whether a simulated number, or each of an array, meets the published one; ``within`` as above."""
     bound = tolerance(published, rounding, within)
     return abs(simulated - published) <= bound * (1.0 + SLACK)
 
 
 def error(simulated: float, published: float) -> float:
-    """Relative error, absolute where the printed number is zero."""
+    """Relative error; absolute if the published value is zero."""
     return (simulated - published) / abs(published) if published else simulated
 
 
 def verdict_of_number(hit: bool, share: float | None, calibrated: bool) -> Verdict:
-    """Verdict of a number.
+    """Verdict of a published value.
 
     Parameters
     ----------
-    hit : met by the base case.
+    hit : whether the base case meets it.
     share : share of the samples that meet it, None without samples.
-    calibrated : whether a calibrated input lies on its path.
+    calibrated : whether it depends on a calibrated input.
     """
     if share is not None:
-        # one reading that meets a number shows that it can be had
+        # one interpretation that meets a value shows that the value is possible
         settled = share >= ALMOST_ALWAYS if hit else share == 0.0
         if not settled:
             return "depends"
@@ -67,10 +68,10 @@ def verdict_of_claim(
 
     Parameters
     ----------
-    share : of what is open for which it is true.
-    calibrated : whether a calibrated input lies on its path.
-    base : true in the base case.
-    samples : that the share is of; None where all combinations of what is open are judged.
+    share : share of the samples in which it is true.
+    calibrated : whether it depends on a calibrated input.
+    base : whether it is true in the base case.
+    samples : number of samples; None if all combinations of the unspecified inputs are judged.
     """
     if math.isnan(share):
         raise ValueError("a share of no samples")

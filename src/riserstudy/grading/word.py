@@ -1,4 +1,4 @@
-"""A word of size that claims use, apart from what compares by it: a plan reads it without arrays."""
+"""A word of size in claims, separate from the comparisons, so that a plan can read it without arrays."""
 
 from __future__ import annotations
 
@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 
 class Word(NamedTuple):
-    """A word with its bound, a difference over the larger of the two values that are compared.
+    """A word with its bound, which is a difference divided by the larger of the two compared values.
 
-    ``most``: whether the bound is an upper one. ``band``: below this difference there is none.
+    ``most``: whether the bound is an upper one. ``band``: relative difference below which values do not
+    differ.
     """
 
     name: str

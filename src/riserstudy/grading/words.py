@@ -1,4 +1,4 @@
-"""What is told of a number or claim, as sentences: the one place that makes them, from records alone."""
+"""Sentences about published values and claims; only this module makes them, from records alone."""
 
 from __future__ import annotations
 
@@ -22,18 +22,18 @@ from riserstudy.records.graded import (
     Together,
 )
 
-DECIDES = 1.0 / 3.0  # of the variance of the outcome: inputs that explain less decide nothing
-MANY, NAMED = 12, 6  # of more interpretations than that, only so few are named
+DECIDES = 1.0 / 3.0  # smallest share of the outcome's variance that deciding inputs must explain
+MANY, NAMED = 12, 6  # of more than MANY interpretations, only NAMED are named
 _HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
 
 
 def note(kind: Kind, unit: str, grounds: Grounds) -> str:
-    """The note of a row: all that the other columns do not tell, then what the paper's file notes.
+    """The note of a row: facts that are not in other columns, then the note of the paper's file.
 
     Parameters
     ----------
     kind : "number" or "claim".
-    unit : of what is simulated.
+    unit : unit of the simulated value.
     """
     share = [] if grounds.because else share_in_words(kind, grounds)
     by = [] if grounds.readings else grounds.decided_by
@@ -43,12 +43,12 @@ def note(kind: Kind, unit: str, grounds: Grounds) -> str:
 
 
 def remarks(kind: Kind, unit: str, grounds: Grounds) -> list[str]:
-    """What is told beside the share and what each option gives, a sentence an entry; the file's note last."""
+    """Sentences in addition to the share and the results by option, with the file's note last."""
     return [*_influence(grounds), *filter(None, _further(kind, unit, grounds))]
 
 
 def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
-    """All but shares and what decides."""
+    """All sentences except shares and deciding inputs."""
     yield grounds.impossible
     yield grounds.not_comparable
     yield from _within(grounds.within)
@@ -64,7 +64,7 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
 
 
 def depends_on(kind: Kind, grounds: Grounds) -> str:
-    """What decides and in how many samples it is met; "" where the verdict does not depend."""
+    """Deciding inputs and the number of samples that meet it; "" if the verdict does not depend."""
     if not grounds.because:
         return ""
     if grounds.readings:
@@ -73,7 +73,7 @@ def depends_on(kind: Kind, grounds: Grounds) -> str:
 
 
 def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
-    """What is found with which interpretation: first what is certain, then shares within interpretations."""
+    """Results by interpretation: first certain answers, then shares within interpretations."""
     true, false = _HIT[kind]
     words: dict[ReadingAnswer, str] = {
         "true": true,
@@ -99,7 +99,7 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
 
 
 def reading_name(reading: Reading) -> str:
-    """An interpretation by its place on the axes; in quotation marks where it has a comma itself."""
+    """Name of an interpretation by its place on the axes; in quotation marks if it contains a comma."""
     name = " / ".join(
         option_name(value) if isinstance(value, str) else f"{value:g}"
         for value in reading.place.values()
@@ -108,7 +108,7 @@ def reading_name(reading: Reading) -> str:
 
 
 def decided_by(grounds: Grounds) -> str:
-    """What decides; "" where the verdict does not depend."""
+    """Deciding inputs; "" if the verdict does not depend."""
     if grounds.because == "too few samples":
         shares = [reading.share for reading in grounds.readings] or [grounds.share or Share(0, 1)]
         return f"too few samples ({min(share.draws or 0 for share in shares)} of {ENOUGH})"
@@ -131,7 +131,7 @@ def listed(names: Iterable[str]) -> str:
 
 
 def margin_in_words(margin: float, low: float | None, high: float | None) -> str:
-    """How far a verdict is from turning; a difference over the larger of the two that are compared."""
+    """The margin of a verdict in words, as a difference divided by the larger of the compared values."""
     text = f"Margin to a change of the outcome: {_signed(margin)} %"
     if low is None or high is None:
         return f"{text}."
@@ -139,20 +139,20 @@ def margin_in_words(margin: float, low: float | None, high: float | None) -> str
 
 
 def _signed(share: float) -> str:
-    """A share in per cent with its sign; what rounds to nothing has none."""
+    """A share in per cent with its sign; without a sign if it is rounded to zero."""
     percent = round(100.0 * share)
     return f"{percent:+d}".replace("-", "−") if percent else "0"
 
 
 def share_in_words(kind: Kind, grounds: Grounds) -> list[str]:
-    """In how many samples, or with which interpretations, it is met; none where nothing is sampled."""
+    """Number of samples, or interpretations, that meet it; empty without samples."""
     if grounds.readings:
         return [f"{_capital(by_reading(kind, grounds.readings))}."]
     return [f"{_capital(_share(grounds.share, _HIT[kind][0]))}."] if grounds.share else []
 
 
 def _influence(grounds: Grounds) -> list[str]:
-    """How much the deciding inputs explain."""
+    """Share of the variance that the deciding inputs explain."""
     by = grounds.decided_by
     if by and by[0].total_effect is not None:
         shares = ", ".join(f"{i.name} {100 * (i.total_effect or 0.0):.0f} %" for i in by)
@@ -167,7 +167,7 @@ def _influence(grounds: Grounds) -> list[str]:
 
 
 def _by_option(kind: Kind, influence: Influence) -> str:
-    """How often it comes out under each option of a deciding input."""
+    """Share of the samples that meet it, for each option of a deciding input."""
     options = influence.by_option.items()
     each = "; ".join(f"{option_name(option)} {100 * share:.0f} %" for option, share in options)
     return f"Share of samples {_HIT[kind][0]}, by {influence.name}: {each}." if each else ""
@@ -179,7 +179,7 @@ def _within(share: float | None) -> Iterator[str]:
 
 
 def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
-    """What words of size mean."""
+    """Meanings of words of size."""
     for word in words:
         bound, band = f"{100 * word.bound:g} %", f"{100 * word.band:g} %"
         if word.most:
@@ -194,7 +194,7 @@ def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
 
 
 def _premise(premise: Premise | None) -> Iterator[str]:
-    """How many samples a claim with a premise is judged by."""
+    """Number of samples that meet the premise of a claim."""
     if premise is None:
         return
     if premise.judged:
@@ -204,13 +204,13 @@ def _premise(premise: Premise | None) -> Iterator[str]:
 
 
 def _missing(missing: Missing | None) -> Iterator[str]:
-    """How many cases are left out."""
+    """Number of cases without a result."""
     if missing is not None:
         yield f"Left out, because they have no result: {missing.cases} of {missing.of} cases."
 
 
 def _together(together: Together | None) -> Iterator[str]:
-    """With which numbers it is judged, and how often it is met alone."""
+    """Values that are judged together with it, and the number of samples that meet it alone."""
     if together is None:
         return
     others, alone = listed(together.others), together.alone
@@ -220,7 +220,7 @@ def _together(together: Together | None) -> Iterator[str]:
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
-    """What of the base case was chosen by it."""
+    """Inputs of the base case that were chosen to meet it."""
     if chosen is None:
         return
     then = "Samples vary this choice."
@@ -230,7 +230,7 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:
-    """When the verdict was certain."""
+    """Number of samples after which the verdict was certain."""
     if settled is None:
         return
     percent = f"{100 * settled.confidence:.0f} %"
@@ -247,7 +247,7 @@ def _settled(settled: Settled | None) -> Iterator[str]:
 
 
 def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
-    """The base case or a further case, of one cell or many."""
+    """The base case or a further case, with one or many cells."""
     true, false = _HIT[kind]
     of = f" {unit}" if unit not in ("", "1") else ""
     cells = f"{_plain(outcome.low)} to {_plain(outcome.high)}{of}"
@@ -261,7 +261,7 @@ def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
 
 
 def _share(share: Share, word: str) -> str:
-    """How many samples are hits, with the interval of their share."""
+    """Number of hits among samples, with the interval of their share."""
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
         percent += f", 95 % interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
@@ -271,7 +271,7 @@ def _share(share: Share, word: str) -> str:
 
 
 def _plain(value: float) -> str:
-    """Three digits, without an exponent where a number is of a usual size."""
+    """A number with three digits, without an exponent for usual sizes."""
     return f"{float(f'{value:.3g}'):g}"
 
 

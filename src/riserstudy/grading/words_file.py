@@ -1,4 +1,4 @@
-"""config/published/words.yaml: what words of size mean in claims, alike for all papers."""
+"""config/published/words.yaml: meanings of words of size in claims, the same for all papers."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ NAME = "words.yaml"
 
 
 class WordOfSize(Strict):
-    """A bound: ``at_least`` of a change, or ``at_most``; ``also``: words with the same bound."""
+    """A bound of a change: ``at_least`` or ``at_most``; ``also``: words with the same bound."""
 
     at_least: Percent | None = None
     at_most: Percent | None = None
@@ -77,7 +77,7 @@ def read_words(config: Path) -> WordsFile:
     Raises
     ------
     InputError
-        When there is none, or when it cannot be meant.
+        When the table is missing or invalid.
     """
     path = words_path(config)
     if not path.exists():

@@ -1,7 +1,7 @@
-"""Comparisons in the words of a claim: one bound a word, and a difference below which there is none.
+"""Comparisons in the words of a claim, with one bound for each word, and a smallest difference.
 
-A claim of a change is true from the bound of
-its word on, "no difference" where the change is within the dead band, else false.
+A claim of a change is true if the change reaches the bound of its word. If the change is within the dead
+band, the answer is "no difference"; otherwise the claim is false.
 """
 
 from __future__ import annotations
@@ -16,37 +16,38 @@ from riserstudy.grading.word import Word
 
 
 class Condition(NamedTuple):
-    """A condition of a claim: its margin, above zero where it is met, and where nothing differs."""
+    """A condition of a claim: its margin, above zero where it is met, and flags of no difference."""
 
     margin: xr.DataArray
     same: xr.DataArray
 
 
 def more(value: Value, other: Value, word: Word) -> Condition:
-    """A value exceeds another by as much as a word says."""
+    """Condition: a value exceeds another by at least the bound of a word."""
     difference = above(value, other)
     return Condition(difference - word.bound, abs(difference) < word.band)
 
 
 def less(value: Value, other: Value, word: Word) -> Condition:
-    """A value is below another by as much as a word says."""
+    """Condition: a value is below another by at least the bound of a word."""
     return more(other, value, word)
 
 
 def alike(value: Value, other: Value, word: Word) -> Condition:
-    """Two values differ by no more than a word says."""
+    """Condition: two values differ by at most the bound of a word."""
     return plain(word.bound - abs(above(value, other)))
 
 
 def plain(margin: xr.DataArray) -> Condition:
-    """A condition that is met or not, as a bound in seconds is."""
+    """A condition without a dead band, such as a bound in seconds."""
     return Condition(margin, xr.zeros_like(margin, bool))
 
 
 def growing(values: xr.DataArray, axis: str, word: Word, sign: float = 1.0) -> Condition:
-    """Values grow (sign 1) or fall (-1) along an axis by as much as a word says, and never turn back.
+    """Condition: values increase (sign 1) or decrease (-1) along an axis by a word's bound, monotonically.
 
-    From the first to the last value; a step the other way counts where it is a difference at all.
+    The change is from the first to the last value; a step in the other direction counts if it exceeds the
+    dead band.
     """
     first, last = (values.isel({axis: end}, drop=True) for end in (0, -1))
     before, after = values.isel({axis: slice(None, -1)}), values.isel({axis: slice(1, None)})
@@ -63,9 +64,9 @@ def more_on_the_whole(
     axis: str,
     within: xr.DataArray | None = None,
 ) -> Condition:
-    """The mean along an axis exceeds another's by as much as a word says, and nowhere is it less.
+    """Condition: the mean along an axis exceeds another by the bound of a word, and no value is less.
 
-    ``within``: where along the axis they are compared; absent: everywhere.
+    ``within``: flags of the compared values along the axis; absent: all.
     """
     difference = above(value, other)
     if within is not None:
@@ -76,9 +77,9 @@ def more_on_the_whole(
 
 
 def all_of(*conditions: Condition | xr.DataArray) -> Condition:
-    """All conditions at once; a margin alone is one without dead band.
+    """The condition that all conditions are met; a margin alone is a condition without a dead band.
 
-    No difference where none is false, and one compares what does not differ.
+    The answer is "no difference" if no condition is false, and one has no difference.
     """
     first, *others = (c if isinstance(c, Condition) else plain(c) for c in conditions)
     margin, unless = first.margin, _not_false(first)
@@ -89,7 +90,7 @@ def all_of(*conditions: Condition | xr.DataArray) -> Condition:
 
 
 def all_along(condition: Condition, dims: str | list[str]) -> Condition:
-    """A condition that must be met all along dimensions; not a number where any margin is none."""
+    """A condition that must be met everywhere along dimensions; NaN if any margin is NaN."""
     margin = condition.margin.min(dims, skipna=False)
     return Condition(margin, _not_false(condition).all(dims) & ~(margin > 0.0))
 

@@ -1,1 +1,1 @@
-"""Records that travel from room to room, each defined once: no part of them is read out of a sentence."""
+"""Records that several packages exchange, each defined once, so that no data are parsed from sentences."""

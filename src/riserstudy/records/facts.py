@@ -1,7 +1,7 @@
-"""What is known of a run besides its arrays, and which of it studies hold of each of their points.
+"""Facts about a run in addition to its arrays, and the facts that studies hold for each point.
 
-A new fact is one field here, and the code that enters it. Where the field has a `Column`, the datasets of
-studies, the results database, plots and reruns have it by that alone.
+A new fact requires one field here, and the code that sets it. If the field has a `Column`, datasets of
+studies, the results database, plots and reruns include it automatically.
 """
 
 from __future__ import annotations
@@ -17,16 +17,16 @@ Kind = Literal["real", "integer", "text"]
 
 @dataclass(frozen=True)
 class Column:
-    """A fact as studies hold it: a variable over their points, and a column of the database's points.
+    """A fact in studies: a variable over their points, and a column in the database's table of points.
 
     Attributes
     ----------
-    long_name, unit : as CF has them; no unit for text.
-    name : of the variable. Absent: that of the fact.
-    part : key of the fact's value that is held, where that is a mapping. Absent: the value.
-    of : how it is made of the facts. Absent: the value, or nan; the lines or keys of text.
-    repeats : whether a second run of the point gives it again.
-    optional : whether datasets have it only where one of their runs has.
+    long_name, unit : as in CF; no unit for text.
+    name : name of the variable. Absent: name of the fact.
+    part : key of the value to use, if the fact is a mapping. Absent: the whole value.
+    of : function that computes it from the facts. Absent: the value, or nan; the lines or keys of text.
+    repeats : whether a second run of the point gives the same value.
+    optional : whether datasets have it only if one of their runs has it.
     in_database : whether the table of points has it.
     """
 
@@ -42,7 +42,7 @@ class Column:
 
 
 class EnergyAudit(TypedDict, total=False):
-    """Where energy went (J), and what share of that exchanged is not explained (1): theory (11)."""
+    """Balance of energy (J), and its residual as a share of the energy exchanged (1): theory (11)."""
 
     work_of_supports: float
     made_by_exchange: float
@@ -55,7 +55,7 @@ class EnergyAudit(TypedDict, total=False):
     unexplained_share: float
 
 
-#: relative, by quantity
+#: relative errors by quantity
 ErrorEstimate = dict[str, float]
 _ERROR = "estimated relative error of "
 _SAMPLING = "relative standard error, due to the finite length of the run, of the vibration's "
@@ -70,7 +70,7 @@ _VIBRATES: _Rare = {"optional": True, "in_database": False}
 
 
 class RunFacts(TypedDict, total=False):
-    """Facts about one run, each where the run has it; as JSON in the store and in attributes."""
+    """Facts about one run, which has only some of them; stored as JSON in the store and in attributes."""
 
     wall_seconds: Annotated[float, Column("elapsed time of the simulation", "s", repeats=False)]
     solve_seconds: Annotated[
@@ -134,13 +134,13 @@ class RunFacts(TypedDict, total=False):
     warnings: Annotated[
         list[str], Column("warnings of the run, one per line", kind="text", repeats=False)
     ]
-    #: by name, with why each is on
+    #: effects by name, each with the input that includes it
     effects: Annotated[
         dict[str, str],
         Column("simulated effects, one per line", kind="text", repeats=False, in_database=False),
     ]
     vibration_since: float  # s
-    vibration_above: float  # Hz, frequency of the slowest motion that counts
+    vibration_above: float  # Hz, lowest frequency that counts as vibration
     vibration_rms: Annotated[
         float, Column("root mean square of the vibration, over time and riser", "m", **_VIBRATES)
     ]
@@ -165,7 +165,7 @@ class RunFacts(TypedDict, total=False):
         ),
     ]
 
-    #: standard errors of the statistics of a vibration, by the length of the time that is judged
+    #: standard errors of a vibration's statistics due to the limited evaluated time
     sampling_error: Annotated[
         ErrorEstimate,
         Column(
@@ -194,21 +194,21 @@ class RunFacts(TypedDict, total=False):
         ),
     ]
 
-    statistics: dict[str, Any]  # of a vibration, where a run is kept to be compared with
+    statistics: dict[str, Any]  # statistics of a vibration, for runs that are kept for comparisons
 
-    directions: int  # in which the riser moves
+    directions: int  # number of directions in which the riser can move
     statics_iterations: int
     steps: int
     halved_steps: int
-    stable_step: float  # s, of explicit stepping
-    coupling: dict[str, Any]  # of a vessel and its riser
-    #: what each run of a refinement cost, and what broke it off
+    stable_step: float  # s, limit of the explicit method
+    coupling: dict[str, Any]  # facts about the exchange of a vessel and its riser
+    #: cost of each run of a refinement, and the reason for its end
     refinements: list[dict[str, Any]]
     ended_by: str
-    #: rows, as `simulation.extremes` makes them; what the first of the limits to be reached is
+    #: rows from `simulation.extremes`; the times at which limits are first reached, in the order of limits
     extremes: list[dict[str, Any]]
     limits_reached: list[float | str]
-    limits_reached_error: list[float]  # s, from outputs along the riser that are apart
+    limits_reached_error: list[float]  # s, due to the interval of outputs along the riser
     largest_stroke: float  # m
     # of a disconnect
     taken_by_the_release: float  # J
@@ -219,11 +219,11 @@ class RunFacts(TypedDict, total=False):
     clearance_time: float  # s
     clearance_aside: float  # m
     recontact_time: float  # s
-    recontact_aside: float  # m, the largest
+    recontact_aside: float  # m, largest distance
     contents_speed_max: float  # m/s
     contents_top_min: float  # m
-    fatigue: list[dict[str, Any]]  # rows of the details of a scene
-    # of runs that are timed in turns
+    fatigue: list[dict[str, Any]]  # rows of a scene's details
+    # of runs that are timed alternately
     wall_seconds_min: float
     cpu_seconds: float
 
@@ -237,7 +237,7 @@ class PointColumn:
 
     @property
     def name(self) -> str:
-        """Of the variable, and of the column."""
+        """Name of the variable and of the column."""
         return self.about.name or self.fact
 
     def is_in(self, facts: RunFacts) -> bool:
@@ -246,7 +246,7 @@ class PointColumn:
         return value is not None and (not self.about.part or self.about.part in value)
 
     def value(self, facts: RunFacts) -> Any:
-        """What a dataset holds of a run: a number, nan where the run has none, or lines of text."""
+        """Value of a run in a dataset: a number, nan if the run has none, or lines of text."""
         if self.about.of is not None:
             return self.about.of(facts)
         value: Any = facts.get(self.fact)
@@ -258,13 +258,13 @@ class PointColumn:
 
     @property
     def attributes(self) -> dict[str, str]:
-        """As CF has them."""
+        """CF attributes."""
         labels = {"units": self.about.unit, "long_name": self.about.long_name}
         return {name: text for name, text in labels.items() if text}
 
 
 def columns_of(record: type) -> tuple[PointColumn, ...]:
-    """What studies hold of the facts that a class describes, in the order of its fields."""
+    """Columns of the facts in a class, in the order of its fields."""
     return tuple(
         PointColumn(fact, about)
         for fact, hint in get_type_hints(record, include_extras=True).items()
@@ -275,5 +275,5 @@ def columns_of(record: type) -> tuple[PointColumn, ...]:
 
 @cache
 def point_columns() -> tuple[PointColumn, ...]:
-    """What studies hold of each of their points."""
+    """Columns that studies hold for each point."""
     return columns_of(RunFacts)

@@ -1,4 +1,4 @@
-"""How a printed number or claim came out, and the grounds of its verdict; the grounds travel as JSON."""
+"""Results of published values and claims, and the grounds of their verdicts, which are exchanged as JSON."""
 
 from __future__ import annotations
 
@@ -11,34 +11,34 @@ Kind = Literal["number", "claim"]
 Verdict = Literal[
     "reproduced", "calibrated", "holds", "fails", "depends", "not comparable", "not reproducible"
 ]
-#: why a verdict depends: on open inputs, on a base case that is none of the many, on too few samples, or on
-#: what cases would say in which nothing is found
+#: reason why a verdict depends: unspecified inputs, a base case that is not among the samples, too few
+#: samples, or cases without a result
 Because = Literal["inputs", "base case", "too few samples", "missing values"]
-Place = dict[str, Any]  # value by axis
-#: what almost all samples of an interpretation say; of a number, whether it is met
+Place = dict[str, Any]  # values by axis
+#: answer of almost all samples of an interpretation; for a published value, whether it is met
 ReadingAnswer = Literal["true", "no difference", "false", "depends"]
 
 
 class Travelling:
-    """Part of what travels as JSON, where what is no finite number is a string."""
+    """Base of records that are exchanged as JSON, in which NaN and infinity are strings."""
 
     __pydantic_config__: ClassVar = ConfigDict(ser_json_inf_nan="strings", extra="forbid")
 
 
 @dataclass(frozen=True)
 class Case:
-    """One line of margins.csv: one case of a number or claim; the fields are its columns.
+    """One line of margins.csv: one case of a published value or claim; the fields are its columns.
 
     Attributes
     ----------
-    place : its sample and its cell on the axes that are judged, by axis.
+    place : its sample and its cell on the judged axes, by axis.
     base, judged : whether it is the base case, and whether it counts in the share.
-    met : whether the number is met, or the claim true; None where nothing is found, which is never judged.
-    same : whether a claim is not true because what it compares does not differ.
-    margin : how far it is from where that would turn, -1 to 1; None where that is not known.
-    calibrated : whether a value fitted to a printed number is behind it.
-    rests_on : simulated studies (paper/name) with the axes by whose values, those of ``place``, its points
-        are picked; all points of a study without axes.
+    met : whether the value is met, or the claim is true; None without a result, which is never judged.
+    same : whether a claim is not true because the compared values do not differ.
+    margin : distance from the change of ``met``, -1 to 1; None if not known.
+    calibrated : whether it depends on an input fitted to a published value.
+    rests_on : simulated studies (paper/name) with the axes by which ``place`` selects its points; all points
+        of a study without axes.
     """
 
     paper: str
@@ -55,11 +55,11 @@ class Case:
 
 @dataclass(frozen=True)
 class Share(Travelling):
-    """How many samples meet a number or claim, counted in every cell that they are judged in.
+    """Number of samples that meet a published value or claim, counted in every judged cell.
 
-    ``same``: of the samples, those in which what a claim compares does not differ.
-    ``draws``: of what is open, without cells; None where all combinations of readings are judged.
-    ``low``, ``high``: 95 % interval of the share, 0 to 1; None where draws are few, or none are.
+    ``same``: number of samples in which the compared values do not differ.
+    ``draws``: number of draws, without cells; None if all combinations of interpretations are judged.
+    ``low``, ``high``: 95 % interval of the share, 0 to 1; None for few or no draws.
     """
 
     met: int
@@ -72,9 +72,9 @@ class Share(Travelling):
 
 @dataclass(frozen=True)
 class Reading(Travelling):
-    """What is found with one interpretation, at its place on the axes of interpretations.
+    """The result with one interpretation, at its place on the axes of interpretations.
 
-    ``share``: of its samples. ``decided_by``: names of inputs, where it depends on these.
+    ``share``: share of its samples. ``decided_by``: names of the inputs on which it depends.
     """
 
     place: Place
@@ -95,14 +95,15 @@ class Meaning(Travelling):
 
 @dataclass(frozen=True)
 class Influence(Travelling):
-    """An input that decides.
+    """A deciding input.
 
     Attributes
     ----------
-    input : its path in a scene, or the name of its axis or readings.
-    name : what a paper's file or the house calls it.
-    total_effect : share of the variance that remains when all others are known, over a grid; else None.
-    by_option : share of the samples that meet it under each option, as scenes write them; empty for ranges.
+    input : its path in a scene, or the name of its axis or interpretations.
+    name : its name in a paper's file, or its standard name.
+    total_effect : share of the variance that remains when all other inputs are known, for a grid; else None.
+    by_option : share of the samples that meet it for each option, in the notation of scenes; empty for
+        ranges.
     """
 
     input: str
@@ -113,10 +114,10 @@ class Influence(Travelling):
 
 @dataclass(frozen=True)
 class Outcome(Travelling):
-    """What the base case or a further case finds; ``low`` and ``high`` are one value where it has one cell.
+    """The result of the base case or a further case; ``low`` and ``high`` are equal for one cell.
 
-    ``share``, ``decided_by`` (names of inputs): of a case of many cells. ``readings``: as of ``Grounds``,
-    in place of these. ``same``: as of a ``Case``.
+    ``share``, ``decided_by`` (names of inputs): for a case with many cells. ``readings``: as in ``Grounds``,
+    instead of these. ``same``: as in a ``Case``.
     """
 
     name: str
@@ -131,7 +132,7 @@ class Outcome(Travelling):
 
 @dataclass(frozen=True)
 class Premise(Travelling):
-    """In how many of the samples what a claim takes for granted is so: these are judged."""
+    """Number of samples that meet the premise of a claim; only these are judged."""
 
     judged: int
     samples: int
@@ -139,7 +140,7 @@ class Premise(Travelling):
 
 @dataclass(frozen=True)
 class Missing(Travelling):
-    """In how many of the cases nothing is found, so that they are left out."""
+    """Number of cases without a result, which are excluded."""
 
     cases: int
     of: int
@@ -147,7 +148,7 @@ class Missing(Travelling):
 
 @dataclass(frozen=True)
 class Together(Travelling):
-    """IDs of numbers that are judged with one, in the same case; how often it is met alone."""
+    """IDs of values that are judged with one, in the same case; number of samples that meet it alone."""
 
     others: list[str]
     alone: Share
@@ -155,7 +156,7 @@ class Together(Travelling):
 
 @dataclass(frozen=True)
 class Chosen(Travelling):
-    """What of the base case was chosen because it gives this; whether samples vary it."""
+    """Inputs of the base case that were chosen to meet this; whether samples vary them."""
 
     what: str
     varied: bool
@@ -163,7 +164,7 @@ class Chosen(Travelling):
 
 @dataclass(frozen=True)
 class Settled(Travelling):
-    """After how many samples the verdict was certain, None where all leave it open; at which confidence."""
+    """Number of samples after which the verdict was certain, None if it is not; and the confidence."""
 
     after: int | None
     samples: int
@@ -172,26 +173,26 @@ class Settled(Travelling):
 
 @dataclass(frozen=True)
 class Grounds(Travelling):
-    """What a verdict rests on.
+    """The grounds of a verdict.
 
     Attributes
     ----------
-    impossible : why nothing is compared; "" where something is.
-    not_comparable : how what is published is defined otherwise than what is computed; "" where it is not.
-    within : share of the printed value to which it is to be met, where that is stricter than 1 %.
-    words : words of size that a claim is judged by.
-    share : of the samples that meet it, with the interpretation of the base case where there are several;
-        None where nothing is sampled, or the base case is of none.
-    readings : what is found with each interpretation; empty where there is one only.
-    because : why it depends; None where it does not.
-    decided_by : the inputs that decide, the most important first.
-    explained : share of the variance that these explain together, 0 where none stands out from chance;
-        None where that was not asked, or where inputs have total effects.
-    premise, settled : None where there is no premise, and where samples are few.
-    missing : None where something is found in every case.
-    together : None where it is judged alone. chosen : None where nothing was chosen by it.
-    outcomes : of the base case, where it is told, and of further cases.
-    note : of the paper's file.
+    impossible : reason why no comparison is possible; "" if it is possible.
+    not_comparable : difference of the definitions of published and computed quantity; "" if there is none.
+    within : tolerance as a share of the published value, if stricter than 1 %.
+    words : words of size in a claim.
+    share : share of the samples that meet it, with the interpretation of the base case if there are several;
+        None without samples, or if the base case has no interpretation.
+    readings : results with each interpretation; empty if there is only one.
+    because : reason why it depends; None if it does not.
+    decided_by : the deciding inputs, the most important first.
+    explained : share of the variance that these explain together, 0 if none exceeds chance; None if not
+        computed, or if inputs have total effects.
+    premise, settled : None without a premise, and for few samples.
+    missing : None if every case has a result.
+    together : None if it is judged alone. chosen : None if no input was chosen to meet it.
+    outcomes : results of the base case, if reported, and of further cases.
+    note : note of the paper's file.
     """
 
     impossible: str = ""
@@ -212,29 +213,29 @@ class Grounds(Travelling):
     note: str = ""
 
     def to_json(self) -> str:
-        """As the cell of a table; what is no finite number as a string."""
+        """JSON text for a cell of a table, with NaN and infinity as strings."""
         return _GROUNDS.dump_json(self).decode()
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Grounds:
-        """Of such a cell.
+        """Grounds from such a cell.
 
         Raises
         ------
         ValueError
-            When it is none.
+            When it is not valid.
         """
         return _GROUNDS.validate_json(text)
 
 
 @dataclass(frozen=True)
 class ItemResult:
-    """A printed number or claim and how it came out: what tables, database and report tell alike.
+    """A published value or claim and its result, as in tables, database and report.
 
     Attributes
     ----------
-    published, simulated : as printed, and of the base case; in ``unit``.
-    error : relative, absolute where zero is printed.
+    published, simulated : published value, and value of the base case, in ``unit``.
+    error : relative error; absolute if the published value is zero.
     """
 
     paper: str
@@ -251,13 +252,13 @@ class ItemResult:
 
 @dataclass(frozen=True)
 class Graded(ItemResult):
-    """How a printed number or claim came out, and why.
+    """The result of a published value or claim, with its grounds.
 
     Attributes
     ----------
-    margin : of the base case from where it would turn, -1 to 1; None where that is not known.
-    margin_low, margin_high : between these in nine of ten cases that are judged.
-    cases : all of it, with the points that they rest on.
+    margin : margin of the base case, -1 to 1; None if not known.
+    margin_low, margin_high : range of the margins of nine in ten judged cases.
+    cases : all cases, with the points that they use.
     """
 
     grounds: Grounds

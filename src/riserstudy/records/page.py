@@ -1,4 +1,4 @@
-"""What a chapter adds to the page of the report: tiles of the first screen, and a section of its own."""
+"""Additions of a chapter to the page of the report: tiles of the first screen, and a section."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from typing import NamedTuple
 
 
 class Tile(NamedTuple):
-    """The answer to one question: in large type, in a line, and as a small picture.
+    """The answer to one question: in large type, in one line, and as a small picture.
 
-    ``figure``: the figure that shows it; without it there is no tile. Without an answer the title of the
-    figure stands there.
+    ``figure``: the figure that shows it; without a figure there is no tile. Without an answer, the tile has
+    the title of the figure.
     """
 
     figure: str
@@ -20,16 +20,16 @@ class Tile(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """What a cell states, and the number that it sorts by."""
+    """Text of a cell, and the number for sorting."""
 
     text: str
     order: float | None = None
 
 
 class Table(NamedTuple):
-    """A table: its title, what a row is, its columns, which of them are numbers, and its rows.
+    """A table: its title, the meaning of a row, its columns, the columns with numbers, and its rows.
 
-    ``folded``: shown when it is asked for, and then sortable.
+    ``folded``: hidden until the reader opens it, and then sortable.
     """
 
     title: str
@@ -41,7 +41,7 @@ class Table(NamedTuple):
 
 
 class Section(NamedTuple):
-    """What a chapter states of its datasets: sentences, then tables."""
+    """Statements of a chapter about its datasets: sentences, then tables."""
 
     sentences: list[str]
     tables: list[Table]

@@ -1,27 +1,27 @@
-"""Which printed figures a name or an entry of a paper's file refers to."""
+"""Published figures to which a name or an entry of a paper's file refers."""
 
 from __future__ import annotations
 
-NAME = "fig"  # before the number, in names of figures that a paper prints
+NAME = "fig"  # prefix of the number, in names of figures that repeat a published figure
 
 
 def number_of(name: str) -> int | None:
-    """Number of the printed figure that a figure repeats: 8 for ``fig08``; None for an added one."""
+    """Number of the published figure that a figure repeats: 8 for ``fig08``; None for an added figure."""
     number = name.removeprefix(NAME)
     return int(number) if name != number and _is_number(number) else None
 
 
 def figures_in(text: str) -> frozenset[int]:
-    """Numbers of the printed figures that a number or claim stands in.
+    """Numbers of the published figures that contain a value or claim.
 
     Parameters
     ----------
-    text : figures, ranges of figures and other places, with commas between: ``4a, 6 to 8, section 6.2``.
+    text : figures, ranges of figures and other places, separated by commas: ``4a, 6 to 8, section 6.2``.
 
     Raises
     ------
     ValueError
-        When a part begins as a figure and is none.
+        When a part begins like a figure but is not one.
     """
     return frozenset(number for part in text.split(",") for number in _numbers(part.strip()))
 

@@ -1,4 +1,4 @@
-"""What a run knows of all its steps, until extremes, limits and warnings are made of it."""
+"""Values at all time steps of a run, from which extremes, limits and warnings are computed."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ class Peak(NamedTuple):
 
 @dataclass
 class Seen:
-    """Values at all steps of a run; nothing where only its outputs are known.
+    """Values at all time steps of a run; empty if only its outputs are known.
 
     Attributes
     ----------
-    steps : time (s) and what has one value a time, (steps,) or (steps, cylinders), by name.
-    peaks : of these values, by name.
-    rotations : of flex joints in space, at the outputs, (time, 3) rad, by name.
+    steps : time (s) and outputs with one value per time, (steps,) or (steps, cylinders), by name.
+    peaks : peaks of these values, by name.
+    rotations : rotations of flex joints in space, at the outputs, (time, 3) rad, by name.
     """
 
     steps: dict[str, NDArray[np.float64]] = field(default_factory=dict)
