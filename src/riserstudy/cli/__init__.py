@@ -1,6 +1,6 @@
-"""The commands of ``riserstudy``, thin: each calls what it is named for.
+"""The commands of ``riserstudy``, each a thin layer over the function that it is named after.
 
-A command is a function, an entry of ``GROUPS``, and an example.
+A command has a function, an entry in ``GROUPS``, and an example.
 """
 
 from __future__ import annotations
@@ -32,9 +32,9 @@ from riserstudy.cli.definitions import where_defined
 from riserstudy.cli.examples import EXAMPLES
 from riserstudy.errors import RiserStudyError, printable
 
-OBJECTS = (50_000, 20, 100)  # made, after which those are collected that nothing refers to
+OBJECTS = (50_000, 20, 100)  # thresholds of the garbage collection
 
-#: commands by what they are for, in the order of the help
+#: commands by purpose, in the order of the help
 GROUPS: dict[str, tuple[Any, ...]] = {
     "Simulate": (simulate.run, simulate.check, analyse.modes, tune.tune, simulate.rerun),
     "Inspect": (
@@ -54,7 +54,7 @@ NAMES: dict[Any, str] = {
     files.import_deck: "import",
     files.export_deck: "export",
     leave.watch_circles: "watch-circles",
-}  # that are no names of functions
+}  # names of commands that differ from names of functions
 
 app = typer.Typer(
     name="riserstudy",
@@ -87,11 +87,11 @@ for group, commands in GROUPS.items():
 
 
 def main() -> None:
-    """Run the command line; errors go to stderr in one line, with their exit code."""
+    """Run the command line; errors are printed on stderr in one line, with their exit code."""
     use_one_thread()
     _collect_seldom()
     try:
-        if status := app(standalone_mode=False):  # of a command that ends with one
+        if status := app(standalone_mode=False):  # exit status of the command
             sys.exit(status)
     except typer.Exit as done:
         sys.exit(done.exit_code)
@@ -101,13 +101,13 @@ def main() -> None:
         print(f"riserstudy: {error}{where_defined(error)}", file=sys.stderr)
         sys.exit(error.exit_code)
     except Exception as error:
-        if hasattr(error, "format_message"):  # a usage error of the command line itself
+        if hasattr(error, "format_message"):  # a usage error of the command line
             print(f"riserstudy: command line: {printable(error.format_message())}", file=sys.stderr)
             sys.exit(2)
         raise
 
 
 def _collect_seldom() -> None:
-    """Have what is loaded looked through seldom, and not once more at the end: that takes half a second."""
+    """Make garbage collections rare, and omit the last one at exit, which would take half a second."""
     gc.set_threshold(*OBJECTS)
     atexit.register(gc.freeze)

@@ -1,4 +1,4 @@
-"""What a scene is made of and what it costs: cost, effects, advise, modes."""
+"""Analysis of a scene: cost, effects, advise, modes."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def cost(
 
     prices: list[requests.Price] = []
     for price in requests.prices(file, progress=True):
-        if not prices:  # a scene that is refused has no table
+        if not prices:  # a refused scene has no table
             print("tolerance  estimated  segments  time step   time")
         prices.append(price)
         step = f"{price.step:7.3g} s" if price.step else "   none  "
@@ -101,7 +101,7 @@ def effects(
 
 
 def _needs(missing: str) -> str:
-    """What is missing, as "no wave, and riser.added_mass", as what an effect needs."""
+    """Inputs that an effect needs, from the reason for its absence: "no wave, and riser.added_mass"."""
     if not missing.startswith("no "):
         return missing
     return f"needs {missing.removeprefix('no ').replace(', and ', ' and ')}"

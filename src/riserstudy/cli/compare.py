@@ -1,4 +1,4 @@
-"""A run compared with others' files: compare."""
+"""Comparison of a run with files of others: compare."""
 
 from __future__ import annotations
 
@@ -102,7 +102,7 @@ def compare(
 
 
 def _called(settings: list[str] | None) -> dict[str, str]:
-    """Headings in the words of a run, by what the file calls its columns."""
+    """Headings in the terms of a run, by names of columns in the file."""
     called = {}
     for setting in settings or []:
         name, equals, heading = setting.rpartition("=")
@@ -115,7 +115,7 @@ def _called(settings: list[str] | None) -> dict[str, str]:
 
 
 def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Resolved | None:
-    """The scene behind the point; None where the dataset has none."""
+    """The scene of the point; None if the dataset has no scene."""
     from riserstudy.dataset.provenance import scene_of_point
 
     if not {"provenance", "scene"} & of_run.attrs.keys():
@@ -124,7 +124,7 @@ def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Resolved | None:
 
 
 def _print(found: list[tuple[Pair, Difference]]) -> None:
-    """Print differences as a table, in the units of the reader."""
+    """Print differences as a table, in the reader's units."""
     from rich.console import Console
     from rich.table import Table
 
@@ -144,7 +144,7 @@ def _print(found: list[tuple[Pair, Difference]]) -> None:
         )
     console = Console(markup=False)
     if not console.is_terminal:
-        console.width = 160  # a file has no width to wrap at
+        console.width = 160  # a file has no width for wrapping
     console.print(table)
 
 

@@ -1,4 +1,4 @@
-"""Where the page of signs and definitions says what a field of a scene means, for errors about it."""
+"""Sections of the page of signs and definitions for fields of a scene, for errors about them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 from riserstudy.errors import InputError
 
 PAGE = "docs/conventions.md"
-#: sections of the page, by words that a field's path has; the last part of the path counts first
+#: sections of the page, by words in a field's path; the last part of the path has priority
 SECTIONS = {
     "tensioners-and-telescopic-joint": ("stroke", "mid_stroke", "reach", "telescopic_joint"),
     "angles": ("angle", "rotation", "roll", "pitch", "yaw"),
@@ -22,7 +22,7 @@ SECTIONS = {
 
 
 def where_defined(error: Exception) -> str:
-    """What to append to an error about a signed or defined quantity; "" for others."""
+    """Text to append to an error about a signed or defined quantity; "" for others."""
     if not isinstance(error, InputError):
         return ""
     for part in reversed(re.split(r"[^a-z_]+", error.field)):

@@ -1,4 +1,4 @@
-"""What is signed before a riser is run: tension, operability, envelope, vortex-induced vibration."""
+"""Design checks before a riser is deployed: tension, operability, envelope, vortex-induced vibration."""
 
 from __future__ import annotations
 
@@ -138,12 +138,12 @@ def tension(
 
 
 def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
-    """Refuse a rig without a unit at work, and tolerances that are no numbers."""
+    """Refuse a rig without a working unit, and tolerances that are not finite."""
     if failed >= units:
         allowed = f"allowed are up to {units - 1} of {units}"
         raise InputError("--failed", str(failed), "no unit is left", allowed)
     for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
-        if not math.isfinite(tolerance):  # which a minimum lets pass
+        if not math.isfinite(tolerance):  # the option's minimum accepts these
             raise InputError(option, str(tolerance), "no finite number", "allowed is such as 1.05")
 
 
@@ -235,7 +235,7 @@ def envelope(
 
     seas = [Sea(*pair) for pair in pairs]
     for one in seas:
-        in_sea(file, one, 1).resolved()  # refuses a scene without a sea before anything runs
+        in_sea(file, one, 1).resolved()  # refuses a scene without a sea before any run
     found = computed(file, far, speeds, seas, seeds, notify)
     show(found.table, csv)
     for name, why in found.missing.items():
@@ -355,7 +355,7 @@ def _allowances(given: list[str] | None) -> dict[str, float]:
 
 
 def _between(low: float, high: float, missing: str) -> str:
-    """Where a limit is kept, in words."""
+    """Offsets between which a limit is met, in words."""
     if missing:
         return f"not evaluated: {missing}"
     if math.isnan(low):

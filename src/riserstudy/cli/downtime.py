@@ -1,4 +1,4 @@
-"""Hours of a record of sea states that limits leave, on the sea and of a riser in it."""
+"""Workable hours of a record of sea states, by limits on the sea and limits of a riser."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from riserstudy.seas.riser_downtime import Downtime
 
 
-SEEDS, ERROR, MOST = 5, 0.05, 400  # runs, tolerance and sea states where none is given
+SEEDS, ERROR, MOST = 5, 0.05, 400  # default number of runs, tolerance, and number of sea states
 
 RecordArgument = Annotated[
     Path, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
@@ -211,7 +211,7 @@ def _limits(texts: list[str]) -> list[SeaLimit]:
 
 
 def _read(record: Path) -> xr.Dataset:
-    """A record of seas; what was converted is printed."""
+    """A record of seas; conversions are printed."""
     from riserstudy.seas.record import read_record
 
     sea = read_record(record)
@@ -221,7 +221,7 @@ def _read(record: Path) -> xr.Dataset:
 
 
 def _show_returns(made: Downtime, period: list[int], units: UnitSystem) -> None:
-    """Print the responses that are exceeded once in each of some return periods (years)."""
+    """Print the return values of responses for some return periods (years)."""
     from riserstudy.dataset.tables import in_units
     from riserstudy.seas.riser_returns import returned, table_of
 
@@ -230,7 +230,7 @@ def _show_returns(made: Downtime, period: list[int], units: UnitSystem) -> None:
 
 
 def _write(made: Downtime, output: Path | None, plot: Path | None) -> None:
-    """Write the responses of a riser, and the figure of what governs, where they are wanted."""
+    """Write the responses of a riser and the figure of governing limits, if requested."""
     if output is not None:
         from riserstudy.dataset.netcdf import write_netcdf
 
@@ -246,7 +246,7 @@ def _write(made: Downtime, output: Path | None, plot: Path | None) -> None:
 def refuse(
     scene: Path | None, limit: list[str] | None, with_scene: dict[str, Any], without: dict[str, Any]
 ) -> None:
-    """Refuse options that do not fit: some go with a scene, others without one."""
+    """Refuse options that do not fit: some require a scene, others exclude one."""
     if not (scene or limit):
         raise InputError("downtime", "--limit", "none", "give limits on the sea, or --scene")
     for options, fits, allowed in (
@@ -269,7 +269,7 @@ def of_the_sea(
     plot: Path | None,
     name: str,
 ) -> None:
-    """Print hours that limits on the sea leave."""
+    """Print workable hours by limits on the sea."""
     from riserstudy.seas.hours import hours
 
     if hold_back:
@@ -296,10 +296,10 @@ def varied(
     simulated: Callable[[Any], Downtime],
     ahead: Ahead,
 ) -> Table:
-    """Hours by mode for each of some settings: what each of them buys."""
+    """Print workable hours by mode for several settings, to show the gain of each."""
     from riserstudy.dataset.table import Cell, Table
 
-    files = [(one, scene_of(scene, [*settings, one])) for one in vary]  # all are checked first
+    files = [(one, scene_of(scene, [*settings, one])) for one in vary]  # checks all of them first
     rows: list[list[Cell]] = []
     for setting, file in files:
         notify(setting)
@@ -329,7 +329,7 @@ def riser_downtime(
     most: int,
     cores: int | None,
 ) -> Downtime:
-    """Simulate sea states, reporting on stderr what comes next."""
+    """Simulate sea states, with progress on stderr."""
     from riserstudy.cli.shared import compile_kernels
     from riserstudy.seas.riser_downtime import riser_downtime as made
     from riserstudy.simulation.compile import available_cores
@@ -349,7 +349,7 @@ def riser_downtime(
 
 
 def _directions(sectors: int | None, x_towards: str | None) -> Directions | None:
-    """How directions become headings; None where they are not used."""
+    """Conversion of directions to headings; None if they are not used."""
     from riserstudy.seas.directions import Directions
 
     if (sectors is None) != (x_towards is None):

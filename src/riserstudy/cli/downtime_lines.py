@@ -1,4 +1,4 @@
-"""Hours of a record in lines: with their bands, windows, waits, and what came of years kept back."""
+"""Workable hours as lines of text: bands, windows, waits, and a check by held-back years."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Ahead(NamedTuple):
-    """Of how many years to come, and how years persist."""
+    """Number of future years, and persistence from year to year."""
 
     years: int
     persistence: float
@@ -29,7 +29,7 @@ class Ahead(NamedTuple):
 def show_riser(
     made: Downtime, lengths: list[float], ahead: Ahead, csv: Path | None, units: UnitSystem
 ) -> None:
-    """Print hours by mode, and the table of limits."""
+    """Print workable hours by mode, and the table of limits."""
     from riserstudy.dataset.tables import in_units
 
     for line in made.lines:
@@ -43,7 +43,7 @@ def show_riser(
 
 
 def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "") -> None:
-    """Print years to come, what persistence is worth, years left out, windows and waits."""
+    """Print future years, the effect of persistence, excluded years, windows and waits."""
     print(f"{indent}next {ahead.years} years: {banded(found.next_years(*ahead))}")
     others = [(h, found.next_years(ahead.years, h)) for h in PERSISTENCES]
     if not math.isnan(others[0][1].low):
@@ -65,7 +65,7 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
 
 
 def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: ignore[type-arg]
-    """Predict the last years from those before, and print what came."""
+    """Predict the last years from the previous years, and print the comparison."""
     import numpy as np
 
     from riserstudy.seas.hours import hours, whole

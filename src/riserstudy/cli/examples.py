@@ -1,4 +1,4 @@
-"""An example of every command, as its help shows it."""
+"""An example of every command, for its help text."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fatigue over years: damage of a study's sea states by how often each occurs."""
+"""Fatigue over years: damage in a study's sea states, weighted by their occurrence."""
 
 from __future__ import annotations
 
@@ -174,7 +174,7 @@ def _in_columns(table: Any) -> list[str]:
 
 
 def _print_comparison(years: Years, without: Years) -> None:
-    """Print what vortex-induced vibration brings of each detail's damage."""
+    """Print the share of vortex-induced vibration in each detail's damage."""
     from riserstudy.fatigue.vibration_share import shares
 
     for one in shares(years, without):

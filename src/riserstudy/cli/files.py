@@ -1,4 +1,4 @@
-"""Make files: draw, import, new, schema."""
+"""Commands that make files: draw, import, new, schema."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def export_deck(
 
 
 def _import_operators(source: Path, output: Path, length: str | None, force: bool) -> None:
-    """The table of operators that a file of WAMIT or Capytaine holds."""
+    """Write the table of RAOs from a file of WAMIT or Capytaine."""
     from riserstudy.importers import rao_files
     from riserstudy.scene.units import to_si
 

@@ -1,4 +1,4 @@
-"""Leaving the well in time: recoil, watch-circles."""
+"""Emergency disconnects: recoil, watch-circles."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def recoil(
 
 
 class Mode(StrEnum):
-    """Modes of operation that limits have."""
+    """Modes of operation of limits."""
 
     DRILLING = "drilling"
     CONNECTED = "connected"

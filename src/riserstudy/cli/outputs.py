@@ -1,4 +1,4 @@
-"""Of what a run returned: plot, table, statistics."""
+"""Outputs of a run: plot, table, statistics."""
 
 from __future__ import annotations
 
@@ -220,11 +220,11 @@ def _seconds(option: str, text: str) -> float:
         raise InputError(option, text, str(fault), "allowed is such as 3 h") from None
 
 
-SHORT = 10.0  # records that an exposure may last before a warning is given
+SHORT = 10.0  # ratio of exposure time to record from which on there is a warning
 
 
 def _warn_of_short_record(record: float, exposure: float | None) -> None:
-    """Say that extremes of a long exposure rest on little."""
+    """Warn that extremes for a long exposure time are based on a short record."""
     if exposure and exposure > SHORT * record:
         print(
             f"riserstudy: warning: extremes of {exposure:g} s are estimated from a record of {record:g} s, "
@@ -234,7 +234,7 @@ def _warn_of_short_record(record: float, exposure: float | None) -> None:
 
 
 def _warn_of_ramps(dataset: xr.Dataset, index: dict[str, int], begin: float) -> None:
-    """Say that times count in which motions still grow, so that deviations are too small."""
+    """Warn that the record includes ramps, which makes standard deviations too small."""
     from riserstudy.dataset.provenance import scene_of_point
 
     scene = scene_of_point(dataset, index)
@@ -247,11 +247,11 @@ def _warn_of_ramps(dataset: xr.Dataset, index: dict[str, int], begin: float) -> 
         )
 
 
-IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer cut peaks off
+IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer miss peaks
 
 
 def _warn_of_coarse_outputs(dataset: xr.Dataset, index: dict[str, int]) -> None:
-    """Say that outputs miss peaks, so that extremes are too small and periods too long."""
+    """Warn that outputs miss peaks, which makes extremes too small and periods too long."""
     from riserstudy.dataset.provenance import scene_of_point
 
     scene = scene_of_point(dataset, index)

@@ -124,7 +124,7 @@ def _show(
         for line in lines:
             print(line)
         sys.stdout.flush()
-    except BrokenPipeError:  # whoever reads has enough
+    except BrokenPipeError:  # the reading program has stopped
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
@@ -220,7 +220,7 @@ def diff(
     changed = changes(old, new)
     console = Console(markup=False)
     if not console.is_terminal:
-        console.width = 160  # a file has no width to wrap at
+        console.width = 160  # a file has no width for wrapping
     if changed.graded:
         table = Table("number or claim", "", "old", "new")
         for one in changed.graded:

@@ -1,4 +1,4 @@
-"""Records of sea states: what they hold."""
+"""Content of records of sea states."""
 
 from __future__ import annotations
 
@@ -120,12 +120,12 @@ def seas(
 
 
 def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
-    """See that a gamma (1), if it is given, converts periods of a record.
+    """Check that a gamma (1), if given, is needed to convert periods of a record.
 
     Raises
     ------
     InputError
-        Where it would do nothing.
+        If it would have no effect.
     """
     if gamma is None or ("peak_period" not in record and "zero_crossing_period" in record):
         return
@@ -138,7 +138,7 @@ def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
 
 
 def _place(text: str) -> Place:
-    """A place out of ``60.5, 2.3``: degrees north and east."""
+    """A place from a text such as ``60.5, 2.3``: degrees north and east."""
     from riserstudy.seas.netcdf_record import Place
 
     try:
@@ -151,7 +151,7 @@ def _place(text: str) -> Place:
 
 
 def return_heights(record: xr.Dataset, periods: list[int]) -> Table:
-    """Significant heights that are exceeded once in so many years."""
+    """Return values of the significant wave height, for return periods in years."""
     from riserstudy.seas.return_values import return_values
 
     height = record["significant_wave_height"].values
@@ -160,7 +160,7 @@ def return_heights(record: xr.Dataset, periods: list[int]) -> Table:
 
 
 def described(record: xr.Dataset) -> list[str]:
-    """What a record holds, in lines."""
+    """A summary of a record, as lines of text."""
     import numpy as np
 
     from riserstudy.seas.record import gaps

@@ -102,17 +102,17 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
 def compile_kernels(scene: Resolved) -> None:
     """Compile the kernels that runs of a scene need, before its runs are timed.
 
-    By a run that is broken off, so that compiling counts neither as time of the run nor against its patience.
+    This is done by a run that is interrupted. Compiling is then not included in the run's time or time limit.
     """
     from riserstudy.simulation.refine import run
 
     compile_as_needed()
-    with suppress(RiserStudyError):  # which the run itself will report
+    with suppress(RiserStudyError):  # the run itself will report the error
         run(scene, patience=0.0)
 
 
 def compile_as_needed() -> None:
-    """Let kernels be compiled as a command comes to them, and report that on stderr."""
+    """Compile kernels when a command needs them, with a report on stderr."""
     from riserstudy.simulation.compile import report_compiling
 
     report_compiling(notify)
@@ -120,7 +120,7 @@ def compile_as_needed() -> None:
 
 
 def _plain_xarray() -> None:
-    """Let xarray, which looks for kinds of arrays once, find no others than numpy's: no command has any."""
+    """Let xarray find only numpy arrays, because no command uses other kinds of arrays."""
     from riserstudy.dataset.without import without
 
     with without("dask", "pint"):
@@ -142,7 +142,7 @@ CsvOption = Annotated[
 
 
 def notify(line: str) -> None:
-    """Print on stderr what is at work."""
+    """Print the present activity on stderr."""
     print(f"riserstudy: {line}", file=sys.stderr, flush=True)
 
 
@@ -153,7 +153,7 @@ def check_targets(
     plot: Path | None = None,
     output: Path | None = None,
 ) -> None:
-    """Refuse a table, figure or dataset that would not be written, before anything is computed."""
+    """Refuse a table, figure or dataset that cannot be written, before any computation."""
     reads = list(reads)
     for path, kind, option in (
         (csv, "table", "--csv"),
@@ -172,7 +172,7 @@ def require_limits(file: Any) -> None:
 
 
 def show(table: Table, csv: Path | None) -> None:
-    """Print a table in columns, and write it where ``--csv`` names a file."""
+    """Print a table in columns, and write it if ``--csv`` names a file."""
     from riserstudy.dataset import tables
 
     for line in tables.in_columns(table):
@@ -181,7 +181,7 @@ def show(table: Table, csv: Path | None) -> None:
 
 
 def write_table(table: Table, csv: Path | None) -> None:
-    """Write a table where an option names a file, and name the file."""
+    """Write a table if an option names a file, and print the name of the file."""
     if csv is not None:
         from riserstudy.dataset import tables
 
@@ -190,7 +190,7 @@ def write_table(table: Table, csv: Path | None) -> None:
 
 
 def save_dataset(dataset: xr.Dataset, output: Path | None) -> None:
-    """Write a dataset where ``--output`` names a file, and name the file."""
+    """Write a dataset if ``--output`` names a file, and print the name of the file."""
     if output is not None:
         from riserstudy.study.collect import write_dataset
 
@@ -199,7 +199,7 @@ def save_dataset(dataset: xr.Dataset, output: Path | None) -> None:
 
 
 def save_figure(figure: Figure, plot: Path) -> None:
-    """Write a figure, and name its file."""
+    """Write a figure, and print the name of its file."""
     from riserstudy.figures import save
 
     save(figure, plot)
@@ -207,7 +207,7 @@ def save_figure(figure: Figure, plot: Path) -> None:
 
 
 def wrote(*paths: Path) -> None:
-    """Print what a command has written."""
+    """Print the files that a command has written."""
     for path in paths:
         print(f"written: {path}")
 
@@ -223,7 +223,7 @@ def quantity(option: str, text: str, unit: str) -> float:
 
 
 def recipe_lines(scene: Resolved) -> list[str]:
-    """The recipe for long records in words; nothing for scenes that it is not for."""
+    """The recipe for long records in words; empty for other scenes."""
     from riserstudy.simulation.recipe import recipe
 
     found = recipe(scene)
@@ -246,6 +246,6 @@ def place_of(at: list[str] | None) -> dict[str, str]:
 
 
 def print_warnings(dataset: Any) -> None:
-    """Print what a run warns of."""
+    """Print the warnings of a run."""
     for warning in json.loads(dataset.attrs["warnings"]):
         print(f"riserstudy: warning: {warning}", file=sys.stderr)

@@ -30,11 +30,11 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 
-WORTH_TELLING = 10.0  # seconds of a run, from which on it is announced
-WORTH_A_RECIPE = 60.0  # seconds of a run, from which on a cheaper one is offered
+WORTH_TELLING = 10.0  # estimated time of a run (s) from which on it is announced
+WORTH_A_RECIPE = 60.0  # estimated time of a run (s) from which on a cheaper run is proposed
 
-NEAR = 0.8  # share of a limit from which on its line is coloured
-SAME_AS_STORED = 1e-9  # relative, of what is stored to ten digits
+NEAR = 0.8  # utilisation from which on the line of a limit is coloured
+SAME_AS_STORED = 1e-9  # relative tolerance for values that are stored with ten digits
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -109,7 +109,7 @@ def _write(dataset: xr.Dataset, output: Path, units: UnitSystem) -> None:
 
 
 def _recoil(file: Any, dataset: Any) -> list[str]:
-    """The outcome of a disconnect, where there is one."""
+    """The outcome of a disconnect, if there is one."""
     from riserstudy.dataset import recoil_table
     from riserstudy.dataset.tables import in_columns
 
@@ -119,7 +119,7 @@ def _recoil(file: Any, dataset: Any) -> list[str]:
 
 
 def announce(file: Any) -> None:
-    """Say before a long run what it will take, and what makes it long."""
+    """Print the estimated time of a long run before it, and the reasons for this time."""
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
     from riserstudy.simulation.progress_line import progress_line
@@ -140,7 +140,7 @@ def announce(file: Any) -> None:
 
 
 def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
-    """Print the limits of the scene as a table, the one that governs first; on terminals in colours."""
+    """Print the limits of the scene as a table, the governing limit first; on terminals in colours."""
     rows = json.loads(dataset.attrs.get("limits", "[]"))
     if not rows:
         return

@@ -1,4 +1,4 @@
-"""Files that commands write: where they may stand, and what they never replace."""
+"""Files that commands write: allowed places, and files that are never replaced."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ ENDINGS = {
     "workbook": (".xlsx",),
     "table of operators": (".csv",),
 }
-#: kinds that people edit: an existing file is never replaced without being told to
+#: kinds of files that people edit: an existing file is replaced only on request
 EDITED = ("scene", "deck", "table of operators")
-#: how files of an ending begin
+#: first bytes of files, by ending
 BEGINNINGS = {
     ".nc": (b"\x89HDF\r\n\x1a\n", b"CDF"),
     ".png": (b"\x89PNG\r\n\x1a\n",),
@@ -31,7 +31,7 @@ BEGINNINGS = {
     ".svg": (b"<?xml", b"<svg"),
     ".xlsx": (b"PK\x03\x04",),
 }
-LOOKED_AT = 1000  # bytes of a file, to tell its kind
+LOOKED_AT = 1000  # number of bytes of a file that are read to determine its kind
 OR_FORCE = "name another file, or add --force to replace this one"
 
 ForceOption = Annotated[
@@ -44,7 +44,7 @@ class Writes:
 
     Parameters
     ----------
-    *kinds : of files, as in ``ENDINGS``; none for a folder.
+    *kinds : kinds of files, as in ``ENDINGS``; none for a folder.
     """
 
     def __init__(self, *kinds: str):
@@ -58,19 +58,19 @@ def check_output(
     force: bool,
     option: str = "--output",
 ) -> None:
-    """Refuse an output that cannot be written, or would replace something else, before anything is done.
+    """Refuse an output that cannot be written, or would replace another file, before any computation.
 
     Parameters
     ----------
-    kinds : of files that the command writes, as in ``ENDINGS``.
+    kinds : kinds of files that the command writes, as in ``ENDINGS``.
     reads : files that the command reads.
-    force : replace an input, or a file of another kind. Links, folders and devices stay.
-    option : that names the output.
+    force : replace an input, or a file of another kind. Links, folders and devices are never replaced.
+    option : option that names the output.
 
     Raises
     ------
     InputError
-        When it is to be another file.
+        When another file must be named.
     """
     kinds = list(kinds)
     try:
@@ -78,7 +78,7 @@ def check_output(
         _check_place(output, option)
         if output.exists() and not force:
             _check_replaced(output, kinds, reads, option)
-    except (OSError, ValueError) as error:  # names too long, loops of links, no name at all
+    except (OSError, ValueError) as error:  # a name that is too long or empty, or a loop of links
         reason = getattr(error, "strerror", None) or "no file name"
         raise InputError(option, str(output), reason, "name another file") from None
 
@@ -95,7 +95,7 @@ def _check_ending(output: Path, kinds: list[str], option: str) -> None:
 
 
 def _check_place(output: Path, option: str) -> None:
-    """A file, that is there or not, in a folder that takes files."""
+    """Check that the output is a file, existing or not, in a folder that can be written."""
     folder = output.resolve().parent
     taken = output.is_symlink() or (output.exists() and not output.is_file())
     if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
@@ -104,7 +104,7 @@ def _check_place(output: Path, option: str) -> None:
 
 
 def _check_replaced(output: Path, kinds: list[str], reads: Iterable[Path], option: str) -> None:
-    """What is there may be replaced: an older output of the same kind, or nothing."""
+    """Check that an existing file may be replaced: an older output of the same kind."""
     if any(_same(output, path) for path in reads):
         raise InputError(option, str(output), "the file is an input of this command", OR_FORCE)
     if not output.stat().st_size:
@@ -117,15 +117,15 @@ def _check_replaced(output: Path, kinds: list[str], reads: Iterable[Path], optio
 
 
 def _same(output: Path, path: Path) -> bool:
-    """Whether two names lead to one file, as hard links do."""
+    """Whether two names refer to the same file, such as hard links."""
     try:
         return output.samefile(path)
-    except (OSError, ValueError):  # an input that is not there cannot be lost
+    except (OSError, ValueError):  # a missing input cannot be lost
         return False
 
 
 def _is_of_its_kind(path: Path) -> bool:
-    """Whether a file holds what its ending promises; a table that scenes read is no table of results."""
+    """Whether the content of a file fits its ending; a table for scenes is no table of results."""
     with path.open("rb") as file:
         content = file.read(LOOKED_AT)
     if beginnings := BEGINNINGS.get(path.suffix):

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from riserstudy.study.study import Study
     from riserstudy.study.tune import Tuned
 
-FEWEST = 2  # points to tune on
+FEWEST = 2  # smallest number of points for tuning
 
 
 def tune(
@@ -61,7 +61,7 @@ def tune(
 
 
 def _study(path: Path, name: str | None) -> Study:
-    """A study of a file that lies in a folder of its configuration."""
+    """A study of a file in a folder of its configuration."""
     from riserstudy.inputs.check import check
     from riserstudy.inputs.plain_yaml import read_yaml
     from riserstudy.study.models import StudyFile
@@ -80,7 +80,7 @@ def _study(path: Path, name: str | None) -> Study:
 
 
 def about(found: Tuned, seed: int) -> dict[str, Any]:
-    """What the study file gets to know of it."""
+    """The record of the tuning for the study file."""
     return {
         "accuracy": found.accuracy,
         "on": date.today().isoformat(),
@@ -93,7 +93,7 @@ def about(found: Tuned, seed: int) -> dict[str, Any]:
 
 
 def _lines(study: Study, found: Tuned) -> list[str]:
-    """The setting as a study has it, and what it is worth."""
+    """The setting in the form of a study, with its error and cost."""
     setting = found.setting
     mesh = setting.analysis["mesh"]
     layers = ", ".join(f"{end}: {length}" for end, length in mesh.get("layers", {}).items())

@@ -1,4 +1,4 @@
-"""How figures look, and plots that fit any grid."""
+"""Style of figures, and plots that fit any grid."""
 
 from __future__ import annotations
 
@@ -17,16 +17,17 @@ if TYPE_CHECKING:
     from riserstudy.study.figures import FigureModel
 
 
-HEAD_ROWS = "Headline rows"  # of a PNG: what a page cuts off that shows the title itself
+# PNG attribute: rows that a page cuts off if it shows the title as text
+HEAD_ROWS = "Headline rows"
 
 
 def module_of_plot(plot: str) -> str:
-    """The module that draws a plot for any grid, by a function of its own name."""
+    """The module that draws a plot for any grid, by a function with the name of the plot."""
     return f"riserstudy.figures.{plot.replace(' ', '_')}"
 
 
 def draw_plot(model: FigureModel, dataset: xr.Dataset) -> Figure:
-    """A figure that names a plot for any grid, with the numbers of its axes in rising order."""
+    """A figure with a plot for any grid, with the numbers of its axes in increasing order."""
     from riserstudy.figures.grid import axes_of
     from riserstudy.figures.style import as_written
 
@@ -41,22 +42,23 @@ def draw_plot(model: FigureModel, dataset: xr.Dataset) -> Figure:
 
 
 def save(figure: Figure, *targets: Path) -> None:
-    """Write a figure in the formats of the targets' endings, each whole or not at all.
+    """Write a figure in the formats of the targets' endings, each completely or not at all.
 
-    A PNG says in words what is seen, which becomes its alternative text; CSV holds the values drawn.
+    A PNG contains a description in words, which becomes its alternative text; CSV contains the plotted
+    values.
 
     Raises
     ------
     SimulationError
-        When one cannot be written, as on a full disk.
+        When a file cannot be written, as on a full disk.
     """
     from riserstudy.figures.drawn import table
 
-    figure.draw_without_rendering()  # which lays it out, once
-    figure.set_layout_engine("none")  # and for all formats alike
+    figure.draw_without_rendering()  # computes the layout once
+    figure.set_layout_engine("none")  # the same layout for all formats
     for target in targets:
         target.parent.mkdir(parents=True, exist_ok=True)
-        with whole_file(target, zlib.error) as partial:  # the error of a PDF that is not closed
+        with whole_file(target, zlib.error) as partial:  # zlib.error: a PDF that is not closed
             if target.suffix == ".csv":
                 partial.write_text(table(figure), "utf-8")
             else:
@@ -65,7 +67,7 @@ def save(figure: Figure, *targets: Path) -> None:
 
 
 def _head_rows(figure: Figure) -> int:
-    """Rows of pixels that the title over all panels takes, 0 where there is none."""
+    """Rows of pixels of the title above all panels, 0 without a title."""
     title = figure.get_suptitle()
     written = next((text for text in figure.texts if title and text.get_text() == title), None)
     if written is None:

@@ -16,7 +16,7 @@ def calendar(shares: Table, title: str) -> Figure:
 
     Parameters
     ----------
-    shares : of `riserstudy.seas.hours.Hours.by_month`.
+    shares : table from `riserstudy.seas.hours.Hours.by_month`.
     """
     months = shares.columns[1:13]
     values = np.array(
@@ -35,7 +35,7 @@ def calendar(shares: Table, title: str) -> Figure:
             ax.text(column, row, f"{value:.0f}", ha="center", va="center", color=colour, fontsize=8)
     ax.set_xticks(range(12), months)
     ax.set_yticks(range(len(years)), years)
-    ax.set_facecolor("0.9")  # of months without a record
+    ax.set_facecolor("0.9")  # colour of months without a record
     figure.colorbar(image, ax=ax, label="workable hours (%)", shrink=0.9)
     headline(figure, title)
     return figure

@@ -1,4 +1,4 @@
-"""A run beside a table of another program or a measurement: one panel per column."""
+"""A run compared with a table of another program or a measurement: one panel per column."""
 
 from __future__ import annotations
 
@@ -11,15 +11,15 @@ from riserstudy.dataset.unit_systems import read_in
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
-MOST = 6  # panels
+MOST = 6  # largest number of panels
 
 
 def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
-    """Both over time, or along the riser, in the units of the reader.
+    """Both over time, or along the riser, in the reader's units.
 
     Parameters
     ----------
-    title : of the run. other : what the table is called.
+    title : title of the run. other : name of the table.
     """
     chosen = pairs[:MOST]
     figure, axes = panels(len(chosen), 1, 2.2, sharex=True)

@@ -1,4 +1,4 @@
-"""Names of lines beside the lines themselves, in place of a key."""
+"""Names of lines next to the lines, instead of a key."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patheffects import withStroke
 from numpy.typing import NDArray
 
-DARKEST_LIGHT = 0.35  # luminance up to which a colour is legible as text on white
-APART = 1.1  # heights of a text between two
+DARKEST_LIGHT = 0.35  # largest luminance of a colour that is legible as text on white
+APART = 1.1  # smallest distance of two texts, in text heights
 POINTS_AN_INCH = 72.0
 
 
@@ -26,22 +26,22 @@ def label_ends(
     left: bool = False,
     size: str = "small",
 ) -> None:
-    """Write the names of lines beyond the right edge of a panel, where the lines end, none over another.
+    """Write the names of lines at the right edge of a panel, where the lines end, without overlap.
 
-    To be called last, when limits and other texts are set.
+    It must be called last, after axis limits and other texts are set.
 
     Parameters
     ----------
-    lines : to be named; absent: all of the panel that have a name.
-    names : of them; absent: their own.
-    left : beyond the left edge instead, where the lines begin.
-    size : of the text.
+    lines : lines to name; absent: all lines of the panel that have a name.
+    names : their names; absent: the names of the lines.
+    left : whether to write at the left edge instead, where the lines begin.
+    size : size of the text.
     """
     figure = ax.get_figure(root=True)
     if figure is None:
         raise ValueError("the panel belongs to no figure")
     ax.margins(x=0.0)
-    figure.draw_without_rendering()  # lays the panels out
+    figure.draw_without_rendering()  # computes the layout of the panels
     points = FontProperties(size=size).get_size_in_points()
     apart = APART * points / POINTS_AN_INCH * figure.dpi / ax.bbox.height
     chosen = named(ax) if lines is None else list(lines)
@@ -68,14 +68,14 @@ def label_line(
     size: str = "small",
     **alignment: Any,
 ) -> None:
-    """Write a name beside a line at one of its points.
+    """Write a name next to a line at one of its points.
 
     Parameters
     ----------
-    share : of the line's points before the one that is named, 0 to 1.
-    offset : of the text from that point (points).
-    name : absent: that of the line.
-    alignment : ``ha`` and ``va`` of the text; absent: by the offset.
+    share : share of the line's points before this point, 0 to 1.
+    offset : offset of the text from this point (points).
+    name : absent: the name of the line.
+    alignment : ``ha`` and ``va`` of the text; absent: from the offset.
     """
     x, y = (np.asarray(values, dtype=float) for values in line.get_data())
     k = round(share * (len(x) - 1))
@@ -95,7 +95,7 @@ def named(ax: Axes) -> list[Line2D]:
 
 
 def legible(colour: Any) -> tuple[float, float, float]:
-    """A colour, darkened where it is too light to be read as text on white."""
+    """A colour, darkened if it is too light for text on white."""
     red, green, blue = to_rgb(colour)
     light = 0.2126 * red + 0.7152 * green + 0.0722 * blue
     share = min(1.0, DARKEST_LIGHT / light) if light else 1.0
@@ -103,16 +103,17 @@ def legible(colour: Any) -> tuple[float, float, float]:
 
 
 def spread(places: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Middles of texts moved as little as possible, in squares, until none overlap; order is kept.
+    """Middles of texts, moved by the least squares until none overlap; the order is kept.
 
     Parameters
     ----------
     places : (n,) wanted middles.
-    heights : (n,) of the texts, in the same unit.
+    heights : (n,) heights of the texts, in the same unit.
     """
     order = np.argsort(places, kind="stable")
     tall = heights[order]
-    below = np.concatenate([[0.0], np.cumsum(0.5 * (tall[1:] + tall[:-1]))])  # least, to the first
+    # least distance to the first
+    below = np.concatenate([[0.0], np.cumsum(0.5 * (tall[1:] + tall[:-1]))])
     pools: list[list[float]] = []  # mean and size of neighbours that move together
     for place, least in zip(places[order], below, strict=True):
         pools.append([float(place - least), 1.0])
@@ -127,7 +128,7 @@ def spread(places: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray
 
 
 def _end(ax: Axes, line: Line2D, left: bool) -> tuple[float, float]:
-    """Where a line ends, or leaves its panel to the side."""
+    """Point at which a line ends, or leaves its panel at the side."""
     x, y = (np.asarray(values, dtype=float) for values in line.get_data())
     finite = np.isfinite(x) & np.isfinite(y)
     order = np.argsort(x[finite], kind="stable")

@@ -1,4 +1,4 @@
-"""What a figure shows, read from itself: in words for those who do not see it, and as numbers."""
+"""Content of a figure, extracted from the figure: a description in words for blind readers, and numbers."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ from riserstudy.csv_files import csv_text
 
 Array = NDArray[np.float64]
 
-SENTENCE = 30  # characters from which the title of a panel says what is seen
+SENTENCE = 30  # number of characters from which on the title of a panel counts as a statement
 _LETTER = re.compile(r"^\([a-z]\)\s*")
-MOST_NAMED = 6  # lines of a panel that are named in words
+MOST_NAMED = 6  # largest number of lines of a panel that are named in words
 HEADER = ("panel", "x", "y", "series", "x_value", "y_value", "colour_value")
 
 
 class Drawn(NamedTuple):
-    """One series of a panel: its kind, its name, and values over x and y, with that of its colour."""
+    """One series of a panel: its kind, its name, and values of x, y and colour."""
 
     kind: str
     name: str
-    values: Array  # (n, 3), the third nan where colour tells nothing
+    values: Array  # (n, 3), the third nan if colour has no value
 
 
 def headline(figure: Figure) -> str:
-    """What a figure says: its title, or that of its first panel; "" where it says nothing."""
+    """The statement of a figure: its title, or the title of its first panel; "" if it has none."""
     axes = _visible_axes(figure)
     panel = _LETTER.sub("", _title(axes[0])) if axes else ""
     return _plain(figure.get_suptitle()) or (panel if len(panel) > SENTENCE else "")
 
 
 def words(figure: Figure) -> str:
-    """What is seen: panels with their titles, axes and named series."""
+    """Description of a figure: panels with their titles, axes and named series."""
     panels = [panel for ax in _visible_axes(figure) if (panel := _panel(ax))]
     head = figure.get_suptitle()
     count = f"{len(panels)} panels. " if len(panels) > 1 else ""
@@ -51,7 +51,7 @@ def words(figure: Figure) -> str:
 
 
 def table(figure: Figure) -> str:
-    """All that is drawn as CSV text: a row a value, to six digits."""
+    """All plotted values as CSV text: one row per value, to six digits."""
     rows: list[tuple[str, ...]] = []
     for number, ax in enumerate(_visible_axes(figure), start=1):
         title = _title(ax) or str(number)
@@ -65,20 +65,20 @@ def table(figure: Figure) -> str:
 
 
 def _words(axis: Axis) -> dict[float, str]:
-    """Words at the places 0, 1, 2 of an axis, or at 0.5, 1.5; empty where an axis has numbers."""
+    """Words at the positions 0, 1, 2 of an axis, or at 0.5, 1.5; empty if an axis has numbers."""
     places = np.asarray(axis.get_majorticklocs(), float)
     if not len(places) or places[0] not in (0.0, 0.5) or (np.diff(places) != 1.0).any():
         return {}
     written = axis.get_major_formatter()
     words = [_plain(written(place, k)) for k, place in enumerate(places)]
     numbers = [_cell(place) for place in places]
-    if written(places[-1] + 10.25, 0) or words == numbers or not all(words):  # writes any number
+    if written(places[-1] + 10.25, 0) or words == numbers or not all(words):  # formats any number
         return {}
     return dict(zip(places, words, strict=True))
 
 
 def _called(value: float, words: dict[float, str]) -> str:
-    """The word next to a value, if its axis has words; else its number."""
+    """The word at a value, if its axis has words; else the number."""
     nearest = min(words, key=lambda place: abs(place - value), default=np.inf)
     return words[nearest] if abs(nearest - value) < 0.5 else _cell(value)
 
@@ -105,7 +105,7 @@ def _title(ax: Axes) -> str:
 
 
 def _labels(ax: Axes) -> tuple[str, str]:
-    """Names of both axes; where several panels share one, it is written at one of them, or at the figure."""
+    """Names of both axes; a shared axis has its name at one of the panels, or at the figure."""
     figure, shared_x = ax.get_figure(root=True), ax.get_shared_x_axes().get_siblings(ax)
     shared_y = ax.get_shared_y_axes().get_siblings(ax)
     of_x = [ax.get_xlabel(), *(other.get_xlabel() for other in shared_x)]
@@ -137,7 +137,7 @@ def _series(ax: Axes) -> Iterator[Drawn]:
 
 
 def _middle_of_end(bar: Bbox, across: bool) -> tuple[float, float, float]:
-    """The end of a bar that its value sets, in the middle of its width."""
+    """The end of a bar that its value determines, at the middle of its width."""
     if across:
         return bar.x1, 0.5 * (bar.y0 + bar.y1), np.nan
     return 0.5 * (bar.x0 + bar.x1), bar.y1, np.nan
@@ -150,7 +150,7 @@ def _values(artist: Any) -> Array | None:
         array, grid = artist.get_array(), np.asarray(artist.get_coordinates())
         if array is None:
             return None
-        if array.size != grid[..., 0].size:  # a value a cell, not a corner
+        if array.size != grid[..., 0].size:  # one value per cell, not per corner
             grid = _places(_places(grid).swapaxes(0, 1)).swapaxes(0, 1)
         return _columns(grid[..., 0].ravel(), grid[..., 1].ravel(), array.ravel())
     if isinstance(artist, PathCollection):
@@ -167,7 +167,7 @@ def _values(artist: Any) -> Array | None:
 
 
 def _places(edges: Array) -> Array:
-    """Places halfway between which cells have their edges (n + 1, ...); middles of other cells."""
+    """Places whose midpoints are the edges (n + 1, ...) of cells; if there are none, middles of cells."""
     middle = 0.5 * (edges[1:] + edges[:-1])
     places = middle.copy()
     for k in range(1, len(places)):

@@ -1,4 +1,4 @@
-"""Largest and smallest values along the riser, or the state at rest of runs without time."""
+"""Largest and smallest values along the riser, or the static state of static runs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PANELS = 3
 
 
 def envelope(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
-    """One panel a quantity, a colour for each of a few points of the grid."""
+    """One panel per quantity, with a colour for each of a few points of the grid."""
     names = of or [name for name in USUAL["envelope"] if _sides(dataset, name)][:PANELS]
     if missing := [name for name in names or USUAL["envelope"] if not _sides(dataset, name)]:
         raise absent(dataset, missing[0])
@@ -33,7 +33,7 @@ def envelope(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 
 
 def _sides(dataset: xr.Dataset, name: str) -> list[str]:
-    """Variables that hold the extremes of a quantity along the riser, or its state at rest."""
+    """Variables with the extremes of a quantity along the riser, or with its static state."""
     there = [
         str(n) for n, v in dataset.items() if {"s", "s_node"} & {*v.dims} and "time" not in v.dims
     ]

@@ -1,4 +1,4 @@
-"""Fatigue over years: damage along the riser, and the sea states that bring it."""
+"""Fatigue over years: damage along the riser, and the contributions of sea states."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from riserstudy.fatigue.years import Years
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, as_written, headline, key_below, panel_title, panels
 
-LEAST = 1e-6  # of the largest damage, below which a line is not drawn
+LEAST = 1e-6  # share of the largest damage below which a line is not drawn
 
 
 def fatigue(years: Years) -> Figure:
-    """Factored damage a year along the riser, with the life that it leaves, and its share by sea state."""
+    """Factored damage per year along the riser, with the fatigue life, and shares of the sea states."""
     with as_written():
         figure, axes = panels(1, 2, 4.2)
         _along(axes[0], years)

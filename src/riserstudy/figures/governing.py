@@ -1,4 +1,4 @@
-"""Which limit of a riser is exceeded most, over height and period of the sea."""
+"""The limit of a riser that is exceeded most, over wave height and period."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FloatArray = NDArray[np.float64]
-CELLS = 240  # of the map in each direction
-WITHIN = "#e8e8e8"  # where all limits are met
+CELLS = 240  # number of cells of the map in each direction
+WITHIN = "#e8e8e8"  # colour where all limits are met
 
 
 def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
-    """A map of the limit that is exceeded most, with the sea states that were simulated.
+    """A map of the limit that is exceeded most, with the simulated sea states.
 
     Parameters
     ----------
-    responses : of `riserstudy.seas.riser_downtime.Downtime`.
-    mode, share : of which the title tells: the share (1) of the record's hours that are left.
+    responses : from `riserstudy.seas.riser_downtime.Downtime`.
+    mode, share : for the title: the mode, and the share (1) of workable hours in the record.
     """
     responses, heading = _worst_heading(responses)
     surface, simulated, held = _surface(responses)
@@ -70,11 +70,11 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
 
 
 def _worst_heading(responses: xr.Dataset) -> tuple[xr.Dataset, str]:
-    """Responses of the heading in which the largest share of sea states is beyond a limit, and its name."""
+    """Responses of the heading with the largest share of sea states that exceed a limit, and its name."""
     headings = responses["heading"].values
     if np.isnan(headings).all():
         return responses, ""
-    covered = np.unique(headings[responses["held_out"].values == 0])  # not half-way between two
+    covered = np.unique(headings[responses["held_out"].values == 0])  # without half-way headings
     excess = _excess(responses, responses["demand_of_limit"].values)
     beyond = np.nan_to_num(excess).max(axis=1) > 0.0
     shares = {float(h): float(beyond[headings == h].mean()) for h in covered}
@@ -84,7 +84,7 @@ def _worst_heading(responses: xr.Dataset) -> tuple[xr.Dataset, str]:
 
 
 def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:
-    """Responses between sea states, those that it stands on, and those that were compared."""
+    """The response surface, the sea states that it uses, and the sea states for comparison."""
     states = np.column_stack(
         [responses[name].values for name in ("significant_wave_height", "peak_period")]
     )
@@ -94,7 +94,7 @@ def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:
 
 
 def _excess(responses: xr.Dataset, demand: FloatArray) -> FloatArray:
-    """By how much each limit is exceeded, (n, limits), as part of what is allowed."""
+    """Amount by which each limit is exceeded, (n, limits), as a share of the allowable."""
     allowed = responses["allowed"].values
     scale = scale_of(allowed, responses["demand_of_limit"].values)
     excess: FloatArray = excess_of(demand, allowed, responses["side"].values.tolist()) / scale

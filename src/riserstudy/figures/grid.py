@@ -1,4 +1,4 @@
-"""What all plots that fit any grid ask of a dataset: its axes, a few of its points, values with labels."""
+"""Functions for all plots that fit any grid: axes of a dataset, a few of its points, values with labels."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from riserstudy.errors import InputError
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import key_below, panels
 
-#: dimensions that are no axes of the grid
+#: dimensions that are not axes of the grid
 WITHIN_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")
-MOST = 7  # curves or panels that a figure shows apart
+MOST = 7  # largest number of separate curves or panels
 ENDINGS = ("_max", "_min")
-SIZE = "_absmax"  # the largest, whatever its sign
-#: extremes of the riser alone, as its limits have them: without stack, conductor and telescopic joint
+SIZE = "_absmax"  # ending for the largest magnitude
+#: extremes of the riser alone, as for its limits: without stack, conductor and telescopic joint
 OF_THE_RISER = {"effective_tension_min": "smallest_tension"}
-CHARACTERS = 14.0  # of a legend, in an inch
-WRAPPED = 36  # characters, beyond which a label goes on below
-LINE = 0.2  # inches, of a legend
+CHARACTERS = 14.0  # characters of a legend in an inch
+WRAPPED = 36  # number of characters beyond which a label continues on the next line
+LINE = 0.2  # height of a line of a legend (inches)
 
 
 def axes_of(dataset: xr.Dataset) -> list[str]:
@@ -39,7 +39,7 @@ def axes_of(dataset: xr.Dataset) -> list[str]:
 
 
 def along(dataset: xr.Dataset, count: int) -> list[str]:
-    """The axes to plot over: those of most numbers, then others."""
+    """The axes to plot over: axes with the most numbers first, then others."""
 
     def rank(axis: str) -> tuple[bool, int]:
         return dataset[axis].dtype.kind == "f", dataset.sizes[axis]
@@ -48,7 +48,7 @@ def along(dataset: xr.Dataset, count: int) -> list[str]:
 
 
 def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.Dataset]]:
-    """A few points of the grid, evenly chosen, with what they are called; axes in ``over`` stay whole."""
+    """A few equally spaced points of the grid, with their names; axes in ``over`` are kept."""
     axes = [axis for axis in axes_of(dataset) if axis not in over]
     places = list(product(*(range(dataset.sizes[axis]) for axis in axes)))
     chosen = np.unique(np.linspace(0, len(places) - 1, min(MOST, len(places))).round().astype(int))
@@ -70,19 +70,19 @@ def called(value: xr.DataArray) -> str:
 
 
 def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
-    """A quantity as one number a point; endings say which of those over the riser and all times.
+    """A quantity as one number per point; endings of the name select the extreme over riser and time.
 
     Raises
     ------
     InputError
-        When the dataset holds nothing of that name.
+        When the dataset has no such quantity.
     """
     if (alone := OF_THE_RISER.get(name)) in dataset:
         return dataset[alone].rename(name).assign_attrs(attributes(str(alone)))
     ending = next((e for e in (*ENDINGS, SIZE) if name.endswith(e)), "")
     of, statistic = name.removesuffix(ending), ending.removeprefix("_") or "max"
     own = largest_size(dataset, of) if ending == SIZE else statistic_of(dataset, of, statistic)
-    if own is not None:  # of each run as it is, whatever nodes it was laid on
+    if own is not None:  # from each run's nodes, before interpolation to common nodes
         return own.rename(name).assign_attrs(attributes(name))
     values = dataset.get(name, dataset.get(name.removesuffix(ending)))
     if ending == SIZE and name not in dataset:
@@ -95,7 +95,7 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
 
 
 def _size(dataset: xr.Dataset, name: str) -> xr.DataArray | None:
-    """Size of a quantity, from its history or its extremes; None where there is neither."""
+    """Magnitude of a quantity, from its history or its extremes; None if there is neither."""
     sides = [n for n in (name, *(name + end for end in ENDINGS)) if n in dataset]
     if not sides or dataset[sides[0]].dtype.kind not in "fiu":
         return None
@@ -104,14 +104,14 @@ def _size(dataset: xr.Dataset, name: str) -> xr.DataArray | None:
 
 
 def absent(dataset: xr.Dataset, name: str) -> InputError:
-    """What to say of a quantity that is asked for and not there."""
+    """The error for a requested quantity that does not exist."""
     there = ", ".join(sorted(str(n) for n, v in dataset.items() if v.dtype.kind == "f"))
     title = str(dataset.attrs.get("title", "dataset"))
     return InputError(title, "of", f"no {name!r}", f"there are {there}")
 
 
 def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
-    """Those quantities that the dataset has, as histories or as extremes.
+    """The quantities that the dataset has, as histories or as extremes.
 
     Raises
     ------
@@ -127,44 +127,44 @@ def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
 
 
 def about(values: xr.DataArray) -> dict[str, str]:
-    """Attributes of a quantity: its own, and what the names file says where it has none."""
+    """Attributes of a quantity: from the dataset, else from the file of variables."""
     return attributes(str(values.name)) | values.attrs
 
 
 def read(values: xr.DataArray) -> xr.DataArray:
-    """Values in the unit that one reads them in."""
+    """Values in the reader's unit."""
     if values.dtype.kind not in "fiu":
         return values
     return read_in(about(values).get("units", "")).factor * values
 
 
 def label(values: xr.DataArray) -> str:
-    """What an axis says: long name and the unit that one reads it in; words have none."""
+    """Label of an axis: long name, and the reader's unit unless it has words."""
     unit = about(values).get("units", "")
     name = about(values).get("long_name", in_words(str(values.name)))
     if values.dtype.kind not in "fiu":
         return name
     unit = "-" if unit in ("", "1") else read_in(unit).unit
-    unit = unit.replace(" ", "\0")  # which is not taken apart
+    unit = unit.replace(" ", "\0")  # so that it is not wrapped
     return fill(f"{name} ({unit})", WRAPPED).replace("\0", " ")
 
 
 def varies_within(dataset: xr.Dataset, name: str) -> bool:
-    """Whether a quantity has many values a point, so that its extremes are of interest."""
+    """Whether a quantity has many values per point, so that its extremes are relevant."""
     if name in dataset:
         return any(dim in WITHIN_A_RUN for dim in dataset[name].dims)
     return not name.endswith((*ENDINGS, SIZE))
 
 
 def ends_of(dataset: xr.Dataset, name: str) -> list[str]:
-    """The extremes that tell most of a quantity: its size where the sign is a convention."""
+    """The most relevant extremes of a quantity: its magnitude if the sign is a convention."""
     if not varies_within(dataset, name):
         return [name]
     return [name + SIZE] if name in SIGNED else [name + end for end in ENDINGS]
 
 
 def laid_out(count: int) -> tuple[Figure, list[Axes]]:
-    """Empty figure with so many panels, two a row."""
+    """Empty figure with ``count`` panels, two per row."""
     columns = min(2, count)
     figure, axes = panels(-(-count // columns), columns, 3.2)
     for ax in axes[count:]:
@@ -173,7 +173,7 @@ def laid_out(count: int) -> tuple[Figure, list[Axes]]:
 
 
 def places_of(axis: xr.DataArray, set_ticks: Callable[..., object]) -> NDArray[np.float64]:
-    """Where the values of an axis are drawn: at themselves, or words one after the other."""
+    """Positions of the values of an axis: the numbers, or successive positions for words."""
     if axis.dtype.kind in "fiu":
         return np.asarray(read(axis).values, float)
     places = np.arange(axis.size, dtype=float)
@@ -182,7 +182,7 @@ def places_of(axis: xr.DataArray, set_ticks: Callable[..., object]) -> NDArray[n
 
 
 def key(figure: Figure, ax: Axes) -> None:
-    """Legend below the panels, in as many columns as its words leave room for; none for a single curve."""
+    """Legend below the panels, with as many columns as fit; none for a single curve."""
     words = [word for word in ax.get_legend_handles_labels()[1] if word]
     if words:
         width, height = figure.get_size_inches()

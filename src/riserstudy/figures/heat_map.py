@@ -1,4 +1,4 @@
-"""Extremes of the runs in colours over two axes of a grid."""
+"""Extremes of runs as colours over two axes of a grid."""
 
 from __future__ import annotations
 
@@ -30,11 +30,11 @@ from riserstudy.figures.style import panel_title
 from riserstudy.study.plots import EXTREMES
 
 PANELS = 4
-LEAST = 1e-3  # share of a value that the colours tell apart
+LEAST = 1e-3  # smallest relative difference that colours show
 
 
 def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
-    """One panel a quantity; where the grid has a third axis, the first quantity at some of its points."""
+    """One panel per quantity; for a grid with a third axis, the first quantity at some of its points."""
     across, up = along(dataset, 2)
     names = of or present(dataset, EXTREMES)[:PANELS]
     ends = [
@@ -60,7 +60,7 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 
 
 class Range(NamedTuple):
-    """What the colours of a quantity tell, the same in all its panels."""
+    """The colour scale of a quantity, the same in all its panels."""
 
     low: float
     high: float
@@ -68,13 +68,13 @@ class Range(NamedTuple):
 
 
 def _range(values: xr.DataArray) -> Range:
-    """From the smallest to the largest; about zero, in two colours, where both signs are there."""
+    """From the smallest to the largest value; symmetric about zero, in two colours, if both signs occur."""
     displayed = read(values)
     low, high = float(displayed.min()), float(displayed.max())
     if _quantity(str(values.name)) in SIGNED and low < 0.0 < high:
         most = max(-low, high)
         return Range(-most, most, "RdBu_r")
-    apart = max(high - low, LEAST * abs(high))  # differences by rounding are none
+    apart = max(high - low, LEAST * abs(high))  # ignores differences by rounding
     return Range(high - apart, high, "viridis")
 
 
@@ -85,7 +85,7 @@ def _quantity(name: str) -> str:
 
 
 def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
-    """Limits of a quantity all along the riser, as they are read, on the side that is shown."""
+    """Allowables of a quantity for the whole riser, in the reader's unit, on the side that is shown."""
     quantity = _quantity(name)
     wrong = {"_max": ("smallest", "mean"), "_min": ("largest", "mean")}
     side = wrong.get(name.removeprefix(quantity), ("mean",))

@@ -1,4 +1,4 @@
-"""Parts of a panel, enlarged within it where it is empty."""
+"""Enlarged parts of a panel, drawn in its empty area."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ Span = tuple[float, float]
 def enlarge(
     ax: Axes, place: tuple[float, float, float, float], x: Span, y: Span, widest: float = 1.2
 ) -> Axes:
-    """Part of a panel, enlarged where the panel is empty; two lines lead to it and cross none of its labels.
+    """Enlarge a part of a panel in its empty area; two lines connect both without crossing labels.
 
-    To be called when the limits of the panel are set.
+    It must be called after the axis limits of the panel are set.
 
     Parameters
     ----------
     place : left, bottom, width and height in shares of the panel.
-    x, y : the part of the panel, in its data; the enlarged part has its directions.
-    widest : line of the enlarged part (points).
+    x, y : the part of the panel, in data coordinates; the enlarged part has the same directions.
+    widest : largest line width in the enlarged part (points).
 
     Returns
     -------
@@ -51,7 +51,7 @@ def enlarge(
 
 
 def _copy(line: Line2D, ax: Axes, inset: Axes, widest: float) -> Line2D:
-    """A line of a panel as it is in an enlarged part of it."""
+    """A copy of a line of a panel in an enlarged part of it."""
     copy = Line2D(*line.get_data())
     copy.update_from(line)
     copy.set_label("_enlarged")
@@ -71,9 +71,9 @@ def _lead(
     across: list[float],
     up: list[float],
 ) -> None:
-    """Lines between the facing sides of a part (shares of its panel) and of the enlarged part."""
+    """Lines between the facing sides of a part (in shares of its panel) and the enlarged part."""
     left, bottom, width, height = place
-    ends: list[tuple[Span, Span]]  # of both lines, at the part and at the enlarged part
+    ends: list[tuple[Span, Span]]  # ends of both lines, at the part and at the enlarged part
     if left > across[1] or left + width < across[0]:
         after = left > across[1]
         side, facing = across[after], left if after else left + width

@@ -1,4 +1,4 @@
-"""Extremes of the runs over one axis of a grid, a colour for each point of the other axes."""
+"""Extremes of runs over one axis of a grid, with a colour for each point of the other axes."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from riserstudy.study.plots import USUAL
 
 STYLES = ("-", "--")
 PANELS = 4
-DENSE = 30  # values, beyond which no markers are drawn
+DENSE = 30  # number of values beyond which no markers are drawn
 
 
 def lines(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
-    """One panel a quantity: largest (solid) and smallest value (dashed) of each run, or its one value.
+    """One panel per quantity: largest (solid) and smallest value (dashed) of each run, or its single value.
 
-    Where the sign is a convention the largest size is drawn.
+    If the sign is a convention, the largest magnitude is drawn.
     """
     (axis,) = along(dataset, 1)
     names = of or present(dataset, USUAL["lines"])[:PANELS]

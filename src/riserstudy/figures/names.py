@@ -1,10 +1,10 @@
-"""Names of outputs and limits as figures print them."""
+"""Names of outputs and limits in figures."""
 
 from __future__ import annotations
 
 import re
 
-#: words that are not written in small letters
+#: words with capital letters
 WRITTEN = {"ufj": "UFJ", "lfj": "LFJ", "lmrp": "LMRP", "bop": "BOP", "von mises": "von Mises"}
 
 

@@ -1,4 +1,4 @@
-"""Ranges along the riser in one run, about the state at rest, with the limits that hold there."""
+"""Extremes along the riser in one run, with the static state and the limits."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ RED = "#c00000"
 
 
 def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Figure:
-    """One panel a quantity over arclength: largest and smallest value over time, and at rest.
+    """One panel per quantity over arclength: largest and smallest value over time, and static value.
 
     Raises
     ------
@@ -52,7 +52,7 @@ def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Fig
 
 
 def _has(run: xr.Dataset, name: str) -> bool:
-    """Whether a run has extremes of a quantity along the riser, or its state at rest."""
+    """Whether a run has extremes of a quantity along the riser, or its static state."""
     there = [name + end for end in ("_static", *ENDINGS, SIZE) if name + end in run]
     there += [name] if name in run and "time" not in run[name].dims else []
     return any({"s", "s_node"}.intersection(run[one].dims) for one in there)
@@ -61,7 +61,7 @@ def _has(run: xr.Dataset, name: str) -> bool:
 def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     if (
         name == "effective_tension" and "joint_stroke_static" in run
-    ):  # a telescopic joint's is its own
+    ):  # without the value of a telescopic joint
         run = run.isel({dim: slice(-1) for dim in ("s_node", "s") if dim in run.dims})
     static = run.get(name + "_static", run.get(name) if "time" not in run else None)
     sides = [run[name + end] for end in ENDINGS if name + end in run]
@@ -86,7 +86,7 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
 
 
 def _along(values: xr.DataArray) -> xr.DataArray:
-    """Arclength of values, as it is read."""
+    """Arclength of values, in the reader's unit."""
     return read(values[values.dims[-1]])
 
 
@@ -95,7 +95,7 @@ def _selected(values: xr.DataArray) -> xr.DataArray:
 
 
 def _largest(sides: list[Any], name: str) -> str:
-    """The largest value and its place; of signed quantities the largest size."""
+    """The largest value and its place; for signed quantities, the largest magnitude."""
     values = max((_selected(side) for side in sides), key=lambda v: float(_size(v, name).max()))
     k = int(_size(values, name).argmax())
     unit = read_in(attributes(name).get("units", "")).unit
@@ -108,7 +108,7 @@ def _size(values: xr.DataArray, name: str) -> Any:
 
 
 def _limits(run: xr.Dataset, name: str) -> Iterator[float]:
-    """Allowables all along the riser, in the unit that one reads."""
+    """Allowables for the whole riser, in the reader's unit."""
     factor = read_in(attributes(name).get("units", "")).factor
     for row in json.loads(run.attrs.get("limits", "[]")):
         if row["output"] == name and not row["at"]:
@@ -118,7 +118,7 @@ def _limits(run: xr.Dataset, name: str) -> Iterator[float]:
 
 
 def _key(figure: Figure, axes: list[Axes]) -> None:
-    """One legend for what any panel shows, each word once."""
+    """One legend for all panels, with each entry once."""
     known: set[str] = set()
     for ax in axes:
         for line in ax.get_lines():

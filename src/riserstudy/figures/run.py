@@ -1,4 +1,4 @@
-"""Plots of one run: ranges along the riser, histories, shape."""
+"""Plots of one run: extremes along the riser, histories, shape."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def _usual(run: xr.Dataset) -> list[str] | None:
-    """Histories of a run that keeps none of the usual ones; None where it has those."""
+    """Histories of a run that has none of the usual ones; None if it has the usual ones."""
     there = [str(name) for name, values in run.items() if "time" in values.dims]
     return None if set(USUAL["time series"]).intersection(there) else there[:PANELS] or None
 
@@ -28,7 +28,7 @@ def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
     Raises
     ------
     InputError
-        When the run has nothing to show of what is asked for.
+        When the run has none of the requested quantities.
     """
     title = str(run.attrs.get("title", "")) or "a run"
     if kind == "shape" and of:

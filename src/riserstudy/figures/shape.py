@@ -1,4 +1,4 @@
-"""The riser seen from the side in one run: at rest, on its way, and where it is furthest to either side."""
+"""Side view of the riser in one run: at rest, in motion, and at its largest displacements to both sides."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ SIDES = "largest", "smallest"
 
 
 def shape(run: xr.Dataset, title: str) -> Figure:
-    """Elevation over position, a panel for each horizontal direction of the run.
+    """Elevation over position, with a panel for each horizontal direction of the run.
 
     Raises
     ------
     InputError
-        When there are no positions across: not kept, or the riser moves along itself alone.
+        When there are no lateral positions: they were not kept, or the riser has only axial motion.
     """
     names = [name for name in "xy" if {name, f"{name}_static"} & set(run)]
     if not names:

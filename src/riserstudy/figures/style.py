@@ -1,4 +1,4 @@
-"""How figures look: size, colours, letters of panels, legends."""
+"""Style of figures: size, colours, letters of panels, legends."""
 
 from __future__ import annotations
 
@@ -15,14 +15,15 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
 
-#: colours that stay apart for colour-blind readers and in grey
+#: colours that are distinct for colour-blind readers and in grey
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 GREY = "#888888"
 WIDTH = 6.4  # inches
-WIDE = 1.25  # of it, with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
-LETTERS_AN_INCH = 13  # of a headline
+# factor for figures with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
+WIDE = 1.25
+LETTERS_AN_INCH = 13  # letters of a headline in an inch
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
-TINT, SHADE = 0.5, 0.5  # shares of white and of black in the first and the last shade of a colour
+TINT, SHADE = 0.5, 0.5  # shares of white and black in the first and the last shade of a colour
 PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidth": 1.0}
 
 
@@ -34,7 +35,7 @@ def panels(
     sharex: bool = False,
     sharey: bool = False,
 ) -> tuple[Figure, list[Axes]]:
-    """Empty figure with a grid of panels, lettered when there are several."""
+    """Empty figure with a grid of panels, with letters if there are several."""
     width = WIDTH if columns == 1 else WIDE * WIDTH
     figure = Figure((width, height * rows), dpi=150, layout="constrained")
     grid = figure.subplots(rows, columns, sharex=sharex, sharey=sharey, squeeze=False)
@@ -45,12 +46,12 @@ def panels(
 
 
 def mosaic(rows: Sequence[str], heights: Sequence[float]) -> tuple[Figure, list[Axes]]:
-    """Empty figure of several columns with panels that may extend over several rows.
+    """Empty figure with several columns, whose panels may extend over several rows.
 
     Parameters
     ----------
-    rows : the letters of their panels, a column each: ``["a b c", "a b d"]`` has (c) above (d).
-    heights : of the rows (inches).
+    rows : letters of the panels in each row, one per column: ``["a b c", "a b d"]`` has (c) above (d).
+    heights : heights of the rows (inches).
 
     Returns
     -------
@@ -65,7 +66,7 @@ def mosaic(rows: Sequence[str], heights: Sequence[float]) -> tuple[Figure, list[
 
 
 def _ruled(ax: Axes, letter: str) -> None:
-    """A panel with thin lines behind its curves and, where it has one, its letter."""
+    """Add thin grid lines, and a letter if there is one, to a panel."""
     ax.grid(True, color="0.9", linewidth=0.6)
     ax.set_axisbelow(True)
     if letter:
@@ -73,13 +74,13 @@ def _ruled(ax: Axes, letter: str) -> None:
 
 
 def panel_title(ax: Axes, title: str) -> None:
-    """Title of a panel, beside its letter where it has one."""
+    """Title of a panel, next to its letter if it has one."""
     letter = ax.get_title(loc="left")
     ax.set_title(f"{letter} {title}".strip(), loc="left", fontsize="small")
 
 
 def shades(colour: str, count: int) -> list[str]:
-    """Shades of one colour, light to dark, for lines of one kind in the order of a number."""
+    """Shades of one colour from light to dark, for lines of one kind in the order of a number."""
     return [
         to_hex((1.0 - abs(share)) * np.array(to_rgb(colour)) + max(-share, 0.0))
         for share in np.linspace(-TINT, SHADE, count)
@@ -87,7 +88,7 @@ def shades(colour: str, count: int) -> list[str]:
 
 
 def as_written() -> AbstractContextManager[None]:
-    """Texts that are made within this are users' own words: a dollar is a dollar and begins no formula."""
+    """Context for texts of users, in which a dollar sign does not begin a formula."""
     return rc_context({"text.parse_math": False})
 
 
@@ -97,7 +98,7 @@ def key_below(figure: Figure, ax: Axes, columns: int) -> None:
 
 
 def legend_below(figure: Figure, handles: list[Any], labels: list[Any], columns: int) -> None:
-    """A legend below the panels, in as many columns as fit up to a number."""
+    """A legend below the panels, with as many columns as fit, up to ``columns``."""
     renderer = FigureCanvasAgg(figure).get_renderer()
     for count in range(columns, 0, -1):
         key = figure.legend(
@@ -109,7 +110,7 @@ def legend_below(figure: Figure, handles: list[Any], labels: list[Any], columns:
 
 
 def headline(figure: Figure, text: str) -> None:
-    """What a reader should see, over all panels."""
+    """The finding of a figure, as a title above all panels."""
     letters = int(LETTERS_AN_INCH * figure.get_size_inches()[0])
     figure.suptitle(textwrap.fill(text, letters), fontsize="medium")
 
@@ -123,15 +124,15 @@ def field(
     label: str,
     signed: float | None = None,
 ) -> None:
-    """A quantity in colours over two of its coordinates, with a bar that says its unit.
+    """A quantity as colours over two of its coordinates, with a colour bar that states its unit.
 
     Parameters
     ----------
-    figure, ax : where it is drawn.
+    figure, ax : figure and panel.
     values : over both coordinates.
     across, up : names of the coordinates.
-    label : of the bar; empty: no bar, where another panel has it.
-    signed : largest size, by which colours leave white to either side; absent: from least to most.
+    label : label of the colour bar; empty: no bar, since another panel has it.
+    signed : largest magnitude, for a scale symmetric about zero, which is white; absent: from least to most.
     """
     displayed = values.transpose(up, across)
     scale = {"cmap": "viridis"} if signed is None else SIGNED | {"vmin": -signed, "vmax": signed}

@@ -1,4 +1,4 @@
-"""Histories of the runs, each at the place where it varies most."""
+"""Histories of runs, each at the place of its largest variation."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ PANELS = 4
 
 
 def time_series(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
-    """One panel a quantity over time, a colour for each of a few points of the grid."""
+    """One panel per quantity over time, with a colour for each of a few points of the grid."""
     there = [n for n, values in dataset.items() if "time" in values.dims]
     names = of or [name for name in USUAL["time series"] if name in there][:PANELS]
     if missing := [name for name in names or USUAL["time series"] if name not in there]:
@@ -32,7 +32,7 @@ def time_series(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 
 
 def _place(values: xr.DataArray) -> tuple[dict[str, int], str]:
-    """Station or cylinder with the largest range, in the middle of the points, and its name."""
+    """Station or cylinder with the largest range, on average over the points, and its name."""
     within = next((dim for dim in ("s", "cylinder") if dim in values.dims), None)
     if within is None:
         return {}, ""

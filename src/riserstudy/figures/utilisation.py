@@ -1,4 +1,4 @@
-"""How much of its limits every point of a grid uses, and which limit governs it."""
+"""Utilisation of limits at every point of a grid, and the governing limit."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, panel_title
 
 FloatArray = NDArray[np.float64]
-SLICES = 4  # points of a third axis that are shown, evenly chosen
-MOST = 2.0  # use, beyond which colours and lines tell no more
-DARK = 1.6  # use, from which on a number is white
-FEW = 60  # cells of a panel, up to which each has its number
+SLICES = 4  # number of equally spaced points of a third axis that are shown
+MOST = 2.0  # largest utilisation on the scale of colours and lines
+DARK = 1.6  # utilisation from which on a number is white
+FEW = 60  # number of cells of a panel up to which each has its number
 
 
 def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
-    """Over one axis a line a limit; over two the largest use in colours, and the limit that it is of beside.
+    """Over one axis, a line per limit; over two, the largest utilisation as colours, and the governing limit.
 
     Raises
     ------
     InputError
-        When the dataset holds no limits.
+        When the dataset has no limits.
     """
     if "use_of_limit" not in dataset:
         title = str(dataset.attrs.get("title", "dataset"))
@@ -105,7 +105,7 @@ def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
 
 
 def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
-    """Draw which limit governs; those that do somewhere, -1 where none is evaluated."""
+    """Draw the governing limits; returns those that govern anywhere, with -1 for cells without one."""
     x, y = _frame(ax, use, "limit that governs", called)
     which = _which(use)
     colours = ListedColormap([GREY, *(_colour(k) for k in range(use.sizes["limit"]))])
@@ -126,14 +126,14 @@ def _frame(ax: Axes, use: xr.DataArray, title: str, called: str) -> tuple[FloatA
 
 
 def _which(use: xr.DataArray) -> NDArray[np.int64]:
-    """Number of the limit that is used most, -1 where none is evaluated, over the other dimensions."""
+    """Index of the limit with the largest utilisation over the other dimensions, -1 if none is evaluated."""
     values = np.where(np.isnan(use.values), -np.inf, use.values)
     place = use.dims.index("limit")
     return np.where(np.isneginf(values.max(axis=place)), -1, values.argmax(axis=place))
 
 
 def _use_in_words(use: xr.DataArray) -> str:
-    """How many points exceed a limit, and which limit governs most of them."""
+    """The number of points that exceed a limit, and the limit that governs most of them."""
     largest, which = use.max("limit"), _which(use)
     beyond, all_points = int((largest > 1.0).sum()), largest.size
     if not (which >= 0).any():

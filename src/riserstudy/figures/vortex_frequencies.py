@@ -1,4 +1,4 @@
-"""Frequencies over elevation: of vortices in a current, and of the modes that may lock in with them."""
+"""Frequencies over elevation: of vortices in a current, and of the modes that may lock in."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from matplotlib.figure import Figure
 
 from riserstudy.figures.style import COLOURS, GREY, headline, panels
 
-LABELLED = 20  # modes at most that have their number written
+LABELLED = 20  # largest number of modes with labels
 
 
 def vortex_frequencies(found: xr.Dataset, title: str) -> Figure:
-    """Shedding frequency and modes over elevation, and how far each mode may swing.
+    """Shedding frequency and modes over elevation, and the largest amplitude of each mode.
 
     Parameters
     ----------
-    found : of `riserstudy.design.vortex_screening.screening`.
+    found : from `riserstudy.design.vortex_screening.screening`.
     """
     figure, (left, right) = panels(1, 2, 5.0, sharey=True)
     z = found["z"].values
@@ -55,7 +55,7 @@ def vortex_frequencies(found: xr.Dataset, title: str) -> Figure:
 
 
 def _amplitudes(ax: Axes, found: xr.Dataset) -> None:
-    """The largest amplitude of any mode over elevation, and the mode that swings most."""
+    """The largest amplitude of all modes over elevation, and the mode with the largest amplitude."""
     z, every = found["z"], found["relative_amplitude"]
     ax.fill_betweenx(z, every.max("mode"), color="0.85", label="the largest of all modes")
     most = int(found["amplitude"].values.argmax())

@@ -1,4 +1,4 @@
-"""Workable hours of a record over settings of a riser: with bands, by month, what takes them, and waits."""
+"""Workable hours of a record over settings of a riser: bands, months, limits that reduce them, waits."""
 
 from __future__ import annotations
 
@@ -14,11 +14,12 @@ from riserstudy.figures.grid import called
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
 
-MOST = 6  # settings that are drawn, evenly chosen
+MOST = 6  # largest number of settings that are drawn, equally spaced
 WRAPPED = 20  # letters of the name of a limit in a line
 STACKED = " "  # a name that no axis has
-FLAT = 2.0  # per cent of the hours; what differs by less over the months is drawn in so much of the axis
-OVER = ("riser_mode", "limit", "month", "year", "window", "sea_state")  # no axes of settings
+FLAT = 2.0  # smallest range of the axis of months, in per cent of the hours
+# dimensions that are not settings
+OVER = ("riser_mode", "limit", "month", "year", "window", "sea_state")
 
 
 def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
@@ -27,7 +28,7 @@ def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     Raises
     ------
     InputError
-        When the dataset holds no hours.
+        When the dataset has no workable hours.
     """
     if "workable" not in dataset:
         title = str(dataset.attrs.get("title", "dataset"))
@@ -50,7 +51,7 @@ def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 
 
 def _settings(dataset: xr.Dataset) -> list[tuple[str, xr.Dataset]]:
-    """Each setting with its name, "" of one alone."""
+    """Each setting with its name, "" for a single one."""
     axes = [str(dim) for dim in dataset["workable"].dims if dim not in OVER]
     names = [*_OF_SETTINGS, *(n for n in _OF_WINDOWS if n in dataset)]
     hours = dataset[names]
@@ -72,7 +73,7 @@ _OF_WINDOWS = ("wait_p50", "wait_p90")
 
 
 def _hours(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
-    """Share of workable hours of each setting, a row a mode, with both bands."""
+    """Share of workable hours of each setting, one row per mode, with both bands."""
     rows, ticks = 0, []
     for k, (_, one) in enumerate(drawn):
         for mode in one["riser_mode"].values:
@@ -94,7 +95,7 @@ def _hours(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 
 def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
-    """Share of workable hours by month, of the first mode."""
+    """Share of workable hours by month, for the first mode."""
     for k, (name, one) in enumerate(drawn):
         values = 100.0 * one["workable_by_month"].isel(riser_mode=0)
         ax.plot(range(12), values, "o-", color=COLOURS[k], markersize=3.0, label=name)
@@ -109,7 +110,7 @@ def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 
 def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
-    """Share of hours in which each limit is exceeded, and alone is."""
+    """Share of hours in which each limit is exceeded, and in which only this limit is."""
     names = [fill(in_words(str(n)), WRAPPED) for n in drawn[0][1]["limit"].values]
     height = 0.8 / len(drawn)
     for k, (_, one) in enumerate(drawn):
@@ -123,7 +124,7 @@ def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 
 def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
-    """Waits for a window of the first mode that half and nine in ten do not exceed."""
+    """Median and 90 % quantile of waits for a window, for the first mode."""
     for k, (_, one) in enumerate(drawn):
         of = one.isel(riser_mode=0)
         ax.plot(of["window"], of["wait_p50"], "o-", color=COLOURS[k], markersize=3.0)
@@ -144,7 +145,7 @@ def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
 
 
 def _finding(every: list[tuple[str, xr.Dataset]]) -> str:
-    """What is left of the hours, in the first mode, and by which setting most."""
+    """The finding: share of workable hours in the first mode, and the best setting."""
     mode = str(every[0][1]["riser_mode"].values[0]).capitalize()
     shares = [100.0 * float(one["workable"].isel(riser_mode=0)) for _, one in every]
     low, high = f"{min(shares):.1f}", f"{max(shares):.1f}"
