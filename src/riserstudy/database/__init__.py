@@ -1,1 +1,1 @@
-"""The results database: what datasets, tables and study files hold, as tables that can be asked."""
+"""The results database: contents of datasets, tables and study files as tables for SQL queries."""

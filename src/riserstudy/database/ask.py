@@ -1,7 +1,7 @@
-"""Ask the database: statements that read, and nothing else.
+"""Query the database with statements that only read.
 
-A database may come from anybody: its tables may be views, so that the first question already runs statements
-of somebody else. From that one on only reading is allowed, and time, texts and answers have an end.
+A database may come from anybody. Its tables may be views, and the first query then already runs statements of
+somebody else. From the first query on, only reading is allowed, and time, texts and answers are limited.
 """
 
 from __future__ import annotations
@@ -23,15 +23,14 @@ DATABASE = Path("results") / NAME
 READS = frozenset(
     (sqlite3.SQLITE_SELECT, sqlite3.SQLITE_READ, sqlite3.SQLITE_FUNCTION, sqlite3.SQLITE_RECURSIVE)
 )
-#: functions that reach beyond the database
+#: functions that have effects outside the database
 REFUSED = frozenset(("load_extension", "fts3_tokenizer"))
-AT_EASE = (
-    100  # steps of a statement after which an interrupt or its end is looked for; takes a quarter
-)
-LONGEST = 60.0  # seconds that a statement may take
-MOST_CELLS = 50_000_000  # of an answer
-MOST_TEXT = 1_000_000_000  # characters and bytes of an answer
-#: of what takes long or much within a single step, where nothing can interrupt it
+#: steps of a statement between checks for an interrupt and for its time limit; costs a quarter of the time
+AT_EASE = 100
+LONGEST = 60.0  # longest time of a statement (s)
+MOST_CELLS = 50_000_000  # most cells of an answer
+MOST_TEXT = 1_000_000_000  # most characters and bytes of an answer
+#: limits of operations that need much time or memory within one step, where nothing can interrupt them
 LIMITS = {
     sqlite3.SQLITE_LIMIT_LENGTH: 1_000_000,  # bytes of a text or a row
     sqlite3.SQLITE_LIMIT_LIKE_PATTERN_LENGTH: 1000,
@@ -39,40 +38,40 @@ LIMITS = {
 
 
 class Answer(NamedTuple):
-    """Names of columns, and rows."""
+    """Names of the columns, and the rows."""
 
     columns: list[str]
     rows: list[tuple[Any, ...]]
 
 
 class Reader(sqlite3.Connection):
-    """A connection whose statements end, each after ``LONGEST`` at the latest."""
+    """A connection that ends each statement after ``LONGEST`` seconds at the latest."""
 
     _end = float("inf")
 
     def execute(self, *statement: Any) -> sqlite3.Cursor:
-        """A statement, whose time begins here."""
+        """Execute a statement; its time starts here."""
         self._end = clock.monotonic() + LONGEST
         return super().execute(*statement)
 
     def is_late(self) -> bool:
-        """Whether the time of the latest statement is over."""
+        """Return whether the latest statement has exceeded its time."""
         return clock.monotonic() > self._end
 
 
 @contextmanager
 def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
-    """The database, which can only be read: the file as well as what statements may do.
+    """Open the database for reading only: both the file and the statements are restricted.
 
     Raises
     ------
     InputError
-        When there is none, or it is damaged.
+        When the database does not exist or is damaged.
     """
     path = Path(database)
     if not path.is_file():
         raise InputError(path, "", "no results database", "make it by `make study`, or `snakemake`")
-    # never changed in place: a new file takes its place
+    # the file is never changed in place: a new file replaces it
     address = f"{path.resolve().as_uri()}?mode=ro&immutable=1"
     try:
         with closing(sqlite3.connect(address, uri=True, factory=Reader)) as db:
@@ -80,7 +79,7 @@ def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
                 db.setlimit(category, most)
             db.set_authorizer(_only_reads)
             db.set_progress_handler(db.is_late, AT_EASE)
-            db.execute("select * from about").fetchone()  # whether it is one
+            db.execute("select * from about").fetchone()  # fails if the file is not such a database
             yield db
     except sqlite3.DatabaseError as error:
         found = f"damaged, or no results database ({_reason(error)})"
@@ -88,7 +87,7 @@ def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
 
 
 def _reason(error: Exception) -> str:
-    """Why a statement ended."""
+    """Return the reason why a statement failed."""
     if getattr(error, "sqlite_errorname", "") == "SQLITE_INTERRUPT":
         return f"takes longer than {LONGEST:g} s"
     return str(error)
@@ -100,12 +99,12 @@ def _only_reads(action: int, first: str | None, second: str | None, *_: str | No
 
 
 def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str = "sql") -> Answer:
-    """What a statement finds; ``where`` names it in errors.
+    """Return the answer to a statement; ``where`` names the statement in errors.
 
     Raises
     ------
     InputError
-        When it is no single statement that reads, or asks for what is not there.
+        When it is not a single statement that only reads, or names a table or column that does not exist.
     """
     allowed = "allowed is one `select ...`; tables and columns stand in docs/results_database.md"
     try:
@@ -125,7 +124,7 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
 
 
 def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
-    """All rows of an answer, as long as they do not fill the memory."""
+    """Return all rows of an answer; refuse an answer that is too large for the memory."""
     rows: list[tuple[Any, ...]] = []
     text = 0
     for row in cursor:

@@ -1,7 +1,7 @@
-"""Build the database: what changed since the last time is read again, all of it in one transaction.
+"""Build the database: files that changed since the last build are read again, all in one transaction.
 
-The new file takes the place of the old one when it is complete, so a reader or a run that is killed meets the
-old one or the new one. It has one writer, the last job of the workflow.
+The new file replaces the old one when it is complete. A reader thus finds either the old or the new file, and
+a killed run leaves one of them. The database has one writer, the last job of the workflow.
 """
 
 from __future__ import annotations
@@ -25,8 +25,9 @@ from riserstudy.errors import SimulationError
 
 DATA_FILES = ("schema.sql",)
 SCHEMA = Path(__file__).with_name(DATA_FILES[0])
-FACTS = "    -- facts of the run\n"  # in it, where their columns stand
-#: made when all rows are there: three times as fast
+# line of the schema after which the columns of the facts are inserted
+FACTS = "    -- facts of the run\n"
+#: created after all rows are inserted, which is three times as fast
 INDEXES = """
 create index if not exists points_by_key on points (key);
 create index if not exists result_values_by_quantity on result_values (quantity_id);
@@ -39,19 +40,19 @@ OF_A_DISK = ("SQLITE_FULL", "SQLITE_IOERR", "SQLITE_CANTOPEN")
 
 
 class Built(NamedTuple):
-    """How many datasets there are, and how many of them were read."""
+    """Number of datasets, and number of datasets that were read again."""
 
     datasets: int
     read: int
 
 
 def build(target: Path, sources: Sources) -> Built:
-    """Make the database of a results folder, or bring it to date.
+    """Make the database of a results folder, or update it.
 
     Raises
     ------
     SimulationError
-        When it cannot be written, as on a full disk.
+        When the database cannot be written, for example on a full disk.
     """
     try:
         with _replacing(target) as db:
@@ -67,17 +68,17 @@ def build(target: Path, sources: Sources) -> Built:
 
 @contextmanager
 def _replacing(target: Path) -> Iterator[sqlite3.Connection]:
-    """A copy of the database, or an empty one, that takes its place when nothing went wrong."""
+    """Yield a copy of the database, or an empty one, which replaces the database if no error occurs."""
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     for left in target.parent.glob(f".{target.name}.*"):
-        left.unlink()  # by a run that was killed: there is one writer
+        left.unlink()  # left by a killed run: the database has only one writer
     try:
         with suppress(FileNotFoundError):
             shutil.copyfile(target, partial)
         if not _is_ours(partial):
             partial.unlink(missing_ok=True)
         with closing(sqlite3.connect(partial, isolation_level=None)) as db:
-            # what is half-written is never read by anyone: no journal, no waiting for the disk
+            # nobody ever reads a half-written file: no journal and no waiting for the disk are needed
             db.executescript(
                 "pragma journal_mode = off; pragma synchronous = off; pragma foreign_keys = on;"
                 "pragma locking_mode = exclusive; pragma cache_size = -200000; begin;"
@@ -90,7 +91,7 @@ def _replacing(target: Path) -> Iterator[sqlite3.Connection]:
 
 
 def _is_ours(path: Path) -> bool:
-    """Whether a file is a whole database that the present code wrote."""
+    """Return whether a file is a complete database that the present code wrote."""
     try:
         with closing(sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True)) as db:
             whole = db.execute("pragma quick_check").fetchall() == [("ok",)]
@@ -100,7 +101,7 @@ def _is_ours(path: Path) -> bool:
 
 
 def schema() -> str:
-    """The statements that make an empty database, with a column for each fact that studies hold."""
+    """Return the statements that make an empty database, with a column for each fact about runs."""
     facts = [
         f"    {fact.name} {fact.about.kind}{' not null' if fact.about.kind == 'text' else ''},"
         f" -- {', '.join(filter(None, (fact.about.long_name, fact.about.unit)))}\n"
@@ -110,7 +111,7 @@ def schema() -> str:
 
 
 def builder() -> str:
-    """Digest of the code that builds."""
+    """Digest of the code that builds the database."""
     return digest(dependencies(__name__))
 
 
@@ -141,7 +142,7 @@ def _update(db: sqlite3.Connection, sources: Sources, folder: Path) -> Built:
 
 
 def _remove(db: sqlite3.Connection, changed: set[str], wanted: object) -> None:
-    """Delete studies whose dataset is another than before, or is no longer one."""
+    """Delete studies whose dataset has changed or is no longer wanted."""
     held = db.execute("select study, path from studies").fetchall()
     gone = [study for study, path in held if path in changed or path not in wanted]  # type: ignore[operator]
     for study in gone:
@@ -163,7 +164,7 @@ def _write_files(db: sqlite3.Connection, files: list[File], sources: Sources) ->
 
 
 def _run(db: sqlite3.Connection, script: str) -> None:
-    """Statements one by one: a script of the library would end the transaction first."""
+    """Run statements one by one: ``executescript`` would first end the transaction."""
     statement = ""
     for line in script.splitlines(keepends=True):
         statement += line

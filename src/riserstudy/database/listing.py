@@ -1,4 +1,4 @@
-"""What ``riserstudy results`` lists: studies, points, the wide table of one study."""
+"""Lists of ``riserstudy results``: studies, points, and the wide table of one study."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from riserstudy.database.ask import Answer, ask
 from riserstudy.database.names import quoted
 from riserstudy.errors import InputError
 
-ASIDE = ("_static_max", "_static_min", "_static", "_last", "_amplitude")  # shown when asked for
+ASIDE = ("_static_max", "_static_min", "_static", "_last", "_amplitude")  # shown only on request
 
 
 def studies(db: sqlite3.Connection) -> Answer:
-    """All datasets, with their points, warnings, time and size."""
+    """List all datasets, with their points, warnings, time and size."""
     return ask(
         db,
         "select study, studies.kind, table_name as 'table', tier, accuracy, rows,"
@@ -25,9 +25,9 @@ def studies(db: sqlite3.Connection) -> Answer:
 
 
 def table_of(db: sqlite3.Connection, study: str) -> str | None:
-    """The wide table of what is called a study, or like a wide table; None for anything else.
+    """Return the name of the wide table of a study, or a name that is a wide table itself; else None.
 
-    The paper may be left out where no other paper has a study of that name.
+    The paper may be omitted where no other paper has a study of that name.
     """
     statement = "select table_name from studies where study = ? or table_name = ?"
     statement += " union select table_name from columns where table_name = ?"
@@ -44,18 +44,18 @@ def cells(
     where: str | None,
     sort: list[str],
 ) -> Answer:
-    """Rows of a wide table.
+    """Return rows of a wide table.
 
     Parameters
     ----------
-    columns : those to show, in this order; None for axes and the main results.
-    where : a condition on its columns, in SQL.
-    sort : columns; a minus before one sorts from largest to smallest.
+    columns : columns to show, in this order; None: axes and the main results.
+    where : condition on the columns, in SQL.
+    sort : columns to sort by; with a minus before its name, from largest to smallest.
 
     Raises
     ------
     InputError
-        When there is no such column, or the condition cannot be meant.
+        When a column does not exist, or the condition is invalid.
     """
     statement = "select column_name, role from columns where table_name = ? order by position"
     known = dict(ask(db, statement, (table,)).rows)
@@ -67,7 +67,7 @@ def cells(
     displayed = columns or [name for name, role in known.items() if _main(name, role)]
     sql = f"select {', '.join(map(quoted, displayed))} from {quoted(table)}"
     if where:
-        sql += f" where ({where}\n)"  # a comment in it ends with its line
+        sql += f" where ({where}\n)"  # the line break ends a comment in the condition
     if sort:
         sql += " order by " + ", ".join(map(_sorted, sort))
     return ask(db, sql, where="--where" if where else "results")
@@ -82,7 +82,7 @@ def _sorted(name: str) -> str:
 
 
 def units(db: sqlite3.Connection, table: str) -> dict[str, str]:
-    """Units of the columns of a wide table that have one."""
+    """Return the units of the columns of a wide table, for columns with a unit."""
     statement = (
         "select column_name, unit from columns where table_name = ? and unit not in ('', '1')"
     )
@@ -90,7 +90,7 @@ def units(db: sqlite3.Connection, table: str) -> dict[str, str]:
 
 
 def points(db: sqlite3.Connection, words: list[str]) -> Answer:
-    """Points that contain all of some words: in key, study, place, scene, engine, effects or warnings."""
+    """List points that contain all given words in key, study, place, scene, engine, effects or warnings."""
     text = (
         "key || ' ' || study || ' ' || place || ' ' || coalesce(scene, '') || ' ' || points.engine"
     )

@@ -1,4 +1,4 @@
-"""Names of tables and columns: free ones, and as SQL writes them."""
+"""Names of tables and columns: unused names, and quoting for SQL."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from itertools import chain, count
 
 
 class Names:
-    """Names that are taken, whatever their case, as SQL compares them."""
+    """Names in use; like SQL, it does not distinguish upper and lower case."""
 
     def __init__(self, taken: Iterable[str] = ()):
         self.taken = {name.lower() for name in taken}
 
     def free(self, wanted: str) -> str:
-        """The name that is wanted, or the first of wanted_2, wanted_3 ... that is not taken."""
-        if wanted.lower().startswith("sqlite_"):  # which SQLite keeps for itself
+        """Return the wanted name, or the first unused name of wanted_2, wanted_3 and so on."""
+        if wanted.lower().startswith("sqlite_"):  # prefix that SQLite reserves
             wanted = f"_{wanted}"
         numbered = (f"{wanted}_{number}" for number in count(2))
         name = next(n for n in chain([wanted], numbered) if n.lower() not in self.taken)
@@ -23,5 +23,5 @@ class Names:
 
 
 def quoted(name: str) -> str:
-    """A name as SQL takes it, whatever is in it."""
+    """Return a name quoted for SQL, whatever characters it contains."""
     return '"' + name.replace('"', '""') + '"'

@@ -1,4 +1,4 @@
-"""From points of the database back to their arrays."""
+"""Open the arrays of points that the database lists."""
 
 from __future__ import annotations
 
@@ -59,14 +59,14 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
         result, left_out = _anew(key, file, result), []
     dataset = to_dataset(result, file, absent(set(result.facts["effects"])))
     provenance = json.loads(dataset.attrs["provenance"]) | {"engine": about["engine"]}
-    del provenance["riserstudy"]  # the engine stands for the version that simulated it
+    del provenance["riserstudy"]  # the engine digest identifies the code that simulated the point
     dataset.attrs["provenance"] = json.dumps(provenance)
     dataset.attrs["left_out"] = json.dumps(left_out)
     return dataset
 
 
 def _anew(key: str, file: SceneFile, stored: Result) -> Result:
-    """The run of a stored point, simulated again."""
+    """Simulate the run of a stored point again."""
     from riserstudy.simulation.refine import run
     from riserstudy.study import store
 
@@ -121,7 +121,7 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
         parts.append(_part(Path(database).parent / path, mine, [places[p][2] for p in mine], study))
     if len(parts) == 1:
         return parts[0].sel(point=wanted)
-    # an axis that some studies have not is a variable while they are joined
+    # an axis that is missing in some studies is a variable while the studies are joined
     coords = {str(name): of.dims for part in parts for name, of in part.coords.items()}
     axes = [n for n, dims in coords.items() if dims == ("point",) and n not in ("point", "study")]
     joined: xr.Dataset = xr.concat(
@@ -135,7 +135,7 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
 
 
 def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr.Dataset:
-    """Some points of one dataset."""
+    """Return some points of one dataset."""
     import numpy as np
     import xarray as xr
 

@@ -1,7 +1,7 @@
 """Parameters of the points of a study: every value of their scenes by path, in SI and as written.
 
-What an axis sets wins over the scene and over earlier axes, as in ``SceneFile.with_values``; here for all
-points of a grid at once.
+A value that an axis sets replaces the value of the scene and of earlier axes, as in
+``SceneFile.with_values``; here for all points of a grid at once.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class Parameter(NamedTuple):
 
 
 class Varied(NamedTuple):
-    """Values of one path, numbered, and their numbers over the points of a study; -1 where it is absent."""
+    """Numbered values of one path, and their numbers at the points of a study; -1 where it is absent."""
 
     values: dict[Parameter, int]
     at: NDArray[np.int64]
@@ -42,7 +42,7 @@ class Varied(NamedTuple):
 def parameters_of(
     attributes: Mapping[str, Any], grid: Grid
 ) -> tuple[list[Parameter], list[Varied]]:
-    """What is the same at all points of a study, and what differs."""
+    """Return the parameters that are equal at all points of a study, and those that vary."""
     tree = json.loads(attributes["scene"])
     origins = json.loads(attributes["origins"])
     evidence = json.loads(attributes["evidence"])
@@ -71,7 +71,7 @@ def parameters_of(
 def _origin(
     path: str, origins: Mapping[str, str], evidence: Mapping[str, str], plain: str
 ) -> tuple[str, str]:
-    """Where a value of a scene comes from: as its own origin is given, or that of what it is a part of."""
+    """Return origin and evidence of a value: its own, or those of the nearest part that contains it."""
     for part in and_above(path):
         if part in origins:
             return origins[part], evidence.get(part, "")
@@ -79,20 +79,20 @@ def _origin(
 
 
 class Below:
-    """Known paths by what they are below; looked for once, as long as no path is new."""
+    """Finds all known paths below a path; the answers are cached until a new path is added."""
 
     def __init__(self, paths: list[str]) -> None:
         self._paths = dict.fromkeys(paths)
         self._found: dict[str, list[str]] = {}
 
     def of(self, path: str) -> list[str]:
-        """The path itself, where it is known, and all known paths below it."""
+        """Return the path itself, if known, and all known paths below it."""
         if path not in self._found:
             self._found[path] = [p for p in self._paths if within(p, path)]
         return self._found[path]
 
     def add(self, path: str) -> None:
-        """Know a path."""
+        """Add a path."""
         if path not in self._paths:
             self._paths[path] = None
             self._found.clear()
@@ -107,7 +107,7 @@ def _lay(
     path: str,
     sets: Any,
 ) -> None:
-    """What one value of an axis sets takes the place of all that was there."""
+    """Replace all values at and below a path by those that one value of an axis sets."""
     plain, origins, _ = unwrap(sets, path)
     status = {path: origin.status for path, origin in origins.items()}
     why = {path: origin.why for path, origin in origins.items()}
@@ -126,7 +126,7 @@ def _lay(
 
 
 def parameter(path: str, value: Any, origin: str, because: str) -> Parameter:
-    """A value in SI, read as a scene reads it, and as it is written."""
+    """Return a value both in SI, parsed as in a scene, and as written."""
     number, unit = in_si(path, value)
     written = value if isinstance(value, str) else json.dumps(value)
     return Parameter(path, number, unit, written, origin, because)

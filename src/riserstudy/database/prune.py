@@ -1,4 +1,4 @@
-"""What the store keeps without need: points of other engines, and points that no study refers to."""
+"""Find points that the store need not keep: of other engines, and points that no study refers to."""
 
 from __future__ import annotations
 
@@ -20,7 +20,11 @@ from riserstudy.study.study import Study
 
 @dataclass
 class Unneeded:
-    """What can go: of other engines, formats or damaged; and of this engine, but of no study here."""
+    """Points that can be removed.
+
+    ``old``: of other engines or formats, or damaged. ``strange``: of this engine, but of no study here.
+    ``needed``: number of points that must stay.
+    """
 
     old: list[store.Held] = field(default_factory=list)
     strange: list[store.Held] = field(default_factory=list)
@@ -28,15 +32,15 @@ class Unneeded:
 
 
 def unneeded(database: Path, config: Path) -> Unneeded:
-    """Look through the store.
+    """Find the points of the store that are not needed.
 
-    Needed is what a study of the configuration plans, in any tier, and what the database, if there is one,
-    speaks of.
+    Needed are the points that a study of the configuration plans, in any tier, and the points that the
+    database, if it exists, lists.
 
     Raises
     ------
     InputError
-        When the configuration cannot be meant.
+        When the configuration is invalid.
     """
     keys = planned(config) | _spoken_of(database)
     superfluous = Unneeded()
@@ -68,7 +72,7 @@ def planned(config: Path) -> Set[str]:
     Raises
     ------
     InputError
-        If a file of the configuration does not read.
+        When a file of the configuration cannot be read.
     """
     path = config / "config.yaml"
     tree = read_yaml(path, keep=True)

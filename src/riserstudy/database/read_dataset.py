@@ -1,6 +1,6 @@
-"""A dataset as grids of cells, each with plain values and with arrays over a run.
+"""Read a dataset as grids of cells, with single values and with statistics of arrays over a run.
 
-Read by the netCDF library itself: to label every array takes longer than to read it.
+It is read with the netCDF library itself: labelling every array would take longer than reading it.
 """
 
 from __future__ import annotations
@@ -28,15 +28,15 @@ from riserstudy.dataset.extremes import (
 )
 from riserstudy.errors import InputError
 
-#: dimension of mode shapes, which stand in datasets alone: a row for each of their stations would be many
+#: dimension of mode shapes, which only datasets contain: the database would need too many rows for them
 SHAPED = "s_relative"
-#: variables whose grid is the main one
+#: variables whose grid is the main grid
 MAIN = ("point_key", "workable")
 
 
 @dataclass(frozen=True)
 class Axis:
-    """Values of a dimension of a grid; ``sets`` says by value what each sets in the scene."""
+    """Values of a dimension of a grid; ``sets`` contains, by value, what each sets in the scene."""
 
     name: str
     values: list[Any]
@@ -47,7 +47,7 @@ class Axis:
 
 @dataclass(frozen=True)
 class Grid:
-    """Cells over some axes, the last fastest."""
+    """Cells over some axes; the last axis varies fastest."""
 
     axes: list[Axis]
     variables: list[Variable]
@@ -63,7 +63,7 @@ class Grid:
         return math.prod(self.shape)
 
     def along(self, number: int) -> list[Any]:
-        """Values of an axis at all cells."""
+        """Return the values of an axis at all cells."""
         inner = math.prod(self.shape[number + 1 :])
         outer = math.prod(self.shape[:number])
         return [value for value in self.axes[number].values for _ in range(inner)] * outer
@@ -71,19 +71,19 @@ class Grid:
 
 @dataclass(frozen=True)
 class Contents:
-    """What a dataset holds: attributes, and its grids with their statistics, the main one first."""
+    """Contents of a dataset: attributes, and its grids with their statistics, the main grid first."""
 
     attributes: dict[str, Any]
     grids: list[tuple[Grid, list[Statistic]]]
 
 
 def read_dataset(path: Path) -> Contents:
-    """Everything but arrays of runs whose statistics are there.
+    """Read a dataset, except arrays over runs whose statistics it contains.
 
     Raises
     ------
     InputError
-        When it cannot be read.
+        When the file cannot be read.
     """
     try:
         with netCDF4.Dataset(path) as file:
@@ -95,15 +95,16 @@ def read_dataset(path: Path) -> Contents:
             ]
             grids[0][1].extend(_statistics(file, grids[0][0]))
             return Contents(attributes, grids)
-    except (OSError, RuntimeError) as error:  # the library's own errors are of the latter kind
+    except (OSError, RuntimeError) as error:  # the errors of the library itself are RuntimeErrors
         found = f"no whole dataset ({error})"
         raise InputError(path, "", found, "delete it; the next run makes it again") from None
 
 
 def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
-    """One grid over the axes of most variables, others for those that vary over something else.
+    """Yield the grid over the axes of most variables, then grids of variables over other axes.
 
-    Of a simulated study the main grid is that of its points, of hours of a record that of settings and modes.
+    The main grid of a simulated study contains its points; for the hours of a record it contains settings and
+    modes.
     """
     dims_of = {name: v.dimensions for name, v in file.variables.items()}
     wanted = [
@@ -130,7 +131,7 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
 
 
 def _is_reported(name: str, dims_of: dict[str, tuple[str, ...]]) -> bool:
-    """Whether statistics stand for a variable, or it is these."""
+    """Return whether statistics replace a variable, or it is itself a statistic."""
     dims = dims_of[name]
     if NAMES["value"] in dims_of:
         return OVER in dims or not set(dims).isdisjoint(OF_A_RUN)
@@ -138,7 +139,7 @@ def _is_reported(name: str, dims_of: dict[str, tuple[str, ...]]) -> bool:
 
 
 def _statistics(file: netCDF4.Dataset, grid: Grid) -> Iterator[Statistic]:
-    """Statistics that a study took of its runs."""
+    """Yield the statistics that a study calculated from its runs."""
     if NAMES["value"] in file.variables:
         held = {kind: file[name][...] for kind, name in NAMES.items() if name in file.variables}
         count = len(file.dimensions[OVER])
@@ -158,7 +159,7 @@ def _attribute(of: Any, name: str) -> str | None:
 
 
 def _variable(file: netCDF4.Dataset, of: Any, axes: tuple[str, ...]) -> Variable:
-    """A variable with the axes of its grid first, the same along those that it does not vary over."""
+    """Return a variable with the axes of its grid first; it is repeated along axes that it lacks."""
     within = tuple(d for d in of.dimensions if d in OF_A_RUN)
     own = [d for d in axes if d in of.dimensions]
     values = np.asarray(of[...]).transpose([of.dimensions.index(d) for d in (*own, *within)])

@@ -1,4 +1,4 @@
-"""Answers as text for a screen, CSV or JSON; numbers in full but on a screen."""
+"""Answers as text for a screen, as CSV or as JSON; numbers are rounded only on a screen."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from typing import Any
 from riserstudy.database.ask import Answer
 from riserstudy.errors import printable
 
-WIDEST = 60  # characters of a text on a screen
+WIDEST = 60  # most characters of a text on a screen
 
 
 def as_table(answer: Answer, units: Mapping[str, str] | None = None) -> Iterator[str]:
-    """Lines of a table with aligned columns; numbers to six digits."""
+    """Yield the lines of a table with aligned columns; numbers have six digits."""
     heads = [
         f"{name} ({units[name]})" if units and name in units else name for name in answer.columns
     ]
@@ -46,7 +46,7 @@ def _cell(value: Any) -> str:
 
 
 def as_json(answer: Answer) -> str:
-    """A list of objects; what JSON has no number for is null or text."""
+    """Return a JSON list of objects; a value that JSON has no number for becomes null or text."""
     rows = [dict(zip(answer.columns, map(_plain, row), strict=True)) for row in answer.rows]
     return json.dumps(rows, indent=1, ensure_ascii=False, allow_nan=False)
 

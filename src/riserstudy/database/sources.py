@@ -1,4 +1,4 @@
-"""Files that the database is built from, with their digests."""
+"""Files from which the database is built, with their digests."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ KINDS = {".nc": "dataset", ".png": "figure", ".pdf": "figure", ".csv": "table"}
 
 @dataclass(frozen=True)
 class Sources:
-    """What the database is to hold.
+    """Sources of the contents of the database.
 
     Attributes
     ----------
-    config : folder with study files and printed numbers.
-    papers : in their order.
-    files : datasets and figures in a folder named like their paper, and the tables over all papers.
+    config : folder with study files and published values.
+    papers : papers in their order.
+    files : datasets and figures, each in the folder named like its paper, and the tables over all papers.
     """
 
     config: Path
@@ -29,7 +29,7 @@ class Sources:
 
 
 class File(NamedTuple):
-    """A file of the results folder, by its path within the folder."""
+    """A file of the results folder; its path is relative to the folder."""
 
     path: str
     kind: str
@@ -38,17 +38,17 @@ class File(NamedTuple):
 
 
 def described(file: Path, folder: Path) -> File:
-    """A file with its digest.
+    """Return a file with its digest.
 
     Raises
     ------
     InputError
-        When it cannot be read, or lies elsewhere.
+        When the file cannot be read, or is outside the folder.
     """
     try:
         kind = KINDS[file.suffix]
         path = file.resolve().relative_to(folder.resolve()).as_posix()
-        if file.exists() and not file.is_file():  # a device or pipe, whose end may never come
+        if file.exists() and not file.is_file():  # a device or pipe, which may never end
             raise ValueError
         return File(path, kind, file.stat().st_size, digest_of(file))
     except OSError as error:
@@ -59,6 +59,6 @@ def described(file: Path, folder: Path) -> File:
 
 
 def digest_of(file: Path) -> str:
-    """SHA-256 of what is in a file."""
+    """Return the SHA-256 of the content of a file."""
     with file.open("rb") as stream:
         return hashlib.file_digest(stream, "sha256").hexdigest()

@@ -1,4 +1,4 @@
-"""Whether files and points are as they were when the database was made."""
+"""Check that files and points are the same as when the database was made."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from riserstudy.errors import InputError, printable
 from riserstudy.folders import SEALS
 from riserstudy.study import store
 
-_KEY = re.compile(r"[0-9a-z]{1,64}")  # of a stored point, which is the name of its file
+_KEY = re.compile(r"[0-9a-z]{1,64}")  # key of a stored point, which is the name of its file
 
 
 class Verified(NamedTuple):
-    """What was looked at, and what differs, a line each; points that are gone need not be wrong."""
+    """Numbers of checked files and points, and differences, one line each; missing points may be correct."""
 
     files: int
     points: int
@@ -31,10 +31,10 @@ def verify(database: Path) -> Verified:
     Raises
     ------
     InputError
-        When there is no database, or it cannot be read.
+        When the database does not exist or cannot be read.
     """
     with opened(database) as db:
-        db.set_authorizer(None)  # which refuses the next statement
+        db.set_authorizer(None)  # the authorizer would refuse the next statement
         wrong = [f"{database}: {fault}" for (fault,) in db.execute("pragma integrity_check")]
         wrong = [line for line in wrong if not line.endswith(": ok")]
         wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
@@ -56,7 +56,7 @@ def verify(database: Path) -> Verified:
 
 
 def _itself(database: Path) -> Iterator[str]:
-    """Whether the database is as its job wrote it; one that was built by hand has no seal to break."""
+    """Yield a message if the database differs from what its job wrote; one built by hand has no seal."""
     seal = database.parent / SEALS / database.name
     if seal.exists():
         digest = seal.read_text("utf-8").partition(" ")[0]

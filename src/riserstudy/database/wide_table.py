@@ -1,4 +1,4 @@
-"""The wide table of a dataset: a row a cell of its grid, axes and statistics as columns."""
+"""The wide table of a dataset: one row per cell of its grid, with axes and statistics as columns."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from riserstudy.records.facts import PointColumn, point_columns
 from riserstudy.scene.fields import in_si
 
 ASSUMED = "assumed_"
-MANY = 20_000  # values of a column that are plain numbers at a time
+MANY = 20_000  # values of a column that are converted to Python numbers at a time
 TYPES = {"i": "integer", "u": "integer", "f": "real", "b": "integer"}
 
 
 class Column(NamedTuple):
-    """A column, and its values at all cells."""
+    """A column and its values at all cells."""
 
     name: str
     role: str
@@ -31,18 +31,18 @@ class Column(NamedTuple):
 
 
 def plain(values: NDArray[Any]) -> Iterator[Any]:
-    """Values of an array (n,) as the database takes them; as a list they would take four times the memory."""
+    """Yield the values of an array (n,) as the database needs them; a list needs four times the memory."""
     for begin in range(0, len(values), MANY):
         yield from values[begin : begin + MANY].tolist()
 
 
 def facts_of_points() -> list[PointColumn]:
-    """Facts about every point, in the order of its columns."""
+    """Return the columns with facts about every point, in their order."""
     return [column for column in point_columns() if column.about.in_database]
 
 
 def is_result(of: Statistic) -> bool:
-    """Whether something is a result of a run: neither a fact about the run nor an assumption."""
+    """Return whether a statistic is a result of a run, neither a fact about the run nor an assumption."""
     about = ("point_key", "effects", "by_request", *(c.name for c in facts_of_points()))
     return of.statistic != "value" or not (of.quantity in about or of.quantity.startswith(ASSUMED))
 
@@ -55,7 +55,7 @@ def write_wide_table(
     statistics: list[Statistic],
     first: int | None,
 ) -> None:
-    """Make the table and insert all cells; with the numbers of points where cells are ``first`` and on."""
+    """Make the table and insert all cells; cells that are points have the numbers from ``first`` on."""
     columns = [_number(first, grid.cells), *_axes(grid), *map(_column_of, statistics)]
     columns = [column for column in columns if column.name != "effects"]
     names = Names()
@@ -99,7 +99,7 @@ def _column_of(of: Statistic) -> Column:
 
 
 def _assumed(name: str, of: Statistic) -> Column:
-    """What samples assume, in SI where all of it are quantities of the same unit."""
+    """Return the column of an assumed input; in SI where all its values are quantities of one unit."""
     written = of.values.tolist()
     read = {text: in_si(of.long_name or "", text) for text in dict.fromkeys(written)}
     units = {unit for _, unit in read.values()}

@@ -1,4 +1,4 @@
-"""What study files, tables and printed numbers say of papers: captions, figures, verdicts, errata."""
+"""Insert facts about papers from study files, tables and published values: figures, verdicts, errata."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ TABLES = ("figure_reads", "figures", "rests_on", "numbers_and_claims", "margins"
 
 
 def studies_of(sources: Sources) -> dict[str, StudyFile]:
-    """Study files by paper."""
+    """Return the study files by paper."""
     return {paper: read_studies(sources.config, paper) for paper in sources.papers}
 
 
 def datasets_of(files: dict[str, StudyFile]) -> Iterator[About]:
-    """What study files say of their datasets."""
+    """Yield what study files contain about their datasets."""
     for paper, file in files.items():
         for name in file.datasets:
             kind = "simulated" if name in file.studies else "measured"
@@ -39,7 +39,7 @@ def datasets_of(files: dict[str, StudyFile]) -> Iterator[About]:
 
 
 def remove_papers(db: sqlite3.Connection) -> None:
-    """Delete what `write_papers` inserts: it is little, and is written anew each time."""
+    """Delete the rows that `write_papers` inserts: they are few, and are written again each time."""
     for table in TABLES:
         db.execute(f"delete from {table}")
 
@@ -47,7 +47,7 @@ def remove_papers(db: sqlite3.Connection) -> None:
 def write_papers(
     db: sqlite3.Connection, sources: Sources, files: dict[str, StudyFile], present: list[File]
 ) -> None:
-    """Insert what is derived from what, figures, graded numbers and claims, and errata."""
+    """Insert the sources of derived datasets, figures, graded numbers and claims, and errata."""
     paths = {file.path for file in present}
     studies = {study for (study,) in db.execute("select study from studies")}
     for paper, file in files.items():
@@ -104,8 +104,8 @@ def _write_rests(
 
 
 def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
-    """A row of reproduction.csv with its share and what decides as columns."""
-    cell = row.get("grounds") or "{}"  # a table of an earlier version has none
+    """Return a row of reproduction.csv, with the share of samples and the deciding input as columns."""
+    cell = row.get("grounds") or "{}"  # tables of earlier versions lack this column
     try:
         grounds = Grounds.from_json(cell)
     except ValueError:
@@ -127,15 +127,15 @@ def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
 
 
 def _share(share: Share | None) -> tuple[float | int | None, ...]:
-    """Share of the samples, its interval, and what it is counted from."""
+    """Return the share (1) of the samples, its interval, and the two counts from which it is calculated."""
     if share is None:
         return (None,) * 5
     return share.met / share.samples, share.low, share.high, share.met, share.samples
 
 
 def _margin(row: dict[str, str]) -> tuple[str | float | None, ...]:
-    """A row of margins.csv."""
-    # blank where nothing is found
+    """Return a row of margins.csv."""
+    # blank where a case has no value
     flags = (int(row[name]) if row[name] else None for name in ("base", "judged", "met", "same"))
     margin, fitted = _number(row["margin"]), int(row["calibrated"])
     return row["paper"], row["id"], row["place"], *flags, margin, fitted, row["rests_on"]

@@ -1,7 +1,7 @@
-"""Parameters of the points of a study as rows: each value once, however many studies and points have it.
+"""Parameters of the points of a study as rows: each value occurs once for all studies and points.
 
-What one axis sets belongs to all points at the same place on it: such a set of values stands once, and
-points refer to it.
+The values that one axis sets are common to all points at the same place on it. Such a set of values is stored
+once, and points refer to it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from riserstudy.database.parameters import Parameter, Varied
 
 
 class Values:
-    """Values of parameters that a database holds, by what is said of each."""
+    """Values of parameters in a database, with their numbers."""
 
     def __init__(self, db: sqlite3.Connection):
         self._db = db
@@ -30,7 +30,7 @@ class Values:
         self._next_set: int = db.execute(statement).fetchone()[0]
 
     def numbers(self, parameters: Iterable[Parameter]) -> list[int]:
-        """Numbers of values, which are inserted where they are new."""
+        """Return the numbers of values; new values are inserted."""
         wanted = [*parameters]
         new = [one for one in dict.fromkeys(wanted) if one not in self._numbers]
         self._numbers.update(zip(new, range(self._next, self._next + len(new)), strict=True))
@@ -44,7 +44,7 @@ class Values:
         return [self._numbers[one] for one in wanted]
 
     def new_sets(self, count: int) -> NDArray[np.int64]:
-        """Numbers for so many new sets, (count,)."""
+        """Return numbers for the given count of new sets, (count,)."""
         self._next_set += count
         return np.arange(self._next_set - count, self._next_set)
 
@@ -52,15 +52,15 @@ class Values:
 def write_same(
     db: sqlite3.Connection, values: Values, study: str, same: Iterable[Parameter]
 ) -> None:
-    """Insert parameters that all points of a study have."""
-    pairs = zip(repeat(study), values.numbers(same), strict=False)  # what repeats has no end
+    """Insert the parameters that are equal at all points of a study."""
+    pairs = zip(repeat(study), values.numbers(same), strict=False)  # the repeated item has no end
     db.executemany("insert or ignore into study_parameters values (?, ?)", pairs)
 
 
 def write_varied(
     db: sqlite3.Connection, values: Values, study: str, first: int, varied: Iterable[Varied]
 ) -> None:
-    """Insert parameters that differ between the points of a study, which are ``first`` and on."""
+    """Insert the parameters that vary over the points of a study; the points are numbered from ``first``."""
     by_axes: dict[tuple[int, ...], list[NDArray[np.int64]]] = {}
     for one in varied:
         over = _axes(one.at)
@@ -68,7 +68,7 @@ def write_varied(
         by_axes.setdefault(over, []).append(_numbers(values, one.values, reduced.ravel()))
         shape = one.at.shape
     for over, columns in by_axes.items():
-        if not over:  # an axis sets it, to the same everywhere
+        if not over:  # an axis sets the same value everywhere
             pairs = ((study, int(column[0])) for column in columns if column[0] >= 0)
             db.executemany("insert or ignore into study_parameters values (?, ?)", pairs)
             continue
@@ -82,23 +82,23 @@ def write_varied(
 
 
 def _axes(at: NDArray[np.int64]) -> tuple[int, ...]:
-    """The axes along which numbers differ."""
+    """Return the axes along which numbers differ."""
     return tuple(k for k in range(at.ndim) if (at != at.take([0], axis=k)).any())
 
 
 def _numbers(
     values: Values, numbered: dict[Parameter, int], at: NDArray[np.int64]
 ) -> NDArray[np.int64]:
-    """Numbers in the database for the study's own numbers; -1 stays for what is absent."""
+    """Convert numbers within the study to numbers in the database; -1 (absent) stays -1."""
     used = np.isin(np.arange(len(numbered)), at)
     some = [parameter for parameter, number in numbered.items() if used[number]]
-    numbers = np.full(len(numbered) + 1, -1)  # the last one for what is absent
+    numbers = np.full(len(numbered) + 1, -1)  # the last one is for absent values
     numbers[[numbered[one] for one in some]] = values.numbers(some)
     found: NDArray[np.int64] = numbers[at]
     return found
 
 
 def _insert(db: sqlite3.Connection, table: str, columns: NDArray[np.int64]) -> None:
-    """Rows of two numbers each, given as columns; a value twice in a set is there once."""
+    """Insert rows of two numbers, given as columns; a value that a set has twice is inserted once."""
     rows = zip(*columns.tolist(), strict=True)
     db.executemany(f"insert or ignore into {table} values (?, ?)", rows)

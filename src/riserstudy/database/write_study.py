@@ -1,4 +1,4 @@
-"""One dataset as rows: its study, and for a simulated one its points, parameters and results."""
+"""One dataset as rows: its study, and for a simulated study its points, parameters and results."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from riserstudy.database.write_parameters import Values, write_same, write_varie
 from riserstudy.dataset.extremes import Statistic
 from riserstudy.model.absent_effects import absent
 
-MANY = 100_000  # rows that are held in memory at a time
+MANY = 100_000  # most rows in memory at a time
 
 
 @dataclass(frozen=True)
 class About:
-    """What a study file says of a dataset, and where it lies within the results folder."""
+    """Contents of a study file about a dataset, and the path of the dataset in the results folder."""
 
     paper: str
     name: str
@@ -36,12 +36,12 @@ class About:
 
     @property
     def study(self) -> str:
-        """Paper and name."""
+        """Paper and name, joined by a slash."""
         return f"{self.paper}/{self.name}"
 
 
 def write_study(db: sqlite3.Connection, about: About, folder: Path, values: Values) -> None:
-    """Read a dataset of a results folder and insert all that the database holds of it."""
+    """Read a dataset of a results folder and insert its contents."""
     contents = read_dataset(folder / about.path)
     (grid, statistics), *others = contents.grids
     tables = Names(name for (name,) in db.execute("select name from sqlite_master"))
@@ -62,7 +62,7 @@ def write_study(db: sqlite3.Connection, about: About, folder: Path, values: Valu
 
 
 def marks(count: int) -> str:
-    """Places of values in a statement."""
+    """Return placeholders for values in a statement."""
     return ", ".join("?" * count)
 
 
@@ -83,7 +83,7 @@ def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Cont
 
 
 def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> int:
-    """Insert the points of a study; the number of the first."""
+    """Insert the points of a study; return the number of the first point."""
     grid, _ = contents.grids[0]
     of = {v.name: v.values for v in grid.variables if not v.within}
     first: int = db.execute("select coalesce(max(point), 0) + 1 from points").fetchone()[0]
@@ -98,14 +98,14 @@ def _write_points(db: sqlite3.Connection, about: About, contents: Contents) -> i
         repeat(contents.attributes["engine"]),
         _effect_sets(db, contents.attributes, of.get("effects")),
         *(plain(of[name]) if name in of else absent_fact for name in facts),
-        strict=False,  # what repeats has no end
+        strict=False,  # the repeated item has no end
     )
     db.executemany(f"insert into points values ({marks(7 + len(facts))})", rows)
     return first
 
 
 def _places(grid: Grid) -> Iterator[str]:
-    """Where points are on the axes, as text."""
+    """Yield the positions of points on the axes, as text."""
     texts = [[f"{a.name}={value}" for value in a.values] for a in grid.axes]
     return map(", ".join, product(*texts))
 
@@ -113,7 +113,7 @@ def _places(grid: Grid) -> Iterator[str]:
 def _effect_sets(
     db: sqlite3.Connection, attributes: dict[str, Any], effects: NDArray[Any] | None
 ) -> Iterator[int | None]:
-    """Numbers of the sets of effects of points; None where the dataset does not say."""
+    """Return the numbers of the points' sets of effects; None where the dataset does not contain them."""
     if effects is None:
         return repeat(None)
     why = json.loads(attributes["effects"])
@@ -130,7 +130,7 @@ def _effect_sets(
 
 
 def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: int) -> None:
-    """Insert the statistics of every point, all of a point together."""
+    """Insert the statistics of all points, point by point."""
     numeric = [(t, _quantity_id(db, t)) for t in statistics if t.values.dtype.kind in "fiu"]
     if not numeric:
         return
@@ -167,7 +167,7 @@ def _quantity_id(db: sqlite3.Connection, of: Statistic) -> int:
 
 
 def remove_study(db: sqlite3.Connection, study: str) -> None:
-    """Delete a study with all that belongs to it alone."""
+    """Delete a study with all rows that belong only to it."""
     statement = "select distinct table_name from columns where study = ?"
     for (table,) in db.execute(statement, (study,)).fetchall():
         db.execute(f"drop table {quoted(table)}")
@@ -175,7 +175,7 @@ def remove_study(db: sqlite3.Connection, study: str) -> None:
 
 
 def remove_unused(db: sqlite3.Connection) -> None:
-    """Delete what nothing refers to any more."""
+    """Delete rows to which no row refers any longer."""
     db.execute(
         "delete from parameter_sets where parameter_set not in (select parameter_set from point_sets)"
     )

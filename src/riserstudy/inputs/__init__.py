@@ -1,1 +1,1 @@
-"""Files that people write: text, plain YAML, and data held against a model, with readable faults."""
+"""Files that people write: text, plain YAML, and validation against a model, with readable errors."""

@@ -1,4 +1,4 @@
-"""Data against a model: what does not fit becomes one readable fault."""
+"""Validate data against a model; the first error becomes one readable message."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ TYPES = frozenset(("bool", "float", "int", "str"))  # as pydantic names them, am
 
 
 def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
-    """Validate data against a pydantic model; the first fault becomes an InputError.
+    """Validate data against a pydantic model; the first error becomes an InputError.
 
     Parameters
     ----------
-    field : where in the source the data stand; empty: they are all of it.
+    field : place of the data in the source; empty: the data are the whole source.
     """
     try:
         return model.model_validate(tree)
@@ -27,7 +27,7 @@ def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
 
 
 def _readable(error: ValidationError, source: object, field: str) -> InputError:
-    """The fault that says most; of a field with alternatives, those of the nearest alternative."""
+    """Return the most informative error; of a field with alternatives, one of the nearest alternative."""
     alternatives: dict[tuple[str, ...], list[Any]] = {}
     for fault in error.errors():
         chosen = tuple(str(step) for step in fault["loc"] if _names_alternative(step))
@@ -70,7 +70,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
 
 
 def _names_alternative(step: object) -> bool:
-    """Whether a step of a fault's place names one of several models or types, which is no field."""
+    """Return whether a step of an error's place names one of several models or types, and not a field."""
     if not isinstance(step, str):
         return False
     return step in TYPES or step[:1].isupper() or "[" in step or "-" in step

@@ -1,19 +1,19 @@
-"""What does not fit in data whose fields are well-formed one by one."""
+"""Errors of data whose single fields have the correct type."""
 
 from __future__ import annotations
 
 
 class Misfit(ValueError):
-    """A fault of several fields together, or of a value that its kind alone does not forbid.
+    """An error of several fields together, or of a value that its type alone does not forbid.
 
     Parameters
     ----------
     path : str
-        Dotted path, counted from the part that is checked; "" for that part itself.
+        Dotted path, relative to the part that is checked; "" for that part itself.
     found, allowed : str
-        What stands there, and what may stand there or what to do.
+        The value that was found, and the values that are allowed or what to do.
     also : tuple of str
-        Paths, counted alike, of what the fault is about besides.
+        Further paths that the error concerns, relative to the same part.
     """
 
     def __init__(self, path: str, found: str, allowed: str, also: tuple[str, ...] = ()):
@@ -21,10 +21,10 @@ class Misfit(ValueError):
         super().__init__(f"{path}: {found}; {allowed}" if path else f"{found}; {allowed}")
 
     def below(self, path: str) -> Misfit:
-        """The same, counted from what holds the checked part at ``path``."""
+        """Return the same error with paths relative to the part that has the checked part at ``path``."""
         return Misfit(joined(path, self.path), self.found, self.allowed, self.also)
 
 
 def joined(path: str, rest: str) -> str:
-    """A path and one that goes on from there."""
+    """Return a path joined with a path relative to it."""
     return f"{path}.{rest}" if path and rest and not rest.startswith("[") else path + rest

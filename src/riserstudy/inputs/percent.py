@@ -1,4 +1,4 @@
-"""Shares as files have them: ``0.15 %``."""
+"""Shares in the notation of files: ``0.15 %``."""
 
 from __future__ import annotations
 

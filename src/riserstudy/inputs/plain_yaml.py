@@ -18,17 +18,17 @@ from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.inputs.text import read_text
 
-MOST_BYTES = 1_000_000  # of an input file
-DEEPEST = 20  # nesting levels
-MANY = 1000  # brackets, which may be nested; the reader's time grows as their square
-# What tags, anchors and aliases begin with, where a value may begin.
+MOST_BYTES = 1_000_000  # largest input file
+DEEPEST = 20  # most nesting levels
+MANY = 1000  # most brackets, which may be nested; the time of the parser grows as their square
+# Characters that begin tags, anchors and aliases, at a place where a value may begin.
 _SPECIAL = re.compile(r"(?:^|[\s\ufeff,\[{:?-])[!&*]")
 
 
 def read_yaml(path: Path, *, keep: bool = False) -> Any:
-    """A YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed.
+    """Read a YAML file as plain data. Tags, aliases and duplicate keys are refused; nothing is executed.
 
-    ``keep`` keeps what was read in the cache: reading that again is a hundred times as fast.
+    With ``keep`` the data are stored in the cache: reading them again is a hundred times as fast.
     """
     text = read_text(Path(path), MOST_BYTES)
     if not keep:
@@ -39,23 +39,23 @@ def read_yaml(path: Path, *, keep: bool = False) -> Any:
 
 @cache
 def _reader() -> str:
-    """What tells this way of reading from another."""
+    """Return a digest that identifies this version of the reader."""
     return f"{version('ruamel.yaml')}-{digest([Path(__file__)])}"
 
 
 def plain_yaml(text: str, source: object) -> Any:
-    """Plain data of YAML text; ``source`` names it in errors.
+    """Return the plain data of a YAML text; ``source`` names the text in errors.
 
     Raises
     ------
     InputError
-        When it is not plain YAML: no YAML, tags, anchors, names given twice, or too deep.
+        When the text is not plain YAML: invalid YAML, tags, anchors, duplicate names, or too deep nesting.
     """
     reader = YAML(typ="safe", pure=True)
     reader.allow_duplicate_keys = False
     try:
         if _SPECIAL.search(text) or text.count("[") + text.count("{") > MANY:
-            _scan(text, source)  # looking at every token takes as long as reading
+            _scan(text, source)  # scanning every token takes as long as parsing
         data = reader.load(text)
     except YAMLError as error:
         mark = getattr(error, "problem_mark", None)
@@ -71,19 +71,19 @@ def plain_yaml(text: str, source: object) -> Any:
 
 
 def _scan(text: str, source: object) -> None:
-    """Refuse what plain YAML has no need of, before anything is built from it."""
+    """Refuse tags, anchors, aliases and too deep nesting, before any object is built."""
     depth = 0
     for token in YAML(typ="safe", pure=True).scan(text):
         kind, place = type(token).__name__, f"line {token.start_mark.line + 1}"
         if kind in ("AliasToken", "AnchorToken", "TagToken"):
             raise InputError(source, place, "a YAML tag, anchor or alias", "write it out")
         depth += kind.endswith("StartToken") - kind.endswith("EndToken")
-        if depth > DEEPEST + 1:  # the stream itself counts as one
+        if depth > DEEPEST + 1:  # the stream itself counts as one level
             raise InputError(source, place, "nested too deeply", f"allowed are {DEEPEST} levels")
 
 
 def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:
-    """The first place that is not plain data: path, what is found and what is allowed; None without one."""
+    """Return the first place that is not plain data, as path, found and allowed; None without one."""
     if depth > DEEPEST:
         return path, "nested too deeply", f"allowed are {DEEPEST} levels"
     if isinstance(data, dict):

@@ -1,4 +1,4 @@
-"""What models of input files share."""
+"""The base class of models of input files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Text of an input file: a regular file of bounded size in UTF-8, or a refusal that says why."""
+"""Read the text of an input file: a regular UTF-8 file of bounded size, else an error with the reason."""
 
 from __future__ import annotations
 
@@ -9,20 +9,20 @@ from pathlib import Path
 
 from riserstudy.errors import InputError
 
-#: as far as a system has them
+#: flags for opening a file; a system may lack some
 FLAGS = ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY")
 
 
 def read_text(path: Path, most: int) -> str:
-    """Text of a file of at most ``most`` bytes.
+    """Return the text of a file of at most ``most`` bytes.
 
-    Links are not followed and devices not opened: a scene from elsewhere shall read nothing but the tables
-    it came with, and never wait. What is checked is what was opened.
+    Links are not followed and devices are not opened: a scene from elsewhere must read only the tables that
+    came with it, and must never wait. The checks use the opened file itself, not its path.
 
     Raises
     ------
     InputError
-        When it is a link, no regular file, too large, unreadable or not UTF-8.
+        When the file is a link, not a regular file, too large, unreadable or not UTF-8.
     """
     try:
         if not hasattr(os, "O_NOFOLLOW") and path.is_symlink():
@@ -44,7 +44,7 @@ def read_text(path: Path, most: int) -> str:
     if len(content) > most:
         raise InputError(path, "", f"larger than {most // 10**6} MB", "allowed is a smaller file")
     try:
-        return content.decode("utf-8-sig")  # spreadsheets begin with a mark
+        return content.decode("utf-8-sig")  # spreadsheets write a byte order mark first
     except UnicodeDecodeError as error:
         found = f"not UTF-8 text at byte {error.start}"
         raise InputError(path, "", found, "allowed is text in UTF-8") from None

@@ -1,6 +1,6 @@
-"""What the rules of the workflow run, as ``python -m riserstudy.jobs <name>``: functions of ``tasks``.
+"""Jobs of the workflow's rules. ``python -m riserstudy.jobs <name>`` runs a function of ``tasks``.
 
-They are part of the package, so that a checkout and a folder of one's own run the same.
+They belong to the package: a checkout and a user's own folder thus run the same code.
 """
 
 from __future__ import annotations
@@ -14,34 +14,36 @@ from pathlib import Path
 
 from riserstudy.study.processes import forks
 
-TAKEN = b"+"  # what a job is told by the process that will do it
-CORES = "RISERSTUDY_CORES"  # variable with the number of cores that jobs share
-SHARED = 2  # processes of a job for each thread that it claims there
+TAKEN = b"+"  # byte with which the server accepts a job
+CORES = "RISERSTUDY_CORES"  # environment variable: number of cores that the jobs share
+SHARED = 2  # processes per thread that a job claims, on a machine that jobs share
 
 
 def processes(claimed: int, worth: int) -> int:
-    """Processes of a job: more than it claims where another, at its beginning or end, leaves cores idle.
+    """Return the number of processes of a job. It may exceed the threads that the job claims.
+
+    At its beginning and at its end another job leaves cores idle, which the additional processes use.
 
     Parameters
     ----------
-    claimed : threads that Snakemake counts for it.
-    worth : those that it can use.
+    claimed : threads that Snakemake counts for the job.
+    worth : threads that the job can use.
     """
-    cores = int(os.environ.get(CORES, 0))  # of the run, on the machine that jobs share
+    cores = int(os.environ.get(CORES, 0))  # of the run, where jobs share one machine
     return min(worth, SHARED * claimed, cores) if cores else claimed
 
 
 def use_this_python() -> None:
-    """Let what is started from here on find this Python first."""
+    """Put this Python first in ``PATH``, for all processes that are started from now on."""
     others = os.environ.get("PATH", os.defpath)
     os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), others])
 
 
 def start_server(compiled: str, cores: int) -> None:
-    """Start the process that jobs are forks of, on so many cores; it ends when this one does.
+    """Start the server process, from which jobs are forked; it ends when the present process ends.
 
-    Where processes are no forks each job begins by itself. ``compiled`` is the file that tells that kernels
-    are compiled.
+    On a system without forks each job starts by itself. ``compiled`` is the file whose existence means that
+    all kernels are compiled; ``cores`` is the number of cores that the jobs share.
     """
     os.environ[CORES] = str(cores)
     if not (forks() and hasattr(socket, "AF_UNIX")):
@@ -49,9 +51,9 @@ def start_server(compiled: str, cores: int) -> None:
     address, log_file = Path(".snakemake/jobs"), Path("logs/server.log")
     address.unlink(missing_ok=True)
     log_file.parent.mkdir(exist_ok=True)
-    # Bound here, so that the first job finds it and waits, instead of loading everything once more.
+    # The socket is bound here: the first job then finds it and waits, and does not load everything itself.
     with socket.socket(socket.AF_UNIX) as listener, log_file.open("wb") as log:
-        others = os.umask(0o077)  # the socket takes jobs from its owner alone
+        others = os.umask(0o077)  # only the owner may connect to the socket
         listener.bind(str(address))
         os.umask(others)
         listener.listen(128)
@@ -61,5 +63,5 @@ def start_server(compiled: str, cores: int) -> None:
             command, stdin=subprocess.PIPE, stdout=log, stderr=log, pass_fds=[number]
         )
     atexit.register(address.unlink, missing_ok=True)
-    atexit.register(server.communicate)  # which closes its input and waits for it
+    atexit.register(server.communicate)  # closes the server's input and waits for its end
     os.environ["RISERSTUDY_JOBS"] = str(address)

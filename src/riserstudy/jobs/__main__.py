@@ -1,8 +1,8 @@
-"""``python -m riserstudy.jobs draw ...``: hand a job to the process that has everything loaded.
+"""``python -m riserstudy.jobs draw ...``: hand a job to the server process, which has all libraries loaded.
 
-Where there is none (a job on a cluster's node, a run by hand, a server that was killed), the job runs
-here, as one does after ``--alone``: times that are measured in a fork would depend on what the server has
-loaded by then. Little is imported before that is known: to wait for a job of the server costs 50 ms.
+Without a server (a job on a node of a cluster, a run by hand, a server that was killed) the job runs in this
+process. With ``--alone`` it does so, too: times measured in a fork would depend on what the server has loaded
+by then. Little is imported before this is decided: waiting for a job of the server costs 50 ms.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ ALONE = "--alone"
 
 
 def main(arguments: list[str]) -> int:
-    """Run a job there or here; return its exit status."""
+    """Run a job in the server or in this process, and return its exit status."""
     address = os.environ.get("RISERSTUDY_JOBS")
     if arguments[:1] == [ALONE]:
         arguments = arguments[1:]
@@ -34,7 +34,7 @@ def main(arguments: list[str]) -> int:
 
 
 def hand_over(server: socket.socket, arguments: list[str]) -> bool:
-    """Request a job with our streams and environment; whether the server took it."""
+    """Request a job with our streams and environment; return whether the server accepted it."""
     request = {"arguments": arguments, "environ": {**os.environ}}
     socket.send_fds(server, [b"\n"], [0, 1, 2])
     server.sendall(json.dumps(request).encode() + b"\n")
@@ -42,11 +42,11 @@ def hand_over(server: socket.socket, arguments: list[str]) -> bool:
 
 
 def end_of(server: socket.socket, job: str = "a job") -> int:
-    """Wait for the exit status of a job that was taken."""
+    """Wait for the exit status of a job that the server accepted."""
     text = b""
     with suppress(ConnectionError):
         text = server.recv(16)
-    if not text:  # a crash, or the system's want of memory
+    if not text:  # a crash, or the system had no memory left
         print(f"riserstudy: the process of {job} was killed", file=sys.stderr)
     return int(text or 1)
 

@@ -1,7 +1,7 @@
-"""What comes before a run: nothing of a former one is in the way, and nothing that is damaged counts.
+"""Preparation of a run: removes what an earlier run left behind, and finds results that are damaged.
 
-A lock that the system frees when its holder ends, however it ends, tells a Snakemake at work from one that
-was killed: the second leaves a lock of Snakemake's own, and half-written files.
+A killed Snakemake leaves its own lock and half-written files. It is distinguished from a Snakemake at work by
+a lock that the system releases when the process that holds it ends, however it ends.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from riserstudy.jobs import mend, seals
 from riserstudy.simulation.compile import marker
 
 SNAKEMAKE = Path(".snakemake")
-#: folders of what jobs read and write
+#: folders with the files that jobs read and write
 DATED = (Path("config"), Path("chapters"), seals.RESULTS)
-FEW = 5  # files that are named
+FEW = 5  # files that are listed by name
 
 _held = FileLock(SNAKEMAKE / "riserstudy.lock")
 
@@ -27,22 +27,23 @@ _held = FileLock(SNAKEMAKE / "riserstudy.lock")
 def begin(
     papers: list[str], outputs: Iterable[str], at_work: bool, tier: str
 ) -> tuple[list[str], list[str]]:
-    """Make ready for a run in the current folder, unless one is at work.
+    """Prepare a run in the current folder, unless another run is at work there.
 
     Parameters
     ----------
-    papers, outputs : what there is to be, as paths below ``results``.
-    tier : of this run.
-    at_work : whether jobs will be done: otherwise nothing is touched.
+    papers : configured papers.
+    outputs : files that the workflow makes, as paths below ``results``.
+    tier : tier of this run.
+    at_work : whether jobs will be run; otherwise no file is changed.
 
     Returns
     -------
-    Outputs that are damaged, to be made anew; and what to tell, a line each.
+    Damaged outputs, which must be made again, and messages of one line each.
 
     Raises
     ------
     InputError
-        When what is in the way cannot be removed.
+        When a leftover file cannot be removed.
     """
     if at_work and not _is_alone():
         return [], []
@@ -70,17 +71,17 @@ def begin(
 
 
 def _is_alone() -> bool:
-    """Take the lock, for as long as this process lives."""
+    """Acquire the lock for the lifetime of this process; return False where another process holds it."""
     try:
         SNAKEMAKE.mkdir(exist_ok=True)
         _held.acquire(timeout=0)
-    except (Timeout, OSError):  # of a folder that cannot be written Snakemake tells
+    except (Timeout, OSError):  # Snakemake reports a folder that is read-only
         return False
     return True
 
 
 def _dated() -> list[str]:
-    """Date today what is from the future, and say what."""
+    """Set the date of files that are dated in the future to today; return messages about them."""
     files = [path for folder in DATED for path in sorted(folder.rglob("*"))]
     dated, refused = mend.date_today([*files, *marker().parent.glob(f"{marker().name}*")])
     lines = _listed(dated, "dated in the future; its date is set to today")
@@ -90,25 +91,25 @@ def _dated() -> list[str]:
 
 
 def _other_tier(tier: str) -> list[str]:
-    """Say that results of another tier will be replaced, and note this one."""
+    """Return a message where results of another tier will be replaced, and store the present tier."""
     note = seals.SEALS / "tier"
     former = note.read_text("utf-8", "replace") if note.exists() else tier
     try:
         note.parent.mkdir(parents=True, exist_ok=True)
         note.write_text(tier, "utf-8")
-    except OSError:  # of a folder that cannot be written the jobs tell
+    except OSError:  # the jobs report a folder that is read-only
         return []
     return [f"results of tier {former} are replaced by those of {tier}"] if former != tier else []
 
 
 def _listed(files: list[Path], why: str) -> list[str]:
-    """A line for each of a few files, and one for all others."""
+    """Return one line for each of the first few files, and one line for all others."""
     lines = [f"{file} is {why}" for file in files[:FEW]]
     return [*lines, *([f"{more} more files are {why}"] if (more := len(files) - FEW) > 0 else [])]
 
 
 def _remove(results: Iterable[Path]) -> None:
-    """Remove results, and what a killed run left: locks, and what jobs were writing, hidden until whole."""
+    """Remove results and leftovers of a killed run: locks, and hidden files that were not yet complete."""
     partial = [path for path in seals.RESULTS.rglob(".*") if path.is_file()]
     locks = (SNAKEMAKE / "locks").glob("*")
     for file in (*locks, *partial):

@@ -1,9 +1,9 @@
-"""Fit the calibrated values of a study to printed numbers, by a continuous search within their ranges.
+"""Fit the calibrated values of a study to published values, by a continuous search within their ranges.
 
-``python -m riserstudy.jobs.calibrate mao_hangoff/nearest N1 N2 N3`` prints the values at which the worst
-relative miss of the numbers is least. Free are the values that the study sets as ``calibrated`` with a range;
-nothing is written, what is found goes into the study file by hand. No rule runs this: a search takes hundreds
-of runs.
+``python -m riserstudy.jobs.calibrate mao_hangoff/nearest N1 N2 N3`` prints the values that minimise the
+largest relative error of the numbers. The free values are those that the study sets as ``calibrated`` with a
+range. The search writes no file: the user copies its result into the study file. No rule of the workflow runs
+it, because a search needs hundreds of runs.
 """
 
 from __future__ import annotations
@@ -34,14 +34,14 @@ if TYPE_CHECKING:
     from riserstudy.study.models import Derived
 
 CONFIG = Path("config")
-MOST = 400  # evaluations a start
-STARTS = 3  # a simplex shrinks onto the edges of a worst miss, and begins anew there
-FIRST_STEP = 0.1  # of a range
-NO_RUN = 1e3  # a miss where a run cannot be completed
+MOST = 400  # evaluations per start
+STARTS = 3  # the largest error has edges, onto which a simplex shrinks: it is restarted there
+FIRST_STEP = 0.1  # as a share of a range
+NO_RUN = 1e3  # relative error that is assumed where a run cannot be completed
 
 
 class Free(NamedTuple):
-    """A calibrated value of a study: path in the scene, where the search begins, its range and unit."""
+    """A calibrated value of a study: path in the scene, starting value, range and unit."""
 
     path: str
     start: float
@@ -50,13 +50,13 @@ class Free(NamedTuple):
     unit: str
 
     def value(self, share: float) -> str | float:
-        """What is at a share of the range, as study files write it."""
+        """Return the value at a share (1) of the range, in the notation of study files."""
         digits = f"{self.low + share * (self.high - self.low):.4g}"
         return f"{digits} {self.unit}" if self.unit else float(digits)
 
 
 class Fit(NamedTuple):
-    """What a search found: shares of the ranges, the worst miss there, and how often it looked."""
+    """Result of a search: shares of the ranges, the largest relative error, and number of evaluations."""
 
     shares: list[float]
     miss: float
@@ -64,12 +64,12 @@ class Fit(NamedTuple):
 
 
 def free_values(study: Study) -> list[Free]:
-    """The calibrated values that a study sets and gives a range.
+    """Return the calibrated values of a study that have a range.
 
     Raises
     ------
     InputError
-        When there are none.
+        When the study has none.
     """
     free = []
     for path, value in study.model.set.items():
@@ -83,7 +83,7 @@ def free_values(study: Study) -> list[Free]:
 
 
 def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> Study:
-    """The study with its free values at shares of their ranges."""
+    """Return the study with its free values at the given shares (1) of their ranges."""
     sets = dict(study.model.set)
     for one, share in zip(free, shares, strict=True):
         sets[one.path] = sets[one.path] | {"calibrated": one.value(share)}
@@ -91,7 +91,7 @@ def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> 
 
 
 def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) -> dict[str, float]:
-    """What simulations of a study give for printed numbers that are checked with it alone."""
+    """Simulate a study; return the simulated values of numbers whose checks read this study alone."""
     results = [
         run(study.grid.file(point.index).resolved(), estimated=False) for point in study.plan
     ]
@@ -106,7 +106,7 @@ def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) 
 
 
 def _read(study: Study, name: str, derived: dict[str, Derived], runs: xr.Dataset) -> xr.Dataset:
-    """A dataset that a check reads: derived from the study alone, or the study in place of its own."""
+    """Return a dataset that a check reads: one derived from the study alone, else the study's own runs."""
     if name in derived and derived[name].reads == [study.name]:
         settings = with_printed(derived[name].settings, CONFIG, study.paper)
         return derive(study.paper, name, {study.name: runs}, settings)
@@ -114,18 +114,18 @@ def _read(study: Study, name: str, derived: dict[str, Derived], runs: xr.Dataset
 
 
 def worst_miss(found: dict[str, float], items: Sequence[Item]) -> float:
-    """The largest relative miss of printed numbers."""
+    """Return the largest relative error (1) of the numbers."""
     return max(abs(found[item.id] / (item.published or 0.0) - 1.0) for item in items)
 
 
 def search(
     miss: Callable[[Sequence[float]], float], start: Sequence[float], most: int = MOST
 ) -> Fit:
-    """The point of the unit cube at which a miss is least.
+    """Find the point of the unit cube at which a function (here the largest error) is least.
 
     References
     ----------
-    Nelder and Mead (1965), whose simplex begins anew where it has shrunk.
+    Nelder and Mead (1965); the simplex is restarted at the point onto which it has shrunk.
     """
     best, looks = Fit([*start], miss(start), 1), 1
     for _ in range(STARTS):
@@ -147,12 +147,12 @@ def search(
 
 
 def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], most: int) -> Fit:
-    """Fit a study's free values to printed numbers.
+    """Fit the free values of a study to published values.
 
     Raises
     ------
     InputError
-        When there is nothing to fit, or nothing to fit it to.
+        When the study has no free value, or a number has no published value.
     """
     free = free_values(study)
     if not items or any(item.published is None for item in items):
@@ -175,12 +175,12 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
 
 
 def fit_study(config: Path, study: str, ids: list[str], tier: str, most: int | None) -> Fit:
-    """Fit a study, named ``paper/study``, to printed numbers of its paper.
+    """Fit a study, named ``paper/study``, to published values of its paper.
 
     Raises
     ------
     InputError
-        When there is no such study.
+        When the study does not exist.
     """
     paper, _, name = study.partition("/")
     file = read_studies(config, paper)

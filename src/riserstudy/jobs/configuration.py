@@ -1,4 +1,4 @@
-"""What the papers of a study configure, read and checked before any job."""
+"""Configuration of all papers, read and checked before any job starts."""
 
 from __future__ import annotations
 
@@ -32,16 +32,16 @@ from riserstudy.study.study import Study, scene_file
 
 
 class Configuration:
-    """Studies, scenes, figures and printed numbers of the configured papers.
+    """Studies, scenes, figures and published values of the configured papers.
 
     Parameters
     ----------
-    only : studies to check instead of all, as (paper, name): enough for the job that simulates one.
+    only : studies to check, as (paper, name); None: all. A job that simulates one study needs no more.
 
     Raises
     ------
     InputError
-        When any part of the configuration, a scene or a grid point cannot be meant.
+        When any part of the configuration, a scene or a grid point is invalid.
     """
 
     def __init__(
@@ -54,7 +54,8 @@ class Configuration:
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
         self._refuse_equal_names()
         if only is None:
-            for paper, printed in self.published.items():  # checked before any job, too
+            # these files, too, are checked before any job
+            for paper, printed in self.published.items():
                 read_false_claims(config, paper, printed)
             known = {p: {i.id for i in of.items} for p, of in self.published.items()}
             refuse_unknown_claims(config, self.files, known)
@@ -77,19 +78,19 @@ class Configuration:
 
     @property
     def units(self) -> str:
-        """System of units that plots and limits are read in."""
+        """System of units of plots and limits."""
         return self.settings.units or UnitSystem.FIELD.value
 
     @classmethod
     def read(
         cls, config: Path, overrides: dict[str, Any], only: list[tuple[str, str]] | None = None
     ) -> Self:
-        """Read config.yaml, and let overrides win over what it says.
+        """Read config.yaml; overrides replace its values.
 
         Raises
         ------
         InputError
-            When it cannot be read, or cannot be meant.
+            When the file cannot be read, or is invalid.
         """
         path = config / "config.yaml"
         settings = read_yaml(path, keep=True)
@@ -98,7 +99,7 @@ class Configuration:
         return cls(config, settings | overrides, only)
 
     def _refuse_equal_names(self) -> None:
-        """Rules are named like papers, and like paper and figure: ``a`` and ``b_c`` is ``a_b`` and ``c``."""
+        """Refuse names that give two rules one name: figure ``b_c`` of ``a`` and figure ``c`` of ``a_b``."""
         taken: dict[str, str] = {paper: f"paper {paper}" for paper in self.papers}
         for paper, name in self.figures():
             rule, label = f"{paper}_{name}", f"figure {name} of {paper}"
@@ -115,7 +116,7 @@ class Configuration:
 
     @cached_property
     def published(self) -> dict[str, PublishedFile]:
-        """What papers printed."""
+        """Numbers and claims of the papers."""
         return {
             paper: read_published(self.config, paper, set(file.datasets))
             for paper, file in self.files.items()
@@ -146,7 +147,7 @@ class Configuration:
 
     @property
     def warnings(self) -> list[str]:
-        """What is unusual in the studies, and may be a slip."""
+        """Warnings about unusual values in the studies, which may be mistakes."""
         return warnings([*self.studies, *(seas.settings for seas in self._seas.values())])
 
     @property
@@ -155,7 +156,7 @@ class Configuration:
         return list(self._studies.values())
 
     def write_point_counts(self, where: Path) -> None:
-        """Write the points of each study and the number of its jobs, by which the time left is told."""
+        """Write the numbers of points and of jobs of each study; the time left is estimated from them."""
         counts = {
             f"{paper}/{name}": (len(study.plan), self.shards(paper, name))
             for (paper, name), study in self._studies.items()
@@ -164,16 +165,16 @@ class Configuration:
         where.write_text(json.dumps(counts))
 
     def shards(self, paper: str, study: str) -> int:
-        """Jobs that share the points of a study; 1 where the job that writes it simulates all."""
+        """Number of jobs that share the points of a study; 1: the job that writes it simulates all."""
         per_job = self.settings.points_per_job
         return math.ceil(len(self.study(paper, study).grid) / per_job) if per_job else 1
 
     def study(self, paper: str, name: str) -> Study:
-        """One study, planned once."""
+        """One study; it is planned only once."""
         return self._studies[paper, name]
 
     def seas(self, paper: str, name: str) -> SeasStudy:
-        """Hours of a record over settings, planned once."""
+        """One study of the hours of a record over settings; it is planned only once."""
         return self._seas[paper, name]
 
     def schematic(self, paper: str, name: str) -> SceneFile:

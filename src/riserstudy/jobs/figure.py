@@ -1,4 +1,4 @@
-"""The figure that a study file names: from datasets, or a schematic from its scene."""
+"""Draw a figure that a study file names: from datasets, or a schematic from its scene."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 
 def from_datasets(config: Path, paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
-    """Draw a figure of a chapter, or a plot for any grid.
+    """Draw a figure of a chapter, or a general plot, which suits any grid.
 
     Raises
     ------
     InputError
-        When a dataset lacks a quantity that is drawn: figure, dataset and quantity.
+        When a dataset lacks a quantity that is drawn; it names figure, dataset and quantity.
     """
     from riserstudy.chapters.draw import draw
     from riserstudy.figures import draw_plot
@@ -42,8 +42,8 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
     Raises
     ------
     InputError
-        When cylinders are to stand that the scene arranges, or does not have, or a remark is about no part
-        whose label can bear one: study file and field.
+        When the study file places cylinders although the scene arranges them itself or has none, or a remark
+        names a part whose label cannot carry a remark; it names study file and field.
     """
     from riserstudy.schematic import schematic
     from riserstudy.schematic.geometry import labelled

@@ -1,6 +1,6 @@
-"""What Snakemake prints of a study: how far it is, on one line, and which steps failed with their logs.
+"""Output of Snakemake: the progress on one line, and failed steps with the ends of their logs.
 
-A logger plugin: Snakemake hands over records of what happens, from a thread of its own.
+A logger plugin: Snakemake passes log records to it from a separate thread.
 """
 
 import shutil
@@ -17,7 +17,7 @@ from snakemake_interface_logger_plugins.settings import LogHandlerSettingsBase
 
 from riserstudy.jobs.progress import Progress
 
-ON_TERMINAL, IN_LOG = 1.0, 10.0  # s between looks at how far the run is
+ON_TERMINAL, IN_LOG = 1.0, 10.0  # time between updates of the progress (s)
 LOG_TAIL = 25  # lines
 NOTHING = "Nothing to be done"
 
@@ -36,7 +36,7 @@ class LogHandlerSettings(LogHandlerSettingsBase):
 
 
 class LogHandler(LogHandlerBase):
-    """Shows how far a run is, in place of what Snakemake says of each step."""
+    """Shows the progress of a run in place of Snakemake's messages about each step."""
 
     writes_to_file = False
     has_filter = False
@@ -46,7 +46,7 @@ class LogHandler(LogHandlerBase):
     def __post_init__(self) -> None:
         tier = self.settings.tier if isinstance(self.settings, LogHandlerSettings) else "standard"
         self._progress = Progress(tier)
-        self._rules: dict[int, str] = {}  # of steps that began, by number of the job
+        self._rules: dict[int, str] = {}  # rule of each started step, by number of the job
         self._steps_failed = False
         self._terminal = sys.stdout.isatty()
         self._ended = threading.Event()
@@ -54,15 +54,15 @@ class LogHandler(LogHandlerBase):
 
     @property
     def writes_to_stream(self) -> bool:
-        """Whether it stands in for Snakemake's own words: not in a dry run, which is about each step."""
+        """Whether it replaces Snakemake's own output: not in a dry run, which lists each step."""
         return not self.common_settings.dryrun
 
     def emit(self, record: LogRecord) -> None:
-        """Take in what happened, and print what failed.
+        """Process a log record, and print failures.
 
         Parameters
         ----------
-        record : with an ``event``, and what belongs to it.
+        record : log record with an ``event`` and its data.
         """
         event = getattr(record, "event", None)
         if self.common_settings.dryrun:
@@ -88,7 +88,7 @@ class LogHandler(LogHandlerBase):
             self._pass_on(record)
 
     def close(self) -> None:
-        """Keep the times of the steps, and end the line."""
+        """Store the times of the steps, and end the line."""
         if self._showing:
             self._ended.set()
             self._showing.join()
@@ -106,7 +106,7 @@ class LogHandler(LogHandlerBase):
             self._progress.begin(job, message)
 
     def _fail(self, record: LogRecord) -> None:
-        """Print which step failed, and how its logs end."""
+        """Print which step failed, and the last lines of its logs."""
         self._steps_failed = True
         self._progress.fail(int(record.jobid))  # type: ignore[attr-defined]
         outputs = ", ".join(getattr(record, "output", None) or ["its output"])
@@ -118,7 +118,7 @@ class LogHandler(LogHandlerBase):
         self._complain(lines)
 
     def _pass_on(self, record: LogRecord) -> None:
-        """Print what belongs to no step: nothing to do, warnings, and where the log of a failed run is."""
+        """Print messages that belong to no step: nothing to do, warnings, and the log of a failed run."""
         text = record.getMessage()
         if text.startswith(NOTHING):
             print("Nothing to do: every result is up to date.", flush=True)
@@ -134,7 +134,7 @@ class LogHandler(LogHandlerBase):
         print("\n".join(lines), file=sys.stderr, flush=True)
 
     def _show(self) -> None:
-        """Show from now on how far the run is: on a terminal on one line, in a log by a line a change."""
+        """Start to show the progress: on a terminal on one line, in a log with a new line per change."""
         if self._showing is None:
             self._showing = threading.Thread(target=self._look, daemon=True)
             self._showing.start()
@@ -150,7 +150,7 @@ class LogHandler(LogHandlerBase):
                 last = state
 
     def _print_line(self, text: str) -> None:
-        """Print a line; on a terminal in place of the last one, no longer than it is wide."""
+        """Print a line; on a terminal it replaces the last line and is cut to the terminal's width."""
         if not self._terminal:
             print(text, flush=True)
             return

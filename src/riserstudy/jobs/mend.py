@@ -1,4 +1,4 @@
-"""What would stop Snakemake itself: records that it cannot read, and files that are dated in the future."""
+"""Repair what would stop Snakemake itself: records that it cannot read, and files dated in the future."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
-#: what Snakemake writes of a job at work; without it, a job that was killed counts as done
+#: record that Snakemake writes for a job at work; without it a killed job would count as done
 AT_WORK = '{"external_jobid": null}'
-LONG = "@"  # before parts of a record's name that is too long for a file system
+LONG = "@"  # prefix of the parts of a record name that is too long for a file system
 
 
 def unreadable(snakemake: Path) -> list[Path]:
-    """Records that Snakemake cannot read: it leaves out those that were cut short, and stops at others."""
+    """Return records that Snakemake cannot read: it skips truncated ones, and stops at others."""
     return [
         path
         for folder in ("metadata", "incomplete")
@@ -26,12 +26,12 @@ def unreadable(snakemake: Path) -> list[Path]:
 
 
 def drop(records: Iterable[Path], snakemake: Path) -> list[str]:
-    """Remove records of finished jobs, and write those of jobs at work anew.
+    """Remove the given records of finished jobs, and write those of jobs at work again.
 
     Returns
     -------
-    Files that the finished jobs made. Nothing tells any more what they were made from: an edit since then
-    would go unseen.
+    Files that the finished jobs made. No record any longer tells their inputs: a later edit would not be
+    noticed.
     """
     outputs = []
     for path in records:
@@ -40,13 +40,13 @@ def drop(records: Iterable[Path], snakemake: Path) -> list[str]:
             continue
         path.unlink(missing_ok=True)
         parts = path.relative_to(snakemake / "metadata").parts
-        with suppress(ValueError):  # no name that Snakemake gave
+        with suppress(ValueError):  # not a name that Snakemake gave
             outputs.append(urlsafe_b64decode("".join(p.removeprefix(LONG) for p in parts)).decode())
     return outputs
 
 
 def _is_readable(path: Path, finished: bool) -> bool:
-    """Whether Snakemake learns from a record what a job was made from."""
+    """Return whether Snakemake can read from a record what a job was made from."""
     from snakemake.persistence import MetadataRecord
 
     try:
@@ -62,14 +62,14 @@ def _is_readable(path: Path, finished: bool) -> bool:
 
 
 def date_today(files: Iterable[Path]) -> tuple[list[Path], list[Path]]:
-    """Give files that are dated in the future the present time.
+    """Set the time of files that are dated in the future to the present.
 
-    Snakemake removes a result that is older than its input, as each is until that day has come. Whether
-    results are up to date is told by digests, which no time changes.
+    Snakemake removes a result that is older than its input, and every result is older than an input that is
+    dated in the future. Digests decide whether results are up to date; they do not depend on times.
 
     Returns
     -------
-    Files that were dated anew, and those that could not be.
+    Files whose time was changed, and files whose time could not be changed.
     """
     now = time.time()
     dated, refused = [], []

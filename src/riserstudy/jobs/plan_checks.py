@@ -1,4 +1,4 @@
-"""What is held against each other before any job: scenes against what papers print, axes against scenes."""
+"""Checks before any job starts: scenes against the inputs that papers print, axes against scenes."""
 
 from __future__ import annotations
 
@@ -19,14 +19,15 @@ from riserstudy.study.study import Study
 
 
 def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
-    """Refuse a plain value of a paper's scene, which says that the paper prints it, that is not on its list.
+    """Refuse a plain value of a paper's scene that is not in the paper's list of inputs.
 
-    Papers whose file has no ``inputs`` are not yet listed.
+    A plain value in a paper's scene claims that the paper prints it. Papers whose file has no ``inputs`` are
+    not checked.
 
     Raises
     ------
     InputError
-        With the first such value.
+        At the first such value.
     """
     inputs_of = cache(partial(printed_inputs, config))
     for scene in scenes:
@@ -44,7 +45,7 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
 def refuse_unknown_claims(
     config: Path, files: Mapping[str, StudyFile], known: Mapping[str, set[str]]
 ) -> None:
-    """Refuse figures that list a number or claim which their paper's file does not have.
+    """Refuse figures that list a number or claim which the file of their paper does not contain.
 
     Parameters
     ----------
@@ -53,7 +54,7 @@ def refuse_unknown_claims(
     Raises
     ------
     InputError
-        With the first such ID.
+        At the first such ID.
     """
     for paper, file in files.items():
         ids = known.get(paper, set())
@@ -65,14 +66,14 @@ def refuse_unknown_claims(
 
 
 def refuse_settings(study: Study) -> None:
-    """Refuse a study that is to be tuned and has its own mesh or step, or that tuning is no help to.
+    """Refuse a study to be tuned that has its own mesh or step, or that cannot profit from tuning.
 
     Raises
     ------
     InputError
-        With what is in the way.
+        With the reason.
     """
-    from riserstudy.study.tune import check_tunable  # which loads solvers
+    from riserstudy.study.tune import check_tunable  # loads solvers
 
     analysis = study.base.tree.get("analysis") or {}
     for name in ("mesh", "step", "method"):
@@ -84,14 +85,14 @@ def refuse_settings(study: Study) -> None:
 
 
 def refuse_seas(seas: SeasStudy) -> None:
-    """Refuse hours of a record where a setting, the record or a limit on the sea cannot be meant.
+    """Refuse a study of the hours of a record with an invalid setting, record or limit on the sea.
 
-    A record is read once: that it can be is remembered by its content and the code that reads it.
+    A record is checked once: the success is stored under a key of its content and of the code that reads it.
 
     Raises
     ------
     InputError
-        With the first fault.
+        At the first fault.
     """
     from riserstudy.seas.hours import check_limits, sea_limit
     from riserstudy.seas.record import check_windows

@@ -1,8 +1,8 @@
-"""How far a run of the study is: steps, what is at work, points of studies, time left by earlier runs.
+"""Progress of a run: steps done and at work, points of studies, and the time left, from earlier runs.
 
-A step is timed by its part of the elapsed time: of two steps at work each has half. Parts add up to the
-elapsed time whatever cores a step uses, so that their sum over the steps to do is the time left.
-A first run has none before it: it takes the times of steps and rules that come with the project.
+The time of a step is its part of the elapsed time: of two steps at work each has half. The parts add up to
+the elapsed time, however many cores a step uses; the sum over the remaining steps is thus the time left.
+A first run has no earlier run: it uses the times of steps and rules that come with the project.
 """
 
 from __future__ import annotations
@@ -17,21 +17,21 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 MEMORY = Path(".cache/steps.json")
-PLANNED = Path(".cache/points.json")  # points and shards of each study, as planned
+PLANNED = Path(".cache/points.json")  # planned points and shards of each study
 DATA_FILES = ("first_times.json",)
 RECORDED = "standard"  # tier of the times that come with the project
-FIRST = Path(__file__).with_name(DATA_FILES[0])  # times for rules that no earlier run had
-TAIL = 400  # bytes of a log, at its end, in which its progress stands
+FIRST = Path(__file__).with_name(DATA_FILES[0])  # times of rules without an earlier run
+TAIL = 400  # bytes at the end of a log that contain its progress
 STUDY = re.compile(r"simulate (\S+)/([^\s,]+)(?:, part (\d+) of (\d+))?")
-PACE = 0.1  # share of a step's points from which its own pace is used
-MANY = 10  # points, of which it is known well enough how many are done
-COUNTED = 20.0  # core seconds for which the times of earlier runs count in the pace of this machine
-ALIKE = 4.0  # pace of a step beyond which it tells nothing: its points were in the store, say
+PACE = 0.1  # share of a step's points that must be done before its own pace is used
+MANY = 10  # least number of points done for a useful estimate of the pace
+COUNTED = 20.0  # weight of the times of earlier runs in the pace of this machine (core seconds)
+ALIKE = 4.0  # largest useful ratio of times: beyond it, for example, the points were in the store
 POINTS = re.compile(r"(\d+) of (\d+) points\s*$")
 
 
 class Taken(NamedTuple):
-    """What a step took: its rule, its part of the time (core seconds), its points, 1 where it has none."""
+    """Time of a finished step: its rule, its part of the time (core seconds), its points (1 if none)."""
 
     rule: str
     seconds: float
@@ -40,20 +40,20 @@ class Taken(NamedTuple):
 
 @dataclass
 class Step:
-    """A step at work: what Snakemake says that it does, and its part of the time so far (core seconds)."""
+    """A step at work: Snakemake's message about it, and its part of the time so far (core seconds)."""
 
     message: str
     seconds: float = 0.0
 
 
 class Progress:
-    """How far a run is, from what Snakemake reports of its steps.
+    """Progress of a run, from Snakemake's reports about its steps.
 
     Parameters
     ----------
-    tier : its times are remembered apart, in ``memory``.
-    clock : gives the time (s).
-    planned : where the plan of this run leaves the points of each study.
+    tier : tier of the run; the times of each tier are stored separately, in ``memory``.
+    clock : returns the time (s).
+    planned : file into which the planning of this run writes the points of each study.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class Progress:
         self.began = self.counted = clock()
         self.cores = 1
         self.steps = ""
-        self.left: Counter[str] = Counter()  # steps to do, by rule
+        self.left: Counter[str] = Counter()  # remaining steps, by rule
         self.at_work: dict[int, Step] = {}  # by number of the job
         self.took: dict[str, Taken] = {}  # by message
         self.points: dict[str, float] = {}  # by study
@@ -77,7 +77,7 @@ class Progress:
         self.first: dict[str, Any] = json.loads(FIRST.read_text("utf-8"))
 
     def plan(self, jobs: Mapping[str, int]) -> None:
-        """Take in how many steps of each rule there are to do."""
+        """Receive the number of steps of each rule that must be done."""
         self.left = Counter({rule: count for rule, count in jobs.items() if rule != "total"})
         planned = _planned(self.planned)
         self.points = {study: float(points) for study, (points, _) in planned.items()}
@@ -85,34 +85,34 @@ class Progress:
         self.known = self._known()
 
     def begin(self, job: int, message: str) -> None:
-        """Take in that a step is at work, and what it does."""
+        """Receive the start of a step, with its message."""
         self._count()
         self.at_work[job] = Step(message.strip())
 
     def end(self, job: int, rule: str) -> None:
-        """Take in that a step of a rule is done."""
+        """Receive the end of a step of a rule."""
         self._count()
         self.left[rule] -= 1
         step = self.at_work.pop(job, None)
-        # what only gathers says nothing when it begins
+        # Snakemake does not report the start of a rule that only collects files
         message = step.message if step else rule
         seconds = step.seconds if step else 0.0
         self.took[message] = Taken(rule, seconds, self._points(message))
 
     def fail(self, job: int) -> None:
-        """Take in that a step has failed."""
+        """Receive the failure of a step."""
         self._count()
         self.at_work.pop(job, None)
 
     def _count(self) -> None:
-        """Divide the time since it was last done among the steps that were at work."""
+        """Distribute the time since the last call over the steps that were at work."""
         now = self.clock()
         for step in self.at_work.values():
             step.seconds += self.cores * (now - self.counted) / len(self.at_work)
         self.counted = now
 
     def _points(self, message: str) -> float:
-        """Points that a step simulates; 1 for any other."""
+        """Number of points that a step simulates; 1 for any other step."""
         found = STUDY.fullmatch(message)
         if not found:
             return 1.0
@@ -122,8 +122,8 @@ class Progress:
     def _known(self) -> dict[str, tuple[str, float]]:
         """Rule and time (core seconds) of steps, by message.
 
-        As the last run of the tier had them, or that of another tier, by the points that a study has now;
-        of those that no run had, as they come with the project.
+        They are times of the last run of this tier, else of another tier, else those that come with the
+        project; all are scaled to the present number of points of the study.
         """
         others = [steps for tier, steps in self.before.items() if tier != self.tier]
         every = self._of_project()
@@ -135,14 +135,15 @@ class Progress:
         }
 
     def _scaled(self, step: Taken, points: float) -> float:
-        """Time (core seconds) of a step with other points: what it takes without any stays."""
+        """Time (core seconds) of a step with another number of points; the part without points is fixed."""
         fixed: float = min(self.first["a_step"].get(step.rule, 0.0), step.seconds)
         return fixed + (step.seconds - fixed) * points / step.points
 
     def _of_project(self) -> dict[str, Taken]:
-        """Times of steps that come with the project, as far as this run has them.
+        """Times that come with the project, of the steps that this run has.
 
-        Measurements have no points to go by, so theirs are for the tier alone that they were recorded in.
+        Measurements have no points by which to scale: their times are used only in the tier in which they
+        were recorded.
         """
         steps = {message: Taken(*step) for message, step in self.first["steps"].items()}
         if self.tier != RECORDED:
@@ -153,9 +154,10 @@ class Progress:
         return {m: s for m, s in steps.items() if m in own or (planned and m not in studies)}
 
     def _at_first(self, rule: str) -> dict[str, float]:
-        """Time (core seconds) of steps of a rule that no run had, by message; of a study by its points.
+        """Time (core seconds) of steps of a rule without an earlier run, by message; scaled by points.
 
-        A shard by the pace of those of its study that are done; the job that joins them by its points.
+        A shard uses the pace of the finished shards of its study. The job that joins shards uses the time per
+        joined point.
         """
         step, point = (self.first[kind].get(rule) for kind in ("a_step", "a_point"))
         if step is None:
@@ -174,7 +176,7 @@ class Progress:
         return times or {rule: step}
 
     def _paces(self) -> dict[str, float]:
-        """Time of a point (core seconds) by study, of the shards that this run has done or half done."""
+        """Time per point (core seconds) by study, from the shards of this run, finished or at work."""
         seconds: dict[str, float] = defaultdict(float)
         points: dict[str, float] = defaultdict(float)
         for message, of in self.took.items():
@@ -189,7 +191,7 @@ class Progress:
         return {study: seconds[study] / points[study] for study in points if points[study]}
 
     def text(self) -> str:
-        """Steps done, time gone and left, what is at work, on how many cores."""
+        """Progress in words: steps done, time elapsed and left, number of cores, steps at work."""
         gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
         if (left := self.seconds_left()) is not None:
             word = "at least" if self._untimed() else "about"
@@ -199,20 +201,20 @@ class Progress:
         return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
 
     def percent(self, left: float) -> int:
-        """Share of the time that is gone (%), below 100 while some is left (s)."""
+        """Elapsed share of the time (%), at most 99; ``left`` is the time left (s)."""
         gone = self.clock() - self.began
         return min(99, int(100.0 * gone / (gone + left))) if gone + left > 0.0 else 0
 
     def state(self) -> tuple[object, ...]:
-        """What a log has a new line for: per cent, steps done, and what is at work."""
+        """State of the run, whose change makes a new line in a log: percentage, steps done and at work."""
         left = self.seconds_left()
         share = None if left is None else self.percent(left)
         return share, self.steps, tuple(step.message for step in self.at_work.values())
 
     def seconds_left(self) -> float | None:
-        """Time left (s) where steps take as long as in earlier runs, a point for a point, by this run's pace.
+        """Time left (s), from the times of earlier runs per point, multiplied by the pace of this run.
 
-        Rules of which nothing is known count as none. None where nothing is left.
+        A rule without any known time counts as zero. None where nothing is left.
         """
         self._count()
         total = 0.0
@@ -229,19 +231,19 @@ class Progress:
         return max(total * pace - spent, 0.0) / self.cores
 
     def _alike(self, rule: str) -> dict[str, float]:
-        """Time (s) of steps of a rule, by message; none where nothing is known of it."""
+        """Times (core seconds) of steps of a rule, by message; empty where none is known."""
         known = {m: seconds for m, (of, seconds) in self.known.items() if of == rule}
         return known or self._at_first(rule)
 
     def _untimed(self) -> bool:
-        """Whether steps are left of a rule of which nothing is known: one that a user wrote."""
+        """Whether steps of a rule without any known time are left, as of a rule that a user wrote."""
         return any(count > 0 and not self._alike(rule) for rule, count in self.left.items())
 
     def _pace(self) -> float:
-        """How long steps of this run take, as a factor on the times that they were given.
+        """Ratio of the times of this run's steps to their expected times.
 
-        Of steps at work the points that are done count. Steps that were much quicker or slower than given
-        tell of a store that had their points, or of an edit, not of the machine.
+        Of steps at work the finished points count. A step that was much quicker or slower than expected does
+        not count: the cause is a store that had its points, or an edit, not the machine.
         """
         took, given = COUNTED, COUNTED
         known = self.known
@@ -256,9 +258,10 @@ class Progress:
         return took / given
 
     def _spent(self, step: Step, pace: float) -> float:
-        """What is no longer to do (core seconds) of the time that a step at work is given at this pace.
+        """Part (core seconds) of the expected time of a step at work that need not be spent any more.
 
-        By the pace of its own points once a tenth of them is done; negative where it is slower than thought.
+        Once a tenth of its points is done the pace of these points is used; the result is negative where the
+        step is slower than expected.
         """
         found = STUDY.fullmatch(step.message)
         rule = ("shard" if found[3] else "simulate") if found else ""
@@ -272,7 +275,7 @@ class Progress:
         return min(step.seconds, given * pace) if step.message in self.known else 0.0
 
     def remember(self) -> None:
-        """Keep the times of this run for the next one."""
+        """Store the times of this run for the next one."""
         if self.took:
             kept = self.before | {self.tier: self.before.get(self.tier, {}) | self.took}
             self.memory.parent.mkdir(mode=0o700, exist_ok=True)
@@ -292,7 +295,7 @@ def _remembered(memory: Path) -> dict[str, dict[str, Taken]]:
 
 
 def _planned(planned: Path) -> dict[str, tuple[float, int]]:
-    """Points of each study, and the jobs that simulate them; none where the plan has not been left."""
+    """Numbers of points and of jobs of each study; empty where the plan was not written."""
     try:
         counts = json.loads(planned.read_text())
         return {str(study): (float(n), int(shards)) for study, (n, shards) in counts.items()}
@@ -301,19 +304,19 @@ def _planned(planned: Path) -> dict[str, tuple[float, int]]:
 
 
 def _study_of(message: str) -> str | None:
-    """The study, with its paper, that a step simulates; None of another step."""
+    """Return the study that a step simulates, as ``paper/study``; None for another step."""
     found = STUDY.fullmatch(message)
     return f"{found[1]}/{found[2]}" if found else None
 
 
 def _shortened(message: str) -> str:
-    """What a step does, with the points that it has done of how many, as its log tells."""
+    """Return the message of a step with its number of finished points and of all, from its log."""
     points = points_done(message)
     return f"{message} ({points[0]} of {points[1]} points)" if points else message
 
 
 def points_done(message: str) -> tuple[int, int] | None:
-    """Points that a step at work has done, and how many it has, as its log tells."""
+    """Return the numbers of finished points and of all points of a step at work, from its log."""
     found = STUDY.fullmatch(message)
     if not found:
         return None
@@ -328,6 +331,6 @@ def points_done(message: str) -> tuple[int, int] | None:
 
 
 def lasting(seconds: float) -> str:
-    """A time in words."""
+    """Return a time (s) in words."""
     minutes = round(seconds / 60.0)
     return f"{seconds:.0f} s" if seconds < 90.0 else f"{minutes} min"

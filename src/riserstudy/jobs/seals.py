@@ -1,8 +1,9 @@
-"""Seals of results: what each file was when a job had written it.
+"""Seals of results: the digest of each file when a job had written it.
 
-A seal is the SHA-256 of a file and its path in the folder, as ``sha256sum --check`` reads them, in a file of
-the same name below ``results/.seals``: what changed places with its seal is found, too. What has no seal,
-or another, does not count as there: Snakemake compares times, and opens no output.
+A seal contains the SHA-256 of a file and its path in the folder, in the format of ``sha256sum --check``. It
+is a file of the same name below ``results/.seals``. Because of the path, a file that was moved together with
+its seal is found, too. A file without its seal counts as missing. Seals are needed because Snakemake compares
+times and never opens an output.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ SEALS = RESULTS / folders.SEALS
 
 
 def seal(*files: Path) -> None:
-    """Say of files in the results folder that they are as they should be; others need no seal."""
+    """Write the seals of files in the results folder; files elsewhere need no seal."""
     for file in [file for file in files if file.is_relative_to(RESULTS)]:
         target = _seal_of(file)
         target.parent.mkdir(parents=True, exist_ok=True)
@@ -28,7 +29,7 @@ def seal(*files: Path) -> None:
 
 
 def is_whole(file: Path) -> bool:
-    """Whether a file is as the job that made it left it; one that lies elsewhere has no seal to break."""
+    """Return whether a file is as its job wrote it; True for a file outside the results folder."""
     if not file.is_relative_to(RESULTS):
         return True
     try:
@@ -38,16 +39,16 @@ def is_whole(file: Path) -> bool:
 
 
 def damaged(files: Iterable[str]) -> list[Path]:
-    """Those of some files that are there, but not as they were written."""
+    """Return the files that exist, but are not as they were written."""
     there = [path for path in map(Path, files) if path.exists()]
-    with ThreadPoolExecutor() as pool:  # hashing lets other threads go on
+    with ThreadPoolExecutor() as pool:  # hashing does not block other threads
         return [
             path for path, whole in zip(there, pool.map(is_whole, there), strict=True) if not whole
         ]
 
 
 def dropped(papers: Collection[str], wanted: Collection[str]) -> Iterator[Path]:
-    """Files of some papers that a job made and that nobody asks for any more."""
+    """Yield files of the given papers that a job made and that are no longer wanted."""
     for paper in papers:
         for mark in sorted((SEALS / paper).glob("*")):
             file = RESULTS / paper / mark.name
@@ -56,7 +57,7 @@ def dropped(papers: Collection[str], wanted: Collection[str]) -> Iterator[Path]:
 
 
 def remove(file: Path) -> None:
-    """Take a result away, with its seal."""
+    """Remove a result together with its seal."""
     file.unlink(missing_ok=True)
     _seal_of(file).unlink(missing_ok=True)
 

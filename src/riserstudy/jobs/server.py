@@ -1,8 +1,8 @@
-"""A process with libraries and kernels loaded; every job of a run is a fork of it.
+"""The server: a process with libraries and kernels loaded, from which every job of a run is forked.
 
-To import them costs a job 1 to 3 s, often more than its work. The server lives as long as its standard
-input is open, so it ends with the Snakemake that started it, however that ends, and ends the jobs that
-are left; a job lives as long as the process that asked for it.
+Importing them would cost a job 1 to 3 s, often more than its work. The server lives as long as its standard
+input is open: it thus ends with the Snakemake that started it, however that ends, and then ends the jobs that
+are left. A job lives as long as the process that requested it.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ import psutil
 
 from riserstudy.jobs import TAKEN
 
-# What jobs import first thing, and in the midst of their work.
+# Modules that jobs import at their start or during their work.
 LOADED = (
     "matplotlib.backends.backend_agg",
     "matplotlib.backends.backend_pdf",
@@ -43,16 +43,16 @@ LOADED = (
     "riserstudy.jobs.tasks",
     "riserstudy.jobs.workplan",
 )
-LATER = ("riserstudy.grading.grade",)  # takes a second, and a figure alone does without
-MANY = 8  # jobs, from which on it pays to load what may not be asked for
+LATER = ("riserstudy.grading.grade",)  # takes a second, and a single figure does not need it
+MANY = 8  # number of jobs from which it pays to load modules that may not be needed
 
 
 def serve(listener: socket.socket, compiled: Path) -> None:
-    """Fork a job for everyone who asks, until standard input ends."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # an interrupt is for the jobs and for Snakemake
+    """Fork a job for every request, until standard input ends."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the jobs and Snakemake handle an interrupt
     signal.signal(signal.SIGCHLD, note_ended)
     load_libraries()
-    gc.freeze()  # what a fork never touches stays shared
+    gc.freeze()  # memory that a fork never changes stays shared
     jobs, waiting = 0, later()
     while True:
         may_load = waiting and jobs >= MANY and compiled.exists()
@@ -71,41 +71,40 @@ def serve(listener: socket.socket, compiled: Path) -> None:
             if os.fork() == 0:
                 listener.close()
                 become_job(asker)
-    for (
-        job
-    ) in psutil.Process().children():  # of a Snakemake that was killed: the next run does them
+    # Jobs of a Snakemake that was killed: the next run does them.
+    for job in psutil.Process().children():
         with suppress(psutil.NoSuchProcess):
             job.kill()
 
 
 def of_this_user(asker: socket.socket) -> bool:
-    """Whether who asks is the user that this process is of, as far as the system tells."""
+    """Return whether the requesting process belongs to our user, as far as the system tells."""
     if not hasattr(socket, "SO_PEERCRED"):
-        return True  # the socket's own permissions stand
+        return True  # the permissions of the socket must suffice
     size = struct.calcsize("3i")
     _, user, _ = struct.unpack("3i", asker.getsockopt(socket.SOL_SOCKET, socket.SO_PEERCRED, size))
     return bool(user == os.getuid())
 
 
 def load_libraries() -> None:
-    """Import what most jobs need."""
+    """Import the modules that most jobs need."""
     for module in LOADED:
         import_module(module)
     import xarray as xr
 
-    # with its first dataset xarray imports what array libraries there are
+    # with its first dataset xarray imports the array libraries that are installed
     xr.Dataset({"any": ("x", [0.0])})
 
 
 def note_ended(_signal: int, _frame: FrameType | None) -> None:
-    """Take note of jobs that ended: their time counts as the server's."""
+    """Wait for jobs that have ended: only then their time counts as time of the server."""
     with suppress(ChildProcessError):
         while os.waitpid(-1, os.WNOHANG)[0]:
             pass
 
 
 def later() -> list[Callable[[], object]]:
-    """What is loaded when there is time: modules, and what is compiled together."""
+    """Return functions that load the rest while the server is idle: modules, and groups of kernels."""
     from riserstudy.simulation.kernel_groups import GROUPS
     from riserstudy.simulation.warm_up import warm_up
 
@@ -114,14 +113,14 @@ def later() -> list[Callable[[], object]]:
 
 
 def load(one: Callable[[], object]) -> None:
-    """Load a library or kernels; what cannot be loaded fails in the job that needs it, and is told."""
+    """Load a library or kernels. An error is ignored here: the job that needs them meets and reports it."""
     with suppress(Exception):
         one()
     gc.freeze()
 
 
 def become_job(asker: socket.socket) -> NoReturn:
-    """Become the job that is asked for; tell its exit status."""
+    """Become the requested job; send its exit status at the end."""
     from riserstudy.jobs.tasks import run
 
     status = 1
@@ -149,13 +148,12 @@ def become_job(asker: socket.socket) -> NoReturn:
 
 
 def end_with(asker: socket.socket) -> None:
-    """End this job when nobody waits for it any more."""
+    """End this job as soon as the requesting process no longer waits for it."""
     if not asker.recv(1):
         os.kill(os.getpid(), signal.SIGKILL)
 
 
 if __name__ == "__main__":
-    number, marker_file = sys.argv[
-        1:
-    ]  # of the socket that was passed on; says that kernels are compiled
+    # Number of the inherited socket, and the marker which means that all kernels are compiled.
+    number, marker_file = sys.argv[1:]
     serve(socket.socket(fileno=int(number)), Path(marker_file))

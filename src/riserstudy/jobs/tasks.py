@@ -1,8 +1,8 @@
-"""Jobs of the rules, a function a rule: ``python -m riserstudy.jobs <function> ...``.
+"""Jobs of the workflow's rules, one function per rule: ``python -m riserstudy.jobs <function> ...``.
 
-A job reads, computes, writes whole files and seals them. One that is told what to ``--expect`` raises a
-`SimulationError` where scene, study or code changed since the workflow was planned. What a job needs is
-imported when it runs: the process that jobs are forks of has most of it, and a figure needs no solver.
+A job reads, computes, writes whole files and seals them. With ``--expect`` it raises a `SimulationError`
+where scene, study or code changed since the workflow was planned. Modules are imported when a job needs
+them: the server, from which jobs are forked, has most of them loaded, and a figure needs no solver.
 """
 
 from __future__ import annotations
@@ -37,11 +37,11 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, no_args_
 
 
 def run(arguments: Sequence[str]) -> int:
-    """Do a job; its exit status, after one line on stderr where it cannot be done.
+    """Run a job; return its exit status. A job that fails prints one line on stderr.
 
     Parameters
     ----------
-    arguments : name of the job, and what it takes.
+    arguments : name of the job and its arguments.
     """
     try:
         return int(app(args=[*arguments], prog_name="riserstudy.jobs", standalone_mode=False) or 0)
@@ -58,7 +58,7 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def job(function: Callable[..., None]) -> Callable[..., None]:
-    """A function that a rule runs, by its own name."""
+    """Register a function as a job under its own name."""
     return app.command(function.__name__)(function)
 
 
@@ -67,12 +67,12 @@ def job(function: Callable[..., None]) -> Callable[..., None]:
 
 @job
 def compile_kernels(group: Annotated[str | None, typer.Argument()] = None) -> None:
-    """Compile a group of kernels once, before jobs fan out; without a group, note that all are.
+    """Compile a group of kernels before jobs start in parallel; without a group, mark all as compiled.
 
     Raises
     ------
     InputError
-        When there is no such group.
+        When the group does not exist.
     """
     from riserstudy.simulation.compile import compile_group, join_markers
     from riserstudy.simulation.kernel_groups import GROUPS
@@ -87,7 +87,7 @@ def compile_kernels(group: Annotated[str | None, typer.Argument()] = None) -> No
 
 @job
 def tune(paper: str, study: str, target: Path, tier: Tier, expect: Expect) -> None:
-    """Tune mesh, step and method of a study, and write them into a file for its points."""
+    """Tune mesh, step and method of a study; write them into a file that its points use."""
     from riserstudy.study.settings import tuned_for, write_settings
 
     plan = read_plan(tier, [paper], only=[(paper, study)])
@@ -110,9 +110,9 @@ def shard(
     expect: Expect,
     settings: Tuned = None,
 ) -> None:
-    """Store those points of a study that fall to one of several jobs and that the store lacks.
+    """Simulate the points of one shard of a study that the store lacks, and store them.
 
-    The target says how many points there are.
+    The target contains the number of points of the shard.
     """
     from riserstudy.folders import write_whole
     from riserstudy.jobs.points_done import PointsDone
@@ -147,7 +147,7 @@ def simulate(
     expect: Expect,
     settings: Tuned = None,
 ) -> None:
-    """Simulate what a study lacks and write its dataset."""
+    """Simulate the points of a study that the store lacks, and write its dataset."""
     from riserstudy.jobs.points_done import PointsDone
     from riserstudy.study.join import write_study
     from riserstudy.study.settings import read_settings
@@ -170,14 +170,14 @@ def sea_states(
     threads: Threads,
     expect: Expect,
 ) -> None:
-    """Store the runs of one setting in one heading, in the sea states of a record that it needs.
+    """Simulate and store the runs of one setting in one heading, in the sea states that it needs.
 
-    The target says how many sea states there are.
+    The target contains the number of sea states.
 
     Raises
     ------
     SimulationError
-        When sea states do not suffice.
+        When the largest number of sea states does not suffice.
     """
     from riserstudy.folders import write_whole
     from riserstudy.seas.seas_hours import simulate_part
@@ -198,7 +198,7 @@ def hours(
     Raises
     ------
     SimulationError
-        When sea states do not suffice.
+        When the largest number of sea states does not suffice.
     """
     from riserstudy.seas.seas_hours import seas_hours
 
@@ -221,7 +221,7 @@ def measure(
     threads: Threads,
     expect: Expect,
 ) -> None:
-    """Measure a dataset by the code of its chapter, instead of simulating a grid."""
+    """Make a dataset by measuring code of its chapter, instead of simulating a grid."""
     from riserstudy.chapters.measure import measure
 
     plan = read_plan(tier, papers, only=[])
@@ -229,7 +229,7 @@ def measure(
     _write(measure(paper, study, plan.measured(paper, study), plan.setting(threads)), target)
 
 
-# What is made of datasets
+# Results made from datasets
 
 
 @job
@@ -258,7 +258,7 @@ def draw(
     sources: Annotated[list[Path] | None, typer.Argument()] = None,
     units: Units = UnitSystem.FIELD,
 ) -> None:
-    """Draw a figure from its datasets, or from its scene a schematic, which has none."""
+    """Draw a figure from its datasets, or a schematic, which has no dataset, from its scene."""
     from riserstudy.dataset.unit_systems import reading_in
     from riserstudy.figures import save
     from riserstudy.jobs.figure import from_datasets, from_scene
@@ -281,7 +281,7 @@ def grade(
     sources: list[Path],
     expect: Expect,
 ) -> None:
-    """Grade the numbers and claims of a paper and its errata; false claims about it, too."""
+    """Grade the numbers, claims and errata of a paper, and the false claims about it."""
     from riserstudy.chapters import checks_of
     from riserstudy.folders import write_whole
     from riserstudy.grading import grade as grading
@@ -316,7 +316,7 @@ def join_tables(target: Path, sources: list[Path]) -> None:
     Raises
     ------
     InputError
-        When a table cannot be read, or has other columns.
+        When a table cannot be read, or its columns differ.
     """
     from riserstudy.folders import write_whole
 
@@ -331,13 +331,13 @@ def join_tables(target: Path, sources: list[Path]) -> None:
 
 @job
 def database(target: Path, papers: Papers, files: list[Path]) -> None:
-    """Make the results database, or bring it to date."""
+    """Make the results database, or update it."""
     from riserstudy.database.build import build
     from riserstudy.database.sources import Sources
     from riserstudy.jobs.seals import is_whole, remove
 
     if not is_whole(target):
-        remove(target)  # what it holds is not built upon
+        remove(target)  # its content is not reused
     built = build(target, Sources(CONFIG, papers, files))
     _seal(target)
     print(f"{built.read} of {built.datasets} datasets were new or had changed")
@@ -352,7 +352,7 @@ def report(
     expect: Expect,
     units: Units = UnitSystem.FIELD,
 ) -> None:
-    """Make the report from all results."""
+    """Write the report on all results."""
     from riserstudy.dataset.unit_systems import reading_in
     from riserstudy.report import write_report
     from riserstudy.report.contents import Sources
@@ -372,7 +372,7 @@ def _write(dataset: xr.Dataset, target: Path) -> None:
 
 
 def _seal(*targets: Path) -> None:
-    """Note what was written, as it was."""
+    """Seal files that were written."""
     from riserstudy.jobs.seals import seal
 
     seal(*targets)
@@ -388,7 +388,7 @@ def calibrate(
     tier: Tier = "standard",
     most: Annotated[int | None, typer.Option(help="evaluations a start")] = None,
 ) -> None:
-    """Fit the calibrated values of a study to printed numbers; print them, write nothing."""
+    """Fit the calibrated values of a study to published values, and print them; no file is written."""
     from riserstudy.jobs.calibrate import fit_study
 
     fit_study(CONFIG, study, ids, tier, most)
