@@ -1,1 +1,1 @@
-"""Advice on one scene: what accuracy costs, what its effects change and cost, which it needs."""
+"""Advice on one scene: cost of accuracy, change and cost of each effect, and which effects it needs."""

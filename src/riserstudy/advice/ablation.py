@@ -1,7 +1,7 @@
-"""What each effect changes and costs: a scene with and without it, on one mesh, with one step.
+"""Change and cost of each effect: runs of a scene with and without it, on one mesh, with one step.
 
-Times are of runs in turn, the whole round repeated, and the median of each is taken: what else the
-machine does falls on all of them alike. The first steps are run before, which loads kernels.
+All variants run in turn, the whole round is repeated, and the median time of each variant is taken: other
+work of the machine then affects all of them equally. Before, the first steps are run, which load the kernels.
 """
 
 from __future__ import annotations
@@ -28,28 +28,28 @@ from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
 
 Array = NDArray[np.float64]
-FEW = 4  # steps of a run that loads kernels
-SEGMENTS = 100  # where a scene has no mesh of its own
-STEPS_A_PERIOD = 48  # where it has no step
-HALVINGS = 5  # of such a step, where energy is not balanced by it
-ROUNDING = 1e-9  # share of the riser's length below which nothing has moved
+FEW = 4  # steps of a run that only loads the kernels
+SEGMENTS = 100  # of a scene without its own mesh
+STEPS_A_PERIOD = 48  # of a scene without its own step
+HALVINGS = 5  # most halvings of the step, if the energy is not balanced
+ROUNDING = 1e-9  # least displacement that counts, as a share of the riser's length
 
 
 class Peaks(NamedTuple):
-    """Largest values of a run: what the change of an effect is measured in."""
+    """Largest values of a run, by which the change of an effect is measured."""
 
-    displacement: float  # m, sideways, or along the riser where it cannot move sideways
-    moment: float  # N m, not a number in a string
+    displacement: float  # lateral (m), or axial if the riser cannot move laterally
+    moment: float  # N m, NaN in a string
     tension: float  # N, at the top
 
     def change_to(self, other: Peaks) -> tuple[float, float, float]:
-        """Relative change of each, not a number where there was nothing."""
+        """Return the relative change (1) of each value; NaN where the old value is zero."""
         pairs = zip(self, other, strict=True)
         return tuple(b / a - 1.0 if a > 0.0 else math.nan for a, b in pairs)  # type: ignore[return-value]
 
 
 def peaks(result: Result) -> Peaks:
-    """Largest values of a run."""
+    """Return the largest values of a run."""
     arrays = result.arrays
 
     ends = ("_max", "_min") if "time" in arrays else ("_static",)
@@ -67,7 +67,7 @@ def peaks(result: Result) -> Peaks:
 
 
 def straight(result: Result) -> Array:
-    """Elevations that axial motion is counted from: at rest, or unstretched where nothing moves."""
+    """Return the elevations (m) from which axial motion counts: at rest, or unstretched in a static run."""
     arrays = result.arrays
     return arrays["z_static"] if "time" in arrays else arrays["z_static"][0] + arrays["s_node"]
 
@@ -77,23 +77,23 @@ class Measured:
     """Peaks of a run, and the times of its repeats."""
 
     peaks: Peaks | None = None
-    unbalanced: bool = False  # energy, so that peaks may be those of the step
+    unbalanced: bool = False  # energy is not balanced: the peaks may come from the step
     times: list[float] = field(default_factory=list)  # s
 
     @property
     def seconds(self) -> float:
-        """Median of the times (s); infinite where nothing was timed."""
+        """Median of the times (s); infinite without times."""
         return median(self.times) if self.times else math.inf
 
     @property
     def scatter(self) -> float:
-        """Half of the range of the times, relative to their median."""
+        """Half of the range of the times, as a share (1) of their median."""
         return 0.5 * (max(self.times) - min(self.times)) / self.seconds if self.times else 0.0
 
 
 @dataclass
 class Changed(Measured):
-    """A scene with one effect changed, and what that made of it."""
+    """A scene with one effect changed, and the results."""
 
     change: Change
     because: str = ""
@@ -110,7 +110,7 @@ class Ablation(Measured):
     changed: list[Changed] = field(default_factory=list)
 
 
-#: is told what is run next
+#: receives the name of the next run
 Notify = Callable[[str], None]
 
 
@@ -121,13 +121,13 @@ def ablate(
     notify: Notify = lambda _: None,
     left_out: Collection[str] = (),
 ) -> Ablation:
-    """Every fitting change of a scene, on one mesh with one step.
+    """Run every possible change of a scene, on one mesh with one step.
 
     Parameters
     ----------
-    repeats : timed runs of each.
-    budget : node-steps of a run.
-    left_out : labels of changes that are not made.
+    repeats : number of timed runs of each change.
+    budget : most node-steps of a run.
+    left_out : labels of changes that are left out.
 
     Raises
     ------
@@ -168,7 +168,7 @@ def ablate(
 
 
 def brief(scene: Resolved, step: float | None) -> Resolved:
-    """The first steps of a scene, which load its kernels; all of it where others are run later on."""
+    """Return the first steps of a scene, which load its kernels; all of it if later steps need others."""
     if step is None or scene.analysis.output is None or is_whole(scene) or scene.vessel:
         return scene
     output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
@@ -180,12 +180,12 @@ def brief(scene: Resolved, step: float | None) -> Resolved:
 
 
 def is_whole(scene: Resolved) -> bool:
-    """Whether a scene is not cut short: what it shows comes after an event, or after ramps."""
+    """Return whether a scene must run to its end, as its response comes after an event or after ramps."""
     return bool(scene.events or scene.top.tension_loss or shedding(scene))
 
 
 def _balanced(file: SceneFile, mesh: Mesh) -> SceneFile:
-    """The scene by a step at which its energy is balanced, halved a few times at most."""
+    """Return the scene with a step that balances its energy; the step is halved a few times at most."""
     for _ in range(HALVINGS):
         scene = file.resolved()
         step = scene.analysis.step
@@ -196,23 +196,23 @@ def _balanced(file: SceneFile, mesh: Mesh) -> SceneFile:
 
 
 def balanced(result: Result) -> bool:
-    """Whether the energy of a run is accounted for; at rest there is none."""
+    """Return whether the energy of a run is balanced; True for a static run."""
     audit = result.facts.get("audit")
     return audit is None or audit["unexplained_share"] <= UNEXPLAINED
 
 
 def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> None:
-    """One run, its peaks, and its time."""
+    """Run a scene once; store its peaks and its time."""
     result = single(scene, mesh, step)
     of.peaks, of.unbalanced = peaks(result), not balanced(result)
     of.times.append(float(result.facts["solve_seconds"]))
 
 
 def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
-    """The scene with its mesh and step, short enough for a budget of node-steps, without fatigue.
+    """Return the scene with mesh and step, cut to a budget of node-steps, and without fatigue.
 
-    Without mesh and step of its own it gets plain ones, fine enough to see what an effect changes: that is
-    the difference of two runs which share their errors.
+    A scene without its own mesh and step gets default ones. They are fine enough for the change by an effect,
+    which is the difference of two runs with common errors.
     """
     scene = file.resolved()
     a = scene.analysis

@@ -1,4 +1,4 @@
-"""What accuracy costs for one scene: mesh, step, error and time at several requests."""
+"""Cost of accuracy of one scene: mesh, step, error and time at several requested accuracies."""
 
 from __future__ import annotations
 
@@ -17,39 +17,39 @@ from riserstudy.simulation.refine import run
 from riserstudy.simulation.simulate import at_accuracy
 from riserstudy.simulation.time_limit import Notify, Watch
 
-#: relative errors, and None for what a scene without a request gets, from the cheapest on
+#: requested relative errors, the cheapest first; None: the default of a scene without a request
 REQUESTS = (0.05, 0.01, None, 0.002, 0.0005)
-OF_ACCURACY = ("analysis.mesh", "analysis.step", "analysis.accuracy")  # absent where it is default
-SLOWEST = 60.0  # seconds: a request that took longer is the last
-PATIENCE = 600.0  # seconds after which a request is given up
+OF_ACCURACY = ("analysis.mesh", "analysis.step", "analysis.accuracy")  # absent by default
+SLOWEST = 60.0  # (s) after a request that took longer, no further one is run
+PATIENCE = 600.0  # (s) after which a request is stopped
 
 
 class Price(NamedTuple):
-    """What one request came to."""
+    """Result of one requested accuracy."""
 
     requested: float | None  # None: the default, which has an error for each quantity
     estimated: float  # largest of moment, or of tension and displacement
     elements: int
     step: float | None  # (s)
-    seconds: float  # of all refinements, kernels compiled; of a long run as forecast
+    seconds: float  # of all refinements, with compiled kernels; of a long run a forecast
     forecast: bool  # from its first periods
 
 
 def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
-    """Run a scene at ever finer requests; the first run, which may compile, is not timed.
+    """Run a scene at finer and finer accuracies; the first run, which may compile kernels, is not timed.
 
-    Of a scene that lasts long its first periods are run, and their time is multiplied.
+    Of a long scene only the first periods are run, and their time is extrapolated.
 
     Parameters
     ----------
-    progress : show on a terminal what is run, and elsewhere say it once it takes long.
+    progress : show on a terminal which run is at work; elsewhere print it once a run takes long.
 
     Raises
     ------
     SimulationError
         When a run cannot be completed.
     TakesTooLong
-        When one does not end within ``PATIENCE``.
+        When a run does not end within ``PATIENCE``.
     """
     for share in REQUESTS:
         with progress_line(progress) as notify:
@@ -60,7 +60,7 @@ def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
 
 
 def _price(scene: Resolved, share: float | None, notify: Notify | None, first: bool) -> Price:
-    """What one request comes to."""
+    """Return the result of one requested accuracy."""
     if price := forecast(scene, Watch(PATIENCE, notify)):
         error = deciding(price.error)
         return Price(share, error, price.elements, price.step, price.seconds, True)
@@ -76,19 +76,19 @@ def _price(scene: Resolved, share: float | None, notify: Notify | None, first: b
 
 
 def requesting(file: SceneFile, share: float | None) -> Resolved:
-    """The scene with a relative error requested in place of its mesh and step; None for the default."""
+    """Return the scene with a requested relative error (1) in place of mesh and step; None: the default."""
     if share is not None:
         return at_accuracy(file, f"{100 * share!r} %").resolved()
     return file.with_values(dict.fromkeys(OF_ACCURACY), "default").resolved()
 
 
 def _requested(share: float | None) -> str:
-    """A request in a label."""
+    """Return a requested accuracy as a label."""
     return "default" if share is None else f"{100 * share:g} %"
 
 
 def plot(found: list[Price], title: str, target: Path) -> None:
-    """Draw error and time over the request."""
+    """Draw error and time over the requested accuracy."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import NullFormatter
 

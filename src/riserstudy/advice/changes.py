@@ -1,4 +1,4 @@
-"""Changes of a scene by one effect: taken out where it is, put in where it is not."""
+"""Changes of a scene by one effect: removed if the scene has it, else added."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from riserstudy.scene.resolve import Resolved
 SEA_WATER = "1025 kg/m^3"
 SECTIONS = "riser[*]"
 TURN = math.radians(1e-4)
-STOPS = 7.5  # m, either way from mid-stroke, of stops that a scene has not
+STOPS = 7.5  # distance of added stops from mid-stroke, either way (m)
 
 
 def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
-    """The changes that a scene can be asked for, with the scene changed; not yet checked."""
+    """Yield the possible changes of a scene, with the changed scene, which is not yet validated."""
     scene = file.resolved()
     for change in changes():
         if scene.analysis.solver and change.kind == "added":
-            continue  # what the other solver cannot do is not of interest here
+            continue  # a change that the other solver cannot handle is not useful here
         if not all(suits(scene, need) for need in change.needs):
             continue
         if has(file.tree, scene, change.where) != (change.kind == "removed"):
@@ -37,7 +37,7 @@ def fitting(file: SceneFile) -> Iterator[tuple[Change, SceneFile]]:
 
 
 def suits(scene: Resolved, need: Need) -> bool:
-    """Whether a scene is such that an effect can matter."""
+    """Return whether a scene meets the condition under which an effect can matter."""
     water = scene.water
     return {
         "dynamics": scene.analysis.duration is not None,
@@ -48,7 +48,7 @@ def suits(scene: Resolved, need: Need) -> bool:
 
 
 def has(tree: dict[str, Any], scene: Resolved, where: str) -> bool:
-    """Whether a scene has what a path, or one of a few words, names."""
+    """Return whether a scene has the part that a path, or one of a few words, names."""
     special = {
         "riser[*].bending": all(stiffness(section).bending > 0.0 for section in scene.riser)
         and bool(scene.lateral),
@@ -63,7 +63,7 @@ def has(tree: dict[str, Any], scene: Resolved, where: str) -> bool:
 
 
 def _expanded(change: Change, tree: dict[str, Any], scene: Resolved) -> Iterator[tuple[str, Any]]:
-    """Path and value of everything that a change sets on a scene."""
+    """Yield path and value of everything that a change sets in a scene."""
     for path, value in change.set.items():
         if not path.startswith(SECTIONS):
             parent = parent_of(path)
@@ -76,12 +76,12 @@ def _expanded(change: Change, tree: dict[str, Any], scene: Resolved) -> Iterator
         count = len(tree["riser"])
         for k in range(count):
             if value is None or change.kind == "removed" or not value_at(tree["riser"][k], field):
-                # from above: below the sections of the tree there may be a body that turns
+                # from the top: below the tree's sections there may be one of a body that turns
                 yield f"riser[{k}].{field}", _filled(value, scene, k - count)
 
 
 def _filled(value: Any, scene: Resolved, k: int) -> Any:
-    """A value with what follows from the scene put in."""
+    """Return a value with its placeholders replaced by values from the scene."""
     if isinstance(value, dict):
         return {name: _filled(part, scene, k) for name, part in value.items()}
     if not isinstance(value, str) or not value.startswith("="):
@@ -109,11 +109,11 @@ def _filled(value: Any, scene: Resolved, k: int) -> Any:
 
 
 def _reaches(scene: Resolved) -> list[float]:
-    """Reaches of the table of tensioners (m), rising; none without one."""
+    """Return the reaches in the tensioner table (m), in rising order; empty without a table."""
     rig = scene.top.tensioners
     return [row.reach for row in (rig and rig.table) or []]
 
 
 def _turned(turned: Current | Cruise | None) -> str:
-    """A heading hardly other than what goes there has."""
+    """Return a heading that differs slightly from the heading of a current or cruise."""
     return f"{((turned.heading if turned else None) or 0.0) + TURN!r} rad"

@@ -1,7 +1,7 @@
-"""What each effect of a scene costs: the time of its own calls, times how often a run makes them.
+"""Cost of each effect of a scene: the time of one of its calls, times the number of calls in a run.
 
-A program is a list of calls, and an effect that is absent has no entry in it. An effect's entries alone,
-repeated a thousand times, make a program whose time is that of the effect and nothing else.
+A program is a list of calls; an effect that is absent has no entry in it. A program that repeats the entries
+of one effect many times measures the time of this effect alone.
 """
 
 from __future__ import annotations
@@ -22,9 +22,9 @@ from riserstudy.solve.evaluate import one_call, shape_of
 from riserstudy.solve.program import assemble
 
 REPEATED = 200  # calls in a timed program
-TIMES = 5  # of which the shortest counts
+TIMES = 5  # repeats, of which the shortest counts
 FORCES = ("drive", "law", "turn", "string", "device", "string_inertia", "device_inertia")
-#: how often a run calls a role: per force evaluation, tangent, step, output
+#: count by which a run calls each role: per force evaluation, tangent, step or output
 PER = dict.fromkeys(FORCES, "evaluations") | {
     "tangent": "iterations",
     "mass": "iterations",
@@ -38,7 +38,7 @@ REST = "solver and bookkeeping"
 
 
 class Cost(NamedTuple):
-    """One effect: calls that a run makes to it, and its share of the run's time."""
+    """One effect: number of calls in a run, and its share of the run's time."""
 
     name: str
     calls: int
@@ -46,7 +46,7 @@ class Cost(NamedTuple):
 
 
 def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
-    """Share of run time by effect, the largest first; what is left is the solver's."""
+    """Return the share (1) of run time by effect, the largest first; the rest is the solver's time."""
     best, counts = _timed(scene, mesh, step)
     model, _ = settle(scene, mesh)
     h = step or 1.0
@@ -67,7 +67,7 @@ def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
 
 
 def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
-    """Shortest time of a run (s), and how often it evaluates what."""
+    """Return the shortest time of a run (s), and its numbers of evaluations by kind."""
     results = [single(scene, mesh, step) for _ in range(TIMES)]
     facts = results[-1].facts
     best = min(float(result.facts["solve_seconds"]) for result in results)
@@ -76,7 +76,7 @@ def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict
         iterations = facts["statics_iterations"]
         return best, {"evaluations": iterations, "iterations": iterations}
     outputs = len(results[-1].arrays["time"])
-    tangents = iterations or steps  # explicit stepping makes the mass at every step
+    tangents = iterations or steps  # explicit integration builds the mass matrix at every step
     return best, {
         "evaluations": iterations + steps + outputs,
         "iterations": tangents,
@@ -87,7 +87,7 @@ def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict
 
 
 def _time_of(model: Model, program: NDArray[np.int64]) -> float:
-    """Shortest time of one entry of a program (s); the state is put back afterwards."""
+    """Return the shortest time of one entry of a program (s); the state is restored afterwards."""
     state = model.s
     kept = [state.r.copy(), state.v.copy(), state.a.copy(), state.platform.copy()]
     shape_of(model.programs, model.state)
@@ -102,14 +102,14 @@ def _time_of(model: Model, program: NDArray[np.int64]) -> float:
 
 
 class Freedom(NamedTuple):
-    """Unknowns that are solved for, and why."""
+    """Unknowns of the solution, and their reasons."""
 
     unknowns: int
     because: str
 
 
 def freedom(scene: Resolved, model: Model) -> Freedom:
-    """How many degrees of freedom a model solves, in which directions, because of what."""
+    """Return the number of a model's degrees of freedom, their directions, and the reasons for them."""
     d, m, n = len(model.s.dim), len(model.s.dof) - len(model.s.dim), len(model.s.l0)
     directions = {1: "along the riser only", 2: "in the plane of x and z", 3: "in space"}[d]
     reason = scene.spatial if d == 3 else scene.lateral if d == 2 else "no lateral load or motion"

@@ -1,4 +1,4 @@
-"""The ledger of a scene: what is solved for and why, what it could call for, share of run time by effect."""
+"""Effects of a scene: unknowns and their reasons, effects that could be added, shares of run time."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ from riserstudy.model.build import build
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.equilibrium import settle
 
-BUDGET = 5e5  # node-steps a timed run; shares do not depend on how long it is
+BUDGET = 5e5  # node-steps of a timed run; the shares do not depend on its length
 
 
 def could_have(file: SceneFile) -> set[str]:
-    """Effects that a scene lacks and could call for as it is, by name."""
+    """Return the names of effects that a scene lacks and could use."""
     added = {change.label for change, _ in fitting(file) if change.kind == "added"}
     return {
         name
@@ -27,23 +27,23 @@ def could_have(file: SceneFile) -> set[str]:
 
 
 def solved_for(file: SceneFile) -> str:
-    """Directions in which a scene is free, and what makes it so."""
+    """Return the directions in which a scene can move, and the reasons."""
     scene = file.resolved()
     model = build(scene, fixed(file, BUDGET)[1], ring_elevation=0.0)
     return freedom(scene, model).because.partition(":")[0]
 
 
 class Prices(NamedTuple):
-    """Share of run time by effect, and what else is to be said."""
+    """Shares of run time by effect, and a remark."""
 
     share: dict[str, float]
     sentences: list[str]
 
 
 def priced(file: SceneFile) -> Prices:
-    """Measure what the effects of a scene cost, on its own mesh and step or on plain ones.
+    """Measure the cost of the effects of a scene, with its own mesh and step or with default ones.
 
-    A scene that cannot be run has a ledger without prices, and says why.
+    For a scene that cannot be run the result has no shares, but the reason.
     """
     if file.resolved().analysis.solver:
         return Prices({}, ["no times: measured for lumped masses only"])

@@ -1,4 +1,4 @@
-"""Advice on a scene: which effects are removable at its tolerance, and which are missing."""
+"""Advice on a scene: effects that its tolerance allows to remove, and effects that are missing."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
 
-REPEATS = 5  # rounds of timed runs, of which the median counts
-BUDGET = 5e5  # node-steps a run; longer scenes are cut short
+REPEATS = 5  # rounds of timed runs; the median counts
+BUDGET = 5e5  # node-steps of a run; longer scenes are cut
 COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
 DAMAGE = "Fatigue damage is not compared. An effect that leaves the peaks as they are may change the damage."
 COMPARED = ("bending_moment", "effective_tension")  # outputs with limits whose peaks are compared
@@ -19,7 +19,7 @@ MISSING, NOT_MISSED = "recommended", "not needed"
 
 
 class Row(NamedTuple):
-    """One change of the scene: what it does to the peaks and the run time, and what follows."""
+    """One change of the scene: its effect on peaks and run time, and the advice."""
 
     label: str
     because: str
@@ -29,7 +29,7 @@ class Row(NamedTuple):
 
 
 class Advice(NamedTuple):
-    """All changes, those to act on first, and the advice in words."""
+    """All changes, the recommended ones first, and the advice in words."""
 
     rows: list[Row]
     sentences: list[str]
@@ -40,7 +40,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
 
     Parameters
     ----------
-    notify : is told what is run next.
+    notify : receives the name of the next run.
 
     Raises
     ------
@@ -77,7 +77,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
 
 
 def _not_compared(scene: Resolved) -> list[str]:
-    """What the scene is judged by, and the advice is not."""
+    """Return the criteria of the scene that the advice does not consider."""
     outputs = dict.fromkeys(limit.output for limit in scene.limits or [])
     names = [name for name in outputs if name not in COMPARED]
     found = [DAMAGE] if scene.fatigue else []
@@ -92,7 +92,7 @@ def _not_compared(scene: Resolved) -> list[str]:
 
 
 def _in_doubt(base: Ablation) -> list[str]:
-    """The changes whose runs do not balance their energy: a difference may be that of the step."""
+    """Return changes whose runs do not balance their energy: a difference may come from the step."""
     doubtful = [one.change.label for one in base.changed if one.unbalanced]
     if base.unbalanced:
         doubtful.insert(0, "the scene itself")
@@ -105,13 +105,13 @@ def _in_doubt(base: Ablation) -> list[str]:
 
 
 def accuracy_of(scene: Resolved) -> tuple[float, float, float]:
-    """Requested accuracy, of displacement, moment and tension."""
+    """Return the requested accuracies (1) of displacement, moment and tension."""
     accuracy = scene.analysis.accuracy
     return (accuracy or DISPLACEMENT, accuracy or MOMENT, accuracy or MOMENT)
 
 
 def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) -> Row:
-    """What a change does, in words."""
+    """Return the effect of a change, in words."""
     label, because = changed.change.label, changed.because
     if changed.peaks is None or base.peaks is None or changed.message:
         return Row(label, f"cannot be run: {changed.message}", [""] * 4, "cannot be run", False)
@@ -129,12 +129,12 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
 
 
 def _effect(row: Row) -> str:
-    """The effect that a row removes or adds."""
+    """Return the effect that a row removes or adds."""
     return row.label.removeprefix("with ").removeprefix("without ")
 
 
 def _largest(row: Row) -> str:
-    """The largest of the changes of a row, with its quantity."""
+    """Return the largest change of a row, with its quantity."""
     sizes = [
         (float(text.removesuffix(" %")), text, name)
         for text, name in zip(row.changes, ("displacement", "moment", "tension"), strict=False)
@@ -147,12 +147,12 @@ def _largest(row: Row) -> str:
 
 
 def saves(base: Ablation, changed: Changed) -> bool:
-    """Whether a change shortens the run, by more than repeats of it scatter."""
+    """Return whether a change shortens the run by more than the scatter of its repeats."""
     return 1.0 - changed.seconds / base.seconds > max(base.scatter, changed.scatter)
 
 
 def longer(base: Ablation, changed: Changed) -> str:
-    """Change of the run time, as far as it stands out of the scatter of repeats."""
+    """Return the change of the run time in words, if it exceeds the scatter of the repeats."""
     ratio = changed.seconds / base.seconds
     if abs(ratio - 1.0) <= max(base.scatter, changed.scatter):
         return "as before"
@@ -160,7 +160,7 @@ def longer(base: Ablation, changed: Changed) -> str:
 
 
 def percent(value: float) -> str:
-    """A relative change as a signed percentage to two digits."""
+    """Return a relative change (1) as a signed percentage with two digits."""
     if math.isnan(value):
         return ""
     size = 100.0 * value

@@ -10,7 +10,7 @@ from riserstudy.csv_files import read_csv
 
 
 def claim_entities(table: Path) -> Iterator[Entity]:
-    """Claim, review with the verdict, and margin of each row of reproduction.csv; each verdict once."""
+    """Yield claim, review with verdict, and margin of each row of reproduction.csv; each verdict once."""
     rows = read_csv(table) if table.exists() else []
     for verdict in dict.fromkeys(row["verdict"] for row in rows):
         yield {"@id": _verdict(verdict), "@type": "Rating", "name": verdict, "ratingValue": verdict}

@@ -11,7 +11,7 @@ from typing import Any
 from urllib.parse import quote
 
 Entity = dict[str, Any]
-#: of files, by their ending
+#: formats of files, by their suffix
 FORMATS = {
     ".nc": "application/x-netcdf",
     ".csv": "text/csv",
@@ -34,12 +34,12 @@ PACKAGES = ("riserstudy", "snakemake", "numpy", "numba", "scipy", "xarray", "net
 
 
 def ref(*names: str) -> list[Entity]:
-    """References to entities."""
+    """Return references to entities."""
     return [{"@id": name} for name in names]
 
 
 def file_entity(file: Path, name: str) -> Entity:
-    """A file as it is: size, SHA-256, date and format.
+    """Describe a file: size, SHA-256, date and format.
 
     Parameters
     ----------
@@ -62,7 +62,7 @@ def file_entity(file: Path, name: str) -> Entity:
 
 
 def software() -> list[Entity]:
-    """The packages that compute, and Python, with the versions that are installed."""
+    """Return Python and the packages that compute, with their installed versions."""
     entities = [_application("#python", "Python", python_version())]
     for package in PACKAGES:
         try:
@@ -78,7 +78,7 @@ def _application(name: str, title: str, number: str) -> Entity:
 
 
 def licence(study: Path) -> tuple[Any, list[Entity]]:
-    """What the root says of its licence, and the entity of a licence that is known."""
+    """Return the licence property of the root, and the entity of a known licence."""
     from riserstudy.inputs.plain_yaml import read_yaml
 
     citation = study / "CITATION.cff"

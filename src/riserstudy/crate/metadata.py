@@ -1,4 +1,4 @@
-"""ro-crate-metadata.json: the workflow, its inputs and outputs, one action, a step a rule, and claims."""
+"""ro-crate-metadata.json: the workflow, its inputs and outputs, one action, one step per rule, claims."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ ABOUT = (
     "Datasets, figures, graded claims and a report, with the inputs that they are made from. "
     "Files that a rerun found up to date keep the times of the run that made them."
 )
-#: inputs of a study, from its folder; schemas are made, and tell editors alone
+#: inputs of a study in its folder; generated schemas, which only editors use, are left out
 INPUTS = ("config", "chapters", "profiles", "workflow")
 LOCKS = ("requirements.lock", "build.lock", "installer.lock", "pyproject.toml")
 NO_INPUT = ("schemas", "__pycache__")
 
 
 def inputs_of(study: Path) -> list[Path]:
-    """Files that a study is computed from, but for its Snakefile and what is installed."""
+    """Return the input files of a study, without its Snakefile and installed packages."""
     found = [
         path
         for folder in INPUTS
@@ -44,7 +44,7 @@ def inputs_of(study: Path) -> list[Path]:
 
 
 def outputs_of(study: Path) -> list[str]:
-    """Files that jobs of a study have made and sealed, as paths from its folder."""
+    """Return the files that jobs of a study have made and sealed, as paths relative to its folder."""
     results = study / "results"
     seals = sorted(path for path in (results / SEALS).rglob("*") if path.is_file())
     names = [path.relative_to(results / SEALS).as_posix() for path in seals]
@@ -52,15 +52,15 @@ def outputs_of(study: Path) -> list[str]:
 
 
 def write_crate(study: Path) -> Path | None:
-    """Describe the results of a study beside them.
+    """Write the description of a study's results into their folder.
 
     Parameters
     ----------
-    study : its folder, with config and results.
+    study : folder of the study, with config and results.
 
     Returns
     -------
-    The file that was written; None where no job has left a record, or what was written is up to date.
+    The file that was written; None if no job has left a record, or the description is up to date.
     """
     target, outputs = study / "results" / NAME, outputs_of(study)
     if not outputs or _is_new(target, [study / name for name in outputs]):
@@ -72,11 +72,11 @@ def write_crate(study: Path) -> Path | None:
 
 
 def crate_text(study: Path, root: Path) -> str | None:
-    """The description of a study as JSON-LD; None where no job has left a record.
+    """Return the description of a study as JSON-LD; None if no job has left a record.
 
     Parameters
     ----------
-    root : of the crate: the folder of the study, or that of its results.
+    root : root of the crate: the folder of the study, or of its results.
     """
     outputs, made = outputs_of(study), recorded(study)
     known = {name: made[name] for name in outputs if name in made}
@@ -87,13 +87,13 @@ def crate_text(study: Path, root: Path) -> str | None:
 
 
 def _is_new(target: Path, files: Iterable[Path]) -> bool:
-    """Whether a file is younger than all others, so that nothing has been made since."""
+    """Return whether a file is newer than all others, which means that nothing was made since."""
     return target.exists() and target.stat().st_mtime >= max(f.stat().st_mtime for f in files)
 
 
 def _graph(study: Path, root: Path, outputs: list[str], made: Mapping[str, Made]) -> list[Entity]:
     paths = [*inputs_of(study), *(study / name for name in outputs)]
-    with ThreadPoolExecutor() as pool:  # hashing lets other threads go on
+    with ThreadPoolExecutor() as pool:  # hashing does not block other threads
         files = [*pool.map(file_entity, paths, [_name(path, root) for path in paths])]
     count = len(paths) - len(outputs)
     ids = [entity["@id"] for entity in files]
@@ -184,7 +184,7 @@ def _profiles() -> list[Entity]:
 
 
 def _steps(made: Mapping[str, Made], ids: Mapping[str, str]) -> list[Entity]:
-    """A step, a tool, its jobs and what controls them, of each rule; what organises them."""
+    """Return, for each rule, a step, a tool, its jobs and their control action; and the organising action."""
     by_rule: dict[str, list[str]] = {}
     for name, job in made.items():
         by_rule.setdefault(job.rule, []).append(name)
@@ -213,7 +213,7 @@ def _steps(made: Mapping[str, Made], ids: Mapping[str, str]) -> list[Entity]:
 
 
 def _action(name: str, title: str, instrument: str, jobs: Iterable[Made]) -> Entity:
-    """An action that ended well, between the first beginning and the last end of some jobs."""
+    """Return a completed action, from the first start to the last end of the given jobs."""
     every = [*jobs]
     return {
         "@id": name,

@@ -1,4 +1,4 @@
-"""A study as one file: what it is computed from, its results, and their description."""
+"""Pack a study into one file: its inputs, its results, and their description."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
 from riserstudy.errors import InputError
 from riserstudy.folders import SEALS, whole_file
 
-#: what stands beside the configuration, where it is there
+#: optional files in the folder of the study
 FILES = ("README.md", "LICENSE", "CITATION.cff")
 
 
 def pack(study: Path, target: Path) -> int:
-    """Write a zip that another can unpack and rerun with ``snakemake``; the number of files in it.
+    """Write a zip that another person can unpack and rerun with ``snakemake``; return its number of files.
 
     Raises
     ------
     InputError
-        When the folder has no results of jobs, or the zip has another ending or is there already.
+        When the folder has no results of jobs, or the zip has another suffix or exists already.
     SimulationError
         When the zip cannot be written.
     """
@@ -36,7 +36,7 @@ def pack(study: Path, target: Path) -> int:
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
     with (
         whole_file(target) as partial,
-        # files of reproducible archives may be older than a zip can say
+        # files of reproducible archives may have dates before the earliest date of a zip
         zipfile.ZipFile(partial, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False) as archive,
     ):
         archive.writestr(NAME, text)

@@ -1,4 +1,4 @@
-"""What Snakemake recorded of the jobs that made results: rule, and times of beginning and end."""
+"""Snakemake's records of the jobs that made results: rule, start and end."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import NamedTuple
 
-LONG = "@"  # before parts of a record's name that is too long for a file system
+LONG = "@"  # prefix of the parts of a record name that is too long for a file system
 
 
 class Made(NamedTuple):
-    """The job that made a file: its rule, and when it began and ended."""
+    """The job that made a file: its rule, start and end."""
 
     rule: str
     began: datetime
@@ -21,7 +21,7 @@ class Made(NamedTuple):
 
 
 def recorded(study: Path) -> dict[str, Made]:
-    """Jobs by the file that they made, as a path from the folder of the study; without unreadable ones."""
+    """Return jobs by the file that they made, as a path in the study's folder; skip unreadable records."""
     return dict(_records(study / ".snakemake/metadata"))
 
 
@@ -35,5 +35,5 @@ def _records(folder: Path) -> Iterator[tuple[str, Made]]:
             record = json.loads(path.read_bytes())
             times = [datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime")]
             yield name, Made(str(record["rule"]), *times)
-        except (ValueError, KeyError, TypeError):  # cut short, or of another version
+        except (ValueError, KeyError, TypeError):  # truncated, or of another version
             continue

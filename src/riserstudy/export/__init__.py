@@ -1,1 +1,1 @@
-"""Scenes as decks of other programs."""
+"""Export of scenes as input files (decks) of other programs."""

@@ -1,4 +1,4 @@
-"""A deck in the making: its objects, what of the scene went into it, and what did not."""
+"""A deck while it is built: its objects, and which values of the scene it contains or lacks."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ WORDS = ("yes", "no", "on", "off", "true", "false", "null", "infinity")
 
 @dataclass
 class Deck:
-    """A deck, and which lines of the scene it says.
+    """A deck, and the paths of the scene that it contains.
 
     Attributes
     ----------
     objects : lists of objects by their name in a deck, and General and Environment.
-    said : paths of the scene that are in the deck, without indices.
-    otherwise : path of the scene, and how it is in the deck.
+    carried : paths of the scene that the deck contains, without indices.
+    otherwise : paths of the scene that the deck contains in another form, and this form.
     """
 
     file: SceneFile
@@ -36,15 +36,15 @@ class Deck:
     otherwise: dict[str, str] = field(default_factory=dict)
 
     def add(self, of: str, entry: dict[str, Any]) -> None:
-        """Put an object into a list."""
+        """Append an object to a list."""
         self.objects.setdefault(of, []).append(entry)
 
     def refused(self, path: str, found: str, allowed: str) -> InputError:
-        """What to raise of a line without which the deck would be that of another riser."""
+        """Return the error for a value without which the deck would describe another riser."""
         return InputError(self.file.source, path, found, allowed)
 
     def left_out(self) -> list[str]:
-        """Lines that name what of the scene is not in the deck, or is otherwise in it."""
+        """Return lines that name the values of the scene that the deck lacks or has in another form."""
         lines = [f"{path}: {reason}" for path, reason in self.otherwise.items()]
         missing: dict[str, None] = {}
         for path, _ in leaves(self.file.tree):
@@ -59,13 +59,13 @@ class Deck:
         return [*lines, *(f"{path}: not written" for path in missing)]
 
     def text(self) -> str:
-        """The deck as a text data file."""
+        """Return the deck as a text data file."""
         head = ["%YAML 1.1", "# Type: Model", f"# Made from {self.file.source.rpartition('/')[2]}"]
         return "\n".join([*head, "---", *_lines(self.objects, 0), ""])
 
 
 def _lines(entry: dict[str, Any], indent: int) -> list[str]:
-    """An object, entry by entry; tables are rows on a line each."""
+    """Return the lines of an object, entry by entry; each row of a table has one line."""
     margin, lines = "  " * indent, []
     for key, value in entry.items():
         if isinstance(value, dict):
@@ -86,7 +86,7 @@ def _lines(entry: dict[str, Any], indent: int) -> list[str]:
 
 
 def _word(value: Any) -> str:
-    """One value as decks write it."""
+    """Return one value in the notation of decks."""
     if value is None:
         return "~"
     if isinstance(value, bool):

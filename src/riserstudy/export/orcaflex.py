@@ -1,4 +1,4 @@
-"""A scene as an OrcaFlex text model: what has a counterpart, with all else named."""
+"""Export of a scene as an OrcaFlex text model; everything without a counterpart is reported."""
 
 from __future__ import annotations
 
@@ -12,29 +12,29 @@ from riserstudy.scene.resolve import Resolved
 
 
 class Exported(NamedTuple):
-    """The text of a deck, and what of the scene is not in it."""
+    """The text of a deck, and the values of the scene that it lacks."""
 
     text: str
     left_out: list[str]
 
 
 def write_deck(file: SceneFile) -> Exported:
-    """The OrcaFlex text model of a scene.
+    """Return the OrcaFlex text model of a scene.
 
     Parameters
     ----------
     file : SceneFile
-        Of a riser that is held at its lower end.
+        Scene of a riser that is held at its lower end.
 
     Returns
     -------
     Exported
-        Units are those of OrcaFlex's SI: tonne, kN, m, s, kN m/deg.
+        Units are OrcaFlex's SI units: tonne, kN, m, s, kN m/deg.
 
     Raises
     ------
     InputError
-        Where the deck would be that of another riser.
+        When the deck would describe another riser.
     """
     scene = file.resolved()
     deck = Deck(file, scene)
@@ -68,7 +68,7 @@ def write_deck(file: SceneFile) -> Exported:
 
 
 def _rest(scene: Resolved) -> topside.Rest:
-    """Elevations of the riser's upper end, below a joint where there is one."""
+    """Return the elevations (m) of the riser's upper end, which is below a telescopic joint if it has one."""
     unstretched = (scene.bottom.elevation or 0.0) + sum(s.total_length for s in scene.riser)
     rig = scene.top.tensioners
     if rig is None or rig.mid_stroke == "riser unstretched":

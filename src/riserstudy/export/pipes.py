@@ -1,8 +1,8 @@
 """Sections of a scene as line types and lines of a deck.
 
-A deck weighs a line by its mass, and the water that its ``OD`` displaces. A scene gives the weight in water
-apart from diameters: its line type has the ``OD`` that displaces what is missing, and diameters of their own
-for drag, added mass and stress.
+In a deck the weight of a line in water follows from its mass and from the water that its ``OD`` displaces. A
+scene gives the weight in water independently of diameters. Its line type therefore has the ``OD`` that yields
+this weight, and separate diameters for drag, added mass and stress.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from typing import Any
 from riserstudy.export.deck import Deck
 from riserstudy.scene.riser import Section
 
-GRAVITY = 9.80665  # m/s2, of a deck in SI
-SAME = 1e-6  # share by which two numbers are one
-FINE = 100  # segments along the riser, where the scene has no mesh
-STEEPER = 1e-3  # kN, a weight that is worth a line
+GRAVITY = 9.80665  # of a deck in SI (m/s2)
+SAME = 1e-6  # largest relative difference of numbers that count as equal
+FINE = 100  # segments along the riser, for a scene without a mesh
+STEEPER = 1e-3  # smallest weight that is reported (kN)
 
-Run = list[int]  # numbers of sections on end that are one line
+Run = list[int]  # numbers of consecutive sections that form one line
 
 
 def runs(deck: Deck) -> list[Run]:
-    """Sections of each line, from the highest: lines end where contents change, and at joints."""
+    """Return the sections of each line, from the top; a line ends at a joint or a change of contents."""
     found: list[Run] = []
     riser = deck.scene.riser
     for k in range(len(riser) - 1, -1, -1):
@@ -42,7 +42,7 @@ def _inside(section: Section) -> float | None:
 
 
 def line_types(deck: Deck) -> None:
-    """Write the line types, one a section."""
+    """Write the line types, one per section."""
     for k, section in enumerate(deck.scene.riser):
         deck.add("LineTypes", _line_type(deck, section, k))
     deck.carried |= {
@@ -113,7 +113,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
 
 
 def _above_water(deck: Deck, section: Section, k: int) -> None:
-    """Name the weight of a section above the water that is another in a deck: there nothing displaces."""
+    """Report a section above the water whose weight differs in a deck, where it displaces no water."""
     water = deck.scene.water
     low, high = _levels(deck, k)
     surface = water.surface if water else None
@@ -132,14 +132,14 @@ def _above_water(deck: Deck, section: Section, k: int) -> None:
 
 
 def _levels(deck: Deck, k: int) -> tuple[float, float]:
-    """Elevations of a section's ends before it stretches (m)."""
+    """Return the elevations of a section's ends, unstretched (m)."""
     lengths = [section.total_length for section in deck.scene.riser]
     low = (deck.scene.bottom.elevation or 0.0) + sum(lengths[:k])
     return low, low + lengths[k]
 
 
 def _water(deck: Deck, section: Section, k: int, outer: float, pipe: bool) -> dict[str, Any]:
-    """Drag and added mass, each by its own diameter."""
+    """Return drag and added mass, each with its own diameter."""
     drag, added, sliding = section.drag, section.added_mass, section.tangential_drag
     across = along = mass = 0.0
     entry: dict[str, Any] = {}
@@ -162,7 +162,7 @@ def _water(deck: Deck, section: Section, k: int, outer: float, pipe: bool) -> di
 
 
 def _mean(deck: Deck, table: tuple[tuple[float, float], ...], k: int) -> float:
-    """Mean of a drag coefficient over a section: a deck has one a line type."""
+    """Return the mean of a drag coefficient over a section, as a line type of a deck has only one."""
     import numpy as np
 
     low, high = _levels(deck, k)
@@ -179,7 +179,7 @@ def lines(deck: Deck, top: list[Any], upper: float, foot: list[Any], lower: floa
 
     Parameters
     ----------
-    top, foot : what the highest and the lowest end are connected to, and where: name, x, y, z (m).
+    top, foot : connections of the highest and the lowest end: name, x, y, z (m).
     upper, lower : bending stiffness of these ends (kN m/deg).
     """
     found = runs(deck)
@@ -220,7 +220,7 @@ BENDING = "ConnectionxBendingStiffness, ConnectionyBendingStiffness"
 
 
 def stiffness(rotation: Any) -> float:
-    """Bending stiffness of an end (kN m/deg)."""
+    """Return the bending stiffness of an end (kN m/deg)."""
     if rotation in (None, "free"):
         return 0.0
     return math.inf if rotation == "fixed" else 1e-3 * rotation.stiffness * math.pi / 180.0

@@ -16,11 +16,11 @@ from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.soil import Matlock
 
 STRETCHING = {"none": "None", "constant": "Vertical stretching", "stretched": "Wheeler stretching"}
-STRAIGHT = 1e-3  # share of the greatest speed by which a current may be off its table
+STRAIGHT = 1e-3  # largest error of a thinned current table, as a share of its greatest speed
 
 
 def environment(deck: Deck, water: Water) -> dict[str, Any]:
-    """Levels, density, current and wave of a deck."""
+    """Return levels, density, current and wave of a deck."""
     surface, seabed = water.surface, water.seabed
     if surface is None or seabed is None:
         name = "water.surface" if surface is None else "water.seabed"
@@ -66,7 +66,7 @@ def _current(deck: Deck, surface: float) -> dict[str, Any]:
 
 
 def _needed(z: np.ndarray, velocity: np.ndarray) -> list[int]:
-    """Numbers of the points between which a table is straight, within a share of its greatest speed."""
+    """Return the points of a table that linear interpolation needs, within a share of its greatest speed."""
     if len(z) < 100:
         return list(range(len(z)))
     allowed = STRAIGHT * float(np.abs(velocity).max())
@@ -121,7 +121,7 @@ def _waves(deck: Deck) -> dict[str, Any]:
 
 
 def stages(deck: Deck) -> dict[str, Any]:
-    """General data: duration in a stage that builds up and one after it; none in statics."""
+    """Return the general data: durations of the build-up stage and the next one; none in statics."""
     scene, a = deck.scene, deck.scene.analysis
     made: dict[str, Any] = {"UnitsSystem": "SI"}
     deck.carried |= {"gravity", "analysis.duration", "analysis.output.interval"}
@@ -151,7 +151,7 @@ def stages(deck: Deck) -> dict[str, Any]:
 
 
 def vessel(deck: Deck) -> None:
-    """The vessel that the upper end moves with, by its operators and its speed."""
+    """Write the vessel with which the upper end moves, with its operators and its speed."""
     platform = deck.scene.platform
     if held(deck) != VESSEL:
         return
@@ -227,7 +227,7 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
             f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")
         ]
         tables = [{"RAODirection": 0, ", ".join(names): still}]
-    place = [deck.scene.top.offset or 0.0, 0.0]  # to which phases of a scene refer
+    place = [deck.scene.top.offset or 0.0, 0.0]  # the phases of a scene refer to it
     crest = [None, None, None] if origin[:2] == place else [*place, None]
     raos = {"RAOOrigin": origin, "PhaseOrigin": crest, "RAOs": tables}
     return made | {"Draughts": [{"Name": "Draught", "DisplacementRAOs": raos}]}
@@ -246,12 +246,12 @@ def _operator(row: Any, moving: list[str]) -> list[float]:
 
 
 def soil(deck: Deck) -> str | None:
-    """Write the soil; the name of its model, None without.
+    """Write the soil; return the name of its model, None without soil.
 
     Raises
     ------
     InputError
-        Where a deck of the kind that is written cannot say it.
+        When such a deck cannot describe the soil.
     """
     ground = deck.scene.soil
     if ground is None:

@@ -15,38 +15,38 @@ from riserstudy.scene.ends import Body, TelescopicJoint
 from riserstudy.scene.tensioners import Tensioners
 
 VESSEL, RING, SLIDE = "Platform", "Tension ring", "Slide"
-LIGHT = 1e-3  # t, of a ring without a body: a buoy needs some mass
-ABOVE = 20.0  # m, from a ring to the deck ends of cylinders that a scene has upright
-POINTS = 101  # of a law that is a curve
-REACH = 10.0  # m, either way, of a law without stops
+LIGHT = 1e-3  # mass of a ring without a body (t): a buoy needs some mass
+ABOVE = 20.0  # length from the ring to the deck ends of upright cylinders (m)
+POINTS = 101  # of a curved law
+REACH = 10.0  # range of a law without stops, either way (m)
 LINK = "Connection, ConnectionX, ConnectionY, ConnectionZ, ConnectionzRelativeTo"
 FloatArray = NDArray[np.float64]
 
 
 class Rest(NamedTuple):
-    """Elevations of the ring (m): before the riser stretches, and with the cylinders at mid-stroke."""
+    """Elevations of the ring (m): with the riser unstretched, and with the cylinders at mid-stroke."""
 
     unstretched: float
     equilibrium: float
 
 
 def held(deck: Deck) -> str:
-    """What the upper end moves with: the vessel of the deck, or nothing."""
+    """Return the name of the object with which the upper end moves: the vessel of the deck, or none."""
     return VESSEL if "platform" in (deck.scene.top.x, deck.scene.top.z) else "Fixed"
 
 
 def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
-    """Write what holds and pulls the riser's upper end.
+    """Write the objects that hold and pull the riser's upper end.
 
     Returns
     -------
     list, float
-        What the riser's highest line is connected to and where (m), and its bending stiffness (kN m/deg).
+        Connection of the riser's highest line (name and place in m), and its bending stiffness (kN m/deg).
 
     Raises
     ------
     InputError
-        Where a deck cannot say it.
+        When a deck cannot describe it.
     """
     of, scene = deck.scene.top, deck.scene
     offset = of.offset or 0.0
@@ -88,7 +88,7 @@ def _sliding() -> dict[str, Any]:
 
 
 def _free(deck: Deck, rest: Rest) -> list[Any]:
-    """An upper end that is free on inclined tensioners; it turns freely where a body is there."""
+    """Write an upper end that is free on inclined tensioners; with a body it turns freely."""
     of = deck.scene.top
     if of.tensioners is None or of.tensioners.arrangement is None:
         allowed = (
@@ -104,7 +104,7 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
 
 
 def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> None:
-    """A barrel that hangs on the vessel, on a constraint that slides in the ring."""
+    """Write a barrel that hangs on the vessel, and a constraint that slides in the ring."""
     of = deck.scene.top
     deck.carried |= {"top.telescopic_joint.length", "top.telescopic_joint.bending_stiffness"}
     _body(deck, of.body, "Free", rest.unstretched)
@@ -131,7 +131,7 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
 
 
 def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
-    """A lumped buoy: the ring, by mass, volume and drag of the body at it."""
+    """Write a lumped buoy as the ring, with mass, volume and drag of the body at the ring."""
     water = deck.scene.water
     density = water.density if water else 0.0
     mass, volume, name = LIGHT, 0.0, RING
@@ -168,9 +168,10 @@ def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
 
     Parameters
     ----------
-    ring : what they pull.
-    rest : its elevations.
-    along : elevation of the top of a joint along which constant tensions pull (m); None: upright.
+    ring : name of the object that they pull.
+    rest : elevations of the ring.
+    along : elevation of the top of a joint along which constant tensions pull (m); None: they pull
+        vertically.
     """
     of = deck.scene.top
     joint = of.telescopic_joint
@@ -196,7 +197,7 @@ def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
 
 
 def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) -> None:
-    """One link a cylinder."""
+    """Write one link per cylinder."""
     deck.carried |= {
         f"top.tensioners.{name}"
         for name in (
@@ -238,7 +239,7 @@ def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) 
 
 
 def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
-    """How a link pulls whose length at mid-stroke is given (m)."""
+    """Return the law of a link with the given length at mid-stroke (m)."""
     gravity = deck.scene.gravity or 0.0
     if rig.linear or rig.linearised:
         tension, slope = linear_law(rig, gravity)
@@ -278,14 +279,14 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
 
 
 def _with(exact: FloatArray, others: FloatArray) -> FloatArray:
-    """Reaches (m) and others that are not, up to rounding, among them, rising: a table has each once."""
+    """Return two sets of reaches (m) as one in rising order; reaches equal up to rounding occur once."""
     close = 1e-6 * (others[-1] - others[0])
     apart = abs(others[:, None] - exact).min(axis=1) > close
     return np.sort(np.concatenate([exact, others[apart]]))
 
 
 def _named(rig: Tensioners) -> str:
-    """The field of a law that is a curve."""
+    """Return the field of a curved law."""
     return next(name for name in ("gas", "two_chamber_gas", "table") if getattr(rig, name))
 
 

@@ -1,4 +1,4 @@
-"""One page about all results that opens without a network: figures, styles and tables are in it."""
+"""One page about all results. It contains figures, styles and tables, and needs no network."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from riserstudy.report.wording import WORDING
 
 FOLDER = Path(__file__).parent
 PAGE, STYLE, MOVES = "page.html", "page.css", "page.js"
-#: what the digest of the report counts besides modules
+#: files, besides modules, that the digest of the report includes
 DATA_FILES = (
     "page.html",
     "page.css",
@@ -28,14 +28,14 @@ DATA_FILES = (
 
 
 def write_report(sources: Sources, target: Path) -> None:
-    """Write the page, whole or not at all. The same files give the same page."""
+    """Write the page, whole or not at all; equal sources give an equal page."""
     target.parent.mkdir(parents=True, exist_ok=True)
     with whole_file(target) as partial:
         partial.write_text(render(sources), "utf-8")
 
 
 def render(sources: Sources) -> str:
-    """The page as HTML."""
+    """Return the page as HTML."""
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(FOLDER),
         autoescape=True,

@@ -1,6 +1,6 @@
-"""A run in motion as an interactive figure: the riser from the side, or in space, and histories beside it.
+"""Animation of a run: the riser in a side view or in space, and histories on its right.
 
-A frame holds what moves and nothing else; how it looks stands in the figure once.
+A frame contains only the data that change; the style of all traces is stored once, in the figure.
 """
 
 from __future__ import annotations
@@ -18,34 +18,36 @@ from plotly.subplots import make_subplots
 from riserstudy.figures.style import COLOURS, GREY
 from riserstudy.report.motion import Motion
 
-RISER, BAR, HISTORIES = (0.0, 0.4), 0.43, 0.61  # of the width: riser, its colours, histories
+# shares of the width: riser, colour bar, start of histories
+RISER, BAR, HISTORIES = (0.0, 0.4), 0.43, 0.61
 HEIGHT = 560  # of the figure (pixels)
-NARROW = 890  # the same where histories stand below the riser
-#: there: bottom and top of the riser's view and how wide it is, and the height of all histories, as shares
+NARROW = 890  # the same with the histories below the riser
+#: in that layout, as shares: bottom, top and width of the riser's view; height of all histories
 ABOVE, BELOW = (0.53, 1.0, 0.7), 0.42
-FARTHER = 1.45  # off a view in space, whose labels need the room
-RISER_ASPECT = 0.95  # width over height of the side view, as far as its scale is told
+FARTHER = 1.45  # factor on the distance of the camera in space, where labels need room
+RISER_ASPECT = 0.95  # width over height of the side view, for the calculation of its scale
 NICE = np.array([1.0, 2.0, 5.0])
 WIDE, SLIM = (
     0.6,
     0.06,
 )  # breadth of the view in space over its height: at most, for the wider; at least
 FONT = {"family": "Source Sans 3, Segoe UI, Helvetica Neue, Arial, sans-serif", "size": 12}
-IN_SPACE = {"family": "Arial", "size": 13}  # one name: of a list, views in space take none
-EYE = {"x": 0.85, "y": -1.25, "z": 0.25}  # from where a view in space is seen
+IN_SPACE = {"family": "Arial", "size": 13}  # one name: views in space accept no list of fonts
+EYE = {"x": 0.85, "y": -1.25, "z": 0.25}  # position of the camera of a view in space
 DIVERGING = [
     [0.0, "#2166ac"],
     [0.5, "#b9c0c7"],
     [1.0, "#b2182b"],
-]  # seen on white in the middle too
+]  # the middle is visible on white, too
 PAUSE = 60  # between frames while playing (ms)
 
 Trace = dict[str, Any]
-Moving = Callable[[int], list[Trace]]  # from the frame to what changes of each trace that moves
+# from the number of a frame to the changes of each moving trace
+Moving = Callable[[int], list[Trace]]
 
 
 def animation(motion: Motion) -> str:
-    """The figure as JSON with one frame a time; slider and buttons choose among them."""
+    """Return the figure as JSON, with one frame per time; slider and buttons select the frame."""
     rows = max(1, len(motion.histories))
     kind = "scene" if motion.y is not None else "xy"
     figure = make_subplots(
@@ -83,7 +85,7 @@ def animation(motion: Motion) -> str:
 
 
 def small(values: NDArray[np.float64]) -> Trace:
-    """Values as they are written: single precision is more than a screen shows."""
+    """Return values as stored: single precision is more than a screen shows."""
     return {"dtype": "f4", "bdata": b64encode(np.asarray(values, "<f4").tobytes()).decode()}
 
 
@@ -91,7 +93,7 @@ def small(values: NDArray[np.float64]) -> Trace:
 
 
 def _riser_traces(motion: Motion) -> tuple[go.Scatter, list[go.Scatter], Moving]:
-    """What stands still behind the riser, the look of what moves, and how it moves."""
+    """Return the fixed trace behind the riser, the moving traces, and the function that moves them."""
     low, high = float(motion.colour.min()), float(motion.colour.max())
     both_ways = motion.signed and low < 0.0
     if both_ways:
@@ -121,10 +123,10 @@ def _from_the_side(
         marker={"size": 7, "colorbar": bar, **shade},
         hovertemplate=about + "x %{x:.4g} m, z %{y:.5g} m<extra></extra>",
     )
-    platform = go.Scatter(  # a symbol above the riser, with the tensioners that it carries it by
+    platform = go.Scatter(  # a symbol above the riser, with the tensioners that connect both
         mode="lines+markers",
         line={"color": "#22282e", "width": 2, "dash": "dot"},
-        # bars, which leave the riser's top between them to be seen
+        # two bars, between which the top of the riser stays visible
         marker={
             "symbol": "line-ew",
             "size": [9, 17],
@@ -182,7 +184,7 @@ def _in_space(
 
 
 def _histories(figure: go.Figure, motion: Motion) -> Moving:
-    """Add the histories and cursors in them, which come last; how the cursors move."""
+    """Add histories and, last, their cursors; return the function that moves the cursors."""
     limits = []
     for row, history in enumerate(motion.histories, start=1):
         for colour, (name, line) in zip(COLOURS, history.lines.items(), strict=False):
@@ -220,7 +222,7 @@ def _histories(figure: go.Figure, motion: Motion) -> Moving:
 
 
 def _axes(figure: go.Figure, motion: Motion) -> None:
-    """Ranges that hold still, and how much wider than high a metre is drawn."""
+    """Set fixed ranges of the axes, and write by which factor horizontal distances are stretched."""
     wide, high = _ranges(motion)
     if motion.y is not None:
         span = [float(np.ptp(values)) or 1.0 for values in (motion.x, motion.y, motion.z)]
@@ -264,7 +266,7 @@ def _axes(figure: go.Figure, motion: Motion) -> None:
 
 
 def _ranges(motion: Motion) -> tuple[tuple[float, float], tuple[float, float]]:
-    """What the side view shows of x and z: everything, or where the top is when nothing moves sideways."""
+    """Return the ranges of x and z in the side view: all, or near the top if nothing moves sideways."""
     x = np.concatenate([motion.x.ravel(), *([motion.platform[0]] if motion.platform else [])])
     z = np.concatenate([motion.z.ravel(), *([motion.platform[1]] if motion.platform else [])])
     if not motion.scene.lateral:
@@ -280,13 +282,13 @@ def _ranges(motion: Motion) -> tuple[tuple[float, float], tuple[float, float]]:
 
 
 def _nice(factor: float) -> float:
-    """The largest of 1, 2, 5, 10, ... that is not above a factor; 1 at least."""
+    """Return the largest of 1, 2, 5, 10, ... that does not exceed a factor (1), at least 1."""
     ladder = (NICE[None, :] * 10.0 ** np.arange(0, 6)[:, None]).ravel()
     return float(max(1.0, *ladder[ladder <= max(1.0, factor)]))
 
 
 def _controls(figure: go.Figure, motion: Motion) -> None:
-    """Slider over all frames; buttons that play and stop."""
+    """Add a slider over all frames, and buttons that start and stop the animation."""
     at_once = {"frame": {"duration": 0, "redraw": True}, "mode": "immediate"}
     going = {"frame": {"duration": PAUSE, "redraw": True}, "fromcurrent": True}
     still = {"transition": {"duration": 0}}
@@ -311,7 +313,7 @@ def _controls(figure: go.Figure, motion: Motion) -> None:
                 "len": 0.87,
                 "y": -0.1,
                 "pad": {"t": 20},
-                # ticks would stand at every so many frames, not at round times, which the histories have
+                # ticks would mark every nth frame, not round times; the histories have round times
                 "ticklen": 0,
                 "minorticklen": 0,
                 "font": {"color": "rgba(0,0,0,0)", "size": 1},
@@ -334,9 +336,9 @@ def _controls(figure: go.Figure, motion: Motion) -> None:
 
 
 def _narrow(motion: Motion, rows: int) -> dict[str, Trace]:
-    """What a narrow screen changes: the riser above, histories below it, buttons under the slider.
+    """Return the changes for a narrow screen: histories below the riser, buttons below the slider.
 
-    ``layout``: of the figure; ``riser``: of the trace that carries the bar of colours.
+    ``layout``: changes of the figure's layout; ``riser``: of the trace with the colour bar.
     """
     layout: Trace = {"height": NARROW, "margin.l": 55, "margin.r": 10}
     if motion.y is None:

@@ -1,7 +1,7 @@
-"""Whether runs may be believed, asked of the results database: errors, energy, warnings, times.
+"""Audit of the runs, from the results database: errors, energy, warnings, times.
 
-An error counts where it is one of what the study keeps: what a run computes and nobody stores reaches no
-figure and no verdict.
+Only errors of variables that the study keeps count: a variable that is not stored reaches no figure and no
+verdict.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, listed, share, spaced
 from riserstudy.study.models import StudyFile, StudyModel
 
-TOLERANCE = 0.01  # estimated error above which a point counts as off, where none is asked for
-ROUNDING = 1e-9  # above a tolerance that is none
-#: which error tells how good a variable is, by how its name begins; that of displacement tells the rest
+TOLERANCE = 0.01  # largest accepted estimated error of a point without a requested accuracy
+ROUNDING = 1e-9  # excess over a tolerance that is rounding
+#: variables (by the start of their names) that each error belongs to; all others: error of displacement
 RELEVANT_ERRORS = {
     "moment": ("bending_moment", "largest_stress"),
     "tension": ("effective_tension", "largest_stress", "tensioner_force", "riser_reaction"),
@@ -26,7 +26,7 @@ RELEVANT_ERRORS = {
 ERRORS = ("displacement", *RELEVANT_ERRORS)
 LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))
 UNSAID = "one mesh and one step serve all points of a study"
-#: points with whether a mesh is prescribed, and the accuracy that each asks for: an axis may set it
+#: points, whether their mesh is prescribed, and their requested accuracy, which an axis may set
 POINTS = f"""
 with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%'),
   asked as (select point, value from parameters where path = 'analysis.accuracy')
@@ -45,22 +45,22 @@ class Row(NamedTuple):
     points: int
     energy: float
     errors: dict[str, float]
-    counts: list[str]  # errors of what is kept
-    because: str  # why they may be large
+    counts: list[str]  # errors of the stored variables
+    because: str  # why the errors may be large
     off: int  # points whose error is above the tolerance
     mesh: str  # fixed, tuned or refined
     warned: int
-    total: float  # s of all its points
+    total: float  # of all its points (s)
     longest: float
 
     @property
     def clean(self) -> bool:
-        """Whether nothing is to be said of it."""
+        """Whether no point exceeds the tolerance and none has a warning."""
         return not self.off and not self.warned
 
 
 class Warned(NamedTuple):
-    """Warnings that differ in numbers alone: the text, and where they stand how often."""
+    """Warnings that differ only in numbers: text, number of points, and datasets."""
 
     text: str
     points: int
@@ -68,23 +68,23 @@ class Warned(NamedTuple):
 
 
 class Missed(NamedTuple):
-    """Points with an estimated error above the tolerance: how many, why, and what rests on them."""
+    """Points with an estimated error above the tolerance: how many, why, and which verdicts use them."""
 
     points: int
     off: int
-    requested: int  # points that ask for an accuracy
+    requested: int  # points with a requested accuracy
     missed_by_request: int
-    estimated: int  # points with mesh and step prescribed that tell an error
-    not_estimated: int  # others that tell none, in tuned studies
-    reasons: list[tuple[str, int, list[str]]]  # why of those that miss: points and datasets
+    estimated: int  # points with prescribed mesh and step and an estimated error
+    not_estimated: int  # other points without an estimated error, in tuned studies
+    reasons: list[tuple[str, int, list[str]]]  # reason for missing the tolerance, points, datasets
     worst: float
     where: str
-    verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that rest on one
-    without: WithoutPoints  # what becomes of these
+    verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that use such a point
+    without: WithoutPoints  # how these verdicts change without such points
 
     @property
     def sentences(self) -> str:
-        """In words."""
+        """The same in words."""
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
         if not self.off:
             silent = self.not_estimated + prescribed - self.estimated
@@ -116,7 +116,7 @@ class Missed(NamedTuple):
 
 
 def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:
-    """A row a simulated dataset, in the order of the database."""
+    """Return one row per simulated dataset, in the order of the database."""
     tallies: dict[str, Tally] = {}
     for point in _points(db, files):
         tallies.setdefault(point["study"], Tally(point)).add(point)
@@ -124,7 +124,7 @@ def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:
 
 
 def relevant_errors(keep: list[str] | None) -> list[str]:
-    """Errors that count for a study: of what it keeps, all where it keeps everything."""
+    """Return the errors that count for a study: of the variables that it keeps; None keeps all."""
     if keep is None:
         return list(ERRORS)
     names = {
@@ -136,7 +136,7 @@ def relevant_errors(keep: list[str] | None) -> list[str]:
 
 
 def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dict[str, Any]]:
-    """Points with the largest of the errors that count, and why it may be large; there may be a million."""
+    """Yield points (there may be a million) with their largest counting error and its possible reason."""
     cursor = db.execute(POINTS)
     names = [column[0] for column in cursor.description]
     of_study: dict[str, dict[str, Any]] = {}
@@ -164,14 +164,14 @@ def _misses(point: dict[str, Any]) -> bool:
 
 
 def _largest(point: dict[str, Any]) -> str:
-    """The quantity that errs most."""
+    """Return the quantity with the largest error."""
     counts: list[str] = point["counts"]
     return max(counts, key=lambda name: point[f"error_{name}"] or 0.0)
 
 
 @dataclass
 class Tally:
-    """What the points of a dataset have in all, taken in one by one."""
+    """Collects the points of a dataset one by one, for its row."""
 
     first: dict[str, Any]
     points: int = 0
@@ -182,7 +182,7 @@ class Tally:
     total: float = 0.0
 
     def add(self, point: dict[str, Any]) -> None:
-        """Take in a point."""
+        """Add a point."""
         self.points += 1
         for name, most in self.largest.items():
             self.largest[name] = max(most, point[name] or 0.0)
@@ -192,7 +192,7 @@ class Tally:
         self.total += point["wall_seconds"] or 0.0
 
     def row(self) -> Row:
-        """The dataset's row."""
+        """Return the row of the dataset."""
         first, largest = self.first, self.largest
         return Row(
             paper=first["paper"],
@@ -212,7 +212,7 @@ class Tally:
 
 
 def warned(db: sqlite3.Connection) -> list[Warned]:
-    """All warnings, equal ones as one, the most frequent first."""
+    """Return all warnings, equal ones together, the most frequent first."""
     where: dict[str, list[str]] = {}
     rows = db.execute("select study, warnings from points where warnings != '' order by point")
     for study, text in rows:
@@ -227,7 +227,7 @@ def warned(db: sqlite3.Connection) -> list[Warned]:
 
 
 def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
-    """How many points miss the tolerance, why, and which verdicts rest on one."""
+    """Return how many points miss the tolerance, why, and which verdicts use such a point."""
     off: list[dict[str, Any]] = []
     count: Counter[str] = Counter()
     for point in _points(db, files):
@@ -267,7 +267,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
 
 
 def _reasons(off: list[dict[str, Any]]) -> list[tuple[str, int, list[str]]]:
-    """Why points are off, how many and where, the most frequent reason first."""
+    """Return reasons for exceeding the tolerance, with points and datasets, the most frequent first."""
     many = Counter(point["because"] for point in off)
     return [
         (why, points, sorted({point["study"] for point in off if point["because"] == why}))
@@ -276,7 +276,7 @@ def _reasons(off: list[dict[str, Any]]) -> list[tuple[str, int, list[str]]]:
 
 
 def run_facts(db: sqlite3.Connection) -> str:
-    """Tier, version, engine, points and time, in one line."""
+    """Return tier, version, engine, points and time, in one line."""
     about = [
         listed(str(row[0]) for row in db.execute(f"select distinct {name} from {table} order by 1"))
         for name, table in (

@@ -1,4 +1,4 @@
-"""Printed numbers and claims with their verdicts, as the report shows them."""
+"""Numbers and claims with their verdicts, for the report."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ VERDICTS = {
     "not comparable": "the paper defines the quantity differently",
     "not reproducible": "the paper gives too little information",
 }
-#: columns of the database that a claim has under the same name
+#: columns of the database with the same names as fields of a claim
 AS_IT_IS = (*(field.name for field in fields(ItemResult)), "decided_by", "met", "samples")
 
 
 class ByOption(NamedTuple):
-    """Share of the samples that meet something under each option of an input."""
+    """Share of the samples that meet the claim, under each option of an input."""
 
     input: str
     shares: list[tuple[str, int]]
@@ -35,10 +35,11 @@ class ByOption(NamedTuple):
 
 @dataclass(frozen=True)
 class Claim(ItemResult):
-    """A printed number or claim, its verdict, and why.
+    """A number or claim, its verdict, and the reason.
 
-    ``met``, ``samples``: of the unspecified inputs, None where nothing is sampled. ``band``: 95 % interval of
-    the share (%), where samples are enough. ``said``, ``options``: what else the grading tells.
+    ``met``, ``samples``: number of samples of the unspecified inputs that meet it, and of all; None without
+    samples. ``band``: 95 % interval of the share (%), if samples are enough. ``said``, ``options``: further
+    information from the grading.
     """
 
     decided_by: str
@@ -51,19 +52,19 @@ class Claim(ItemResult):
 
     @property
     def anchor(self) -> str:
-        """Where it stands on the page."""
+        """Anchor on the page."""
         return f"claim-{self.paper}-{self.id}"
 
     @property
     def percent(self) -> float | None:
-        """Share of the samples that meet it (%)."""
+        """Share (%) of the samples that meet it."""
         if self.met is None or not self.samples:
             return None
         return 100.0 * self.met / self.samples
 
     @property
     def _by_reading(self) -> str:
-        """What is found with which interpretation, after what decides."""
+        """The findings under each interpretation, after the deciding input."""
         found = by_reading(self.kind, self.grounds.readings)
         return f"{self.decided_by}: {found}" if self.decided_by else found
 
@@ -97,14 +98,14 @@ class Claim(ItemResult):
 
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:
-    """All numbers and claims of the results database, in the order of its tables."""
+    """Return all numbers and claims of the results database, in the order of its tables."""
     cursor = db.execute("select * from numbers_and_claims order by rowid")
     names = [column[0] for column in cursor.description]
     return [_claim_of(dict(zip(names, row, strict=True))) for row in cursor]
 
 
 def _claim_of(row: dict[str, Any]) -> Claim:
-    """A row of the database."""
+    """Convert a row of the database."""
     grounds = Grounds.from_json(row["grounds"])
     sentences = remarks(row["kind"], row["unit"], grounds)
     if row["margin"] is not None:
@@ -125,7 +126,7 @@ def _by_option(of: Influence) -> ByOption:
 
 
 def counted_verdicts(claims: list[Claim]) -> list[tuple[str, int]]:
-    """How many came out how, in the order of the key."""
+    """Return the number of claims with each verdict, in the order of the legend."""
     counts: Counter[str] = Counter(claim.verdict for claim in claims)
     ordered = [*VERDICTS, *sorted(set(counts) - set(VERDICTS))]
     return [(verdict, counts[verdict]) for verdict in ordered if verdict in counts]

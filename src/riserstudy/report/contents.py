@@ -1,4 +1,4 @@
-"""What the report tells, gathered from the results database, datasets and study files."""
+"""Contents of the report, collected from the results database, datasets and study files."""
 
 from __future__ import annotations
 
@@ -44,14 +44,14 @@ FilesOfFigures = dict[tuple[str, str], tuple[str, str, str]]
 
 @dataclass(frozen=True)
 class Sources:
-    """Files that the report is made from.
+    """Files from which the report is made.
 
     Attributes
     ----------
     config : folder with the study files.
-    papers : in the order of the report.
-    database : of the results; figures and datasets lie beside it, by the paths that it holds.
-    compiled : marker that holds the time of the cold compile.
+    papers : papers in the order of the report.
+    database : results database; it contains the paths of figures and datasets relative to its folder.
+    compiled : marker that contains the time of the first compilation.
     """
 
     config: Path
@@ -61,22 +61,22 @@ class Sources:
 
     @property
     def folder(self) -> Path:
-        """Where results lie."""
+        """Folder of the results."""
         return self.database.parent
 
 
 class MovingRun(NamedTuple):
-    """One run in motion: its paper, its study and where that lies, what it is, and its figure as JSON."""
+    """One animated run: its paper, its study and path, its title, and its figure as JSON."""
 
     paper: str
     name: str
-    path: str  # of the dataset, beside the page
+    path: str  # of the dataset, relative to the page
     title: str
     figure: str
 
 
 class Chapter(NamedTuple):
-    """All that is told of one paper."""
+    """The part of the report about one paper."""
 
     paper: str
     title: str
@@ -92,18 +92,18 @@ class Chapter(NamedTuple):
 
 
 def contents(sources: Sources) -> dict[str, Any]:
-    """Everything that the page's template asks for."""
+    """Return all values that the template of the page needs."""
     import xarray as xr
 
     files = {paper: read_studies(sources.config, paper) for paper in sources.papers}
     with opened(sources.database) as db, ThreadPoolExecutor() as pool:
         known = _files_of_figures(db)
-        pictures = {  # encoding takes as long as all the rest, and lets other threads go on
+        pictures = {  # encoding takes as long as all the rest, and does not block other threads
             path: pool.submit(picture_of, path) for path in _drawn(known, sources.folder, files)
         }
         claims, errata = read_claims(db), _errata(db)
         paths: dict[str, str] = dict(db.execute("select study, path from studies").fetchall())
-        # histories are large, and but few of them are looked at
+        # histories are large, and only few of them are read
         datasets = {
             tuple(study.split("/")): xr.open_dataset(sources.folder / path, engine="netcdf4")
             for study, path in paths.items()
@@ -155,7 +155,7 @@ def contents(sources: Sources) -> dict[str, Any]:
 
 
 def _errata(db: sqlite3.Connection) -> list[dict[str, str]]:
-    """Rows of the table of errata, in its order."""
+    """Return the rows of the table of errata, in its order."""
     cursor = db.execute("select * from errata order by rowid")
     names = [column[0] for column in cursor.description]
     return [dict(zip(names, row, strict=True)) for row in cursor]
@@ -196,7 +196,7 @@ def _motion(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> Mot
 def _moving(
     motions: dict[str, Motion], files: dict[str, StudyFile], paths: dict[str, str]
 ) -> dict[str, MovingRun]:
-    """Runs in motion as the page holds them."""
+    """Return the animated runs for the page."""
     runs = {}
     for paper, motion in motions.items():
         drawn_runs = files[paper].in_motion
@@ -208,7 +208,7 @@ def _moving(
 
 
 def _own(paper: str, file: StudyFile, datasets: dict[Any, xr.Dataset]) -> dict[str, xr.Dataset]:
-    """Simulated datasets of a paper."""
+    """Return the simulated datasets of a paper."""
     return {name: datasets[paper, name] for name in file.studies if (paper, name) in datasets}
 
 
@@ -222,7 +222,7 @@ def _figures(
     known: FilesOfFigures,
     pictures: dict[Path, Future[Picture]],
 ) -> list[Figure]:
-    """Figures in the order of study files, with all that they are linked to."""
+    """Return the figures in the order of the study files, with everything that they link to."""
     rests = _sets(db, "select paper, id, study from rests_on")
     by_figure = _sets(db, "select figure, study from figure_reads")
     reads = {figure: studies for (figure,), studies in by_figure.items()}
@@ -270,30 +270,30 @@ def _figures(
 
 
 def _files_of_figures(db: sqlite3.Connection) -> FilesOfFigures:
-    """Caption, PNG and PDF of each figure, by paper and name."""
+    """Return caption, PNG and PDF of each figure, by paper and name."""
     found = db.execute("select paper, name, caption, png, pdf from figures")
     return {(paper, name): (caption, png, pdf) for paper, name, caption, png, pdf in found}
 
 
 def _names(paper: str, file: StudyFile, known: Container[tuple[str, str]]) -> list[str]:
-    """Figures of a chapter that the database knows, in the order of its study file."""
+    """Return the figures of a chapter that the database contains, in the order of its study file."""
     return [name for name in (*file.schematics, *file.figures) if (paper, name) in known]
 
 
 def _drawn(known: FilesOfFigures, folder: Path, files: dict[str, StudyFile]) -> Iterator[Path]:
-    """PNG files of all figures."""
+    """Yield the PNG files of all figures."""
     for paper, file in files.items():
         for name in _names(paper, file, known):
             yield folder / known[paper, name][1]
 
 
 def _drawn_scene(file: StudyFile, name: str, config: Path) -> str:
-    """Title of the scene that a schematic draws, "" for other figures."""
+    """Return the title of the scene that a schematic draws; "" for other figures."""
     return str(file.schematics[name].file(config).tree["title"]) if name in file.schematics else ""
 
 
 def _sets(db: sqlite3.Connection, sql: str) -> dict[tuple[str, ...], set[str]]:
-    """The last column of a statement's rows by the others."""
+    """Return the values of the last column of a statement's rows, by the values of the other columns."""
     sets: dict[tuple[str, ...], set[str]] = {}
     for *key, value in db.execute(sql):
         sets.setdefault(tuple(key), set()).add(value)
@@ -301,7 +301,7 @@ def _sets(db: sqlite3.Connection, sql: str) -> dict[tuple[str, ...], set[str]]:
 
 
 def _figures_of(figures: list[Figure]) -> dict[str, list[tuple[str, str]]]:
-    """Anchors and short names of the figures of each claim, by the claim's anchor."""
+    """Return anchors and short names of the figures of each claim, by the anchor of the claim."""
     by_dataset: dict[str, list[tuple[str, str]]] = {}
     for figure in figures:
         for claim in figure.claims:

@@ -1,4 +1,4 @@
-"""A specification curve: the margin of every case in order, and below it which option each case has.
+"""A specification curve: the margins of all cases in order, and below each margin the options of its case.
 
 References
 ----------
@@ -18,12 +18,13 @@ from riserstudy.grading.names import option_name
 from riserstudy.grading.sensitivity import correlation_ratio
 from riserstudy.report.wording import counted
 
-MOST_COLUMNS = 240  # cases that are drawn; of more every second, third and so on
+# most cases that are drawn; of more cases only every second, third and so on is drawn
+MOST_COLUMNS = 240
 MOST_INPUTS, MOST_OPTIONS = 4, 9
-FEW = 12  # cases, which cannot show what explains them
-SEEN = 0.02  # share of the margin's variance from which an input is shown
-PARTS = 3  # of a range, equally filled
-#: px: where the columns begin and end, height of the margins, of a row, and of what is above and below
+FEW = 12  # number of cases that is too small to show which input explains the margin
+SEEN = 0.02  # least share of the margin's variance that an input must explain to be shown
+PARTS = 3  # parts of a range, with equal numbers of cases
+#: pixels: left and right end of the columns, total width, heights of the margins, of a row, of the head
 LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 285, 585, 640, 90, 17, 18
 VARY = (
     "with little effect also varies and is not shown",
@@ -33,15 +34,16 @@ SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 
 
 class Cases(NamedTuple):
-    """Cases that are judged: their margins, what is found in each, and what each assumes.
+    """Judged cases: margin, finding and assumed inputs of each.
 
     Attributes
     ----------
     margin : (n,), -1 to 1.
-    met : (n,), whether it is met. same : (n,), whether what is compared does not differ.
-    inputs : (n,) texts or numbers, by name in words; the most important first.
-    base : margin of the base case, None where that is not known.
-    hidden : how many more inputs vary.
+    met : (n,), whether the claim is met.
+    same : (n,), whether the compared values do not differ.
+    inputs : (n,) texts or numbers, by the name of the input in words; the most important input first.
+    base : margin of the base case; None if unknown.
+    hidden : number of further inputs that vary.
     """
 
     margin: NDArray[np.float64]
@@ -53,23 +55,23 @@ class Cases(NamedTuple):
 
 
 class Option(NamedTuple):
-    """A row of the matrix: an option or a part of a range, and which cases have it."""
+    """A row of the matrix: an option or a part of a range, and the cases that have it."""
 
     name: str
     has: NDArray[np.bool_]
 
 
 class Curve(NamedTuple):
-    """A curve as SVG, and what is to be read of it."""
+    """A curve as SVG, and its caption."""
 
     svg: str
     caption: str
 
 
 def ordered(cases: Cases, first: Sequence[str]) -> Cases:
-    """The inputs to be shown in their order: some, then those that explain most of the margin.
+    """Select and order the inputs to show: first the given ones, then those that explain most of the margin.
 
-    Inputs that are the same in all cases are left out, others that explain next to nothing are counted.
+    Inputs that are equal in all cases are left out; others that explain almost nothing are only counted.
     """
     varied = {n: v for n, v in cases.inputs.items() if len(set(v.tolist())) > 1}
     rank = {
@@ -84,7 +86,7 @@ def ordered(cases: Cases, first: Sequence[str]) -> Cases:
 
 
 def curve(cases: Cases) -> Curve:
-    """The curve of some cases."""
+    """Draw the curve of cases."""
     order = np.argsort(cases.margin, kind="stable")
     step = -(-len(order) // MOST_COLUMNS)
     drawn = order[step // 2 :: step]
@@ -122,11 +124,13 @@ def _caption(cases: Cases, step: int) -> str:
 
 
 def options_of(values: NDArray[np.generic]) -> list[Option]:
-    """The options of an input, or thirds of its range; of too many options the most frequent, and the rest.
+    """Return the options of an input, or thirds of its range.
+
+    Of too many options it returns the most frequent ones, and one row for all others.
 
     Parameters
     ----------
-    values : of each case.
+    values : value of the input in each case.
     """
     texts = np.array([str(value) for value in values.tolist()])
     names, counts = np.unique(texts, return_counts=True)
@@ -143,7 +147,7 @@ def options_of(values: NDArray[np.generic]) -> list[Option]:
 
 
 def _parts(numbers: NDArray[np.float64], unit: str) -> Iterator[Option]:
-    """Equally filled parts of a range, the largest first, as an axis has it."""
+    """Yield the parts of a range, which have equal numbers of cases, the largest first as on an axis."""
     group = _groups(numbers)
     for k in range(group.max(), -1, -1):
         inside = group == k
@@ -153,12 +157,12 @@ def _parts(numbers: NDArray[np.float64], unit: str) -> Iterator[Option]:
 
 
 def _plain(unit: str) -> str:
-    """A unit of a scene as it is printed."""
+    """Return a unit of a scene in its printed form."""
     return unit.replace("*", " ").replace("^2", "²").replace("^3", "³").replace("^4", "⁴")
 
 
 def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
-    """Group of each value: itself for options, one of three equally filled parts for many numbers."""
+    """Return the group of each value: the option itself, or for many numbers one of three equal parts."""
     numbers = _numbers(np.array([str(value) for value in values.tolist()]))
     unique, group = np.unique(values if numbers is None else numbers, return_inverse=True)
     if numbers is not None and len(unique) > PARTS:
@@ -168,7 +172,7 @@ def _groups(values: NDArray[np.generic]) -> NDArray[np.int64]:
 
 
 def _numbers(texts: NDArray[np.str_]) -> NDArray[np.float64] | None:
-    """Numbers that texts begin with; None for options."""
+    """Return the numbers at the start of texts; None for options."""
     try:
         return np.array([float(text.split()[0]) for text in texts.tolist()])
     except (ValueError, IndexError):
@@ -176,7 +180,7 @@ def _numbers(texts: NDArray[np.str_]) -> NDArray[np.float64] | None:
 
 
 def _margins(cases: Cases, drawn: NDArray[np.int64]) -> Iterator[str]:
-    """The panel of margins: a bar a case, coloured by what is found."""
+    """Yield the panel of margins: one bar per case, coloured by its finding."""
     margin = cases.margin[drawn]
     most = float(np.abs([*margin, cases.base or 0.0]).max())
     scale = next((s for s in SCALES if most <= s), 1.0)
@@ -208,7 +212,7 @@ def _margins(cases: Cases, drawn: NDArray[np.int64]) -> Iterator[str]:
 
 
 def _runs(has: NDArray[np.bool_], y: float) -> str:
-    """Horizontal marks where cases have an option, neighbours as one."""
+    """Return horizontal marks at the cases that have an option; neighbouring cases share one mark."""
     width = (RIGHT - LEFT) / len(has)
     edges = np.diff(np.concatenate([[0], has.astype(int), [0]]))
     starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)

@@ -1,4 +1,4 @@
-"""Specification curves of the numbers and claims that depend on what is unspecified, by their anchor."""
+"""Specification curves of the numbers and claims that depend on unspecified inputs."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from riserstudy.grading.published import printed_of, published_path
 from riserstudy.report.claims import Claim
 from riserstudy.report.curve import Cases, Curve, curve, ordered
 
-FEWEST = 3  # cases of a curve
+FEWEST = 3  # fewest cases of a curve
 
 
 def curves(
@@ -27,9 +27,9 @@ def curves(
     claims: list[Claim],
     datasets: Mapping[Any, xr.Dataset],
 ) -> dict[str, Curve]:
-    """The curve of every number and claim that depends, by its anchor.
+    """Return the curve of every number and claim that depends on unspecified inputs, by its anchor.
 
-    None of those whose cases have no margins, or are fewer than three.
+    There is no curve if the cases have no margins, or are fewer than three.
     """
     papers = {claim.paper for claim in claims if published_path(config, claim.paper).exists()}
     files: dict[str, PublishedFile] = {paper: printed_of(config, paper) for paper in papers}
@@ -51,7 +51,7 @@ def curves(
 
 
 class Samples(NamedTuple):
-    """What each sample of a dataset assumes, by path, and the place of each sample by its number."""
+    """Assumed inputs of each sample of a dataset, by path, and position of each sample by its number."""
 
     assumed: dict[str, NDArray[Any]]
     places: dict[int, int]

@@ -1,4 +1,4 @@
-"""How many deliberately false claims the grader accepts, as the report shows it."""
+"""Number of deliberately false claims that the grader accepts, for the report."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from riserstudy.report.wording import counted
 
 NAME = "false_claims.csv"
 BELIEVED = ("holds", "reproduced", "calibrated")
-#: what is false of a claim, in words
+#: how a claim was made false, in words
 HOW = {
     "opposite": "the opposite statement",
     "magnitude": "a very different size",
@@ -24,7 +24,7 @@ HOW = {
 
 
 class FalseClaim(NamedTuple):
-    """A false claim and its verdict; ``share``: of the samples in which it is true, "" without samples."""
+    """A false claim and its verdict; ``share``: of the samples in which it holds, "" without samples."""
 
     paper: str
     made_from: str
@@ -36,14 +36,14 @@ class FalseClaim(NamedTuple):
 
 
 class FalseClaims(NamedTuple):
-    """All false claims, and in one sentence what the grader made of them."""
+    """All false claims, and one sentence about their verdicts."""
 
     sentences: str
     rows: list[FalseClaim]
 
 
 def false_claims(folder: Path) -> FalseClaims | None:
-    """What the table of a results folder holds; None where there is none, or nothing in it."""
+    """Read the table of a results folder; None if it does not exist or is empty."""
     path = folder / NAME
     rows = read_csv(path) if path.exists() else []
     if not rows:
@@ -65,11 +65,11 @@ def _of(row: dict[str, str]) -> FalseClaim:
 
 
 def _summary(rows: list[dict[str, str]]) -> str:
-    """How many are accepted, undecided and refused, with the 95 % interval of the rate.
+    """Return how many are accepted, undecided and refused, with the 95 % interval of the rate.
 
     References
     ----------
-    Clopper and Pearson (1934), bounds of a share from hits among draws.
+    Clopper and Pearson (1934): bounds of a share from the number of hits among independent draws.
     """
     count = len(rows)
     accepted = sum(row["accepted"] == "1" for row in rows)

@@ -1,4 +1,4 @@
-"""A riser that moves on the first screen, once: a small SVG that needs no library."""
+"""A moving riser on the first screen, shown once: a small SVG that needs no library."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from riserstudy.schematic.geometry import Geometry
 
 Array = NDArray[np.float64]
 WIDTH, HEIGHT = 300.0, 320.0
-SIDE, SKY, BED = 24.0, 40.0, 22.0  # room beside, above and below
-FRAMES, NODES = 48, 28  # drawn at most
-STANDS = 0.02  # of the travel of the top, that a foot that stands may move
+SIDE, SKY, BED = 24.0, 40.0, 22.0  # margins at the sides, above and below
+FRAMES, NODES = 48, 28  # most frames and nodes that are drawn
+STANDS = 0.02  # share of the travel of the top that a fixed lower end may move
 SECONDS = 5.0
 
 
 class Hero(NamedTuple):
-    """The picture, what it shows, and how many simulated seconds it takes."""
+    """The picture, its title, and the simulated time that it covers (s)."""
 
     svg: str
     title: str
     seconds: float
-    stretched: float  # of horizontal distances, compared with vertical ones
+    stretched: float  # factor on horizontal distances, relative to vertical ones
 
 
 def hero(motions: Iterable[tuple[str, Motion]]) -> tuple[str, Hero] | None:
-    """The run whose top travels farthest while its foot stands, with its chapter; None: there is none."""
+    """Return chapter and run whose top travels farthest with a fixed lower end; None if there is none."""
     travelled = {
         paper: (_travel(motion.x[:, -1]), motion)
         for paper, motion in motions

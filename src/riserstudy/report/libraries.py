@@ -1,7 +1,8 @@
-"""JavaScript that the page carries along so that it needs no network: plotly and DataTables.
+"""JavaScript libraries that the page contains, as it must need no network: plotly and DataTables.
 
-Compressed they are 2.3 of 5.5 MB. itables has DataTables as one file for pages without a network; the page's
-tables are plain HTML that it makes sortable, so that they can be read and printed without it.
+Compressed they need 2.3 of 5.5 MB. The package itables has DataTables as one file for pages without a
+network. The tables of the page are plain HTML, which can be read and printed without DataTables; it only
+makes them sortable.
 """
 
 from __future__ import annotations
@@ -17,12 +18,12 @@ DATATABLES = Path(itables.__file__).parent / "html"
 
 
 def packed(text: str) -> str:
-    """Text as page.js unpacks it; the same text gives the same."""
+    """Return a text compressed as page.js needs it; equal texts give equal results."""
     return base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
 
 
 def libraries(moving: bool) -> dict[str, str]:
-    """Packed files by the name under which the page holds them; plotly where something moves."""
+    """Return the packed files by their names on the page; plotly only if the page has an animation."""
     tables = {
         "datatables": packed((DATATABLES / "dt_bundle.js").read_text("utf-8")),
         "datatables-style": packed((DATATABLES / "dt_bundle.css").read_text("utf-8")),

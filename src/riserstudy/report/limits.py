@@ -1,4 +1,4 @@
-"""Limits of studies as tables: use of each where most of it is used, and how many points exceed it."""
+"""Tables of the limits of studies: largest utilisation of each limit, and how many points exceed it."""
 
 from __future__ import annotations
 
@@ -19,19 +19,19 @@ if TYPE_CHECKING:
 
 
 class LimitRow(NamedTuple):
-    """One limit where most of it is used."""
+    """One limit at the point of its largest utilisation."""
 
     limit: str
     allowable: str
     origin: str
     demand: str
-    use: str  # utilisation, or the margin
+    use: str  # utilisation, or margin
     where: str
     verdict: str
 
 
 class LimitTable(NamedTuple):
-    """Limits of one study; ``about`` says what it varies."""
+    """Limits of one study; ``about`` is its title."""
 
     about: str
     points: int
@@ -39,7 +39,7 @@ class LimitTable(NamedTuple):
 
     @property
     def sentences(self) -> str:
-        """How many limits are exceeded somewhere."""
+        """Number of limits that are exceeded at some point, in words."""
         exceeded = sum(row.verdict.startswith(EXCEEDED) for row in self.rows)
         many = counted(len(self.rows), "limit")
         return (
@@ -48,7 +48,7 @@ class LimitTable(NamedTuple):
 
 
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
-    """A table for each study that has limits."""
+    """Return one table for each study that has limits."""
     return [
         LimitTable(_about(name, dataset), dataset["point_key"].size, _rows(dataset))
         for name, dataset in datasets.items()
@@ -57,7 +57,7 @@ def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
 
 
 def _about(name: str, dataset: xr.Dataset) -> str:
-    """What a study is about: its title without the paper's name, else its own name."""
+    """Return the title of a study without the name of the paper, else the name of the study."""
     return str(dataset.attrs.get("title", "")).partition(": ")[2] or name.replace("_", " ")
 
 
@@ -92,7 +92,7 @@ def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | Non
     value = f"{_figure(factor * float(demand[place]))} {unit}"
     share, allowable = float(use[place]), float(allowables[place])
     if values["side"] == "smallest" and allowable == 0.0:
-        used = f"margin {value}"  # a floor of zero has no shares
+        used = f"margin {value}"  # a lower limit of zero has no utilisation
     else:
         used = f"{_figure(100.0 * share)} %" if np.isfinite(share) else "exceeded"
     allowed = f"{_figure(factor * allowable)} {unit}"
@@ -100,17 +100,17 @@ def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | Non
 
 
 def _figure(value: float) -> str:
-    """A number to three digits, without an exponent."""
+    """Return a number with three digits, without an exponent."""
     return np.format_float_positional(float(f"{value:.3g}"), trim="-")
 
 
 def _verdict(verdicts: np.ndarray) -> str:
-    """Of all points: exceeded by how many, not evaluated by how many, else within."""
+    """Return in words at how many points the limit is exceeded or not evaluated; else that all are within."""
     counts = {word: int((verdicts == word).sum()) for word in (EXCEEDED, UNKNOWN)}
     words = [f"{word} at {count}" for word, count in counts.items() if count]
     return ", ".join(words) or "met at all points"
 
 
 def _in_words(limit: str) -> str:
-    """The name of a limit, with the long name of the quantity that it bounds."""
+    """Return the name of a limit with the long name of its quantity."""
     return " ".join(attributes(word).get("long_name", word) for word in limit.split(" "))

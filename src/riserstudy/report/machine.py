@@ -1,4 +1,4 @@
-"""The machine that a report was made on: times in it mean little without."""
+"""The machine on which a report was made; without it the times in the report mean little."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from pathlib import Path
 
 from riserstudy.simulation.compile import available_cores
 
-CPUINFO = Path("/proc/cpuinfo")  # of Linux
+CPUINFO = Path("/proc/cpuinfo")  # on Linux
 
 
 def made_on() -> str:
-    """Cores, processor, system and Python, in one sentence without its point."""
+    """Return cores, processor, system and Python, in one sentence without its full stop."""
     cores = available_cores()
     count = "1 core" if cores == 1 else f"{cores} cores"
     python = platform.python_version()
@@ -20,7 +20,7 @@ def made_on() -> str:
 
 
 def processor() -> str:
-    """Name of the processor, or of its kind where the system does not tell."""
+    """Return the name of the processor, or its architecture if the system does not tell the name."""
     try:
         named = re.search(r"^model name\s*:\s*(.+)$", CPUINFO.read_text("utf-8"), re.MULTILINE)
     except OSError:

@@ -1,4 +1,4 @@
-"""One run of a chapter as the report shows it moving: thinned, with what moves beside the riser."""
+"""One run of a chapter for an animation in the report: thinned, with platform and histories."""
 
 from __future__ import annotations
 
@@ -23,20 +23,20 @@ FRAMES, NODES, MOMENTS = (
     101,
     61,
     301,
-)  # shown at most: times and nodes of the riser, times of histories
+)  # most times and nodes of the riser, and most times of the histories, that are shown
 MOST_HISTORIES = 3
 DEGREES = 180.0 / np.pi
 SPRING = np.array(
     [0.0, *np.linspace(0.98, 1.0, 40)]
-)  # places along a mere spring, most near its top
-UPRIGHT = 20.0  # from ring to platform, where the scene gives upright cylinders no length (m)
+)  # positions along a riser that is one spring, most of them near its top
+UPRIGHT = 20.0  # distance from ring to platform if the scene gives upright cylinders no length (m)
 
 
 class History(NamedTuple):
-    """Quantities of one unit over time."""
+    """Quantities with one unit over time."""
 
     label: str
-    lines: dict[str, Array]  # by name, each (times,)
+    lines: dict[str, Array]  # by name, (times,) each
 
 
 class Motion(NamedTuple):
@@ -59,7 +59,7 @@ class Motion(NamedTuple):
 
 
 def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
-    """The run of a study's dataset that a study file names."""
+    """Return the run of a dataset that a study file selects for the animation."""
     run = dataset.sel(of_run.at)
     scene = _scene(dataset, of_run.at)
     time = run["time"].values
@@ -73,7 +73,7 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
         for name, values in zip("xz", rest, strict=True)
     )
     colour = thin[of_run.colour].values / 1e3
-    if len(s) == 1:  # a mere spring, known at its top: it stretches evenly, under one tension
+    if len(s) == 1:  # one spring, known only at its top: it stretches evenly under one tension
         foot = geometry.bottom[1]
         x, z = 0.0 * SPRING + x, foot + SPRING * (z - foot)
         colour = np.repeat(colour, len(SPRING), axis=1)
@@ -104,22 +104,22 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
 
 
 def _displaced(scene: Resolved, time: Array) -> Array | None:
-    """Displacement of the platform over time, (times, 6), if there is one."""
+    """Return the displacement of the platform over time, (times, 6) in m and rad; None without platform."""
     if scene.platform is None:
         return None
-    # Brings the kernels with it, which a report without a platform does not need.
+    # Imports the kernels, which a report without a platform does not need.
     from riserstudy.model.platform_motion import displacement
 
     return displacement(scene, time)
 
 
 def _some(count: int, most: int) -> NDArray[np.int64]:
-    """Indices of at most so many of a row, both ends among them."""
+    """Return at most ``most`` indices of a row, including both ends."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
 
 
 def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Resolved:
-    """The scene of the dataset with what the place on the axes sets."""
+    """Return the scene of the dataset with the values that the place on the axes sets."""
     attributes = dataset.attrs
     held = json.loads(attributes["tables"])
     file = SceneFile(attributes["scene_file"], json.loads(attributes["scene"]), held=held)
@@ -137,14 +137,14 @@ def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
 
 
 def _with_unit(axis: xr.DataArray, value: Any) -> str:
-    """A place on an axis, a number with its unit."""
+    """Return a place on an axis as text, a number with its unit."""
     if axis.dtype.kind != "f":
         return str(value)
     return f"{float(value):g}{unit(axis.attrs.get('units', '')).replace('degree', 'deg')}"
 
 
 def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:
-    """Position at rest: as the run has it, else as before any load."""
+    """Return the position at rest (m): from the run if it contains it, else the position without load."""
     x, z = (np.array(row) for row in zip(*map(geometry.at, s), strict=True))
     kept = {name: run[name].values for name in ("x_static", "z_static") if name in run}
     nodes = run["s_node"].values if kept else s
@@ -156,7 +156,7 @@ def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:
 def _platform(
     scene: Resolved, geometry: Geometry, x: Array, z: Array, moved: Array | None
 ) -> tuple[Array, Array]:
-    """Where the platform is: at the riser's top in the directions in which it holds that."""
+    """Return the position of the platform (m): in directions in which it holds the riser, that of the top."""
     top = scene.top
     zero = np.zeros(len(x))
     surge = zero if moved is None else moved[:, 0]
@@ -170,7 +170,7 @@ def _platform(
 
 
 def _histories(run: xr.Dataset, scene: Resolved, moved: Array | None) -> list[History]:
-    """What is shown over time beside the riser."""
+    """Return the quantities that are shown over time."""
     rows = []
     if "platform_surge" in run:
         rows.append(History("platform (m)", {"surge": run["platform_surge"].values}))

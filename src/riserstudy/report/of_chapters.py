@@ -1,4 +1,4 @@
-"""What chapters add to the report by functions of their own: tiles of the first screen, a section each."""
+"""Additions of chapters to the report by their own functions: tiles of the first screen, and sections."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from riserstudy.report.wording import sentence
 if TYPE_CHECKING:
     import xarray as xr
 
-Datasets = Mapping[str, "xr.Dataset"]  # of a chapter, by name, opened and not loaded
+Datasets = Mapping[str, "xr.Dataset"]  # of a chapter, by name; opened, but not loaded
 
 
 def tiles_of(paper: str, datasets: Datasets, figures: Iterable[Figure]) -> list[Tile]:
-    """Tiles of a chapter whose figures are drawn, each with the anchor of its figure.
+    """Return the tiles of a chapter whose figures are drawn, each with the anchor of its figure.
 
-    Where one has no answer, the title of its figure stands there.
+    A tile without an answer has the title of its figure instead.
     """
     drawn = {figure.name: figure for figure in figures if figure.paper == paper}
     made: list[Tile] = (_function(paper, "tiles") or _nothing)(datasets) or []
@@ -34,7 +34,7 @@ def tiles_of(paper: str, datasets: Datasets, figures: Iterable[Figure]) -> list[
 
 
 def section_of(paper: str, datasets: Datasets) -> Section | None:
-    """The section of a chapter; None where it has none."""
+    """Return the section of a chapter; None if it has none."""
     made: Section | None = (_function(paper, "section") or _nothing)(datasets)
     return made
 
@@ -47,4 +47,4 @@ def _function(paper: str, name: str) -> Callable[[Datasets], Any] | None:
 
 
 def _nothing(_: Datasets) -> None:
-    """What a chapter adds that has no such function."""
+    """Return None: the addition of a chapter without such a function."""

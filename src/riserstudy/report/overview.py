@@ -1,4 +1,4 @@
-"""The first screen: what was studied, how it came out, and what was found."""
+"""The first screen: subject, verdicts and findings."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from riserstudy.report.wording import counted, listed, sentence
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
-#: what is said of so many verdicts, singular and plural
+#: words for one and for several verdicts
 PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
     "calibrated": ("is met with a calibrated input", "are met with a calibrated input"),
@@ -29,7 +29,7 @@ PLURALS = {
 
 
 class Bar(NamedTuple):
-    """Verdicts of a paper as parts of a bar."""
+    """Verdicts about a paper as parts of a bar."""
 
     paper: str
     title: str
@@ -38,24 +38,24 @@ class Bar(NamedTuple):
 
     @property
     def total(self) -> int:
-        """Numbers and claims in all."""
+        """Number of all numbers and claims."""
         return sum(count for _, count in self.parts)
 
 
 class Finding(NamedTuple):
-    """What was found of one number or claim: what its figure says, and where that stands."""
+    """Finding about one number or claim: the words of its figure, and the anchor of the figure."""
 
     claim: Claim
     paper: str
-    sentences: str  # "" where no figure says anything
-    figure: str  # anchor, "" where none is linked
+    sentences: str  # "" if no figure has words
+    figure: str  # anchor, "" if no figure is linked
     short: str  # name of the figure
 
 
 def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]:
-    """Title of the page, and one sentence that says what it is about.
+    """Return the title of the page, and one sentence about its subject.
 
-    A paper is simulated again where its values or claims are graded: a study of one's own may have a
+    A chapter counts as a reproduced paper if its values or claims are graded: a user's own study may have a
     reference, too.
     """
     graded = {claim.paper for claim in claims}
@@ -75,7 +75,7 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
 
 
 def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
-    """One bar per paper that has numbers or claims."""
+    """Return one bar per paper that has numbers or claims."""
     papers = dict.fromkeys(claim.paper for claim in claims)
     return [
         Bar(
@@ -89,7 +89,7 @@ def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
 
 
 def totals(claims: list[Claim]) -> str:
-    """How all numbers and claims came out, in one sentence; "" where none is graded."""
+    """Return the verdicts about all numbers and claims in one sentence; "" if none is graded."""
     if not claims:
         return ""
     parts = [
@@ -100,19 +100,19 @@ def totals(claims: list[Claim]) -> str:
 
 
 def title_of(files: dict[str, StudyFile], paper: str) -> str:
-    """A chapter's name for people."""
+    """Return the title of a chapter."""
     return (files[paper].title if paper in files else "") or paper
 
 
 def short_of(files: dict[str, StudyFile], paper: str) -> str:
-    """A chapter's name in tables: what stands before its colon."""
+    """Return the short name of a chapter for tables: the part of its title before the colon."""
     return title_of(files, paper).partition(":")[0]
 
 
 def findings(
     claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure]
 ) -> list[Finding]:
-    """The number or claim that each study file names, with what a figure of it shows."""
+    """Return the number or claim that each study file selects, with the words of one of its figures."""
     rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
@@ -126,13 +126,13 @@ def findings(
 
 
 def _figure_with_title(own: list[Figure]) -> Figure | None:
-    """Of a claim's figures one that says a number, of these the one that shows the fewest other claims."""
+    """Return a claim's figure, if possible with a number in its title; of several, with fewest claims."""
     numbers = [figure for figure in own if any(map(str.isdigit, figure.picture.title))]
     return min(reversed(numbers or own), key=lambda figure: len(figure.claims), default=None)
 
 
 def amounts(claims: list[Claim], datasets: int, figures: int, points: int) -> str:
-    """How much there is, in one line."""
+    """Return the amounts of claims, datasets, figures and points in one line."""
     things = [
         counted(len(claims), "published value or claim").replace(
             "value or claims", "values and claims"

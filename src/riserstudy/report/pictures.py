@@ -1,4 +1,4 @@
-"""Figures with what they are linked to: claims, scenes, datasets, files and the command that draws them."""
+"""Figures with their links: claims, scenes, datasets, files and the command that draws them."""
 
 from __future__ import annotations
 
@@ -14,16 +14,16 @@ from riserstudy.figures import HEAD_ROWS
 from riserstudy.records.printed_figures import figures_in, number_of
 from riserstudy.report.claims import Claim
 
-COLOURS = 192  # of a figure on the page, chosen so that none is far from what it was
+COLOURS = 192  # of a figure on the page; the palette is chosen for the least change of colours
 
 
 class Picture(NamedTuple):
-    """An image as the page holds it."""
+    """An image in the form for the page."""
 
     address: str
     width: int
     height: int
-    title: str  # that it carries, "" where none
+    title: str  # title inside the image, "" without one
     alt: str
 
 
@@ -33,10 +33,10 @@ class Figure(NamedTuple):
     paper: str
     name: str
     label: str  # "Chang 2020, Fig. 8"
-    heading: str  # label and what the figure says
+    heading: str  # label and title
     caption: str
     picture: Picture
-    files: list[tuple[str, str]]  # what a file is, and its path beside the page
+    files: list[tuple[str, str]]  # kind of a file, and its path relative to the page
     reads: list[tuple[str, str]]  # datasets and their paths
     claims: list[Claim]
     scenes: list[tuple[str, str]]  # title and anchor
@@ -44,12 +44,12 @@ class Figure(NamedTuple):
 
     @property
     def anchor(self) -> str:
-        """Where it stands on the page."""
+        """Anchor on the page."""
         return f"{self.paper}-{self.name}"
 
 
 def picture_of(path: Path) -> Picture:
-    """A PNG, with the words that it carries, as a smaller file for the page."""
+    """Convert a PNG to a smaller file for the page, and return its texts, too."""
     with Image.open(path) as image:
         texts = {str(key): str(value) for key, value in getattr(image, "text", {}).items()}
         plain = Image.new("RGB", image.size, "white")
@@ -69,12 +69,12 @@ def picture_of(path: Path) -> Picture:
 
 
 def labels(names: Iterable[str], short: str, *, printed: bool) -> dict[str, str]:
-    """How figures of a chapter are called: by their number in the paper, others of a paper S1, S2 and so on.
+    """Return the labels of a chapter's figures: the number in the paper; for others of a paper S1, S2, ...
 
     Parameters
     ----------
-    names : of the figures, in the order of the chapter.
-    short : the chapter's short name.
+    names : names of the figures, in the order of the chapter.
+    short : short name of the chapter.
     printed : whether the chapter is about a paper, whose own figures have numbers.
     """
     found, own = {}, 0
@@ -89,12 +89,12 @@ def labels(names: Iterable[str], short: str, *, printed: bool) -> dict[str, str]
 
 
 def heading(label: str, title: str) -> str:
-    """What stands above a figure: its label and what it says."""
+    """Return the heading of a figure: its label and its title."""
     return f"{label}: {title}" if title else label
 
 
 def belongs(claim: Claim, name: str) -> bool:
-    """Whether a claim is about a printed figure."""
+    """Return whether a claim is about a figure that the paper prints."""
     return number_of(name) in figures_in(claim.figure)
 
 
@@ -106,18 +106,22 @@ def claims_by_figure(
     sources_of: Mapping[tuple[str, ...], set[str]],
     listed: Mapping[str, Sequence[str]],
 ) -> dict[str, list[Claim]]:
-    """Claims of each figure of a chapter: those that name it, else those that rest on what it shows.
+    """Return the claims of each figure of a chapter.
 
-    A figure that the paper does not print has, besides, those that rest on all that it shows; where there is
-    none, those that rest on some of what it shows. A figure whose entry lists claims has these alone. Claims
-    that no figure has by then are linked to those that show something of the runs behind them.
+    A claim belongs to the figures that it names. It belongs, too, to figures that the paper does not print
+    and that read only datasets that the claim uses. A claim that names no figure belongs to every figure that
+    reads one of its datasets. A figure whose entry lists claims has only these. A figure without claims by
+    then gets all claims that use one of its datasets. A claim without a figure by then is linked to every
+    figure that uses one of the claim's simulated datasets, directly or through derived datasets.
 
     Parameters
     ----------
-    rests : datasets by paper and id of a claim.
-    reads : datasets by figure.
-    behind : simulated datasets by dataset.
-    listed : ids of claims by figure, where its entry lists some.
+    claims : graded numbers and claims.
+    names : names of the figures.
+    rests : datasets that a claim uses, by paper and id.
+    reads : datasets that a figure reads, by its name.
+    sources_of : simulated datasets from which a dataset is made, by its name.
+    listed : ids of claims by figure, for figures whose entry lists claims.
     """
     graded = list(claims)
     rest = {claim.id: rests.get((claim.paper, claim.id), set()) for claim in graded}
@@ -142,7 +146,7 @@ def claims_by_figure(
 def _strictly(
     claim: Claim, names: list[str], rest: set[str], reads: Mapping[str, set[str]]
 ) -> list[str]:
-    """Figures that a claim names, with added ones that show nothing but what it rests on."""
+    """Return the figures that a claim names, and figures not in the paper that show only its datasets."""
     own = [name for name in names if belongs(claim, name)]
     if not own:
         return [name for name in names if rest & reads.get(name, set())]

@@ -1,4 +1,4 @@
-"""The scenes behind a figure as tables: every value, where it comes from, what is varied."""
+"""Tables of the scenes of a figure: every value, its origin, and the inputs that are varied."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ from riserstudy.study.study import scene_file
 if TYPE_CHECKING:
     import xarray as xr
 
-Printed = Callable[[str], list[PrintedInput]]  # what the file of a paper lists
+Printed = Callable[[str], list[PrintedInput]]  # the inputs that the file of a paper lists
 
-MOST_PARTS = 12  # of a list that is shown in full
+MOST_PARTS = 12  # most parts of a list that is shown in full
 
 
 class Value(NamedTuple):
-    """One value of a scene; ``where`` names the datasets it holds for, "" for all."""
+    """One value of a scene; ``where`` names the datasets in which it holds, "" for all."""
 
     value: str
     status: str
@@ -35,7 +35,7 @@ class Value(NamedTuple):
 
 
 class SceneTable(NamedTuple):
-    """A scene: its title, the datasets that simulate it, what they vary, and its values by path."""
+    """A scene: its title, the datasets that simulate it, the inputs they vary, and its values by path."""
 
     title: str
     datasets: list[str]
@@ -43,18 +43,18 @@ class SceneTable(NamedTuple):
     rows: list[tuple[str, list[Value]]]
 
     def anchor(self, paper: str) -> str:
-        """Where it stands on the page."""
+        """Return its anchor on the page."""
         return f"scene-{paper}-{re.sub(r'[^a-z0-9]+', '-', self.title.lower()).strip('-')}"
 
     def studies(self, paper: str) -> set[str]:
-        """Studies that simulate it, as the database names them."""
+        """Return the studies that simulate it, with their names in the database."""
         return {f"{paper}/{name}" for name in self.datasets}
 
 
 def scene_tables(
     datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
 ) -> list[SceneTable]:
-    """One table for each scene; datasets that set values of a common scene share it."""
+    """Return one table for each scene; datasets that set values of a common scene share its table."""
     inputs = cache(partial(printed_inputs, config))
     scenes: dict[str, dict[str, xr.Dataset]] = {}
     for name, dataset in datasets.items():
@@ -88,7 +88,7 @@ def _table(
 def _values(
     name: str, dataset: xr.Dataset, file: StudyFile, config: Path, inputs: Printed
 ) -> dict[str, tuple[str, str, str]]:
-    """Value, status and evidence of every path of a dataset's scene."""
+    """Return value, status and evidence of every path of a dataset's scene."""
     tree = json.loads(dataset.attrs["scene"])
     origins = json.loads(dataset.attrs["origins"])
     evidence = json.loads(dataset.attrs.get("evidence", "{}"))
@@ -120,7 +120,7 @@ def _values(
 
 
 def flat(tree: Any, path: str = "") -> dict[str, str]:
-    """A nested scene as one value a path; short lists stay together."""
+    """Return a nested scene as one value per path; short lists stay whole."""
     if isinstance(tree, dict):
         parts = [(f"{path}.{key}" if path else key, value) for key, value in tree.items()]
     elif isinstance(tree, list) and len(tree) > MOST_PARTS:
@@ -137,13 +137,13 @@ def flat(tree: Any, path: str = "") -> dict[str, str]:
 
 
 def _in_words(value: Any) -> str:
-    """A value as a scene has it: nothing is "none", and what is on or off is "yes" or "no"."""
+    """Return a value of a scene in words: None becomes "none", True and False become "yes" and "no"."""
     plain = {None: "none", True: "yes", False: "no"}
     return plain[value] if value is None or isinstance(value, bool) else str(value)
 
 
 def _varied(dataset: xr.Dataset) -> list[str]:
-    """The axes of a dataset in words."""
+    """Return the axes of a dataset in words."""
     words = []
     for axis in dataset["point_key"].dims:
         values = dataset[axis].values

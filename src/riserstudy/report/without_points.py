@@ -1,4 +1,4 @@
-"""What becomes of verdicts without the points whose error is above tolerance: they are graded anew."""
+"""Verdicts without the points whose error is above the tolerance: they are graded again."""
 
 from __future__ import annotations
 
@@ -15,22 +15,23 @@ Verdict = tuple[str, str]  # paper and id
 
 
 class WithoutPoints(NamedTuple):
-    """Verdicts by what becomes of them."""
+    """Verdicts, by their change without such points."""
 
-    turned: list[tuple[Verdict, str]]  # with what they are without such points
+    turned: list[tuple[Verdict, str]]  # with the new verdict
     stand: list[Verdict]
-    bound: list[Verdict]  # their base case, or every case, rests on such a point, and that decides
+    # their base case, or every case, uses such a point and decides the verdict
+    bound: list[Verdict]
 
     @property
     def turning(self) -> str:
-        """How many turn, in words."""
+        """Number of verdicts that change, in words."""
         many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = len(self.turned) + len(self.stand)
         return f"If these points are left out, {many} of {graded} verdicts change{ends}"
 
     @property
     def left(self) -> str:
-        """How many cannot be graded anew, in words; "" where all can."""
+        """Number of verdicts that cannot be graded again, in words; "" if all can."""
         if not self.bound:
             return ""
         return f"{len(self.bound)} cannot be checked, because the base case or every case needs such a point"
@@ -39,11 +40,11 @@ class WithoutPoints(NamedTuple):
 def without_points(
     db: sqlite3.Connection, verdicts: Iterable[Verdict], off: Mapping[str, list[int]]
 ) -> WithoutPoints:
-    """Grade verdicts anew without the cases that rest on points that are off.
+    """Grade verdicts again without the cases that use points with too large errors.
 
     Parameters
     ----------
-    off : numbers of such points, by simulated study.
+    off : numbers of the points with too large errors, by simulated study.
     """
     dropped = Dropped({study: places(db, study, points) for study, points in off.items()})
     of = WithoutPoints([], [], [])
@@ -65,7 +66,7 @@ def without_points(
 
 
 def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
-    """Cases of a number or claim, as grading wrote them."""
+    """Return the cases of a number or claim, as the grading wrote them."""
     query = "select place, base, judged, met, same, margin, calibrated, rests_on from margins"
     rows = db.execute(f"{query} where paper = ? and id = ?", verdict)
     for place, base, judged, met, same, margin, calibrated, rests_on in rows:
@@ -83,7 +84,7 @@ def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
 
 
 def places(db: sqlite3.Connection, study: str, points: Iterable[int]) -> list[Place]:
-    """Where points of a study are on its axes."""
+    """Return the positions of points of a study on its axes."""
     axes, table = db.execute(
         "select axes, table_name from studies where study = ?", (study,)
     ).fetchone()

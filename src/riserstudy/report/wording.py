@@ -1,4 +1,4 @@
-"""How numbers and names read in the report."""
+"""Format of numbers and names in the report."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNO
 
 
 def number(value: object) -> str:
-    """A number from a table to four digits; text as it stands."""
+    """Return a number from a table with four digits; text is returned unchanged."""
     try:
         plain = float(str(value))
     except ValueError:
@@ -22,7 +22,7 @@ def number(value: object) -> str:
 
 
 def share(value: object) -> str:
-    """A share as a percentage to two digits."""
+    """Return a share (1) as a percentage with two digits."""
     try:
         plain = 100.0 * float(str(value))
     except ValueError:
@@ -33,7 +33,7 @@ def share(value: object) -> str:
 
 
 def seconds(value: float) -> str:
-    """A time, in the unit one would say it in."""
+    """Return a time (s) in words, in a suitable unit."""
     if value < 1.0:
         return f"{float(f'{1000 * value:.2g}'):g} ms"
     if value < 120.0:
@@ -42,44 +42,44 @@ def seconds(value: float) -> str:
 
 
 def counted(count: int, thing: str) -> str:
-    """``1 figure``, ``9 figures``."""
+    """Return a count with its noun: ``1 figure``, ``9 figures``."""
     return f"{count} {thing}" if count == 1 else f"{spaced(count)} {thing}s"
 
 
 def spaced(count: int) -> str:
-    """``9999``, ``11 793``: thousands stand apart from five digits on."""
+    """Return a count as text, as in ``9999`` and ``11 793``: from five digits on, thousands are separated."""
     return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
 
 
 def listed(words: Iterable[str]) -> str:
-    """``a, b and c``."""
+    """Return words as a list in a sentence: ``a, b and c``."""
     *most, last = list(words) or ["none"]
     return f"{', '.join(most)} and {last}" if most else last
 
 
 def sentence(text: str) -> str:
-    """Text with a capital at its start and a full stop at its end."""
+    """Return a text with a capital at its start and a full stop at its end."""
     return text[:1].upper() + text[1:].rstrip(".") + "."
 
 
 def with_links(text: str) -> Markup:
-    """Text whose DOIs are links."""
+    """Return a text whose DOIs are links."""
     return Markup(
         _DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text)))
     )
 
 
 def unit(name: str) -> str:
-    """A unit as it stands behind a number; none for a pure number."""
+    """Return a unit as written after a number; empty for a pure number."""
     return "" if name in ("", "1") else f" {name}"
 
 
 def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
-    """Warnings that differ in numbers alone as one, with the range of each number.
+    """Combine warnings that differ only in numbers into one, with the range of each number.
 
     Returns
     -------
-    Text, the different warnings that it stands for, and how often they were given.
+    Text, the different warnings that it replaces, and how often they were given.
     """
     kinds: dict[str, list[str]] = {}
     for warning in warnings:
