@@ -12,19 +12,19 @@ if TYPE_CHECKING:
 
 
 def datasets_of(sources: list[Path]) -> dict[str, xr.Dataset]:
-    """Datasets by name."""
+    """Return the datasets of files by their names."""
     import xarray as xr
 
     return {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
 
 
 def text_of(source: Path) -> str:
-    """A table as text.
+    """Return the text of a table.
 
     Raises
     ------
     InputError
-        When it cannot be read.
+        When the file cannot be read.
     """
     try:
         return source.read_text("utf-8")
