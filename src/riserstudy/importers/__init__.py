@@ -1,1 +1,1 @@
-"""Files of other programs become scenes, or tables that scenes read."""
+"""Import of files of other programs as scenes, or as tables for scenes."""

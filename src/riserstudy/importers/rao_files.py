@@ -1,8 +1,9 @@
-"""Response amplitude operators from the files of diffraction codes, as the table that a scene reads.
+"""Convert response amplitude operators (RAOs) from files of diffraction codes to the table of a scene.
 
-WAMIT's ``.4`` (columns period, heading, mode, modulus, phase, real and imaginary part) and the netCDF that
-Capytaine's datasets are saved as. Both say where waves go to; WAMIT's phases lead the crest at the origin,
-Capytaine's, whose time goes as exp(-i w t), lag it. Axes are those of scenes: x, y to port of it, z up.
+It reads WAMIT's ``.4`` file (columns period, heading, mode, modulus, phase, real and imaginary part) and a
+netCDF file of a Capytaine dataset. Headings in both are directions towards which waves travel. WAMIT's phases
+lead the crest at the origin; Capytaine's phases lag it, as its time factor is exp(-i w t). The axes are those
+of scenes: x, y to port of it, z up.
 
 References
 ----------
@@ -32,7 +33,7 @@ FloatArray = NDArray[np.float64]
 ROUNDED = (
     2e-3  # share by which modulus and phase may differ from real and imaginary part, as printed
 )
-SAME = 1e-4  # deg, by which headings are one
+SAME = 1e-4  # largest difference of headings that count as equal (deg)
 HEADING = "heading (deg)"
 FREQUENCIES = {
     "omega": ("frequency", "rad/s"),
@@ -41,7 +42,7 @@ FREQUENCIES = {
 }
 
 
-#: units that attributes may state, and what one of them is in that of the table
+#: units that attributes may state, and their factors to the units of the table
 KNOWN: dict[str, dict[str, float]] = {
     "rad/s": dict.fromkeys(("", "rad/s", "rads/s", "rad s-1", "rad.s-1", "rad s^-1"), 1.0)
     | dict.fromkeys(("hz", "1/s"), 2.0 * math.pi),
@@ -53,7 +54,7 @@ KNOWN: dict[str, dict[str, float]] = {
 
 
 class Operators(NamedTuple):
-    """A table of operators, as a scene reads it."""
+    """A table of RAOs in the form that a scene reads."""
 
     columns: list[str]  # with their units
     rows: list[list[float]]
@@ -67,16 +68,16 @@ class Row(NamedTuple):
     period: float  # s
     heading: float  # deg
     mode: int  # 1 to 6: surge ... yaw
-    value: complex  # leads where its angle is positive
+    value: complex  # a positive angle is a lead
 
 
 def from_wamit(path: Path, length: float) -> Operators:
-    """Operators of a ``.4`` file; the length ULEN of its body (m).
+    """Read the RAOs of a ``.4`` file; ``length`` is the length ULEN of its body (m).
 
     Raises
     ------
     InputError
-        When it is no such file, contradicts itself, or is not complete.
+        When it is not such a file, contradicts itself, or is incomplete.
     """
     rows = [*_rows_of_wamit(path)]
     waves = [row for row in rows if math.isfinite(row.period) and row.period > 0.0]
@@ -146,12 +147,12 @@ def _rows_of_wamit(path: Path) -> list[Row]:
 
 
 def from_capytaine(path: Path) -> Operators:
-    """Operators of a dataset of Capytaine that has an ``RAO``.
+    """Read the RAOs of a Capytaine dataset, which must have an ``RAO``.
 
     Raises
     ------
     InputError
-        When there is none, or it is of several bodies.
+        When it has none, or has several bodies.
     """
     import xarray as xr
 
@@ -208,12 +209,12 @@ def from_capytaine(path: Path) -> Operators:
 
 
 def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
-    """Values of an axis, in the unit that its attribute states; none means that of Capytaine.
+    """Return the values of an axis, converted from the unit in its attribute; without one, Capytaine's unit.
 
     Raises
     ------
     InputError
-        When it is another unit.
+        When the unit is unknown.
     """
     written = str(axis.attrs.get("units", "")).strip().lower().replace("radian", "rad")
     known = KNOWN[unit]
@@ -224,7 +225,7 @@ def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
 
 
 def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
-    """The operators as complex numbers, which netCDF keeps as two."""
+    """Return the RAOs as complex numbers, which netCDF stores as two real numbers."""
     if "complex" not in rao.dims:
         return rao.astype(complex)
     parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
@@ -236,7 +237,7 @@ def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
 
 
 def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
-    """Which motion each degree of freedom is, None for others; names may begin with that of one body."""
+    """Return the motion of each degree of freedom, else None; names may have the body's name as a prefix."""
     bodies = {name.rpartition("__")[0] for name in names}
     if len(bodies) > 1:
         raise InputError(
@@ -254,12 +255,12 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
 
 
 def _once_a_turn(path: Path, found: Operators) -> Operators:
-    """The operators without a heading that is another one a turn later, as files from 0 to 360 deg have it.
+    """Return the RAOs without a heading that repeats another after a full turn, as in files to 360 deg.
 
     Raises
     ------
     InputError
-        When the response is another there.
+        When the responses at these two headings differ.
     """
     if HEADING not in found.columns:
         return found
@@ -280,7 +281,7 @@ def _once_a_turn(path: Path, found: Operators) -> Operators:
 
 
 def _same(one: list[list[float]], other: list[list[float]]) -> bool:
-    """Whether responses at two headings are one, as printed; rows of period, heading, sizes and phases."""
+    """Return whether printed responses at two headings agree; rows of period, heading, sizes and phases."""
     if len(one) != len(other):
         return False
     values = []
@@ -297,12 +298,12 @@ def _columns(motions: list[str]) -> list[str]:
 
 
 def write_table(found: Operators, target: Path) -> None:
-    """Write operators as the CSV table that ``platform.response.operators`` reads."""
+    """Write RAOs as the CSV table that ``platform.response.operators`` reads."""
     write_csv(target, found.columns, ([f"{cell:.10g}" for cell in row] for row in found.rows))
 
 
 def lines_of_scene(found: Operators, target: Path) -> str:
-    """What the scene says in addition to the table."""
+    """Return the lines that the scene needs in addition to the table."""
     headed = ", headings: towards" if HEADING in found.columns else ""
     return (
         f"platform.response: {{operators: {{file: {target.name}}}, phases: {found.phases}{headed}}}"

@@ -1,8 +1,8 @@
-"""A schematic of any scene, drawn to scale: what is there, what it is free to do, and what acts on it.
+"""A schematic of any scene, drawn to scale: its parts, their degrees of freedom, and the loads on them.
 
-Every panel has one scale in both directions. Long risers are shown as a whole, where the pipe is narrower
-than any line, and again at both ends, magnified. What a scene gives no size (platform, bodies, upright
-cylinders) is drawn dashed, as a symbol. The riser is drawn unstretched, before current and waves act on it.
+Every panel has one scale in both directions. A long riser is shown whole, where the pipe is narrower than any
+line, and again with both ends magnified. Parts without a size in the scene (platform, bodies, upright
+cylinders) are drawn dashed, as symbols. The riser is drawn unstretched, before current and waves act on it.
 """
 
 from __future__ import annotations
@@ -30,15 +30,15 @@ WIDTH, HEIGHT = 9.6, 7.6  # of the figure (inches)
 COLUMNS = (0.7, 5.5)  # left ends of the panels (inches)
 FLOOR, CEILING = 0.75, 6.75  # of the panels (inches)
 WHOLE, END = 2.0, 1.85  # widths of panels (inches)
-BETWEEN = 0.6  # panels that stand one above the other (inches)
+BETWEEN = 0.6  # vertical distance between panels (inches)
 SHARES = {2: (0.5, 0.5), 3: (0.48, 0.28, 0.24)}  # of the right column, by the number of panels
-MARGIN = 0.16  # of the view of everything, above and below what has a place
-NEAR = 0.12  # of the riser's length, shown at its ends
-MOST = 40.0  # at most so much (m), where nothing longer is there
-HANGING = 0.8  # a body and the arrow of its weight, and some room (inches)
-#: height of the panel of an end where there are two (inches)
+MARGIN = 0.16  # share of the whole view that stays free above and below its parts
+NEAR = 0.12  # share of the riser's length that is shown at its ends
+MOST = 40.0  # but at most this length (m), unless a longer part is there
+HANGING = 0.8  # height of a body, the arrow of its weight, and a margin (inches)
+#: height of the panel of an end if there are two (inches)
 FULL = 0.5 * (CEILING - FLOOR - BETWEEN)
-AXES = ("horizontal position (m)", "elevation (m)")  # where nothing moves aside, and x is no input
+AXES = ("horizontal position (m)", "elevation (m)")  # of a scene without lateral motion
 NAMED_AXES = ("horizontal position x (m)", "elevation z (m)")
 NOTE = "Each panel has one scale in both directions; lines have a least width"
 SYMBOLS = "Dashed: symbols of parts without a size in the scene; in (a) they are enlarged"
@@ -52,14 +52,14 @@ def schematic(
     assumed: frozenset[str] = frozenset(),
     calibrated: frozenset[str] = frozenset(),
 ) -> Figure:
-    """Drawing of a scene.
+    """Draw a scene.
 
     Parameters
     ----------
-    standing : cylinders without an arrangement are drawn below the ring.
-    remarks : words for the labels of parts, by their paths.
+    standing : draw cylinders without an arrangement below the ring.
+    remarks : remarks for the labels of parts, by the paths of the parts.
     assumed, calibrated : paths of values that the scene assumes, or fits to a published value; all numbers
-        that the drawing shows of them are marked.
+        from such values are marked in the drawing.
     """
     with as_written():
         return _schematic(Geometry(scene, standing, remarks or {}, assumed, calibrated), scene)
@@ -120,7 +120,7 @@ def _times(ratio: float) -> str:
 
 
 def _to_scale(scene: Resolved) -> bool:
-    """Whether the view from above shows more than headings."""
+    """Return whether the view from above shows more than headings."""
     return bool(scene.top.tensioners and scene.top.tensioners.arrangement)
 
 
@@ -133,7 +133,7 @@ def _panel(
     height: float,
     whole: bool = False,
 ) -> View:
-    """A panel around a point, so many metres high; its place and size in inches."""
+    """Make a panel around a point, with its height in metres and its position and size in inches."""
     width = height * size[0] / size[1]
     place = (left / WIDTH, floor / HEIGHT, size[0] / WIDTH, size[1] / HEIGHT)
     ax = figure.add_axes(place)
@@ -147,7 +147,7 @@ def _panel(
 
 
 def _all(geometry: Geometry) -> tuple[tuple[float, float], float]:
-    """Middle and height of the view of everything."""
+    """Return middle and height of the whole view (m)."""
     x = geometry.line[1]
     height = (geometry.highest - geometry.lowest) / (1.0 - MARGIN)
     wide = 1.3 * float(x.max() - x.min()) * (CEILING - FLOOR) / WHOLE
@@ -156,7 +156,7 @@ def _all(geometry: Geometry) -> tuple[tuple[float, float], float]:
 
 
 def _upper(geometry: Geometry, inches: float) -> tuple[tuple[float, float], float]:
-    """Middle and height of the view of the upper end, in a panel so many inches high."""
+    """Return middle and height of the view of the upper end (m), for a panel height in inches."""
     x, ring = geometry.ring
     span = geometry.deck - ring
     near = min(MOST, NEAR * geometry.riser_length)
@@ -173,7 +173,7 @@ def _upper(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
 
 
 def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], float]:
-    """Middle and height of the view of the lower end, in a panel so many inches high."""
+    """Return middle and height of the view of the lower end (m), for a panel height in inches."""
     x, z = geometry.bottom
     short = geometry.short_below()
     near = min(MOST, NEAR * geometry.riser_length)
@@ -183,7 +183,7 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
         middle, height = z + 0.5 * short, 1.35 * short
     if body is None:
         return (x, middle), height
-    # One scale whatever the panel's height, so that symbols have one size; body and weight hang below.
+    # One scale for all panel heights, as symbols must have one size; body and weight hang below.
     above = middle + 0.5 * height - z
     scale = max(height / FULL, above / (FULL - HANGING))
     height = scale * inches
@@ -192,7 +192,7 @@ def _lower(geometry: Geometry, inches: float) -> tuple[tuple[float, float], floa
 
 
 def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
-    """What is to scale, what marks of the labels mean, and what is not there."""
+    """Return a note about the scale, the marks in the labels, and the parts that are not shown."""
     scene = geometry.scene
     moved = ""
     if (scene.platform or scene.vessel) and geometry.has_upright_cylinders:
@@ -220,7 +220,7 @@ def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
 
 
 def _texts(figure: Figure, geometry: Geometry, labels: list[Label], dashed: bool) -> None:
-    """Title, directions of motion, what colours and marks of the labels mean, and what is to scale."""
+    """Write title, directions of motion, meaning of colours and marks, and the note about the scale."""
     scene, used = geometry.scene, {label.colour for label in labels}
     title = "\n".join(textwrap.wrap(scene.title, 100))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)

@@ -1,4 +1,4 @@
-"""The view from above: cylinders around the ring, and headings of what flows, blows and sails."""
+"""The view from above: cylinders around the ring, and headings of current, waves, wind and cruise."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART, WATER
 from riserstudy.schematic.view import View
 
-ROSE = 0.5  # length of headings (inches)
+ROSE = 0.5  # length of the arrows of headings (inches)
 
 
 def headings(scene: Resolved) -> list[tuple[str, float, str]]:
-    """What has a heading: name, heading (rad) and colour."""
+    """Return name, heading (rad) and colour of everything that has a heading."""
     platform, vessel = scene.platform, scene.vessel
     named = [
         ("current", scene.current, WATER),
@@ -42,13 +42,13 @@ def headings(scene: Resolved) -> list[tuple[str, float, str]]:
 
 
 def has_plan(scene: Resolved) -> bool:
-    """Whether anything lies out of the plane of x and z, or around the ring."""
+    """Return whether any part is outside the plane of x and z, or around the ring."""
     rig = scene.top.tensioners
     return bool(scene.spatial) or bool(rig and rig.arrangement)
 
 
 def above(view: View, geometry: Geometry) -> None:
-    """Everything as seen from above, with the upper end in the middle."""
+    """Draw everything from above, with the upper end in the middle."""
     rig = geometry.scene.top.tensioners
     place = rig.arrangement if rig else None
     view.ax.axhline(0.0, color="0.8", linewidth=0.6, zorder=0.0)
@@ -79,7 +79,7 @@ def above(view: View, geometry: Geometry) -> None:
 
 
 def radius(geometry: Geometry) -> float:
-    """Half the height of what is seen from above (m)."""
+    """Return half the height of the view from above (m)."""
     rig = geometry.scene.top.tensioners
     place = rig.arrangement if rig else None
     return 1.2 * max(place.deck_radius, place.ring_radius) if place else 1.0

@@ -1,4 +1,4 @@
-"""What is said of each part of a scene: its numbers, what it is free to do, what acts on it."""
+"""Texts for each part of a scene: its numbers, its degrees of freedom, and its loads."""
 
 from __future__ import annotations
 
@@ -21,26 +21,26 @@ TONNE = 1000.0  # kg
 
 
 def amount(value: float, unit: str) -> str:
-    """A number to four digits with its unit, in thousands of it where that is shorter."""
+    """Return a number with four digits and its unit, or thousands of the unit if that is shorter."""
     text = EngFormatter(unit)(float(f"{value:.4g}"))
     return text.replace(" ", UNBROKEN)
 
 
 def like(value: float, larger: float, unit: str) -> str:
-    """A number to four digits in thousands of its unit where a larger one beside it has them."""
+    """Return a number with four digits, in thousands of its unit if a larger number nearby uses them."""
     if abs(value) < 1e3 <= abs(larger) < 1e6:
         return f"{value / 1e3:.4g}{UNBROKEN}k{unit}".replace("-", "−")
     return amount(value, unit)
 
 
 def metres(value: float, sign: str = "") -> str:
-    """A length or elevation: a true minus, thousands apart from five digits on."""
+    """Return a length or elevation (m) with a minus sign, and thousands separated from five digits on."""
     text = f"{value:{sign},.6g}" if abs(value) >= 10_000 else f"{value:{sign}.6g}"
     return text.replace("-", "−").replace(",", UNBROKEN) + f"{UNBROKEN}m"
 
 
 def mass(value: float) -> str:
-    """A mass in tonnes, or in kilograms below one."""
+    """Return a mass (kg) in tonnes, or in kilograms below one tonne."""
     tonnes = float(f"{value / TONNE:.4g}")
     if tonnes < 1.0:
         return f"{value:.3g}{UNBROKEN}kg"
@@ -48,26 +48,26 @@ def mass(value: float) -> str:
 
 
 def degrees(value: float) -> str:
-    """An angle."""
+    """Return an angle (rad) in degrees."""
     return f"{value / DEGREE:.4g}°"
 
 
 def sentence(parts: Iterable[str]) -> str:
-    """Those of the parts that say something, in one line."""
+    """Return the parts that are not empty, in one line."""
     return ", ".join(part for part in parts if part)
 
 
 def spring_text(section: Section, of_stiffness: str = "", of_length: str = "") -> str:
-    """Name, stiffness and length of a section that is nothing but a spring, each followed by its remark."""
+    """Return name, stiffness and length of a section that is only a spring, each with its remark."""
     stiffness = amount((section.axial_stiffness or 0.0) / section.total_length, "N/m")
     length = metres(section.total_length)
     return f"{section.name}: k = {stiffness}{of_stiffness}, {length} long{of_length}"
 
 
 def section_text(section: Section, geometry: Geometry, path: str) -> str:
-    """Name, size, stiffness, mass and weight of the section at a path, and what is in and around it.
+    """Return name, size, stiffness, mass and weight of the section at a path, its contents and surroundings.
 
-    A scene without gravity leaves the weight of contents out.
+    Without gravity in the scene the weight of the contents is left out.
     """
 
     def mark(of: str) -> str:
@@ -97,12 +97,12 @@ def section_text(section: Section, geometry: Geometry, path: str) -> str:
 
 
 def _marked(name: str, value: float | None, unit: str, mark: str) -> str:
-    """A named quantity with its mark; nothing where there is none."""
+    """Return a named quantity with its mark; empty without a value."""
     return f"{name} {amount(value, unit)}{mark}" if value else ""
 
 
 def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) -> str:
-    """Weight per length with contents, which the tension carries, and without."""
+    """Return the weight per length with contents, which the tension carries, and without."""
     weight, full, gravity = section.submerged_weight, section.contents, scene.gravity
     filled = 0.0
     if weight is not None and full is not None and gravity is not None:
@@ -120,7 +120,7 @@ def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) 
 
 
 def tension_text(geometry: Geometry, tension: float) -> str:
-    """Constant tension (N) at the top; where a buoyant factor gives it, over the weight that it carries."""
+    """Return the constant tension (N) at the top, and with a buoyancy its ratio to the carried weight."""
     scene = geometry.scene
     text = f"tension {amount(tension, 'N')}{geometry.mark('top.tension')}"
     if scene.buoyancy is None or scene.gravity is None:
@@ -136,7 +136,7 @@ def tension_text(geometry: Geometry, tension: float) -> str:
 
 
 def rotation_text(rotation: Rotation | None) -> str:
-    """How an end turns."""
+    """Return the rotational support of an end, in words."""
     if rotation == "fixed":
         return "clamped"
     if rotation in (None, "free") or isinstance(rotation, str):
@@ -145,12 +145,12 @@ def rotation_text(rotation: Rotation | None) -> str:
 
 
 def joint_text(stiffness: float, mark: str = "") -> str:
-    """Stiffness of a flex joint, followed by its mark."""
+    """Return the stiffness of a flex joint with its mark."""
     return f"{amount(stiffness * DEGREE, 'N m')}/°{mark}"
 
 
 def body_text(body: Body, geometry: Geometry, path: str) -> str:
-    """A concentrated mass at a path."""
+    """Return the text of a concentrated mass at a path."""
     scene = geometry.scene
     density = scene.water.density if scene.water else 0.0
     weight = body.weight(scene.gravity or 0.0, density)
@@ -160,7 +160,7 @@ def body_text(body: Body, geometry: Geometry, path: str) -> str:
 
 
 def top_text(geometry: Geometry) -> str:
-    """What the upper end may do; its remark follows its name."""
+    """Return the support of the upper end; its remark follows its name."""
     scene, top, remark = geometry.scene, geometry.scene.top, geometry.remark("top")
     ways = {"platform": "follows the platform", "held": "held", "free": "free"}
     x = {"vessel": "surges with the platform"}.get(top.x or "", ways.get(top.x or "", ""))
@@ -177,7 +177,7 @@ def top_text(geometry: Geometry) -> str:
 
 
 def bottom_text(scene: Resolved, remark: str = "") -> str:
-    """What the lower end may do; ``remark`` follows its name."""
+    """Return the support of the lower end; ``remark`` follows its name."""
     bottom = scene.bottom
     if bottom.hold == "free":
         return f"lower end{remark}: free"
@@ -187,7 +187,7 @@ def bottom_text(scene: Resolved, remark: str = "") -> str:
 
 
 def freedom_text(scene: Resolved) -> str:
-    """Directions of motion that the scene needs."""
+    """Return the directions of motion that the scene needs."""
     if scene.spatial:
         return "motion in three dimensions"
     if scene.lateral:
@@ -196,7 +196,7 @@ def freedom_text(scene: Resolved) -> str:
 
 
 def tensioner_text(rig: Tensioners, geometry: Geometry) -> str:
-    """Number and law of the tensioners."""
+    """Return number and law of the tensioners."""
 
     def mark(*of: str) -> str:
         return geometry.mark(*(f"top.tensioners.{one}" for one in of))
@@ -229,12 +229,12 @@ def tensioner_text(rig: Tensioners, geometry: Geometry) -> str:
 
 
 def _either_way(low: float, high: float) -> str:
-    """Two places (m) on a stroke, as one where they are as far from its middle."""
+    """Return two positions (m) on a stroke, as one number if they are at equal distances from mid-stroke."""
     return f"±{metres(high)}" if low == -high else f"{metres(low)} and {metres(high, '+')}"
 
 
 def platform_texts(platform: Platform, geometry: Geometry) -> list[str]:
-    """The platform's prescribed motions, one text each."""
+    """Return the platform's prescribed motions, one text each."""
     texts = []
     for name, motion in platform.harmonics:
         path = f"platform.{name}"
@@ -266,7 +266,7 @@ def _size(name: str, value: float) -> str:
 
 
 def vessel_texts(geometry: Geometry) -> list[str]:
-    """What acts on a platform that is free to surge."""
+    """Return the loads on a platform that is free to surge."""
 
     def mark(of: str) -> str:
         return geometry.mark(f"vessel.{of}")
@@ -297,7 +297,7 @@ def vessel_texts(geometry: Geometry) -> list[str]:
 
 
 def wave_text(wave: Swell | Storm, geometry: Geometry) -> str:
-    """A wave or a sea."""
+    """Return the text of a wave or a sea."""
     if isinstance(wave, Swell):
         height = wave.height or 2.0 * (wave.amplitude or 0.0)
         high, period = geometry.mark("wave.height", "wave.amplitude"), geometry.mark("wave.period")

@@ -1,4 +1,4 @@
-"""Where everything of a scene is: the riser's line before anything acts on it, and levels beside it."""
+"""Positions of the parts of a scene: the unloaded line of the riser, and levels around it."""
 
 from __future__ import annotations
 
@@ -17,17 +17,18 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 Point = tuple[float, float]
-SHORT = 0.1  # of the riser: sections below this length are shown with the end that they are at
+# share of the riser's length; shorter sections are shown with the end at which they are
+SHORT = 0.1
 LINE_POINTS = 201
-ASSUMED, CALIBRATED = "*", "†"  # mark values in labels
+ASSUMED, CALIBRATED = "*", "†"  # marks of such values in labels
 
 
 @dataclass(frozen=True)
 class Geometry:
-    """A scene's riser as a line in the plane of x and z, unstretched, and the levels beside it (m).
+    """The unstretched riser of a scene as a line in the plane of x and z, and levels around it (m).
 
-    ``standing``: cylinders that have no arrangement stand on the platform and push the ring up.
-    ``remarks``: words for the labels of parts, by their paths.
+    ``standing``: cylinders without an arrangement are on the platform below the ring and push the ring up.
+    ``remarks``: remarks for the labels of parts, by the paths of the parts.
     ``assumed``, ``calibrated``: paths of values that the scene assumes, or fits to a published value.
     """
 
@@ -38,33 +39,33 @@ class Geometry:
     calibrated: frozenset[str] = frozenset()
 
     def remark(self, path: str) -> str:
-        """What follows the label of a part: its remark in brackets, if it has one."""
+        """Return the remark of a part in brackets, which follows its label; empty without a remark."""
         return f" ({self.remarks[path]})" if path in self.remarks else ""
 
     def assumes(self, path: str, besides: str = "") -> bool:
-        """Whether the scene assumes the value at a path, any within it but one, or what it is within."""
+        """Return whether the value at a path, a part of it (except ``besides``) or its parent is assumed."""
         return _any_at(self.assumed - {besides}, path)
 
     def mark(self, *paths: str) -> str:
-        """What a label adds to the value at a path, or from several, that the scene assumes or calibrates."""
+        """Return the mark of a value from the given paths: assumed, calibrated, or none."""
         if any(map(self.assumes, paths)):
             return ASSUMED
         return CALIBRATED if any(_any_at(self.calibrated, path) for path in paths) else ""
 
     @cached_property
     def length(self) -> float:
-        """Unstretched length up to the top, with the telescopic joint."""
+        """Unstretched length up to the top, including the telescopic joint (m)."""
         joint = self.scene.top.telescopic_joint
         return self.riser_length + (joint.length if joint else 0.0)
 
     @cached_property
     def riser_length(self) -> float:
-        """Unstretched length up to the tension ring."""
+        """Unstretched length up to the tension ring (m)."""
         return sum(section.total_length for section in self.scene.riser)
 
     @cached_property
     def sections(self) -> list[tuple[Section, float, float]]:
-        """Sections with the arclengths between which they lie."""
+        """Sections with the arclengths of their ends (m)."""
         rows, start = [], 0.0
         for section in self.scene.riser:
             rows.append((section, start, start + section.total_length))
@@ -73,9 +74,9 @@ class Geometry:
 
     @cached_property
     def line(self) -> tuple[NDArray[np.float64], ...]:
-        """Arclength, x and z of points along the riser: straight, or sagging where it is slack.
+        """Arclength, x and z of points along the riser (m): straight, or sagging if it is slack.
 
-        Stack and conductor stand upright. A telescopic joint fills what the riser leaves up to its top.
+        Stack and conductor are vertical. A telescopic joint fills the gap between the riser and its top.
         """
         scene = self.scene
         s = np.linspace(0.0, self.length, LINE_POINTS)
@@ -95,7 +96,7 @@ class Geometry:
         elif offset and chord < length:
             x, z = sagging(above, offset, rise)
         else:
-            # Where only one of the ends knows its elevation, the riser keeps its length.
+            # If only one end has a known elevation, the riser keeps its length.
             if scene.top.elevation is None and abs(offset) < length:
                 rise = math.sqrt(length**2 - offset**2)
             x, z = offset * above / length, rise * above / length
@@ -103,17 +104,17 @@ class Geometry:
 
     @property
     def _upright(self) -> float:
-        """Length of stack and conductor, above which the riser leans."""
+        """Length of stack and conductor (m), above which the riser is inclined."""
         lowest = self.scene.lowest_riser_section or int(self.scene.soil is not None)
         return self.sections[lowest][1] if lowest < len(self.sections) else 0.0
 
     def at(self, s: float) -> Point:
-        """Point of the riser at an arclength."""
+        """Return the point of the riser at an arclength (m)."""
         along, x, z = self.line
         return float(np.interp(s, along, x)), float(np.interp(s, along, z))
 
     def between(self, low: float, high: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """The line between two arclengths."""
+        """Return the line between two arclengths (m)."""
         s = self.line[0]
         inside = np.concatenate([[low], s[(s > low) & (s < high)], [high]])
         x, z = zip(*map(self.at, inside), strict=True)
@@ -126,7 +127,7 @@ class Geometry:
 
     @cached_property
     def ring(self) -> Point:
-        """The riser's top, which is the tension ring where there is one."""
+        """The riser's top, which is the tension ring if it has one."""
         return self.at(self.riser_length)
 
     @cached_property
@@ -136,14 +137,14 @@ class Geometry:
 
     @cached_property
     def deck(self) -> float:
-        """Elevation of the tensioners' upper ends, or of the riser's top."""
+        """Elevation of the tensioners' upper ends, or of the riser's top (m)."""
         rig = self.scene.top.tensioners
         place = rig.arrangement if rig else None
         return max(place.deck_elevation, self.top[1]) if place else self.top[1]
 
     @cached_property
     def spans(self) -> list[tuple[float, float]]:
-        """Seabed and surface, as the water and as each part of the current has them."""
+        """Seabed and surface (m), of the water and of each part of the current."""
         water, current = self.scene.water, self.scene.current
         rows = [levels(part, water) for part in current.parts] if current else []
         if water and water.surface is not None and water.seabed is not None:
@@ -152,14 +153,14 @@ class Geometry:
 
     @cached_property
     def surface(self) -> float | None:
-        """Mean water level, None where the scene does not say."""
+        """Mean water level (m); None if the scene does not give it."""
         water = self.scene.water
         known = [water.surface] if water and water.surface is not None else []
         return next(iter([*known, *(high for _, high in self.spans)]), None)
 
     @cached_property
     def seabed(self) -> float | None:
-        """The seabed, None where the scene does not say."""
+        """Elevation of the seabed (m); None if the scene does not give it."""
         soil, water = self.scene.soil, self.scene.water
         known = [soil.mudline] if soil else []
         known += [water.seabed] if water and water.seabed is not None else []
@@ -167,24 +168,24 @@ class Geometry:
 
     @cached_property
     def lowest(self) -> float:
-        """Lowest of all elevations."""
+        """Lowest of all elevations (m)."""
         surfaces = [] if self.seabed is None else [self.seabed]
         return float(min([*self.line[2], *surfaces]))
 
     @cached_property
     def highest(self) -> float:
-        """Highest of all elevations."""
+        """Highest of all elevations (m)."""
         surfaces = [] if self.surface is None else [self.surface]
         return float(max([self.deck, *self.line[2], *surfaces]))
 
     @cached_property
     def has_upright_cylinders(self) -> bool:
-        """Whether the scene gives cylinders no length: symbols, by which the platform is moved."""
+        """Whether cylinders have no length in the scene: they are symbols, and the platform is shifted."""
         top = self.scene.top
         return bool(top.tensioners and not top.tensioners.arrangement and not top.telescopic_joint)
 
     def short_below(self) -> float:
-        """Length of the short sections at the lower end."""
+        """Return the length of the short sections at the lower end (m)."""
         total = 0.0
         for section, _, _ in self.sections:
             if section.total_length > SHORT * self.riser_length:
@@ -194,12 +195,12 @@ class Geometry:
 
 
 def _any_at(values: Iterable[str], path: str) -> bool:
-    """Whether any of the paths of values is at a path, within it or above it."""
+    """Return whether any of the values' paths is the given path, below it or above it."""
     return any(within(one, path) or within(path, one) for one in values)
 
 
 def labelled(scene: Resolved) -> Iterator[str]:
-    """Paths of the parts whose labels can bear a remark."""
+    """Yield the paths of the parts whose labels can have a remark."""
     for k, section in enumerate(scene.riser):
         yield f"riser[{k}]"
         if is_spring(section):
@@ -219,6 +220,6 @@ def labelled(scene: Resolved) -> Iterator[str]:
 
 
 def is_spring(section: Section) -> bool:
-    """Whether a section is nothing but its axial stiffness."""
+    """Return whether a section has only an axial stiffness."""
     bare = section.mass is None and section.submerged_weight is None and not section.outer_diameter
     return bare and bool(section.axial_stiffness)

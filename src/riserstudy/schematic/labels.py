@@ -1,4 +1,4 @@
-"""Labels in a column beside a drawing, each joined to what it names, none on another."""
+"""Labels in a column next to a drawing, each joined to its part by a line, without overlaps."""
 
 from __future__ import annotations
 
@@ -12,21 +12,21 @@ from matplotlib.axes import Axes
 from riserstudy.figures.style import COLOURS
 
 PART, WATER, LOAD, FREEDOM = "black", COLOURS[0], COLOURS[1], "#007a58"
-#: what the colours of labels mean
+#: meaning of the colours of labels
 KEY = {"parts": PART, "water": WATER, "loads": LOAD, "freedoms and motions": FREEDOM}
-SIZE = 8.2  # of the letters (points): at 180 mm, the width of a journal's page, above 6
+SIZE = 8.2  # of the letters (points); above 6 when printed 180 mm wide, the width of a journal page
 LINE = 1.3 * SIZE / 72.0  # height of a line (inches)
 GAP = 0.4 * LINE  # between labels
-CHARACTERS = 31  # in a line
-UNBROKEN = "\u00a0"  # space at which no line ends
-REACH = 0.16  # from the drawing to its labels (inches)
+CHARACTERS = 31  # most characters of a line
+UNBROKEN = "\u00a0"  # space without a line break
+REACH = 0.16  # distance from the drawing to its labels (inches)
 AWAY = (
     0.8 * LINE
 )  # above or below an end, so that no leader lies on the water or the ground (inches)
 
 
 class Label(NamedTuple):
-    """A text, the point that it names, its kind of thing, and how far above the point it stands (inches)."""
+    """A text, the point that it names, its colour, and its height above the point (inches)."""
 
     text: str
     x: float
@@ -44,21 +44,21 @@ class Labels:
     def add(
         self, text: str, point: tuple[float, float], colour: str = PART, lift: float = 0.0
     ) -> None:
-        """Name a point; where there is room, so many inches above it."""
+        """Add a label for a point; if there is room, it is ``lift`` inches above the point."""
         wrapped = "\n".join(textwrap.wrap(tied(text), CHARACTERS, break_long_words=False))
         self.rows.append(Label(wrapped, *point, colour, lift))
 
     def heights(self) -> list[float]:
-        """Heights of the labels from the top down (inches)."""
+        """Return the heights of the labels, from the top (inches)."""
         return [(row.text.count("\n") + 1) * LINE for row in self._falling]
 
     def wanted(self, ax: Axes) -> list[float]:
-        """Heights above the floor of the axes at which the labels' points lie, falling (inches)."""
+        """Return the heights of the labels' points above the bottom of the axes, falling (inches)."""
         (low, high), (_, height) = ax.get_ylim(), _inches(ax)
         return [(row.z - low) / (high - low) * height + row.lift for row in self._falling]
 
     def place(self, ax: Axes, middles: list[float], size: float = SIZE) -> None:
-        """Write all labels to the right of the axes, with their middles so many inches above its floor."""
+        """Write all labels to the right of the axes; ``middles`` are inches above the bottom of the axes."""
         (left, right), (low, high) = ax.get_xlim(), ax.get_ylim()
         width, height = _inches(ax)
         for row, y in zip(self._falling, middles, strict=True):
@@ -90,10 +90,10 @@ class Labels:
 
 
 def place_in_column(panels: list[tuple[Labels, Axes]]) -> None:
-    """Write the labels of panels one above the other: each beside its panel, if they fit there.
+    """Write the labels of panels that are one above the other, next to their panels if they fit there.
 
-    If those of a panel do not fit beside it, the labels of all panels share the height of the column; letters
-    become smaller only if that is not enough, either.
+    If the labels of one panel do not fit, the labels of all panels share the height of the column. The
+    letters become smaller only if that is not enough.
     """
     rooms = [_inches(ax)[1] for _, ax in panels]
     if all(
@@ -122,20 +122,20 @@ def _needed(heights: list[float]) -> float:
 
 
 def tied(text: str) -> str:
-    """A text whose numbers stay on one line with their units and with the name of what they are."""
+    """Return a text whose numbers stay on one line with their units and with the names of the quantities."""
     text = re.sub(r"(?<=\d) (?=[^\W\d]{1,2}\b)(?!in\b|to\b|of\b)", UNBROKEN, text)
     text = text.replace(" = ", f"{UNBROKEN}={UNBROKEN}")
     return re.sub(r"\b(EA|EI) (?=\d)", rf"\1{UNBROKEN}", text)
 
 
 def spread(wanted: list[float], heights: list[float], room: float) -> list[float]:
-    """Middles of labels as near to the wanted places as they can be without touching, top first.
+    """Return the middles of labels, top first, as near to the wanted places as possible without overlap.
 
     Parameters
     ----------
-    wanted : falling places of the middles.
-    heights : of the labels.
-    room : height within which the labels stay, as far as they fit.
+    wanted : wanted places of the middles, falling.
+    heights : heights of the labels.
+    room : height that the labels may occupy, if they fit.
     """
     places: list[float] = []
     for k, (place, height) in enumerate(zip(wanted, heights, strict=True)):

@@ -1,4 +1,4 @@
-"""What a scene has and its schematic does not show: named, so that no part is missed in silence."""
+"""Names of the parts of a scene that its schematic does not show: no part is omitted without notice."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pydantic import BaseModel
 
 from riserstudy.scene.resolve import Resolved
 
-#: parts of a scene that are drawn, or told in the label of what is, by section
+#: parts of a scene that are drawn, or named in the label of a drawn part, by section
 DRAWN = {
     "water": "density surface seabed",
     "current": "profile heading headings",
@@ -21,7 +21,7 @@ DRAWN = {
     "riser": "name length joints outer_diameter inner_diameter axial_stiffness bending_stiffness mass "
     "contents submerged_weight drag added_mass viv tangential_drag lateral_load flex_joint_below guide_below",
 }
-#: materials, and how sections are solved: nothing of these could be drawn
+#: materials and numerical settings of sections, which cannot be drawn
 NOTHING_TO_DRAW = {
     "current": "beyond ramp",
     "wave": "above_mean_level components peak_enhancement phase ramp seed",
@@ -42,17 +42,17 @@ NO_PART = _paths(NOTHING_TO_DRAW) | {"title", "paper", "note", "limits", "analys
 
 
 def parts_left_out(scene: Resolved) -> list[str]:
-    """Parts of a scene, as its file names them, that no line of its schematic shows and no label names."""
+    """Return the parts of a scene, by their names in the file, that its schematic neither draws nor names."""
     return [path for path in dict.fromkeys(_parts(scene)) if path not in DRAWN_PARTS | NO_PART]
 
 
 def _parts(scene: Resolved) -> Iterator[str]:
-    """What a scene has, to two levels: ``riser.drag`` for that of any section."""
+    """Yield the parts of a scene to two levels: ``riser.drag`` if any section has a drag."""
     for name in type(scene).model_fields:
         value = getattr(scene, name)
         if value is None or name in DRAWN_PARTS | NO_PART:
             continue
-        if not any(path.startswith(f"{name}.") for path in DRAWN_PARTS):  # nothing of it is
+        if not any(path.startswith(f"{name}.") for path in DRAWN_PARTS):  # no part of it is drawn
             yield name
             continue
         for part in value if isinstance(value, list | tuple) else [value]:

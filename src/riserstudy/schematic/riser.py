@@ -23,12 +23,12 @@ from riserstudy.schematic.labels import AWAY, FREEDOM, LOAD, PART
 from riserstudy.schematic.view import SYMBOL, THIN, View
 
 STEEL, COVER = "#9aa4ad", "#d7dce0"
-SPRINGS = 8  # drawn along a conductor
+SPRINGS = 8  # most springs that are drawn along a conductor
 LEAST = 0.04  # height of a body (inches)
 
 
 def riser(view: View, geometry: Geometry) -> None:
-    """All sections, with the diameters that the scene gives them."""
+    """Draw all sections with their diameters in the scene."""
     length = geometry.riser_length
     for k, (section, low, high) in enumerate(geometry.sections):
         _section(view, geometry, section, low, high)
@@ -61,7 +61,7 @@ def riser(view: View, geometry: Geometry) -> None:
 
 
 def _from_the_middle(low: float, high: float) -> list[float]:
-    """Places along a section, its middle first."""
+    """Return positions along a section, its middle first."""
     places = np.linspace(low, high, 41)[1:-1]
     return sorted(places, key=lambda s: abs(s - 0.5 * (low + high)))
 
@@ -102,13 +102,13 @@ def _line_load(view: View, geometry: Geometry, load: float, low: float, high: fl
 
 
 def turning_joint(view: View, place: Point, sprung: bool) -> None:
-    """A circle where the riser turns: filled when a spring resists."""
+    """Draw a circle at a joint that turns; it is filled if a spring resists."""
     face = "#f3c94f" if sprung else "white"
     view.ax.plot(*place, "o", markersize=6.0, markerfacecolor=face, markeredgecolor=PART, zorder=5)
 
 
 def end_joint(view: View, place: Point, rotation: Rotation | None) -> None:
-    """How an end turns: a square where it is clamped, else a circle."""
+    """Draw the rotational support of an end: a square if it is clamped, else a circle."""
     if rotation == "fixed":
         view.ax.plot(*place, "s", markersize=6.0, color=PART, zorder=5)
         return
@@ -117,7 +117,7 @@ def end_joint(view: View, place: Point, rotation: Rotation | None) -> None:
 
 
 def ends(view: View, geometry: Geometry) -> None:
-    """What holds and loads both ends of the riser."""
+    """Draw supports and loads at both ends of the riser."""
     scene = geometry.scene
     bottom, top = scene.bottom, scene.top
     if bottom.hold != "free":
@@ -142,7 +142,7 @@ def ends(view: View, geometry: Geometry) -> None:
 
 
 def _wellhead(view: View, geometry: Geometry) -> None:
-    """Name the top of a conductor that soil holds, its section or sections from the lower end upwards."""
+    """Label the top of a conductor in soil, which is one or more sections from the lower end upwards."""
     if geometry.scene.bottom.hold != "foot":
         return
     tops = [high for section, _, high in geometry.sections if "conductor" in section.name]
@@ -163,14 +163,14 @@ def _ground(view: View, place: Point, rolling: bool) -> None:
 
 
 def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: bool) -> None:
-    """A concentrated mass, as a symbol: its size is no part of a scene."""
+    """Draw a concentrated mass as a symbol, as a scene does not contain its size."""
     scene = geometry.scene
     size = 0.26 * view.symbol
     x, z = place
     if view.whole and below and geometry.seabed is not None and geometry.seabed < z:
         size = min(
             size, max(0.5 * (z - geometry.seabed), LEAST * view.inch)
-        )  # hangs clear, as it does
+        )  # hangs freely, as in reality
     middle = z - 0.5 * size if below else z
     view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
     density = scene.water.density if scene.water else 0.0
@@ -187,7 +187,7 @@ def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: boo
 
 
 def soil(view: View, geometry: Geometry) -> None:
-    """Springs along the part of the string that stands in soil."""
+    """Draw springs along the part of the string in the soil."""
     of = geometry.scene.soil
     if of is None or view.whole:
         return

@@ -16,14 +16,14 @@ from riserstudy.schematic.labels import WATER
 from riserstudy.schematic.view import View
 
 SURFACE_SPEED = "current.profile.surface_speed"
-ARROWS = 11  # of a current profile
-CURRENT_WIDTH = 0.3  # of the window, for the largest speed
-PLACES = 2000  # of a line of the surface
-BEFORE = 0.12  # of the window, between riser and arrows
+ARROWS = 11  # most arrows of a current profile
+CURRENT_WIDTH = 0.3  # length of the arrow of the largest speed, as a share of the window
+PLACES = 2000  # points of a line of the surface
+BEFORE = 0.12  # distance between riser and arrows, as a share of the window
 
 
 def sea(view: View, geometry: Geometry) -> None:
-    """The body of water, its surface and the ground."""
+    """Draw the water, its surface and the ground."""
     left, right, low, _ = view.window
     surface, seabed = geometry.surface, geometry.seabed
     if surface is not None and low < surface:
@@ -45,12 +45,12 @@ def sea(view: View, geometry: Geometry) -> None:
 
 
 def _level_of(word: str) -> str:
-    """Path of the level of the ground."""
+    """Return the path of the level of the ground."""
     return "soil.mudline" if word == "mudline" else "water.seabed"
 
 
 def wave(view: View, geometry: Geometry) -> None:
-    """The surface under a wave, to scale; of a sea, a wave of its significant height and peak period."""
+    """Draw the surface of a wave to scale; for a sea, a wave of its significant height and peak period."""
     drawn, waves, surface = _wave(geometry), geometry.scene.wave, geometry.surface
     if drawn is None or waves is None or surface is None:
         return
@@ -67,7 +67,7 @@ def wave(view: View, geometry: Geometry) -> None:
 
 
 def _wave(geometry: Geometry) -> tuple[float, float] | None:
-    """Amplitude (m) and wave number (1/m) of the wave that is drawn; None without one."""
+    """Return amplitude (m) and wave number (1/m) of the drawn wave; None without one."""
     scene, surface, seabed = geometry.scene, geometry.surface, geometry.seabed
     if scene.wave is None or surface is None or seabed is None or scene.gravity is None:
         return None
@@ -80,13 +80,13 @@ def _wave(geometry: Geometry) -> tuple[float, float] | None:
 
 
 def _level(geometry: Geometry, x: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Elevation of the water's surface (m) over x (m), under the wave where there is one."""
+    """Return the elevation of the water surface (m) at x (m), with the wave if there is one."""
     amplitude, number = _wave(geometry) or (0.0, 0.0)
     return (geometry.surface or 0.0) + amplitude * np.cos(number * x)
 
 
 def current(view: View, geometry: Geometry) -> None:
-    """The current over elevation as arrows, in the view of everything."""
+    """Draw the current over elevation as arrows, in the whole view."""
     scene = geometry.scene
     if scene.current is None or not view.whole:
         return
@@ -113,7 +113,7 @@ def current(view: View, geometry: Geometry) -> None:
         view.arrow((foot, tip[1]), tip, WATER)
     assumed = geometry.assumes("current.profile", besides=SURFACE_SPEED)
     profile = " (profile assumed)" if assumed else ""
-    # a profile that is assumed as a whole may have a speed that is given
+    # a profile that is assumed as a whole may have a given speed
     mark = geometry.mark(SURFACE_SPEED) if SURFACE_SPEED in geometry.assumed else ""
     speed_of = f"{largest:.3g} m/s{mark}"
     text = f"current: up to {speed_of}{profile}; arrows have a separate scale"
@@ -124,5 +124,5 @@ def current(view: View, geometry: Geometry) -> None:
             f"; towards {degrees(scene.current.towards % (2.0 * math.pi))} (drawn: part along x)"
         )
     text += geometry.remark("current")
-    # named at the second arrow from above: labels of the surface stand at the first
+    # labelled at the second arrow from the top: the labels of the surface are at the first
     view.name(text, ([(foot, levels[-1]), *drawn])[-2], WATER, whole=True)

@@ -16,16 +16,16 @@ from riserstudy.schematic.geometry import Geometry
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART
 from riserstudy.schematic.view import View
 
-UPRIGHT = 0.9  # length of cylinders that the scene gives none (inches)
-ASIDE = 0.28  # of upright cylinders from the riser (inches)
-SLEEVE = 2.2  # outer barrel of a telescopic joint over the riser's diameter
+UPRIGHT = 0.9  # length of cylinders without a length in the scene (inches)
+ASIDE = 0.28  # distance of upright cylinders from the riser (inches)
+SLEEVE = 2.2  # diameter of a telescopic joint's outer barrel over the riser's diameter
 BARREL = 0.09  # width of an upright cylinder (inches)
 HULL = (1.5, 0.3)  # width and height of a platform (inches)
-HEAVE_ASIDE = 0.42  # of the platform's width, beyond the arrows of surge and pitch
+HEAVE_ASIDE = 0.42  # distance of the heave arrow, as a share of the platform's width
 
 
 def topside(view: View, geometry: Geometry) -> None:
-    """Everything above the riser."""
+    """Draw everything above the riser."""
     pull(view, geometry)
     telescopic_joint(view, geometry)
     tensioners(view, geometry)
@@ -33,7 +33,7 @@ def topside(view: View, geometry: Geometry) -> None:
 
 
 def pull(view: View, geometry: Geometry) -> None:
-    """Constant forces at the ring."""
+    """Draw the constant forces at the ring."""
     top = geometry.scene.top
     x, z = geometry.ring
     if top.tension:
@@ -51,7 +51,7 @@ def pull(view: View, geometry: Geometry) -> None:
 
 
 def telescopic_joint(view: View, geometry: Geometry) -> None:
-    """Inner and outer barrel from the ring to the top."""
+    """Draw inner and outer barrel from the ring to the top."""
     joint = geometry.scene.top.telescopic_joint
     if joint is None:
         return
@@ -76,9 +76,10 @@ def telescopic_joint(view: View, geometry: Geometry) -> None:
 
 
 def deck(view: View, geometry: Geometry) -> float:
-    """Elevation of the platform as drawn; above tensioners without a length, by theirs as drawn.
+    """Return the drawn elevation of the platform (m); it includes the drawn length of cylinders without one.
 
-    With a water surface to compare it with it is one elevation in all panels; sizes are those of symbols.
+    If the panels show a water surface for comparison, the elevation is equal in all panels; the sizes are
+    those of symbols.
     """
     length = UPRIGHT * (view.symbol if geometry.surface is None else view.symbol_of_ends)
     if geometry.standing:
@@ -89,7 +90,7 @@ def deck(view: View, geometry: Geometry) -> float:
 
 
 def tensioners(view: View, geometry: Geometry) -> None:
-    """Cylinders from the ring to the deck: to scale where the scene places them."""
+    """Draw cylinders from the ring to the deck, to scale if the scene gives their positions."""
     rig = geometry.scene.top.tensioners
     if rig is None:
         return
@@ -104,7 +105,7 @@ def tensioners(view: View, geometry: Geometry) -> None:
         places = [0.0] if rig.count == 1 else [-ASIDE * view.symbol, ASIDE * view.symbol]
         feet = [(a, a) for a in places]
         high = deck(view, geometry) + (HULL[1] * view.symbol if geometry.standing else 0.0)
-        reach = max(feet[-1][0], BARREL * view.symbol)  # of the ring: one cylinder has it, too
+        reach = max(feet[-1][0], BARREL * view.symbol)  # of the ring, also for a single cylinder
         view.line([x - reach, x + reach], [z, z], linewidth=2.4, zorder=4)
     for (low_x, high_x), works in zip(feet, rig.working, strict=False):
         middle = (x + 0.5 * (low_x + high_x), 0.5 * (z + high))
@@ -117,7 +118,7 @@ def tensioners(view: View, geometry: Geometry) -> None:
             view.line([middle[0]] * 2, [z, middle[1]], color=colour, linestyle=(0, (4, 2)))
             view.box(
                 middle, BARREL * view.symbol, high - middle[1], edgecolor=colour
-            )  # up, or down
+            )  # upward or downward
     right = max(feet, key=lambda foot: foot[1])
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
     text = tensioner_text(rig, geometry)
@@ -127,7 +128,7 @@ def tensioners(view: View, geometry: Geometry) -> None:
 
 
 def platform(view: View, geometry: Geometry) -> None:
-    """The platform as a symbol, with its motions and what drives it."""
+    """Draw the platform as a symbol, with its motions and its loads."""
     scene = geometry.scene
     if scene.platform is None and scene.vessel is None:
         return
@@ -140,7 +141,7 @@ def platform(view: View, geometry: Geometry) -> None:
     if scene.platform:
         motion = "; ".join(platform_texts(scene.platform, geometry) or ["none"])
         _motions(view, geometry, (x, middle), (width, height))
-        if afloat:  # one label, for want of room
+        if afloat:  # one label, because there is little room
             afloat[0] += f"; first-order motion: {motion}"
         else:
             view.name("platform (outline is a symbol)", (edge, z + 0.2 * height))

@@ -1,4 +1,4 @@
-"""One panel of a schematic: axes with the same scale in both directions, and labels beside them."""
+"""One panel of a schematic: axes with the same scale in both directions, and labels next to them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from riserstudy.schematic.geometry import Point
 from riserstudy.schematic.labels import FREEDOM, LOAD, PART, Labels
 
 SYMBOL: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 0.9, "edgecolor": PART}
-SMALL = 0.45  # symbols in the view of everything beside those in the others
+SMALL = 0.45  # size of symbols in the whole view relative to the other views
 THIN = 1.0  # narrowest line of a part (points)
 
 
@@ -23,9 +23,9 @@ class View:
 
     Attributes
     ----------
-    whole : whether this is the view of everything, which labels the long parts; others label their end.
-    inch : metres that an inch of the figure shows.
-    ends : of the view of everything, those that show its ends magnified.
+    whole : whether this is the whole view, which labels the long parts; other views label their end.
+    inch : metres of the scene per inch of the figure.
+    ends : for the whole view: the views that show its ends magnified.
     """
 
     ax: Axes
@@ -36,49 +36,49 @@ class View:
 
     @property
     def symbol(self) -> float:
-        """Metres of an inch of symbols, whose size is no part of the scene; small in the view of all."""
+        """Metres per inch of symbols, whose size is not in the scene; smaller in the whole view."""
         return SMALL * self.inch if self.whole else self.inch
 
     @property
     def symbol_of_ends(self) -> float:
-        """Metres of an inch of symbols at the upper end, also in the view of everything."""
+        """Metres per inch of symbols at the upper end, also in the whole view."""
         return self.ends[0].symbol if self.ends else self.symbol
 
     @property
     def window(self) -> tuple[float, float, float, float]:
-        """Left, right, low and high end."""
+        """Left, right, lower and upper limit (m)."""
         return *self.ax.get_xlim(), *self.ax.get_ylim()
 
     def shows(self, point: Point) -> bool:
-        """Whether a point lies in the window."""
+        """Return whether a point is in the window."""
         left, right, low, high = self.window
         return left <= point[0] <= right and low <= point[1] <= high
 
     def name(
         self, text: str, point: Point, colour: str = PART, whole: bool = False, lift: float = 0.0
     ) -> None:
-        """Label a point in the view that it belongs to, if it shows it; the label so many inches above it."""
+        """Label a point if it belongs to this view and is visible; ``lift``: inches above the point."""
         if whole == self.whole and self.shows(point):
             self.labels.add(text, point, colour, lift)
 
     def name_anywhere(self, text: str, point: Point) -> None:
-        """Label a point in the view of an end that shows it, or in that of everything where none does."""
+        """Label a point in a view of an end that shows it, else in the whole view."""
         self.name(text, point, whole=self.whole and not any(end.shows(point) for end in self.ends))
 
     def line(self, x: Sequence[float], z: Sequence[float], **style: Any) -> None:
-        """A line through points."""
+        """Draw a line through points."""
         about: dict[str, Any] = {"color": PART, "linewidth": THIN, "solid_capstyle": "butt"}
         self.ax.plot(x, z, **about | style)
 
     def box(self, low: Point, width: float, height: float, **style: Any) -> None:
-        """An upright box around a vertical through its lower middle, dashed unless styled otherwise."""
+        """Draw an upright box above its lower middle point, dashed unless styled otherwise."""
         from matplotlib.patches import Rectangle
 
         about = {"facecolor": "0.93", **SYMBOL, "zorder": 3.0} | style
         self.ax.add_patch(Rectangle((low[0] - 0.5 * width, low[1]), width, height, **about))
 
     def arrow(self, tail: Point, head: Point, colour: str = LOAD, ends: str = "-|>") -> None:
-        """An arrow of a load, or of a motion when it has two heads."""
+        """Draw an arrow of a load, or of a motion if it has two heads."""
         self.ax.annotate(
             "",
             head,
@@ -95,12 +95,12 @@ class View:
         )
 
     def motion(self, middle: Point, away: Point) -> None:
-        """A double arrow: something moves back and forth."""
+        """Draw a double arrow for a motion back and forth."""
         (x, z), (dx, dz) = middle, away
         self.arrow((x - dx, z - dz), (x + dx, z + dz), FREEDOM, "<|-|>")
 
     def turning(self, middle: Point, radius: float) -> None:
-        """An arc with two heads: something turns."""
+        """Draw an arc with two heads for a rotation."""
         self.ax.annotate(
             "",
             (middle[0] + radius, middle[1]),
@@ -116,7 +116,7 @@ class View:
         )
 
     def spring(self, start: Point, end: Point, width: float, **style: Any) -> None:
-        """A zigzag between two points."""
+        """Draw a zigzag between two points."""
         share = np.linspace(0.0, 1.0, 18)
         away = np.array([0.0, 0.0, *np.tile([1.0, -1.0], 7), 0.0, 0.0]) * 0.5 * width
         across = np.array([end[1] - start[1], start[0] - end[0]])

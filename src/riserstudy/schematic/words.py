@@ -1,4 +1,4 @@
-"""Parts of a scene that are not drawn, in words: a schematic names none as its file does."""
+"""Words for parts of a scene that are not drawn, as a schematic does not use the names of files."""
 
 from __future__ import annotations
 
@@ -15,5 +15,5 @@ WORDS = {
 
 
 def in_words(part: str) -> str:
-    """A part of a scene, as ``top.offset``, as one would say it."""
+    """Return the words for a part of a scene such as ``top.offset``."""
     return WORDS.get(part, part.replace(".", " ").replace("_", " "))

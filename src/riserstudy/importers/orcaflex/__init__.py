@@ -1,4 +1,4 @@
-"""OrcaFlex text models: decks become scenes, and scenes become decks."""
+"""Import of OrcaFlex text models (decks) as scenes."""
 
 from riserstudy.importers.orcaflex.read import Imported, as_text, read_deck
 

@@ -1,7 +1,7 @@
-"""Which lines of a deck are the riser, its joint and the lines along it, and which are something else.
+"""Find the lines of a deck that are the riser, its joint, the lines along it, or something else.
 
-The riser is the way down along lines from what tensioners pull, or a vessel, or a fixed point, to the ground.
-Its lines are joined at buoys without inertia, or at each other's ends.
+The riser is the path along lines from the object that tensioners pull, from a vessel or from a fixed point,
+down to the ground. Its lines are joined at buoys without inertia, or at each other's ends.
 """
 
 from __future__ import annotations
@@ -12,13 +12,14 @@ from riserstudy.importers.orcaflex.deck import Part
 from riserstudy.importers.orcaflex.ends import GROUND, End, Line, line_of
 from riserstudy.importers.orcaflex.pipe import greatest_diameter, lengths_of
 
-BETWEEN = 0.01  # t, the heaviest point between two lines that is left out
+BETWEEN = 0.01  # largest mass of a point between two lines that is left out (t)
 
 
 class Roles(NamedTuple):
-    """Lines by what they are in a scene.
+    """Lines by their role in a scene.
 
-    ``riser`` and ``nodes`` from above; the nodes are what its lines hang on, one more than there are lines.
+    ``riser`` and ``nodes`` are in order from the top. The nodes are the points at the ends of the lines, one
+    more than there are lines.
     """
 
     riser: list[Line]
@@ -28,21 +29,21 @@ class Roles(NamedTuple):
 
 
 class Bearings(NamedTuple):
-    """What stands still, what moves as given, and what is pulled: names of a deck's objects."""
+    """Names of a deck's objects: those that are fixed, that move as prescribed, and that are pulled."""
 
     ground: set[str]
     vessels: set[str]
-    pulled: set[str]  # what links and winches are fastened to
-    sliding: dict[str, str]  # constraints, and what they are in
+    pulled: set[str]  # objects that links and winches are attached to
+    sliding: dict[str, str]  # sliding constraints, and the objects in which they slide
 
 
 def roles(deck: Part, on: Bearings) -> Roles:
-    """Sort the lines of a deck.
+    """Return the lines of a deck by their role.
 
     Raises
     ------
     InputError
-        Where none is a riser, or more than one may be.
+        When no line is a riser, or more than one may be.
     """
     parts = deck.parts("Lines")
     lines: list[Line] = []
@@ -56,7 +57,7 @@ def roles(deck: Part, on: Bearings) -> Roles:
     joint, alongside = None, []
     for line in [line for line in lines if line not in riser]:
         upper, lower = _top(line, lines), _node(line.lower, lines)
-        # one that slides in the ring may hang from an offset, where hoses and drape lines hang, too
+        # a line that slides in the ring may hang off the axis, where hoses and drape lines hang, too
         may_hang = line.upper.on_axis or (lower in on.sliding and not line.upper.y)
         hangs = upper in on.vessels | set(GROUND) and may_hang
         if hangs and on.sliding.get(lower, lower) == nodes[0] and joint is None:
@@ -73,12 +74,12 @@ def roles(deck: Part, on: Bearings) -> Roles:
 
 
 def _top(line: Line, lines: list[Line]) -> str:
-    """Name of the point of a line's upper end: its own where that is free."""
+    """Return the name of the point at a line's upper end; the name of the line if this end is free."""
     return line.name if line.upper.to == "Free" else _node(line.upper, lines)
 
 
 def _node(end: End, lines: list[Line]) -> str:
-    """Name of the point that an end is at: an object, or the line whose free upper end it is."""
+    """Return the name of the point at an end: an object, or a line whose free upper end is there."""
     by_name = {line.name: line for line in lines}
     for _ in lines:
         if end.to not in by_name:
@@ -92,7 +93,7 @@ def _node(end: End, lines: list[Line]) -> str:
 
 
 def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
-    """The lines of the riser, from above."""
+    """Return the lines of the riser, from the top."""
     found: list[tuple[int, list[Line]]] = []
     for line in lines:
         top = _top(line, lines)
@@ -126,7 +127,7 @@ def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
 
 
 def _down(line: Line, lines: list[Line], on: Bearings) -> list[Line]:
-    """The way from a line down to the ground, the longest there is; none where it does not lead there."""
+    """Return the longest path from a line down to the ground; empty if no path leads there."""
     lower = _node(line.lower, lines)
     if lower in on.ground:
         return [line]
@@ -142,7 +143,7 @@ def _down(line: Line, lines: list[Line], on: Bearings) -> list[Line]:
 
 
 def depth(line: Line) -> float:
-    """Unstretched length of a line (m)."""
+    """Return the unstretched length of a line (m)."""
     return sum(length for _, length in lengths_of(line.part))
 
 

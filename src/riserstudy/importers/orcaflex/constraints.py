@@ -1,4 +1,4 @@
-"""Constraints of a deck that are parts of a riser: a joint that slides, a flex joint that turns."""
+"""Constraints of a deck that are parts of a riser: a telescopic joint or a flex joint."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from riserstudy.importers.orcaflex.ends import rotation
 
 
 def slides_in(constraint: Part, ring: str) -> None:
-    """See that a constraint is a telescopic joint: in the ring, free along z alone, without stiffness.
+    """Check that a constraint is a telescopic joint: in the ring, free only along z, without stiffness.
 
     Raises
     ------
     InputError
-        Where it is something else.
+        When it is something else.
     """
     if constraint.text("InFrameConnection") != ring:
         found = f"connected to {constraint.text('InFrameConnection')!r}"
@@ -30,7 +30,7 @@ def slides_in(constraint: Part, ring: str) -> None:
 
 
 def guided_by(constraint: Part) -> tuple[str, float]:
-    """A constraint that lets an end go up and down: what it is in, and its place along x there (m).
+    """Return the parent of a constraint that leaves an end free vertically, and its x in the parent (m).
 
     Raises
     ------
@@ -50,7 +50,7 @@ def guided_by(constraint: Part) -> tuple[str, float]:
 
 
 def turns_in(constraint: Part) -> tuple[str, float, Any]:
-    """A constraint that is a flex joint: what it stands on, its height over that (m), and its rotation.
+    """Return the parent of a constraint that is a flex joint, its height above it (m), and its rotation.
 
     Raises
     ------
@@ -70,13 +70,13 @@ def turns_in(constraint: Part) -> tuple[str, float, Any]:
 
 
 def _named(constraint: Part) -> str:
-    """The free directions of a constraint, by name."""
+    """Return the names of the free directions of a constraint."""
     names = ("x", "y", "z", "Rx", "Ry", "Rz")
     return f"free: {', '.join(names[k] for k in _freedoms(constraint)) or 'none'}"
 
 
 def _freedoms(constraint: Part) -> list[int]:
-    """Which of x, y, z, Rx, Ry, Rz are free, counted from 0."""
+    """Return which of x, y, z, Rx, Ry, Rz are free, counted from 0."""
     constraint.demand("ConstraintType", "Calculated DOFs")
     rows = constraint.table("DOFFree", idle=("DOFInitialValue",))
     return [k for k, row in enumerate(rows) if str(row[0]) in ("True", "Yes")]

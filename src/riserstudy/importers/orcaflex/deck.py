@@ -1,4 +1,4 @@
-"""A deck as a tree that knows which of its entries were taken, and that gathers what is wrong with them."""
+"""A deck as a tree that records which of its entries were read, and collects the errors in them."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from typing import Any
 
 from riserstudy.errors import InputError
 
-#: of an entry that says nothing, which is never listed
+#: values of an empty entry, which is never listed
 EMPTY: tuple[Any, ...] = (None, "~", [], {})
-MOST = 1e30  # in the unit of the deck: beyond all that is met, and fourth powers of it are numbers
+MOST = 1e30  # in the unit of the deck: above all real values; its fourth power is still finite
 GUESS = "nothing is guessed. Write the value into the OrcaFlex model"
 CHANGE = "Change the OrcaFlex model, or write the scene by hand"
 
 
 class Part:
-    """One object of a deck; what is asked of it counts as taken.
+    """One object of a deck; every entry that is requested counts as read.
 
-    Faults are kept in a list that all parts of a deck share, so that a reader sees them together.
+    Errors are collected in a list that all parts of a deck share, so that a user sees them together.
     """
 
     def __init__(
@@ -32,64 +32,65 @@ class Part:
         self.data, self.path, self.source = data, path, source
         self.faults: list[InputError] = [] if faults is None else faults
         self.taken: set[str] = set()
-        self.otherwise: dict[str, str] = {}  # what of an entry that was taken is not in the scene
-        self.apart = ""  # why nothing of it is in the scene
+        # entries that were read, and what of them the scene lacks
+        self.otherwise: dict[str, str] = {}
+        self.apart = ""  # why the scene contains nothing of this object
         self.below: dict[str, list[Part]] = {}
 
     def refused(self, key: str, found: str, allowed: str) -> InputError:
-        """What to raise of an entry that a scene cannot say."""
+        """Return the error for an entry that a scene cannot describe."""
         return InputError(self.source, f"{self.path}.{key}".strip("."), found, allowed)
 
     @contextmanager
     def noting(self) -> Iterator[None]:
-        """Keep the fault that ends what is done within, and go on after it."""
+        """Record an error that ends the block, and continue after the block."""
         try:
             yield
         except InputError as fault:
             self.note(fault)
 
     def note(self, fault: InputError) -> None:
-        """Keep a fault, once."""
+        """Record an error once."""
         if str(fault) not in map(str, self.faults):
             self.faults.append(fault)
 
     def optional(self, key: str) -> Any:
-        """A value, None where there is none."""
+        """Return a value; None if it is missing."""
         self.taken.add(key)
         value = self.data.get(key)
         return None if value == "~" else value
 
     def value(self, *keys: str) -> Any:
-        """A value that must be there, under the first of its names that is."""
+        """Return a required value, under the first of its names that the object has."""
         present = [key for key in keys if self.data.get(key) not in (None, "~")]
         if not present:
             raise self.refused(" or ".join(keys), "missing", GUESS)
         return self.optional(present[0])
 
     def text(self, key: str) -> str:
-        """A text that must be there."""
+        """Return a required text."""
         return str(self.value(key))
 
     def number(self, *keys: str) -> float:
-        """A number that must be there, in the unit of the deck; a fault is noted, and is no number."""
+        """Return a required number in the unit of the deck; NaN after an error, which is recorded."""
         with self.noting():
             return self._number(" or ".join(keys), self.value(*keys))
         return math.nan
 
     def given(self, key: str) -> float:
-        """A number in the unit of the deck, 0 where there is none."""
+        """Return a number in the unit of the deck; 0 if it is missing."""
         entry = self.optional(key)
         return 0.0 if entry is None else self.number(key)
 
     def numbers(self, key: str) -> list[float]:
-        """Numbers in the unit of the deck, 0 where one is empty; none where there is no such list."""
+        """Return a list of numbers in the unit of the deck, 0 for empty ones; empty without the list."""
         entry = self.optional(key) or []
         if not isinstance(entry, list):
             raise self.refused(key, repr(entry), "allowed is a list of numbers")
         return [self._number(key, 0.0 if one in EMPTY else one) for one in entry]
 
     def vector(self, key: str) -> tuple[float, float, float]:
-        """Three numbers in the unit of the deck, 0 where one is empty."""
+        """Return three numbers in the unit of the deck, 0 for empty ones."""
         self.value(key)
         numbers = self.numbers(key)
         if len(numbers) != 3:
@@ -107,29 +108,29 @@ class Part:
         return float(value)
 
     def whole(self, key: str) -> int:
-        """A whole number that must be there; 0 where a fault was noted."""
+        """Return a required integer; 0 after an error, which is recorded."""
         number = self.number(key)
         return 0 if math.isnan(number) else int(number)
 
     def has(self, *columns: str) -> bool:
-        """Whether there is a table with these columns."""
+        """Return whether the object has a table with these columns."""
         return self._header(columns) is not None
 
     def table(
         self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()
     ) -> list[list[Any]]:
-        """Cells of some columns of a table, whatever others its version has and in whatever order.
+        """Return cells of the named columns of a table; versions differ in other columns and in their order.
 
         Parameters
         ----------
-        columns : names of the columns that must be there.
-        of : names of those that may be, which follow.
-        idle : names of those that do not matter; of any other column what stands in it is left out by name.
+        columns : names of required columns.
+        of : names of optional columns, which follow in the result.
+        idle : names of columns without meaning here; any further column is reported as left out.
 
         Returns
         -------
         list of list
-            One list a row; None where a cell is empty, or its row ends before it.
+            One list per row; None for a cell that is empty or beyond the end of its row.
         """
         key = self._header(columns)
         if key is None:
@@ -154,7 +155,7 @@ class Part:
     def figures(
         self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()
     ) -> list[list[float]]:
-        """Cells of a table in the unit of the deck; of columns that may be missing 0 where one is empty."""
+        """Return cells of a table as numbers in the unit of the deck; 0 for an empty optional cell."""
         rows = self.table(*columns, of=of, idle=idle)
         names = (*columns, *of)
         return [
@@ -172,7 +173,7 @@ class Part:
         return None
 
     def demand(self, key: str, wanted: Any) -> None:
-        """See that an entry has the one value that a scene can say."""
+        """Check that an entry has the only value that a scene can describe."""
         with self.noting():
             entry = self.value(key)
             yes = {True: "yes", False: "no"}.get(wanted, wanted)
@@ -181,24 +182,24 @@ class Part:
                 raise self.refused(key, str(entry), allowed)
 
     def idle(self, key: str, *allowed: Any) -> None:
-        """See that an entry, where there is one, is without effect: empty, 0, or one of what is allowed."""
+        """Check that an entry, if present, has no effect: empty, 0, or one of the allowed values."""
         if (entry := self.optional(key)) not in (*EMPTY, 0, *allowed):
             words = " or ".join(map(str, allowed)) or "0"
             remedy = f"allowed is {words}: the import cannot convert other values. {CHANGE}"
             self.note(self.refused(key, str(entry), remedy))
 
     def alike(self, one: str, other: str) -> None:
-        """See that both directions are alike, where the second is given."""
+        """Check that both directions have equal values, if the second is given."""
         if (second := self.optional(other)) not in (None, self.optional(one)):
             allowed = f"allowed is the value of {one}: a scene has one value for both directions"
             self.note(self.refused(other, str(second), allowed))
 
     def part(self, key: str) -> Part:
-        """An object within."""
+        """Return an object inside this one."""
         return self._kept(key, [self.value(key)], [f"{self.path}.{key}".strip(".")])[0]
 
     def parts(self, key: str) -> list[Part]:
-        """Objects of a list within; none where there is no such list."""
+        """Return the objects of a list inside this one; empty if the list is missing."""
         entries = self.optional(key) or []
         if not isinstance(entries, list):
             raise self.refused(
@@ -210,7 +211,7 @@ class Part:
         return self._kept(key, entries, [f"{self.path}.{key}[{n}]".strip(".") for n in names])
 
     def named(self, key: str) -> dict[str, Part]:
-        """Objects of a list within, by their names."""
+        """Return the objects of a list inside this one, by their names."""
         return {one.text("Name"): one for one in self.parts(key)}
 
     def _kept(self, key: str, data: list[Any], paths: list[str]) -> list[Part]:
@@ -221,5 +222,5 @@ class Part:
 
     @property
     def name(self) -> str:
-        """What it is called, "" without a name."""
+        """Name of the object, "" without a name."""
         return str(self.data.get("Name", ""))

@@ -1,4 +1,4 @@
-"""Ends of lines in a deck: what they are connected to, where, and how stiffly."""
+"""Ends of lines in a deck: connected objects, positions and stiffnesses."""
 
 from __future__ import annotations
 
@@ -9,16 +9,16 @@ from riserstudy.importers.orcaflex.deck import Part
 
 PLACE = ("Connection", "ConnectionX", "ConnectionY", "ConnectionZ")
 LEANS = ("ConnectionDeclination", "ConnectionzRelativeTo", "ConnectionReleaseStage")
-ROUND_Z = ("ConnectionAzimuth", "ConnectionGamma")  # an upright pipe is round
+ROUND_Z = ("ConnectionAzimuth", "ConnectionGamma")  # without effect on a vertical round pipe
 BENDING = "ConnectionxBendingStiffness"
 GROUND = ("Fixed", "Anchored")
 UPRIGHT = (0, 180, None)  # deg
 
 
 class End(NamedTuple):
-    """One end of a line: what it is connected to, where in the axes of that (m), and its bending stiffness.
+    """One end of a line: connected object, position in the axes of that object (m), bending stiffness.
 
-    ``of``: which end of another line it is connected to. ``stiffness`` in kN m/deg, None where it is free.
+    ``of``: end of another line to which it is connected. ``stiffness`` in kN m/deg, None if free to turn.
     """
 
     to: str
@@ -31,7 +31,7 @@ class End(NamedTuple):
 
     @property
     def on_axis(self) -> bool:
-        """Whether it is at the origin of what it is connected to, but for its height."""
+        """Whether its horizontal position is the origin of the connected object."""
         return not (self.x or self.y)
 
 
@@ -44,17 +44,17 @@ class Line(NamedTuple):
 
     @property
     def name(self) -> str:
-        """What it is called."""
+        """Name of the line."""
         return self.part.name
 
 
 def line_of(part: Part) -> Line:
-    """A line with its ends.
+    """Return a line with its ends.
 
     Raises
     ------
     InputError
-        Where it has not two ends with their stiffness.
+        When it does not have two ends with stiffnesses.
     """
     rows = part.table(*PLACE, of=LEANS, idle=ROUND_Z)
     stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",), idle=("ConnectionDamping",))
@@ -88,7 +88,7 @@ def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
 
 
 def upright(line: Line, end: End) -> None:
-    """See that an end that resists turning stands upright."""
+    """Check that an end with rotational stiffness is vertical."""
     if end.stiffness and end.leaning not in UPRIGHT:
         found = f"declination {end.leaning} of an end that resists turning"
         allowed = "allowed are 0 and 180: a clamp or flex joint at an end of a scene is upright"
@@ -96,14 +96,14 @@ def upright(line: Line, end: End) -> None:
 
 
 def rotation(stiffness: float | None) -> Any:
-    """What an end's bending stiffness (kN m/deg) is in a scene."""
+    """Return the rotation in a scene for the bending stiffness of an end (kN m/deg)."""
     if stiffness is None:
         return "free"
     return "fixed" if math.isinf(stiffness) else {"stiffness": f"{stiffness:.10g} kN*m/deg"}
 
 
 def in_series(one: float | None, other: float | None) -> float | None:
-    """Bending stiffness of two ends on one point that turns freely (kN m/deg), None for a hinge."""
+    """Return the stiffness of two ends at one freely turning point (kN m/deg); None for a hinge."""
     if one is None or other is None:
         return None
     return 1.0 / (1.0 / one + 1.0 / other) if 1.0 / one + 1.0 / other else math.inf

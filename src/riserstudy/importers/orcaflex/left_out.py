@@ -1,4 +1,4 @@
-"""What of a deck is not in its scene: everything that nobody asked for, by name, alike entries together."""
+"""Report of the entries of a deck that its scene lacks: all that were not read, equal ones together."""
 
 from __future__ import annotations
 
@@ -7,17 +7,17 @@ from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.deck import EMPTY, Part
 
-MOST_LISTED = 40  # characters of a value
-#: what an entry says that switches something off
+MOST_LISTED = 40  # most characters of a listed value
+#: values of an entry that switch something off
 OFF = ("0", "0.0", "None", "(none)", "(no damping)", "False", "No")
-#: entries that draw, and change no result
+#: entries for drawings, which change no result
 DRAWN = re.compile(
     r"Pen\b|Pen[A-Z]|^Draw|^Hid|^DefaultView|^Vertex|^Edge|Symbol|Shaded|Shading|Colou?r|^Label"
 )
 
 
 class Entry(NamedTuple):
-    """An entry that is left out: the list and the object that it is of, its name and its value."""
+    """An entry that is left out: its list and object, its name and its value."""
 
     of: str
     object: str
@@ -26,7 +26,7 @@ class Entry(NamedTuple):
 
 
 def left_out(deck: Part) -> list[str]:
-    """Lines that name what is not in the scene, most telling first."""
+    """Return lines that name everything that the scene lacks, the most important first."""
     apart, otherwise, entries = _gathered(deck)
     drawn = [entry for entry in entries if DRAWN.search(entry.key)]
     off = [entry for entry in entries if entry not in drawn and _is_off(entry.value)]
@@ -48,12 +48,12 @@ def left_out(deck: Part) -> list[str]:
 
 
 def _is_off(value: str) -> bool:
-    """Whether a value, or each of a list, switches something off."""
+    """Return whether a value, or each value of a list, switches something off."""
     return all(word.strip() in OFF for word in value.strip("[]").split(","))
 
 
 def _gathered(part: Part) -> tuple[list[str], list[str], list[Entry]]:
-    """Objects that are left out whole, entries that are otherwise in the scene, and entries that are not."""
+    """Return objects left out whole, entries that the scene has in another form, and entries left out."""
     if part.apart:
         return [f"{part.path}: left out whole: {part.apart}"], [], []
     apart: list[str] = []

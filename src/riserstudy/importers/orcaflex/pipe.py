@@ -1,8 +1,8 @@
 """Line types of an OrcaFlex text model as properties of sections.
 
-What acts across a line is given as one entry a direction (``EIx``, ``EIy``) in decks of earlier versions, as
-a list of both and of that along it (``EI``, ``Cd``, ``Ca``) or, for pipes, as one entry (``Cdn``, ``Can``)
-in later ones; what acts along it as the third of the list, or as ``Cdz``, ``Caz``.
+Decks of earlier versions give properties across a line as one entry per direction (``EIx``, ``EIy``). Later
+decks give a list of three values, two across the line and one along it (``EI``, ``Cd``, ``Ca``), or for pipes
+one entry (``Cdn``, ``Can``). The value along the line is the third of the list, or ``Cdz``, ``Caz``.
 """
 
 from __future__ import annotations
@@ -19,12 +19,12 @@ SAME = 1e-6  # m
 
 
 def lengths_of(line: Part) -> list[tuple[str, float]]:
-    """Line types and lengths (m) of the sections of a line, from its end A on.
+    """Return line types and lengths (m) of the sections of a line, from its end A.
 
     Raises
     ------
     InputError
-        Where there are none, or something in them is no length.
+        When there are none, or a length is invalid.
     """
     if line.has("LineType", "Length"):
         segments = ("TargetSegmentLength", "NumberOfSegments")
@@ -44,7 +44,7 @@ def lengths_of(line: Part) -> list[tuple[str, float]]:
 
 
 def kind_of(deck: Part, line: Part, name: str) -> Part:
-    """A line type by its name.
+    """Return a line type by its name.
 
     Raises
     ------
@@ -59,7 +59,7 @@ def kind_of(deck: Part, line: Part, name: str) -> Part:
 
 
 def greatest_diameter(deck: Part, way: list[Line]) -> float:
-    """Greatest outer diameter of some lines (m)."""
+    """Return the largest outer diameter of the given lines (m)."""
     names = {name for line in way for name, _ in lengths_of(line.part)}
     types = deck.named("LineTypes")
     wide = [types[name].number("OD") for name in names if name in types]
@@ -67,12 +67,12 @@ def greatest_diameter(deck: Part, way: list[Line]) -> float:
 
 
 def wall(kind: Part) -> dict[str, Any]:
-    """Diameters, stiffness and mass of a line type as fields of a section.
+    """Return diameters, stiffness and mass of a line type as fields of a section.
 
     Raises
     ------
     InputError
-        Where it is of another category.
+        When it has another category.
     """
     outer, inner = kind.number("OD"), kind.number("ID")
     fields: dict[str, Any] = {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
@@ -98,11 +98,11 @@ def wall(kind: Part) -> dict[str, Any]:
 
 
 def stressed(kind: Part, filled: bool) -> dict[str, Any]:
-    """Diameters of the wall that carries, where a line type has them apart from OD and ID.
+    """Return the diameters of the load-bearing wall, if a line type gives them besides OD and ID.
 
     Parameters
     ----------
-    filled : whether contents fill ID, which then is the inner diameter.
+    filled : whether contents fill ID, which is then the inner diameter.
     """
     if not (kind.given("StressOD") and kind.given("StressID")):
         return {}
@@ -114,7 +114,7 @@ def stressed(kind: Part, filled: bool) -> dict[str, Any]:
 
 
 def mass_of(kind: Part) -> float:
-    """Mass of a line type without its contents (kg/m)."""
+    """Return the mass of a line type without contents (kg/m)."""
     if kind.data.get("Category") == "Homogeneous pipe":
         area = disc(kind.number("OD")) - disc(kind.number("ID"))
         return 1000.0 * kind.number("MaterialDensity") * area
@@ -122,14 +122,14 @@ def mass_of(kind: Part) -> float:
 
 
 def submerged(kind: Part, density: float, gravity: float) -> dict[str, Any]:
-    """Weight of a line type in water of a density (kg/m3; 0 above the water), without contents."""
+    """Return the weight of a line type without contents in water of a density (kg/m3; 0 above water)."""
     weight = (mass_of(kind) - density * disc(kind.number("OD"))) * gravity
     less = "mass per length less the water that OD displaces" if density else "mass, in air"
     return {"derived": _q(weight, "N/m"), "from": less}
 
 
 def bending_stiffness(kind: Part) -> float:
-    """Bending stiffness of a general line type (kN m2), the same in both directions.
+    """Return the bending stiffness of a general line type (kN m2), equal in both directions.
 
     Raises
     ------
@@ -143,7 +143,7 @@ def bending_stiffness(kind: Part) -> float:
 
 
 def flexural(kind: Part) -> float:
-    """Bending stiffness of any line type (kN m2).
+    """Return the bending stiffness of any line type (kN m2).
 
     Raises
     ------
@@ -157,12 +157,12 @@ def flexural(kind: Part) -> float:
 
 
 def across(kind: Part, name: str) -> float | None:
-    """What acts across the line (EI in kN m2), alike in both directions; None where it is not given.
+    """Return a property across the line (EI in kN m2), equal in both directions; None if not given.
 
     Raises
     ------
     InputError
-        Where it is given twice, differs, or is no number.
+        When it is given twice, differs between the directions, or is not a number.
     """
     kind.alike(f"{name}x", f"{name}y")
     whole = kind.optional(name)
@@ -179,12 +179,12 @@ def across(kind: Part, name: str) -> float | None:
 
 
 def along(kind: Part, name: str) -> float:
-    """Coefficient (1) of what acts along the line, 0 where the deck does not give it.
+    """Return a coefficient (1) along the line; 0 if the deck does not give it.
 
     Raises
     ------
     InputError
-        Where it is given twice or is no number.
+        When it is given twice, or is not a number.
     """
     whole = kind.optional(name)
     third = whole[2] if isinstance(whole, list) and len(whole) > 2 else None
@@ -192,7 +192,7 @@ def along(kind: Part, name: str) -> float:
 
 
 def _one(kind: Part, name: str, given: list[Any], names: str) -> float | None:
-    """The one number of what may be given under several names."""
+    """Return the only given number of a property that has several possible names."""
     values = [value for value in given if value not in (None, "~")]
     if len(values) > 1:
         allowed = f"allowed is only one of the names {names}. Delete the others"
@@ -203,14 +203,14 @@ def _one(kind: Part, name: str, given: list[Any], names: str) -> float | None:
 
 
 def axial(kind: Part) -> float:
-    """Stiffness along a line type (kN), of a modulus and a wall or as given."""
+    """Return the axial stiffness of a line type (kN), as given or from modulus and wall."""
     if kind.data.get("Category") != "Homogeneous pipe":
         return kind.number("EA")
     return kind.number("E") * (disc(kind.number("OD")) - disc(kind.number("ID")))
 
 
 def disc(diameter: float) -> float:
-    """Area (m2) of a circle of a diameter (m)."""
+    """Return the area (m2) of a circle with the given diameter (m)."""
     return 0.25 * math.pi * diameter**2
 
 

@@ -1,7 +1,7 @@
-"""A scene from an OrcaFlex text model of a vertical riser: what has a counterpart, with all else named.
+"""Import of an OrcaFlex text model of a vertical riser as a scene; everything left out is reported.
 
-Nothing is guessed: what cannot be said in a scene is refused where the riser would be another one without it,
-and named as left out otherwise. Units are those of OrcaFlex's SI: tonne, kN, m, s, kN m/deg.
+Nothing is guessed. An entry that a scene cannot describe is refused if the riser would be another one without
+it, else it is reported as left out. Units are OrcaFlex's SI units: tonne, kN, m, s, kN m/deg.
 """
 
 from __future__ import annotations
@@ -29,8 +29,8 @@ from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import unwrap
 
-GRAVITY = 9.80665  # m/s2, of OrcaFlex's SI
-#: lists of objects that are left out whole where nothing was asked of them
+GRAVITY = 9.80665  # in OrcaFlex's SI units (m/s2)
+#: lists of objects that are left out whole if none of their entries was read
 OBJECTS = (
     "VesselTypes", "LineTypes", "Vessels", "Lines", "6DBuoys", "3DBuoys", "Constraints", "Links",
     "Winches", "Shapes", "P-yModels",
@@ -38,7 +38,7 @@ OBJECTS = (
 
 
 class Imported(NamedTuple):
-    """A scene as a plain tree, and what of the deck is not in it."""
+    """A scene as a plain tree, and the entries of the deck that it lacks."""
 
     tree: dict[str, Any]
     left_out: list[str]
@@ -57,10 +57,10 @@ def read_deck(path: Path) -> Imported:
     Raises
     ------
     InputError
-        When it is no such model, or says what a scene cannot: with all that was found at once.
+        When it is not such a model, or a scene cannot describe it; the error lists all causes together.
     """
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore", MantissaNoDotYAML1_1Warning)  # 250e3, as OrcaFlex writes it
+        warnings.simplefilter("ignore", MantissaNoDotYAML1_1Warning)  # OrcaFlex writes 250e3
         data = read_yaml(path)
     if not isinstance(data, dict) or "Lines" not in data or "LineTypes" not in data:
         allowed = "allowed is an OrcaFlex text data file (.yml) with LineTypes and Lines"
@@ -80,7 +80,7 @@ def read_deck(path: Path) -> Imported:
 
 
 def _tree(deck: Part, path: Path) -> dict[str, Any]:
-    """The scene, as far as nothing is wrong; faults are noted."""
+    """Return the scene without the parts that have errors; errors are recorded."""
     general, environment = deck.part("General"), deck.part("Environment")
     general.demand("UnitsSystem", "SI")
     sea = sea_of(environment, GRAVITY)
@@ -119,7 +119,7 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
 
 
 def _bearings(deck: Part) -> Bearings:
-    """What lines may hang on."""
+    """Return the objects that lines may hang on."""
     vessels = set(deck.named("Vessels"))
     ground = set(GROUND)
     sliding: dict[str, str] = {}
@@ -137,7 +137,7 @@ def _bearings(deck: Part) -> Bearings:
 
 
 def _foot(deck: Part, cast: Roles, sea: Sea) -> Foot:
-    """The lower end, which stands on the ground, or on a constraint that is its flex joint."""
+    """Return the lower end, which is on the ground or on a constraint that is its flex joint."""
     line, end = cast.riser[-1], cast.riser[-1].lower
     if not end.on_axis:
         allowed = "allowed is x = y = 0: the lower end of a scene's riser is on the z axis. Move the model"
@@ -155,7 +155,7 @@ def _foot(deck: Part, cast: Roles, sea: Sea) -> Foot:
 
 
 def _analysis(general: Part) -> tuple[list[float], dict[str, Any]]:
-    """Durations of the stages (s), and what is computed: statics alone without stages."""
+    """Return the durations of the stages (s), and the analysis, which is static without stages."""
     stages = general.numbers("StageDuration")
     if not stages:
         return stages, {}
@@ -164,7 +164,7 @@ def _analysis(general: Part) -> tuple[list[float], dict[str, Any]]:
 
 
 def as_text(found: Imported, deck: Path) -> str:
-    """The scene as a file, with what was left out as its head."""
+    """Return the scene as the text of a file; its head lists everything that was left out."""
     from ruamel.yaml import YAML
 
     out = io.StringIO()

@@ -1,4 +1,4 @@
-"""Water of a deck: levels, current, one wave or a sea by its spectrum."""
+"""Water of a deck: levels, current, and one wave or a sea with a spectrum."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.deck import Part
 
-SPECTRA = ("JONSWAP", "ISSC")  # of Pierson and Moskowitz, with any height, is the latter
+SPECTRA = ("JONSWAP", "ISSC")  # ISSC: a Pierson-Moskowitz spectrum of any height
 AIRY = ("Airy", "Single Airy")
 STEEP = ("Dean stream", "Stokes' 5th", "Cnoidal")
 STRETCHING = {"None": "none", "Vertical stretching": "constant", "Wheeler stretching": "stretched"}
-SMALL = 0.1  # share of a wave's amplitude that its second harmonic may have and be left out
+SMALL = 0.1  # largest second harmonic that is left out, as a share of the wave's amplitude
 
 
 class Sea(NamedTuple):
@@ -24,7 +24,7 @@ class Sea(NamedTuple):
 
 
 def sea_of(environment: Part, gravity: float) -> Sea:
-    """Levels (m) and density (kg/m3) of the water, the same everywhere, under a gravity (m/s2)."""
+    """Return levels (m) and constant density (kg/m3) of the water, with the given gravity (m/s2)."""
     surface = environment.number("WaterSurfaceZ")
     depth = environment.number("WaterDepth", "SeabedOriginDepth")
     for key in ("SeabedSlope", "VerticalDensityVariation"):
@@ -33,7 +33,7 @@ def sea_of(environment: Part, gravity: float) -> Sea:
 
 
 def current_of(sea: Part) -> dict[str, Any] | None:
-    """The current; None where there is none."""
+    """Return the current; None without one."""
     speed = sea.given("RefCurrentSpeed")
     if not speed:
         return None
@@ -54,12 +54,12 @@ def current_of(sea: Part) -> dict[str, Any] | None:
 
 
 def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] | None:
-    """The wave or sea, which grows over a ramp (s); None where there is none.
+    """Return the wave or sea, which grows over a ramp (s); None without one.
 
     Raises
     ------
     InputError
-        Where it is one that a scene cannot say.
+        When a scene cannot describe it.
     """
     trains = environment.parts("WaveTrains")
     if not trains:
@@ -94,7 +94,7 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
 
 
 def _made_linear(train: Part, kind: str, sea: Sea) -> None:
-    """Say what an Airy wave lacks of a steep one, which is refused where that is much."""
+    """Report the harmonics that an Airy wave lacks; refuse a wave whose second harmonic is large."""
     amplitude, period = 0.5 * train.number("WaveHeight"), train.number("WavePeriod")
     if not (period > 0.0 and sea.surface > sea.seabed):
         allowed = "the wave period and the water depth must be above 0"
@@ -114,23 +114,24 @@ def _made_linear(train: Part, kind: str, sea: Sea) -> None:
 
 
 def second_harmonic(amplitude: float, period: float, depth: float, gravity: float) -> float:
-    """Amplitude of Stokes' second harmonic, as a share of the first.
+    """Return the amplitude of Stokes' second harmonic, as a share (1) of the first.
 
     Parameters
     ----------
-    amplitude, period, depth, gravity : of the wave (m, s), of the water (m), and m/s2.
+    amplitude, period : of the wave (m, s).
+    depth, gravity : of the water (m, m/s2).
     """
     deep = (2.0 * math.pi / period) ** 2 / gravity
     k = deep
-    for _ in range(100):  # w^2 = g k tanh(k d), by a mean of the last two
+    for _ in range(100):  # w^2 = g k tanh(k d); the mean of the last two values converges
         k = 0.5 * (k + deep / math.tanh(k * depth))
-    kd = min(k * depth, 20.0)  # beyond which nothing changes
+    kd = min(k * depth, 20.0)  # above 20 the result does not change
     steep = math.cosh(kd) * (2.0 + math.cosh(2.0 * kd)) / math.sinh(kd) ** 3
     return 0.25 * k * amplitude * steep
 
 
 def _spectrum(train: Part, kind: str) -> dict[str, Any]:
-    """A sea by its spectrum: the same height, period and shape, but not the same record."""
+    """Return a sea with the same height, period and shape of its spectrum, but another record."""
     if kind == "JONSWAP":
         train.demand("WaveJONSWAPParameters", "Partially specified")
     if train.optional("WaveNumberOfSpectralDirections") not in (None, 1):
@@ -163,7 +164,7 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
 
 
 def peak_over_zero_crossing(enhancement: float) -> float:
-    """Peak period over zero-crossing period of a JONSWAP spectrum, a share: root of m2 / m0."""
+    """Return peak period over zero-crossing period of a JONSWAP spectrum (1): the root of m2 / m0."""
     import numpy as np
     from wavespectra.construct.frequency import jonswap
 

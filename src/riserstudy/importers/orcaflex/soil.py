@@ -1,6 +1,6 @@
-"""Soil of an OrcaFlex text model: the p-y model of the line that stands in it.
+"""Soil of an OrcaFlex text model: the p-y model of the line in the soil.
 
-Strain is in per cent there, and soil has an effective density in place of a weight (P-y models: Data).
+In OrcaFlex strain is in per cent, and soil has an effective density in place of a weight (P-y models: Data).
 """
 
 from __future__ import annotations
@@ -17,12 +17,12 @@ STRAIGHT = (
 
 
 def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, Any] | None:
-    """Soil around a line below the seabed (m); None where the line has none.
+    """Return the soil around a line below the seabed (m); None if the line has none.
 
     Raises
     ------
     InputError
-        Where a scene cannot say it: sand, tables, several ranges of depth, a model that is not there.
+        When a scene cannot describe it: sand, tables, several ranges of depth, a missing model.
     """
     name = line.optional("PyModel")
     if name in (None, "(none)"):

@@ -1,4 +1,4 @@
-"""The riser of a deck as sections: its lines on end, what runs along them, and where the water ends."""
+"""The riser of a deck as sections: its consecutive lines, the lines along them, and the water surface."""
 
 from __future__ import annotations
 
@@ -24,22 +24,22 @@ from riserstudy.importers.orcaflex.sea import Sea
 SLACK = (
     1e-3  # share of its length by which a line along the riser may be longer or shorter than that
 )
-DECIMALS = 9  # of elevations, whose rounding is no length
+DECIMALS = 9  # of elevations: a rounding error must not become a short section
 
 
 class Piece(NamedTuple):
-    """A length of one line type, from its lower end on."""
+    """A piece of one line type, from its lower end."""
 
     name: str
     line: Line
     kind: str
     low: float  # elevation, unstretched (m)
     high: float
-    begins: bool  # whether its line begins with it, above another
+    begins: bool  # whether it is the lowest of its line, above another line
 
 
 def sections(deck: Part, cast: Roles, bottom: float, sea: Sea) -> list[dict[str, Any]]:
-    """Sections from the lowest to the highest, the lowest end at an elevation (m)."""
+    """Return the sections from the lowest to the highest; the lower end has the elevation ``bottom`` (m)."""
     made: list[dict[str, Any]] = []
     attached = _alongside(deck, cast, bottom)
     levels = [level for _, *ends in attached for level in ends]
@@ -57,7 +57,7 @@ def sections(deck: Part, cast: Roles, bottom: float, sea: Sea) -> list[dict[str,
 
 
 def _pieces(cast: Roles, bottom: float) -> Iterator[Piece]:
-    """The pieces from below, those of one line type numbered from above."""
+    """Yield the pieces from the bottom; pieces of one line type are numbered from the top."""
     rows = []
     for k, line in enumerate(cast.riser[::-1]):
         found = lengths_of(line.part)
@@ -73,7 +73,7 @@ def _pieces(cast: Roles, bottom: float) -> Iterator[Piece]:
 
 
 def _cut(pieces: list[Piece], levels: list[float], surface: float) -> list[Piece]:
-    """The pieces, cut at the water's surface and where lines along them begin and end (m)."""
+    """Return the pieces, cut at the water surface and at the ends of lines along them (m)."""
     for level in (surface, *levels):
         for k in range(len(pieces) - 1, -1, -1):
             piece = pieces[k]
@@ -102,7 +102,7 @@ def _section(deck: Part, cast: Roles, piece: Piece, sea: Sea) -> dict[str, Any]:
 
 
 def _joint(deck: Part, cast: Roles, piece: Piece) -> dict[str, Any] | None:
-    """The spring between a line of the riser and that below it; None where they are clamped."""
+    """Return the spring between a line of the riser and the line below it; None if they are clamped."""
     below = cast.riser[cast.riser.index(piece.line) + 1]
     stiffness = in_series(piece.line.lower.stiffness, below.upper.stiffness)
     if below.upper.to == "Free" or piece.line.lower.to == below.name:
@@ -122,7 +122,7 @@ def _joint(deck: Part, cast: Roles, piece: Piece) -> dict[str, Any] | None:
 
 
 def _water(kind: Part) -> dict[str, Any]:
-    """Drag and added mass of a line type."""
+    """Return drag and added mass of a line type."""
     outer = kind.number("OD")
     fields: dict[str, Any] = {}
     drag, added = across(kind, "Cd"), across(kind, "Ca")
@@ -141,7 +141,7 @@ def _water(kind: Part) -> dict[str, Any]:
 
 
 def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float, float]]:
-    """Lines along the riser, with elevations of the riser between their ends (m)."""
+    """Return the lines along the riser, with the riser's elevations at their ends (m)."""
     lengths = [depth(line) for line in cast.riser[::-1]]
     levels = [round(bottom + sum(lengths[:k]), DECIMALS) for k in range(len(lengths) + 1)][::-1]
     found = []
@@ -169,7 +169,7 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
 
 
 def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
-    """Add lines along a section, with the drag and the water of them all."""
+    """Add lines along a section, with their drag and added mass."""
     attached, kinds = [], []
     for line in lines:
         names = {name for name, _ in lengths_of(line.part)}
@@ -192,7 +192,7 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
 
 
 def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: int) -> None:
-    """Let a coefficient of a section act on a diameter that stands for that of its lines too."""
+    """Set the diameter of a coefficient such that it represents the lines along the section, too."""
     parts = [section[name], *more] if name in section else more
     if not more:
         return
@@ -207,7 +207,7 @@ def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: 
 
 
 def _pipe(kind: Part) -> dict[str, Any]:
-    """A line along the riser by its diameters, modulus and mass."""
+    """Return a line along the riser, with its diameters, modulus and mass."""
     fields = wall(kind)
     if "young_modulus" not in fields:
         area = disc(kind.number("OD")) - disc(kind.number("ID"))

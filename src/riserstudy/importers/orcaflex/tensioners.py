@@ -1,6 +1,6 @@
-"""Tensioners of a deck: links that are springs, straight or by a table, or winches of constant tension.
+"""Tensioners of a deck: links that are linear or tabulated springs, or winches with constant tension.
 
-All are alike and evenly around, from points of a deck or vessel to points of the tension ring.
+All must be equal and evenly arranged around the riser, from points of a deck or vessel to the tension ring.
 """
 
 from __future__ import annotations
@@ -15,12 +15,12 @@ ALONG = "ConnectionzRelativeTo"
 
 
 class Anchorage(NamedTuple):
-    """What tensioners may be fastened to, and where the riser ends unstretched."""
+    """Objects that tensioners may be attached to, and the unstretched upper end of the riser."""
 
-    at_ring: set[str]  # names of the line, or of the ring
-    decks: dict[str, float]  # elevation of what deck points count from (m), by its name
+    at_ring: set[str]  # names of the line and of the ring
+    decks: dict[str, float]  # elevation of the origin of deck points (m), by the object's name
     ring: float  # elevation of the upper end, unstretched (m)
-    aside: float = 0.0  # x of the vertical that bearings and radii of deck points count from (m)
+    aside: float = 0.0  # x of the vertical axis for bearings and radii of deck points (m)
 
 
 class Pull(NamedTuple):
@@ -33,17 +33,17 @@ class Pull(NamedTuple):
 
     @property
     def idle(self) -> bool:
-        """Whether it never pulls, as a cylinder that has failed."""
+        """Whether it never pulls, like a failed cylinder."""
         return not self.damping and all(force == 0.0 for _, force in self.law)
 
 
 def fastened(part: Part) -> list[str]:
-    """What a link or winch is fastened to.
+    """Return the objects that a link or winch is attached to.
 
     Raises
     ------
     InputError
-        Where it has not two ends.
+        When it does not have two ends.
     """
     rows = part.table(*PLACE, of=(ALONG,))
     if len(rows) < 2:
@@ -52,12 +52,12 @@ def fastened(part: Part) -> list[str]:
 
 
 def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
-    """Tensioners of a scene from links or winches.
+    """Return the tensioners of a scene from links or winches.
 
     Raises
     ------
     InputError
-        Where they are not alike, or not evenly around.
+        When they are not equal, or not evenly arranged.
     """
     pulls = []
     for part in parts:
@@ -95,21 +95,21 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
 
 
 def _evenly(pulls: list[Pull]) -> bool:
-    """Whether tensioners, as they stand, are one spacing further round each."""
+    """Return whether each tensioner is one equal spacing further round than the previous one."""
     bearings = [pull.deck[2] for pull in pulls]
     steps = [b - bearings[0] - 360.0 * k / len(pulls) for k, b in enumerate(bearings)]
     return all(abs(math.remainder(step, 360.0)) < 1e-3 for step in steps)
 
 
 class Constant(NamedTuple):
-    """A constant pull (kN) from straight above, from an elevation (m)."""
+    """A constant vertical pull (kN), from an elevation (m)."""
 
     force: float
     height: float
 
 
 def constant(parts: list[Part], of: Anchorage) -> Constant | None:
-    """The pull of one winch straight above what it pulls; None of anything else."""
+    """Return the pull of a single winch vertically above its object; None for anything else."""
     if len(parts) != 1 or not parts[0].path.startswith("Winches"):
         return None
     pull = _winch(parts[0], of)
@@ -117,7 +117,7 @@ def constant(parts: list[Part], of: Anchorage) -> Constant | None:
 
 
 def _law(law: tuple[tuple[float, float], ...]) -> dict[str, Any]:
-    """A law of a scene: a straight line, or a table."""
+    """Return the law for a scene: a straight line or a table."""
     if len(law) == 1:
         return {"linear": {"tension": _q(law[0][1], "kN"), "stiffness": "0 kN/m"}}
     if len(law) > 2:
@@ -131,7 +131,7 @@ def _law(law: tuple[tuple[float, float], ...]) -> dict[str, Any]:
 
 
 def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], float, float]:
-    """Deck point, radius of the ring point (m) and the length between them, the riser unstretched (m)."""
+    """Return deck point, radius of the ring point (m), and their distance with an unstretched riser (m)."""
     names = fastened(part)
     points = part.figures(*PLACE[1:], idle=(PLACE[0], ALONG))
     ends = list(zip(names, points, strict=True))[:2]
@@ -179,7 +179,7 @@ def _link(link: Part, of: Anchorage) -> Pull:
 
 
 def _damping(link: Part) -> float:
-    """Damping of a link (kN s/m), 0 without."""
+    """Return the damping of a link (kN s/m); 0 without damping."""
     link.idle("Damping")
     if link.data.get("LinearDamper") is None and link.data.get("DampingConstant") is None:
         return 0.0
@@ -190,16 +190,16 @@ def _damping(link: Part) -> float:
 
 
 def _is_given(value: Any) -> bool:
-    """Whether a deck says yes."""
+    """Return whether a value of a deck means yes."""
     return str(value) in ("True", "Yes")
 
 
 def _winch(winch: Part, of: Anchorage) -> Pull:
-    """A winch that holds its tension."""
+    """Return the pull of a winch with constant tension."""
     winch.demand("WinchType", "Simple")
     winch.demand("WinchControlType", "By stage")
     winch.idle("Damping")
-    winch.optional("Stiffness")  # of the wire, whose tension is held
+    winch.optional("Stiffness")  # of the wire; irrelevant with a constant tension
     deck, ring, _ = _between(winch, of)
     modes = [str(mode) for (mode,) in winch.table("StageMode", idle=("StageValue",))]
     stages = set(

@@ -1,7 +1,7 @@
-"""The upper end of a deck's riser: held, on a vessel, on tensioners, or under a telescopic joint.
+"""The upper end of a deck's riser: fixed, on a vessel, on tensioners, or below a telescopic joint.
 
-The ring is a lumped buoy. The joint is a line from a vessel to the ring: on a constraint that slides along
-the ring, or so soft along itself that it takes no tension.
+The ring is a lumped buoy. The joint is a line from a vessel to the ring: it is on a constraint that slides
+along the ring, or is axially so soft that it carries no tension.
 """
 
 from __future__ import annotations
@@ -17,25 +17,25 @@ from riserstudy.importers.orcaflex.pipe import axial, disc, flexural, kind_of, l
 from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
 
-SAME = 1e-6  # m, to which elevations of a deck are one
+SAME = 1e-6  # largest difference of elevations that count as equal (m)
 ALIKE = "a scene has one horizontal value: its product with the coefficient must be the same along x and y"
-SOFT = 10.0  # kN/m, stiffness along a joint that takes no tension worth counting
+SOFT = 10.0  # largest axial stiffness of a joint with negligible tension (kN/m)
 
 
 class Top(NamedTuple):
-    """The upper end of a scene, and the vessel that it moves with."""
+    """The upper end of a scene, and the vessel with which it moves."""
 
     tree: dict[str, Any]
     vessel: Part | None
 
 
 def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
-    """The upper end of a riser whose lower end is at an elevation (m).
+    """Return the upper end of a riser whose lower end has the elevation ``bottom`` (m).
 
     Raises
     ------
     InputError
-        Where a scene cannot say what holds it.
+        When a scene cannot describe its support.
     """
     line, node = cast.riser[0], cast.nodes[0]
     vessels = deck.named("Vessels")
@@ -61,12 +61,12 @@ def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
 
 
 def height_of(vessel: Part) -> float:
-    """Elevation (m) of a vessel's origin."""
+    """Return the elevation (m) of a vessel's origin."""
     return vessel.vector("InitialPosition")[2]
 
 
 def _pulling(deck: Part, ring: set[str]) -> list[Part]:
-    """Links and winches that pull the upper end; of the others those that pull the riser not are left out."""
+    """Return links and winches that pull the upper end; those that do not pull the riser are left out."""
     pulling = []
     for part in [*deck.parts("Links"), *deck.parts("Winches")]:
         with deck.noting():
@@ -81,7 +81,7 @@ def _pulling(deck: Part, ring: set[str]) -> list[Part]:
 
 
 def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Sea) -> Top:
-    """An upper end on tensioners, with what there is of ring, guide and telescopic joint."""
+    """Return an upper end on tensioners, with ring, guide and telescopic joint if it has them."""
     line, node = cast.riser[0], cast.nodes[0]
     vessels, rings = deck.named("Vessels"), deck.named("6DBuoys")
     if not pulling:
@@ -108,7 +108,7 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
 def _guided(
     deck: Part, cast: Roles, guide: Part, pulling: list[Part], of: Anchorage, sea: Sea
 ) -> Top:
-    """An upper end on a constraint that keeps it below a point of the vessel, and lets it go up and down."""
+    """Return an upper end on a constraint that keeps it below a point of the vessel and free vertically."""
     vessels = deck.named("Vessels")
     upright(cast.riser[0], cast.riser[0].upper)
     on, aside = guided_by(guide)
@@ -138,10 +138,10 @@ def _jointed(
     body: dict[str, Any] | None,
     sea: Sea,
 ) -> Top:
-    """A ring on tensioners under a telescopic joint, at whose top a constant tension may pull along it."""
+    """Return a ring on tensioners below a telescopic joint; a constant tension may pull along the joint."""
     joint, vessels = cast.joint, deck.named("Vessels")
     if joint is None:
-        raise TypeError("no joint")  # never: asked for where there is one
+        raise TypeError("no joint")  # never happens: the caller has a joint
     on = joint.upper.to
     elevation = joint.upper.z + (height_of(vessels[on]) if on in vessels else 0.0)
     held = "platform" if on in vessels else "held"
@@ -161,7 +161,7 @@ def _jointed(
 
 
 def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
-    """A telescopic joint of a length (m), and the rotation of its upper end."""
+    """Return a telescopic joint of the given length (m), and the rotation of its upper end."""
     upright(joint, joint.upper)
     names = {name for name, _ in lengths_of(joint.part)}
     stiff = {flexural(kind_of(deck, joint.part, name)) for name in names}
@@ -176,7 +176,7 @@ def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
 def _carries(
     deck: Part, cast: Roles, body: dict[str, Any] | None, sea: Sea
 ) -> dict[str, Any] | None:
-    """The ring with what hangs on it of a joint: half of a soft one, nothing of one that slides."""
+    """Return the ring with its part of the joint's mass: half of a soft joint, none of a sliding one."""
     joint, node = cast.joint, cast.nodes[0]
     if joint is None:
         return body
@@ -218,9 +218,9 @@ def _plain(value: Any) -> str:
 
 
 def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
-    """The tension ring as a body at the riser's end: a lumped buoy by its mass, volume and drag.
+    """Return the tension ring as a body at the riser's end, from a lumped buoy with mass, volume and drag.
 
-    ``on``: what it is connected to, whose elevation counts where that is no free buoy's own.
+    ``on``: object that the buoy is connected to; without a free buoy, elevations refer to this object.
     """
     buoy.demand("BuoyType", "Lumped buoy")
     buoy.demand("Connection", on)

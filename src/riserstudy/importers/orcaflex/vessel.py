@@ -1,4 +1,4 @@
-"""A vessel of a deck as the platform of a scene: response amplitude operators with their conventions."""
+"""A vessel of a deck as the platform of a scene: response amplitude operators (RAOs), with conventions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ BY = {
     "frequency (rad/s)": ("frequency", "rad/s"),
     "frequency (Hz)": ("frequency", "Hz"),
 }
-#: which way each motion is positive in a scene: x ahead, y to port, z up, turns by the right hand
+#: positive direction of each motion in a scene: x ahead, y to port, z up, rotations right-handed
 POSITIVE = {
     "surge": ("SurgePositive", "forward", "aft"),
     "sway": ("SwayPositive", "port", "starboard"),
@@ -34,7 +34,7 @@ FROM = {"crest": 0.0, "trough": 180.0}  # codespell:ignore trough
 TURN = 2.0 * math.pi
 
 
-#: columns of a motion that is given stage by stage
+#: columns of a motion that is given for each stage
 STAGES = (
     "PrescribedMotionMode",
     "PrescribedMotionSpeedValue",
@@ -45,7 +45,7 @@ STAGES = (
 
 
 class Crest(NamedTuple):
-    """How far a scene's phases refer to another place of the vessel than those of a deck (m)."""
+    """Distance between the places of the vessel to which the phases of a scene and of a deck refer (m)."""
 
     table: Part
     x: float
@@ -53,18 +53,18 @@ class Crest(NamedTuple):
     sea: Sea
 
     def lead(self, heading: float, frequency: float) -> float:
-        """Phase (rad) by which a motion leads the later crest, at a heading (rad) and a frequency (rad/s)."""
+        """Return the phase lead (rad) due to the distance, at a heading (rad) and a frequency (rad/s)."""
         along = self.x * math.cos(heading) + self.y * math.sin(heading)
         depth = self.sea.surface - self.sea.seabed
         return along * wave_number(frequency, depth, self.sea.gravity) if along else 0.0
 
     def check(self, symmetry: str | None) -> None:
-        """Refuse operators whose images at mirrored headings would have another shift of their phases.
+        """Refuse symmetric RAOs whose phases at mirrored headings would need another shift.
 
         Raises
         ------
         InputError
-            When there are such images.
+            When the RAOs have such a symmetry.
         """
         if (symmetry and self.y) or (symmetry == "sides and ends" and self.x):
             found = f"{-self.x:g}, {-self.y:g} m from the upper end of the riser"
@@ -78,13 +78,13 @@ class Crest(NamedTuple):
 def platform_of(
     deck: Part, vessel: Part, stages: list[float], sea: Sea | None, offset: float
 ) -> dict[str, Any]:
-    """The platform: at rest without waves, else by the operators of its type; and where it is driven to.
+    """Return the platform: at rest without waves, else with the RAOs of its type; and its cruise.
 
     Parameters
     ----------
-    stages : durations of the stages (s), the first of which is the build-up; none in statics.
+    stages : durations of the stages (s), the first of which is the build-up; empty in statics.
     sea : the water, if the deck has waves.
-    offset : place of the riser's upper end along x on the vessel (m), to which phases of a scene refer.
+    offset : x of the riser's upper end on the vessel (m), to which the phases of a scene refer.
     """
     x, y, height = vessel.vector("InitialPosition")
     platform: dict[str, Any] = {}
@@ -106,7 +106,7 @@ def platform_of(
 
 
 def _answers(vessel: Part) -> bool:
-    """Whether a vessel moves by its displacement operators; of earlier versions one with none other given."""
+    """Return whether a vessel moves by displacement RAOs; in earlier versions: if it has no other motion."""
     reported = vessel.optional("SuperimposedMotion")
     motion = vessel.optional("PrimaryMotion")
     if motion not in (None, "None", "Prescribed"):
@@ -116,7 +116,7 @@ def _answers(vessel: Part) -> bool:
 
 
 def _bow_along_x(vessel: Part) -> None:
-    """See that the vessel lies along x, upright, and is as long as its type."""
+    """Check that the vessel is upright, along x, and as long as its type."""
     if "Orientation" in vessel.data:
         turned = list(vessel.vector("Orientation"))
         key = "Orientation"
@@ -131,7 +131,7 @@ def _bow_along_x(vessel: Part) -> None:
 
 
 def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
-    """The way that a vessel is driven: from rest to a speed in the first stage, or at a speed throughout."""
+    """Return the cruise of a vessel: from rest to a speed in the first stage, or at a constant speed."""
     if vessel.optional("PrimaryMotion") != "Prescribed" or not stages or not vessel.has(*STAGES):
         return None
     rows = vessel.table(*STAGES)
@@ -160,7 +160,7 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
 def _operators(
     deck: Part, vessel: Part, sea: Sea, offset: float
 ) -> tuple[list[float], dict[str, Any]]:
-    """The place of a vessel that its operators move (m), and the response that they stand for."""
+    """Return the origin of a vessel's RAOs (m), and the response that they describe."""
     kinds = deck.named("VesselTypes")
     name = vessel.text("VesselType")
     if name not in kinds:
@@ -179,7 +179,7 @@ def _operators(
 
 
 def _phase_origin(table: Part, origin: list[float]) -> tuple[float, float]:
-    """The place of a vessel (m) to which phases refer: each empty coordinate is that of the operators."""
+    """Return the phase origin of a vessel (m); an empty coordinate equals that of the RAO origin."""
     given = table.optional("PhaseOrigin") or []
     numbers = table.numbers("PhaseOrigin")
     empty = [k >= len(given) or given[k] in EMPTY for k in range(2)]
@@ -188,7 +188,7 @@ def _phase_origin(table: Part, origin: list[float]) -> tuple[float, float]:
 
 
 def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
-    """Operators in the conventions of scenes, whatever those of the deck."""
+    """Return the RAOs in the conventions of scenes, from the conventions of the deck."""
     kind.demand("RAOWaveUnit", "amplitude")
     by = _choice(kind, "WavesReferredToBy", BY)
     turns = _choice(kind, "RAOResponseUnits", ANGLES)
@@ -231,7 +231,7 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
 
 
 def _choice(part: Part, key: str, of: dict[str, Any]) -> Any:
-    """What one of a few words of a deck stands for; of another word, which is noted, that of the first."""
+    """Return the meaning of a keyword; an unknown keyword is recorded as an error and read as the first."""
     with part.noting():
         entry = part.text(key)
         if entry in of:
