@@ -119,7 +119,8 @@ def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) 
     itself.
     """
     rows = [row for row in facts.get("extremes", []) if row["output"] in outputs]
-    largest = max((abs(row[side]) for row in rows for side in ("largest", "smallest")), default=0.0)
+    sides = ("largest", "smallest", "of_whole_run")
+    largest = max((abs(row.get(side, 0.0)) for row in rows for side in sides), default=0.0)
     return float(share * largest / max(1.0 - share, LEAST_LEFT))
 
 

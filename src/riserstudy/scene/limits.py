@@ -31,8 +31,9 @@ class Limit(Strict):
     For outputs whose sign is a convention, such as moments and angles, the limit applies to the magnitude.
     ``at``: a section of the riser; ``lower end of`` or ``upper end of`` a section; or the lowest and the
     highest of several consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole
-    riser. For tension and stress, the default excludes the stack and the conductor below the flex joint. The
-    origin of an allowable is given like the origin of any other value.
+    riser. For tension and stress, the default excludes the stack and the conductor below the flex joint. A
+    disconnect opens the lower flex joint: its angle then counts until the disconnect. The origin of an
+    allowable is given like the origin of any other value.
     """
 
     output: str

@@ -135,6 +135,12 @@ class Parts(Strict):
         return sorted(set(times))
 
     @property
+    def lower_joint_until(self) -> float:
+        """Time at which a disconnect opens the flex joint at the riser's lower end (s); infinite without."""
+        inner = any(section.flex_joint_below for section in self.riser)
+        return self.disconnect.at if self.disconnect and not inner else math.inf
+
+    @property
     def lateral(self) -> str:
         """The key of the scene that requires lateral freedom, "" when none does."""
         platform = self.platform or Platform()

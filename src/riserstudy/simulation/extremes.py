@@ -14,6 +14,7 @@ from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.outputs import wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.section_forces import riser_foot
+from riserstudy.simulation.step_peaks import peaks_of
 from riserstudy.simulation.wall_stress import nodes_of
 
 FloatArray = NDArray[np.float64]
@@ -46,12 +47,41 @@ def extremes(
             if row := _along(name, where, nodes, arrays, histories, later):
                 rows.append(row)
     for name in OVER_TIME:
-        if row := _over_time(name, arrays, later):
-            row |= _seen_by_steps(scene, mesh, name, arrays, of.peaks)
+        held = until_release(scene, name, arrays)
+        counted = later[: len(held["time"])] if "time" in held else later
+        counted = counted if counted.any() else np.ones_like(counted)
+        if row := _over_time(name, held, counted):
+            row |= _seen_by_steps(scene, mesh, name, arrays, _peaks(scene, name, of))
             if name in of.rotations:
-                row["mean"] = float(np.linalg.norm(of.rotations[name][later].mean(axis=0)))
+                turns = of.rotations[name][: len(counted)][counted]
+                row["mean"] = float(np.linalg.norm(turns.mean(axis=0)))
+            if held is not arrays:  # an estimated error is relative to this value
+                row["of_whole_run"] = float(abs(arrays[name]).max())
             rows.append(row)
     return rows
+
+
+def until_release(scene: Resolved, name: str, values: Arrays) -> Arrays:
+    """Values over time, among them those of an output; the angle of a lower flex joint ends with its release.
+
+    After it the riser's end is free, and its direction is the angle of no joint.
+    """
+    if name != "lfj_angle" or name not in values or "time" not in values:
+        return values
+    count = int((values["time"] <= scene.lower_joint_until).sum())
+    if count == len(values["time"]):
+        return values
+    return {**values, "time": values["time"][:count], name: values[name][:count]}
+
+
+def _peaks(scene: Resolved, name: str, of: Seen) -> Mapping[str, Peak]:
+    """Peaks over all steps, those of the angle of a lower flex joint until its release."""
+    if name not in of.steps:
+        return of.peaks
+    held = until_release(scene, name, of.steps)
+    if held is of.steps:
+        return of.peaks
+    return {**of.peaks, **peaks_of(held["time"], {name: held[name]})}
 
 
 def _seen_by_steps(
@@ -120,6 +150,8 @@ def _over_time(name: str, arrays: Arrays, later: NDArray[np.bool_]) -> dict[str,
     row: dict[str, Any] = {"output": name, "where": ""}
     rest = arrays.get(name + "_static")
     if name in arrays and "time" in arrays:
+        if not len(arrays["time"]):
+            return None
         values = arrays[name].reshape(len(arrays["time"]), -1)
         high, low = (np.unravel_index(f(values), values.shape)[0] for f in (np.argmax, np.argmin))
         row |= {"largest": float(values.max()), "largest_time": float(arrays["time"][high])}

@@ -15,7 +15,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.limits import ALONG, Limit
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.extremes import places
+from riserstudy.simulation.extremes import places, until_release
 
 FloatArray = NDArray[np.float64]
 Arrays = dict[str, FloatArray]
@@ -52,7 +52,7 @@ def first_reached(
     found = []
     for limit in scene.limits or []:
         values, by_steps = None, limit.output in every_step
-        seen = {**arrays, **every_step} if by_steps else arrays
+        seen = until_release(scene, limit.output, {**arrays, **every_step} if by_steps else arrays)
         if limit.side != "mean" and "time" in seen:
             values = _demand(scene, mesh, limit, seen, {} if by_steps else histories)
         if values is None:
