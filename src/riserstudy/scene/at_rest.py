@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Sequence
 
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
 from riserstudy.scene.resolve import Resolved
+
+NEAR = 1e-9  # m and rad
 
 
 def at_rest(scene: Resolved) -> Resolved:
@@ -14,13 +16,28 @@ def at_rest(scene: Resolved) -> Resolved:
     A run itself can begin in another state: a motion without a ramp may start displaced, and a current with
     a ramp starts from zero.
     """
-    changed: dict[str, Any] = {}
-    if scene.platform:
-        none = dict.fromkeys((*TRANSLATIONS, *TILTS, "cruise", "response"))
-        changed["platform"] = scene.platform.model_copy(update=none)
-    if scene.current:
-        changed["current"] = scene.current.model_copy(update={"ramp": None})
-    return scene.model_copy(update=changed)
+    scene = unmoved(scene)
+    if scene.current is None:
+        return scene
+    current = scene.current.model_copy(update={"ramp": None})
+    return scene.model_copy(update={"current": current})
+
+
+def unmoved(scene: Resolved) -> Resolved:
+    """The scene with its platform where it is in calm water."""
+    if scene.platform is None:
+        return scene
+    none = dict.fromkeys((*TRANSLATIONS, *TILTS, "cruise", "response"))
+    return scene.model_copy(update={"platform": scene.platform.model_copy(update=none)})
+
+
+def moves_at(place: Sequence[float], scene: Resolved) -> bool:
+    """Whether motions displace the platform (m, rad: surge to yaw) from its place in calm water."""
+    if scene.platform is None:
+        return False
+    rest = scene.platform.position
+    of = [getattr(rest, name, None) or 0.0 for name in (*TRANSLATIONS, *TILTS)]
+    return any(abs(a - b) > NEAR for a, b in zip(place, of, strict=True))
 
 
 def static(scene: Resolved) -> Resolved:

@@ -16,6 +16,7 @@ from riserstudy.model.space_out import joint_of
 from riserstudy.model.warnings_of_scene import warnings_of
 from riserstudy.records.seen import Seen
 from riserstudy.scene.analysis import Output
+from riserstudy.scene.at_rest import moves_at, unmoved
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import audit, outputs, vibration
@@ -222,7 +223,7 @@ def in_motion(
         model, step = sides.riser, coupling.interval / steps
     else:
         step = a.duration / steps_in(a.duration, step)
-    rest = outputs.positions(model)
+    rest = outputs.positions(_in_calm_water(scene, model, mesh))
     begin(scene, model, mesh)
     section = section_of(scene, mesh, arrays) if judged else shear_of(arrays)
     recorded = (judged or len(model.s.dim) > 1) and a.method != "explicit"
@@ -308,6 +309,13 @@ def _seen(
     seen.peaks = peaks_of(every_step.time, series)
     seen.steps = {"time": every_step.time, **series}
     return seen
+
+
+def _in_calm_water(scene: Resolved, model: Model, mesh: Mesh) -> Model:
+    """What strokes are counted from: the model at rest, its platform not displaced by its motions."""
+    if not moves_at(model.s.platform[0], scene):
+        return model
+    return settle(unmoved(scene), mesh, len(model.s.dim))[0]
 
 
 def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
