@@ -1,12 +1,12 @@
-"""CSV files: whole or not there, and texts in them stay texts in a spreadsheet.
+"""CSV files: they are written whole or not at all, and texts in them stay texts in a spreadsheet.
 
-A spreadsheet takes a cell that begins with one of ``=+-@``, or with a tab, for a formula, which may fetch a
-page or start a program. Names and labels come from scenes of anybody. Such a text gets an apostrophe in
-front, by which spreadsheets know a text; numbers stay as they are.
+A spreadsheet interprets a cell that begins with one of ``=+-@``, or with a tab, as a formula, which may fetch
+a page or start a program. Names and labels come from scenes of any origin. Such a text therefore gets an
+apostrophe in front, which marks a text in spreadsheets; numbers are unchanged.
 
 References
 ----------
-OWASP Foundation, CSV Injection: which cells are formulas, and the apostrophe against it.
+OWASP Foundation, CSV Injection: cells that are formulas, and the apostrophe as protection.
 """
 
 from __future__ import annotations
@@ -21,13 +21,13 @@ from typing import Any
 
 from riserstudy.folders import whole_file
 
-#: what spreadsheets may leave out before a formula: space, control and invisible characters
+#: start of a formula, after characters that spreadsheets may ignore: space, control and invisible ones
 _FORMULA = re.compile(r"[\s\x00-\x1f\x7f\xad\u200b-\u200f\u2060\ufeff]*[=+\-@\t\n]")
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?|[+-]?inf|nan", re.ASCII)
 
 
 def csv_text(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
-    """A header and rows as CSV; what is no text is written as Python writes it, None as nothing."""
+    """Return a header and rows as CSV; a value other than text is written by ``str``, None as empty cell."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([_written(cell) for cell in header])
@@ -41,14 +41,14 @@ def write_csv(target: Path, header: Sequence[str], rows: Iterable[Sequence[Any]]
     Raises
     ------
     SimulationError
-        When it cannot be written, as on a full disk.
+        When the file cannot be written, for example on a full disk.
     """
     with whole_file(target) as partial:
         partial.write_text(csv_text(header, rows), "utf-8", newline="")
 
 
 def read_csv(path: Path) -> list[dict[str, str]]:
-    """Rows of a CSV file that was written here, by the names of its header, texts as they were."""
+    """Return the rows of a CSV file written by this module, by column name, with the original texts."""
     with path.open(newline="", encoding="utf-8") as file:
         return [
             {_as_it_was(name): _as_it_was(cell or "") for name, cell in row.items()}
@@ -59,7 +59,7 @@ def read_csv(path: Path) -> list[dict[str, str]]:
 def _written(cell: Any) -> Any:
     if not isinstance(cell, str):
         return cell
-    # a line that ends by "\r" alone is not quoted, and what follows it would be a cell
+    # the writer does not quote a line that ends with "\r" alone; the text after it would be a cell
     cell = cell.replace("\r\n", "\n").replace("\r", "\n")
     return f"'{cell}" if _is_formula(cell) else cell
 
@@ -69,6 +69,6 @@ def _as_it_was(cell: str) -> str:
 
 
 def _is_formula(text: str) -> bool:
-    """Whether a spreadsheet could calculate a text; one that has an apostrophe already, without it."""
+    """Return whether a spreadsheet could read a text as a formula, without its leading apostrophe if any."""
     bare = unicodedata.normalize("NFKC", text.lstrip("'"))
     return bool(_FORMULA.match(bare)) and not _NUMBER.fullmatch(bare)

@@ -1,8 +1,8 @@
-"""Digests of sources: what changes when code that a result depends on changes.
+"""Digests of sources, which change when code that a result depends on changes.
 
-Dependence is read from the import statements, without running them. Of a Python file only what has a
-meaning when it runs counts (``syntax``): an edit of its prose changes no digest. Files that a module reads
-from beside itself count where it names them: ``DATA_FILES = ("table.yaml",)``.
+Dependencies are read from the import statements, without running them. Only those parts of a Python file
+count that have a meaning when it runs (``syntax``): an edit of docstrings or comments changes no digest.
+Files in the folder of a module count if the module names them: ``DATA_FILES = ("table.yaml",)``.
 """
 
 from __future__ import annotations
@@ -18,35 +18,36 @@ from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, keep, recall
 from riserstudy.syntax import meaning
 
-#: folders of the packages whose sources count: ours, and the chapters of a study of one's own; of modules
-#: that chapters import those count, too, that lie in the folder where one works
+#: folders of the packages whose sources count: this package, and the chapters of a user's study; modules in
+#: the current folder that chapters import count, too
 ROOTS = {"riserstudy": PACKAGE, "chapters": Path("chapters")}
-ENGINE = "riserstudy.simulation.refine"  # what simulates
-KEPT = "sources"  # in the cache: what was found out about sources, by hash of their content
+ENGINE = "riserstudy.simulation.refine"  # module that simulates
+KEPT = "sources"  # name in the cache: facts about sources, by hash of their content
 MOST_KEPT = 10_000
 
 
 class Facts(NamedTuple):
-    """What is known of a Python file by its content."""
+    """Facts about a Python file, from its content."""
 
-    #: hash of what has a meaning when it runs
+    #: hash of the parts that have a meaning when it runs
     meaning: str
-    #: what it imports: leading dots, module, names
+    #: its imports: leading dots, module, names
     imports: list[tuple[int, str, list[str]]]
-    #: functions that it defines: names of arguments that each must be given, and of all, None for any
+    #: functions that it defines: names of required arguments, and of all arguments (None: any)
     functions: dict[str, tuple[list[str], list[str] | None]]
-    #: files beside it that it names in ``DATA_FILES``
+    #: files in its folder that it names in ``DATA_FILES``
     data: list[str]
 
 
 def digest(files: Iterable[Path]) -> str:
-    """Hash of the names of files and of what counts of their content, 16 hexadecimal digits."""
+    """Return a hash of the names of files and of the counting parts of their contents, 16 hex digits."""
     return _digest(frozenset(files))
 
 
 @cache
 def _digest(files: frozenset[Path]) -> str:
-    parts = sorted(f"{file.name} {_counted(file)} " for file in files)  # wherever they lie
+    # independent of their folders
+    parts = sorted(f"{file.name} {_counted(file)} " for file in files)
     _keep_facts()
     return _hash("".join(parts).encode())[:16]
 
@@ -57,7 +58,7 @@ def _counted(file: Path) -> str:
 
 @cache
 def kernel_digest() -> str:
-    """Digest of everything that is compiled."""
+    """Digest of all compiled code."""
     return digest([*PACKAGE.glob("effects/*.py"), *PACKAGE.glob("solve/*.py")])
 
 
@@ -67,11 +68,11 @@ def engine_digest() -> str:
     return digest(dependencies(ENGINE))
 
 
-# What a module depends on
+# Dependencies of a module
 
 
 def dependencies(module: str) -> frozenset[Path]:
-    """Source files of a module, of all that it imports, and what they read from beside themselves."""
+    """Return the source files of a module and of all its imports, and the data files that they name."""
     return _dependencies(module, (Path.cwd(), *(root.absolute() for root in ROOTS.values())))
 
 
@@ -94,13 +95,13 @@ def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
 
 
 def source_of(module: str) -> Path | None:
-    """File of a module, or None: a name that is imported may be no module, or another package's."""
+    """Return the file of a module; None for a name that is not a module, or belongs to another package."""
     first, *steps = module.split(".")
     return _source_of(ROOTS[first].absolute(), *steps) if first in ROOTS else None
 
 
 def _beside_chapters(module: str) -> Path | None:
-    """File of a module of neither package in the folder where one works, where chapters find it."""
+    """Return the file of a module in the current folder, where chapters find it, outside both packages."""
     first, *steps = module.split(".")
     return None if first in {"", *ROOTS} else _source_of(Path(first).absolute(), *steps)
 
@@ -113,7 +114,7 @@ def _source_of(root: Path, *steps: str) -> Path | None:
 
 
 def defining(modules: Iterable[str], function: str) -> str | None:
-    """The one of some modules that defines a function of that name, if one does."""
+    """Return the module, of the given ones, that defines a function of that name; None if none does."""
     for module in modules:
         file = source_of(module)
         if file and function in facts(file).functions:
@@ -122,21 +123,21 @@ def defining(modules: Iterable[str], function: str) -> str | None:
 
 
 class Arguments(NamedTuple):
-    """Names that a function must be given, and all that it takes; None: it takes any."""
+    """Names of the required arguments of a function, and of all its arguments; None: it accepts any."""
 
     needed: set[str]
     taken: set[str] | None
 
 
 def arguments_of(modules: Iterable[str], function: str) -> Arguments:
-    """Arguments of the function of that name, by reading its source.
+    """Return the arguments of the function of that name, read from its source.
 
     Raises
     ------
     LookupError
         When no module defines it.
     InputError
-        When the module is not Python.
+        When the module is not valid Python.
     """
     module = defining(modules, function)
     file = source_of(module) if module else None
@@ -147,12 +148,12 @@ def arguments_of(modules: Iterable[str], function: str) -> Arguments:
 
 
 def data_of(file: Path) -> tuple[Path, ...]:
-    """Files beside a source file that it names in ``DATA_FILES``: what it reads.
+    """Return the files that a source file names in ``DATA_FILES``; they are in its folder.
 
     Raises
     ------
     InputError
-        When there is no such file.
+        When such a file does not exist.
     """
     found = tuple(file.parent / name for name in facts(file).data)
     for path in found:
@@ -164,7 +165,7 @@ def data_of(file: Path) -> tuple[Path, ...]:
 
 @cache
 def imported_by(module: str, file: Path) -> tuple[str, ...]:
-    """Names that a module imports: modules, and what may be modules."""
+    """Return the names that a module imports: modules, and names that may be modules."""
     package = module if file.stem == "__init__" else _above(module)
     return tuple(_imported(facts(file).imports, package))
 
@@ -183,17 +184,17 @@ def _above(module: str) -> str:
     return module.rpartition(".")[0]
 
 
-# What is known of a file
+# Facts about a file
 
 
 @cache
 def facts(file: Path) -> Facts:
-    """What is known of a Python file; to read its syntax takes long, so it is done once for each content.
+    """Return the facts about a Python file. Parsing is slow: it is done once for each content.
 
     Raises
     ------
     InputError
-        When it is not Python.
+        When the file is not valid Python.
     """
     content = file.read_bytes()
     name = _hash(content)
@@ -212,13 +213,13 @@ def _kept() -> dict[str, list[Any]]:
 
 @cache
 def _name_kept() -> str:
-    """It says by which code the facts were found."""
+    """Return the name in the cache, which contains a digest of the code that finds the facts."""
     code = b"".join(Path(file).read_bytes() for file in (__file__, PACKAGE / "syntax.py"))
     return f"{KEPT}-{_hash(code)}"
 
 
 def _keep_facts() -> None:
-    """Keep what was learnt in this process, beside what others have kept meanwhile."""
+    """Store the facts found by this process, in addition to those that other processes stored meanwhile."""
     if not _learnt:
         return
     kept = recall(_name_kept()) or {}
@@ -249,8 +250,8 @@ def _read(tree: ast.Module) -> Facts:
 
 
 def _taken(node: ast.FunctionDef) -> tuple[list[str], list[str] | None]:
-    """Names of arguments that a function must be given, and of all that it takes, None for any."""
-    if node.decorator_list:  # which may change them
+    """Return the names of required arguments of a function, and of all its arguments, None for any."""
+    if node.decorator_list:  # decorators may change the arguments
         return [], None
     plain, named = [a.arg for a in node.args.args], [a.arg for a in node.args.kwonlyargs]
     filled = plain[len(plain) - len(node.args.defaults) :]
@@ -269,11 +270,11 @@ def _data_named(node: ast.stmt) -> list[str]:
 
 
 def _executed(tree: ast.AST) -> Iterator[ast.AST]:
-    """All nodes but those that only tell types."""
+    """Yield all nodes except those under ``if TYPE_CHECKING``."""
     for node in ast.iter_child_nodes(tree):
         test = node.test if isinstance(node, ast.If) else None
         if isinstance(node, ast.If) and isinstance(test, ast.Name) and test.id == "TYPE_CHECKING":
-            for other in node.orelse:  # which is what runs
+            for other in node.orelse:  # only this branch runs
                 yield other
                 yield from _executed(other)
         else:

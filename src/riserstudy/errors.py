@@ -1,12 +1,12 @@
-"""The errors that users see: what is wrong, where, what was found, what is allowed."""
+"""The errors that users see: place, found value, and allowed values or remedy."""
 
 from __future__ import annotations
 
-LONGEST = 400  # characters of a part of a message
+LONGEST = 400  # most characters of a part of a message
 
 
 def printable(value: object) -> str:
-    """Text of a value for a message: of bounded length, on one line, without control characters."""
+    """Return a value as text for a message: of bounded length, on one line, without control characters."""
     text = str(value)
     text = text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
     return "".join(
@@ -48,17 +48,17 @@ class InputError(RiserStudyError):
         super().__init__(f"{place}: {printable(found)}; {printable(allowed)}")
 
     def __reduce__(self) -> tuple[type[InputError], tuple[str, str, str, str, tuple[str, ...]]]:
-        """What another process is told."""
+        """Return class and arguments with which another process makes the error again."""
         return type(self), (self.where, self.field, self.found, self.allowed, self.also)
 
 
 class InputErrors(InputError):
-    """Several that were found in one file, told together, one a line.
+    """Several errors in one file, reported together, one per line.
 
     Parameters
     ----------
     faults : list of InputError
-        One or more, of one file.
+        One or more errors, all in one file.
     """
 
     def __init__(self, faults: list[InputError]):
@@ -71,7 +71,7 @@ class InputErrors(InputError):
             self.args = (f"{mark}{len(faults)} faults:{lines}",)
 
     def __reduce__(self) -> tuple[type[InputErrors], tuple[list[InputError]]]:  # type: ignore[override]
-        """What another process is told."""
+        """Return class and arguments with which another process makes the error again."""
         return type(self), (list(self.faults),)
 
 
@@ -82,11 +82,11 @@ class SimulationError(RiserStudyError):
 
 
 class PhysicallyUnstable(SimulationError):
-    """An equilibrium that would not stand: no finer mesh or step can cure it."""
+    """An unstable equilibrium, which no finer mesh or step can cure."""
 
 
 class TakesTooLong(SimulationError):
-    """A run that takes longer than was allowed."""
+    """A run that takes longer than allowed."""
 
 
 class StepFailed(SimulationError):

@@ -1,4 +1,4 @@
-"""Where caches live, and files that are whole or not there."""
+"""Folders of caches and chapters, and files that are written whole or not at all."""
 
 from __future__ import annotations
 
@@ -22,21 +22,21 @@ from riserstudy.errors import InputError, SimulationError
 
 PACKAGE = Path(__file__).parent
 
-#: of a results folder, where jobs say what each file was when it was written
+#: subfolder of a results folder in which jobs store the digest of each file
 SEALS = ".seals"
 
 
 def cache_folder() -> Path:
-    """Folder of point store and compiled kernels.
+    """Return the folder of point store and compiled kernels.
 
-    RISERSTUDY_CACHE, or ``.cache`` of the checkout, or the user's own cache for an installed package: never
-    the folder where one happens to work, since what is compiled there is executed.
+    It is RISERSTUDY_CACHE, or ``.cache`` of the checkout, or for an installed package the user's own cache.
+    It is never the current folder, because compiled code in the cache is executed.
 
     Raises
     ------
     InputError
-        When somebody else owns the folder, or can write to it. Made here it is this user's alone,
-        whatever the umask.
+        When another user owns the folder or can write to it. A folder that this function makes is private,
+        independent of the umask.
     """
     checkout = PACKAGE.parents[1]
     if moved := os.environ.get("RISERSTUDY_CACHE"):
@@ -52,19 +52,19 @@ def cache_folder() -> Path:
 
 @cache
 def _make_private(folder: Path) -> None:
-    with suppress(OSError):  # told when something is to be kept there
+    with suppress(OSError):  # reported when something is stored there
         if not folder.exists():
             folder.parent.mkdir(parents=True, exist_ok=True)
             folder.mkdir(mode=0o700, exist_ok=True)
 
 
 def own_part(folder: Path) -> Path:
-    """A folder within the cache whose content is executed: refused as the cache is, if others get that far.
+    """Return a subfolder of the cache whose content is executed; refused if other users can write to it.
 
     Raises
     ------
     InputError
-        As ``cache_folder``.
+        As for ``cache_folder``.
     """
     with suppress(OSError):
         if cache_folder().stat().st_mode & (S_IXGRP | S_IXOTH):
@@ -76,7 +76,7 @@ def own_part(folder: Path) -> Path:
 def _refuse_foreign(folder: Path) -> None:
     try:
         stat = folder.stat()
-    except OSError:  # not there: made by us, or told when it cannot be
+    except OSError:  # it does not exist: this process makes it, or reports why it cannot
         return
     if os.name != "posix":
         return
@@ -90,7 +90,7 @@ def _refuse_foreign(folder: Path) -> None:
 
 
 def _group_of_one(group: int) -> bool:
-    """Whether a group is the administrator's, or the one that systems make for this user alone."""
+    """Return whether a group belongs to the administrator, or contains only this user."""
     import grp
     import pwd
 
@@ -103,15 +103,15 @@ def _group_of_one(group: int) -> bool:
 
 
 def workflow_folder() -> Path:
-    """Folder of Snakefile and rules: within the package that a wheel installs, else the checkout."""
+    """Folder of Snakefile and rules: in an installed package, else in the checkout."""
     shipped = PACKAGE / "shipped"
     return shipped if shipped.exists() else PACKAGE.parents[1]
 
 
 def chapter_modules(paper: str, part: str) -> list[str]:
-    """Modules of one part of a paper's chapter: ``figures``, ``derived``, ``claims`` and so on.
+    """Return the modules of one part of a paper's chapter: ``figures``, ``derived``, ``claims`` and so on.
 
-    A part is a file of that name or a folder of files, in the folder ``chapters`` where one works.
+    A part is a file of that name or a folder of files, in ``chapters`` of the current folder.
     """
     place = Path("chapters") / paper / part
     if place.with_suffix(".py").exists():
@@ -121,12 +121,12 @@ def chapter_modules(paper: str, part: str) -> list[str]:
 
 
 def own_chapters() -> list[str]:
-    """Papers with a chapter in the folder where one works."""
+    """Return the papers that have a chapter in the current folder."""
     return sorted(path.name for path in Path("chapters").glob("*") if path.is_dir())
 
 
 def import_of_chapter(module: str) -> ModuleType:
-    """A module of a chapter, imported; one of the folder where one works whatever Python was started with."""
+    """Import a module of a chapter from the current folder, even if it is not in Python's path."""
     here = str(Path.cwd())
     if not {here, ""} & {*sys.path}:
         sys.path.append(here)
@@ -134,21 +134,21 @@ def import_of_chapter(module: str) -> ModuleType:
 
 
 def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
-    """Those of some source files that are of a paper's chapter, as paths from where one works."""
+    """Return the source files that belong to a paper's chapter, as paths relative to the current folder."""
     here = Path.cwd()
     chapter = here / "chapters" / paper
     return sorted(str(file.relative_to(here)) for file in files if file.is_relative_to(chapter))
 
 
 def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
-    """Write a file under another name in the same folder, then rename it; readable as other files are.
+    """Write a file under a temporary name in the same folder, then rename it; it gets usual permissions.
 
     Parameters
     ----------
-    synced : whether it lies on the disk before it has its name.
+    synced : whether the content must be on the disk before the file is renamed.
     """
     name = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
-    handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)  # less the umask
+    handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)  # minus the umask
     try:
         with os.fdopen(handle, "wb") as stream:
             stream.write(content)
@@ -164,16 +164,16 @@ def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
 
 @contextmanager
 def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
-    """The path of a file to write, which takes the target's place when it is whole.
+    """Yield the path of a file to write; it replaces the target when it is complete.
 
     Parameters
     ----------
-    *errors : of the library that writes, which mean that a file is not whole.
+    *errors : errors of the writing library which mean that the file is not complete.
 
     Raises
     ------
     SimulationError
-        When it cannot be written, as on a full disk, or a file that it is made from cannot be read.
+        When it cannot be written, for example on a full disk, or a source file cannot be read.
     """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     unwritten: tuple[type[Exception], ...] = (OSError, *errors)
@@ -182,7 +182,7 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
         partial.replace(target)
     except unwritten as error:
         reason = getattr(error, "strerror", None) or "not written to its end"
-        other = getattr(error, "filename", None)  # which was to be read for it
+        other = getattr(error, "filename", None)  # a source file
         if other and Path(os.fsdecode(other)) not in (target, partial):
             raise SimulationError(
                 f"{target} is not written, because of {other}: {reason}"
@@ -190,14 +190,15 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
         remedy = "see whether the disk is full"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
-        with suppress(OSError):  # of a folder that cannot be written it is told why
+        with suppress(OSError):  # the error of a read-only folder is reported with its reason
             partial.unlink(missing_ok=True)
 
 
 def remembered(name: str, make: Callable[[], Any]) -> Any:
-    """Plain data that takes long to make, kept in the cache; the name says all that it depends on.
+    """Return plain data that takes long to make, from the cache if possible.
 
-    A seal stands before it: what is not as it was written is made anew.
+    The name must contain everything that the data depend on. The stored data begin with a seal: damaged data
+    are made again.
     """
     if (kept := recall(name)) is not None:
         return kept
@@ -207,7 +208,7 @@ def remembered(name: str, make: Callable[[], Any]) -> Any:
 
 
 def recall(name: str) -> Any:
-    """Plain data as it was kept; None where there is none, or it is damaged."""
+    """Return plain data from the cache; None if they are missing or damaged."""
     with suppress(OSError, ValueError):
         seal, _, content = (cache_folder() / f"{name}.json").read_bytes().partition(b"\n")
         if seal == _seal(name, content):
@@ -216,7 +217,7 @@ def recall(name: str) -> Any:
 
 
 def keep(name: str, made: Any) -> None:
-    """Keep plain data in the cache; where nothing can be kept, it is made each time."""
+    """Store plain data in the cache; if that fails, they are made again each time."""
     file = cache_folder() / f"{name}.json"
     with suppress(OSError):
         file.parent.mkdir(parents=True, exist_ok=True)

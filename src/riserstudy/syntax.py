@@ -1,18 +1,18 @@
-"""What of a source file has a meaning when it runs: its syntax tree as text that editing prose leaves alone.
+"""The meaning of a source file when it runs: its syntax tree as text, which edits of prose do not change.
 
-Not in that text are comments, layout, how a constant is written (``1e3``, ``1000.0``), and, because it can be
-shown that nothing which runs reads them:
+The text does not contain comments, layout, or the notation of a constant (``1e3``, ``1000.0``). It does not
+contain the following either, which no running code reads:
 
-- strings and other constants that stand alone as a statement, docstrings among them, unless the file itself
-  reads docstrings (``__doc__`` and its like);
-- annotations of variables within functions: Python neither evaluates nor keeps them;
-- annotations of functions and of a module's variables where the file postpones their evaluation
-  (``from __future__ import annotations``) and names nothing that reads them. A decorated function loses
-  them only under decorators that are known to read none;
-- blocks under ``if TYPE_CHECKING``, and names imported from ``typing`` and ``collections.abc`` without
-  another name: where such a name is used, the use stays.
+- strings and other constants that are a statement of their own, such as docstrings, unless the file itself
+  reads docstrings (``__doc__`` and similar names);
+- annotations of variables inside functions: Python neither evaluates nor stores them;
+- annotations of functions and of a module's variables, if the file postpones their evaluation
+  (``from __future__ import annotations``) and contains no name that reads them. The annotations of a
+  decorated function are left out only if its decorators are known not to read them;
+- blocks under ``if TYPE_CHECKING``, and imports from ``typing`` and ``collections.abc`` without ``as``: the
+  uses of such a name are kept.
 
-Annotations in a class are kept: those of dataclasses, named tuples and pydantic models are their fields.
+Annotations in a class are kept, because in dataclasses, named tuples and pydantic models they are the fields.
 The text is the same for every Python that can read the file.
 """
 
@@ -21,9 +21,9 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-#: names by which a file reads docstrings, here of functions and classes
+#: names with which a file reads docstrings, here of functions and classes
 DOCSTRING_READERS = {"__doc__", "getdoc", "use_attribute_docstrings"}
-#: names by which a file reads annotations of functions, or has them read
+#: names with which a file reads annotations of functions, directly or through a library
 ANNOTATION_READERS = {
     *("__annotations__", "get_annotations", "get_type_hints", "getfullargspec", "inspect"),
     *("singledispatch", "singledispatchmethod", "typer", "validate_call", "computed_field"),
@@ -33,25 +33,25 @@ ANNOTATION_READERS = {
 BLIND = {
     *("property", "setter", "cached_property", "staticmethod", "classmethod", "abstractmethod"),
     *("cache", "lru_cache", "wraps", "contextmanager", "override"),
-    # pydantic looks at how many arguments they take
+    # pydantic reads only their number of arguments
     *("model_validator", "field_validator"),
-    # numba infers types from what a function is called with
+    # numba infers types from the arguments of a call
     *("kernel", "inner", "unrolled", "njit"),
 }
 TYPES_ALONE = {"typing", "collections.abc"}
-#: of a node, what says where a name stands, or how a constant was written
+#: fields of a node with the context of a name or the notation of a constant
 PROSE = {"ctx", "kind", "type_comment", "type_ignores"}
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SCOPES = {ast.FunctionDef: "function", ast.AsyncFunctionDef: "function", ast.ClassDef: "class"}
 
 
 def meaning(tree: ast.Module) -> str:
-    """The syntax tree as text, without what has no meaning when it runs."""
+    """Return the syntax tree as text, without the parts that have no meaning when it runs."""
     return "".join(_Writer(tree).module(tree))
 
 
 class _Writer:
-    """Writes a tree, knowing what its file reads."""
+    """Writes a tree; it knows which annotations and docstrings the file reads."""
 
     def __init__(self, tree: ast.Module):
         names = set(_names(tree))
@@ -68,7 +68,7 @@ class _Writer:
         yield from self.block(tree.body, "module")
 
     def block(self, body: list[ast.stmt], scope: str) -> Iterator[str]:
-        """Statements of a block that do something."""
+        """Yield the statements of a block that have an effect."""
         yield "["
         for node in body:
             yield from self.statement(node, scope)
@@ -92,18 +92,18 @@ class _Writer:
             yield from self.node(node, scope)
 
     def is_unread(self, scope: str) -> bool:
-        """Whether nothing reads the annotation of a variable."""
+        """Return whether no code reads the annotation of a variable."""
         return scope == "function" or (scope == "module" and self.unread)
 
     def unannotated(self, node: ast.AnnAssign, scope: str) -> Iterator[str]:
-        """An assignment; without a value it still makes a name local."""
+        """Yield an assignment without its annotation; even without a value it makes a name local."""
         if node.value is not None:
             yield from self.node(ast.Assign([node.target], node.value), scope)
         elif scope == "function" and isinstance(node.target, ast.Name):
             yield f"local({node.target.id})"
 
     def node(self, node: ast.AST, scope: str) -> Iterator[str]:
-        """A node of any kind, by its fields; empty ones, of which newer Pythons have more, are left out."""
+        """Yield a node by its fields; empty fields, of which newer Pythons have more, are left out."""
         if isinstance(node, ast.Constant):
             yield f"{type(node.value).__name__}:{node.value!a},"
             return
@@ -123,7 +123,7 @@ class _Writer:
         yield ")"
 
     def value(self, value: object, scope: str) -> Iterator[str]:
-        """A field of a node."""
+        """Yield a field of a node."""
         if isinstance(value, ast.AST):
             yield from self.node(value, scope)
         elif isinstance(value, list):
@@ -135,7 +135,7 @@ class _Writer:
             yield f"{value!a},"
 
     def arguments(self, node: ast.arguments, scope: str, blind: bool) -> Iterator[str]:
-        """Arguments of a function, without annotations where nothing reads them."""
+        """Yield the arguments of a function, without annotations if no code reads them."""
         for name, value in ast.iter_fields(node):
             if value is None or value == []:
                 continue
@@ -147,12 +147,12 @@ class _Writer:
                     yield from self.value(one, scope)
 
     def is_blind(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
-        """Whether nothing reads the annotations of a function."""
+        """Return whether no code reads the annotations of a function."""
         return self.unread and all(_name_of(one) in BLIND for one in node.decorator_list)
 
 
 def _names(tree: ast.AST) -> Iterator[str]:
-    """All names that a file mentions: of variables, attributes and imports."""
+    """Yield all names in a file: of variables, attributes and imports."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Name):
             yield node.id
@@ -167,7 +167,7 @@ def _names(tree: ast.AST) -> Iterator[str]:
 
 
 def _name_of(node: ast.expr) -> str:
-    """Last name of ``a.b`` and of ``a.b(...)``."""
+    """Return the last name of ``a.b`` and of ``a.b(...)``."""
     if isinstance(node, ast.Call):
         node = node.func
     if isinstance(node, ast.Attribute):

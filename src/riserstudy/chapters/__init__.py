@@ -1,13 +1,13 @@
-"""What papers need of their own: a folder a paper, with derived datasets, figures and claims.
+"""Chapters: code for one paper or study, in one folder each, with derived datasets, figures and claims.
 
-A part of a chapter is a file or a folder of files; what a study file names is a function in it. A folder
-of one's own study may hold such a folder ``chapters``, too. Its parts:
+A part of a chapter is a file or a folder of files; the names in a study file are functions in it. The folder
+of a user's own study may contain such a folder ``chapters``, too. Its parts:
 
 - ``derived``: datasets made from others;
 - ``figures``;
 - ``claims``: checks of what a paper prints;
-- ``measured``, with ``models``: datasets that code of the chapter makes without any grid;
-- ``report``: ``tiles`` and ``section``, what the chapter adds to the report.
+- ``measured``, with ``models``: datasets that code of the chapter makes without a grid;
+- ``report``: ``tiles`` and ``section``, the chapter's additions to the report.
 """
 
 from __future__ import annotations
@@ -23,12 +23,12 @@ if TYPE_CHECKING:
 
 
 def function_of(paper: str, part: str, name: str) -> Callable[..., Any]:
-    """The function of a chapter that has a name.
+    """Return the function of a chapter by its name.
 
     Raises
     ------
     LookupError
-        When there is none.
+        When it does not exist.
     """
     module = defining(chapter_modules(paper, part), name)
     if module is None:
@@ -38,5 +38,5 @@ def function_of(paper: str, part: str, name: str) -> Callable[..., Any]:
 
 
 def checks_of(paper: str) -> Callable[[str], Callable[..., Any]]:
-    """What finds the functions that a paper's numbers and claims are checked by."""
+    """Return a function that finds, by name, the checks of a paper's numbers and claims."""
     return partial(function_of, paper, "claims")

@@ -22,17 +22,18 @@ def derive(
     datasets: dict[str, xr.Dataset],
     settings: dict[str, Any] | None = None,
 ) -> xr.Dataset:
-    """Derived dataset ``name`` of a paper, by the function of that name in its chapter's ``derived``.
+    """Make derived dataset ``name`` of a paper, by the function of that name in its chapter's ``derived``.
 
-    ``settings`` are what the study file tells it besides the datasets; the attribute ``settings`` keeps them
-    with ranges and reasons.
+    ``settings`` are further arguments from the study file; the attribute ``settings`` of the dataset contains
+    them with ranges and reasons.
 
-    Its attribute ``parents`` tells tier, engine, digest and axes of each of its sources, ``origins`` joins
-    their origins: where a calibrated value went must stay known.
+    Its attribute ``parents`` contains tier, engine, digest and axes of each source. ``origins`` joins the
+    origins of the sources: it must stay known which results depend on a calibrated value.
     """
     plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
-    dataset = dataset.drop_dims(OVER, errors="ignore")  # statistics of runs, not of what is derived
+    # statistics of runs, not of the derived dataset
+    dataset = dataset.drop_dims(OVER, errors="ignore")
     own = {f"with.{path}": origin.status for path, origin in given.items()}
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)

@@ -19,14 +19,14 @@ _QUOTED = re.compile(r"'([^']+)'")
 def draw(
     paper: str, name: str, datasets: dict[str, xr.Dataset], settings: dict[str, Any] | None = None
 ) -> Figure:
-    """Figure ``name`` of a paper, by the function of that name in its chapter's figures.
+    """Draw figure ``name`` of a paper, by the function of that name in its chapter's figures.
 
-    ``settings`` are what the study file tells it besides the datasets.
+    ``settings`` are further arguments from the study file.
 
     Raises
     ------
     InputError
-        When no dataset, or not each, has a variable that the function reads: figure, dataset, variable.
+        When datasets lack a variable that the function reads; it names figure, dataset and variable.
     """
     function = function_of(paper, "figures", name)
     try:
@@ -43,11 +43,11 @@ def draw(
 
 
 def _looked_up(error: KeyError | AttributeError) -> str | None:
-    """The name that xarray did not find; None where the error is not of xarray's."""
+    """Return the name that xarray did not find; None if the error is not from xarray."""
     if isinstance(error, AttributeError):
         return error.name if type(error.obj).__module__.startswith("xarray.") else None
     modules = [str(frame.f_globals.get("__name__")) for frame, _ in walk_tb(error.__traceback__)]
-    quoted = _QUOTED.search(str(error))  # libraries quote what they look up
+    quoted = _QUOTED.search(str(error))  # libraries quote the missing name
     return quoted[1] if quoted and modules[-1].startswith("xarray.") else None
 
 

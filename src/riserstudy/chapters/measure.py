@@ -15,9 +15,9 @@ if TYPE_CHECKING:
 
 
 def measure(paper: str, name: str, model: MeasuredModel, setting: Setting) -> xr.Dataset:
-    """Dataset ``name`` of a paper, by the function of that name in its chapter's ``measured``.
+    """Make dataset ``name`` of a paper, by the function of that name in its chapter's ``measured``.
 
-    It is labelled with the engine that it was measured with.
+    Its attributes contain the digest of the engine with which it was measured.
     """
     dataset: xr.Dataset = function_of(paper, "measured", name)(model, setting)
     dataset.attrs |= {
