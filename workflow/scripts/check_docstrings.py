@@ -1,19 +1,20 @@
-"""Check that docstrings tell what physics needs: units, shapes, errors, and where an equation is from.
+"""Check that docstrings contain units, array shapes, errors, and the sources of equations.
 
 1. A public function with a number or an array of numbers (``float``, or an array of them) among its
-   annotated arguments or results gives a unit, or says that they have none: a share, relative.
-2. One with an array among them gives a shape: ``(n,)``, ``(3, n+1)``, or that of another array.
-3. One that raises an error of the project, itself or by a private function of its file, has a section
-   ``Raises`` that names the error or one that it is a kind of.
-4. A field of a kernel's record, a NamedTuple of ``effects`` or ``solve``, has a unit where it is a
-   number and a shape where it is an array, in the comment beside it or for all in the record's docstring:
-   kernels take records, not arguments.
-5. A file that registers an effect has ``References`` in its docstring: where its equation is from.
+   annotated arguments or results must give a unit, or state that there is none: a share, relative.
+2. A public function with an array among them must give a shape: ``(n,)``, ``(3, n+1)``, or the shape of
+   another array.
+3. A public function that raises an error of the project, itself or by a private function of its file, must
+   have a section ``Raises`` that names the error or one of its base classes.
+4. A field of a kernel's record, a NamedTuple of ``effects`` or ``solve``, must have a unit if it is a number
+   and a shape if it is an array, in the comment next to it or for all fields in the docstring of the record,
+   because kernels receive records and not single arguments.
+5. A file that registers an effect must have ``References`` in its docstring, the source of its equation.
 
-1 and 2 hold where physics is computed (`PHYSICS`); what draws, grades and measures takes datasets, whose
-variables carry their units. 3 holds everywhere but for commands (`COMMANDS`), whose docstrings are their
-help. Functions within functions are left out, and so is what libraries call (pydantic's validators, numba's
-hooks).
+Rules 1 and 2 apply to the physics (`PHYSICS`): functions that draw, grade and measure receive datasets, whose
+variables have units. Rule 3 applies everywhere except to commands (`COMMANDS`), whose docstrings are their
+help. Nested functions are not checked, nor functions that libraries call (validators of pydantic, hooks of
+numba).
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PACKAGE = ROOT / "src/riserstudy"
-CHAPTERS = ROOT / "chapters"  # outside of the package
+CHAPTERS = ROOT / "chapters"  # outside the package
 KERNELS = ("effects", "solve")
 COMMANDS = "cli"
 PHYSICS = (*KERNELS, "scene", "model", "simulation", "dataset", "study")
@@ -37,7 +38,7 @@ ARRAY = re.compile(r"\b(NDArray|FloatArray|ndarray|Array)\b")
 SYMBOL = r"(?:[kMG]?(?:m|s|N|J|W|Pa|Hz)|kg|rad|deg|%)\d?"
 PRODUCT = rf"(?:{SYMBOL}(?: {SYMBOL})*|1)"
 QUOTIENT = rf"{PRODUCT}(?:/(?:{SYMBOL}|\({PRODUCT}\)))?"
-# In brackets, or after a comma, "in" or "or"; some words tell that a number has none.
+# Units in brackets, or after a comma, "in" or "or"; some words mean that a number has no unit.
 UNIT = re.compile(
     rf"\({QUOTIENT}(?=[),;: ])|(?:, |\bin |\bor )(?!1\b){QUOTIENT}(?=[),.;:\s]|$)"
     r"|\b(?i:shares?|relative|unit|spectral radius)\b"
@@ -53,7 +54,7 @@ SHAPE = re.compile(
 
 
 def main() -> None:
-    """Print every fault with its place; exit with 1 where there is one."""
+    """Print every fault with its place; exit with 1 if there is one."""
     kinds = errors()
     paths = sorted([*PACKAGE.rglob("*.py"), *CHAPTERS.rglob("*.py")])
     faults = [fault for path in paths for fault in faults_of(path, kinds)]
@@ -62,7 +63,7 @@ def main() -> None:
 
 
 def errors() -> dict[str, set[str]]:
-    """The project's errors, each with the names of all that it is a kind of."""
+    """Return the project's errors, each with the names of its base classes."""
     kinds: dict[str, set[str]] = {}
     for node in ast.parse((PACKAGE / "errors.py").read_text("utf-8")).body:
         if isinstance(node, ast.ClassDef):
@@ -72,7 +73,7 @@ def errors() -> dict[str, set[str]]:
 
 
 def faults_of(path: Path, kinds: dict[str, set[str]]) -> Iterator[str]:
-    """What the docstrings of a file lack."""
+    """Yield the faults of the docstrings of a file."""
     text = path.read_text("utf-8")
     tree = ast.parse(text)
     place = path.relative_to(ROOT)
@@ -91,13 +92,13 @@ def faults_of(path: Path, kinds: dict[str, set[str]]) -> Iterator[str]:
 
 
 def registers(tree: ast.Module) -> bool:
-    """Whether a file registers an effect."""
+    """Return whether a file registers an effect."""
     calls = (node.value for node in tree.body if isinstance(node, ast.Expr))
     return any(isinstance(c, ast.Call) and ast.unparse(c.func) == "register" for c in calls)
 
 
 def bare_fields(tree: ast.Module, text: str) -> Iterator[tuple[int, str]]:
-    """Fields of records without unit or shape in the comment beside or above them."""
+    """Yield fields of records without unit or shape in the comment next to or above them."""
     lines = text.splitlines()
     for record in tree.body:
         if isinstance(record, ast.ClassDef) and "NamedTuple" in map(ast.unparse, record.bases):
@@ -113,14 +114,14 @@ def bare_fields(tree: ast.Module, text: str) -> Iterator[tuple[int, str]]:
 
 
 def comment_on(field: ast.AnnAssign, lines: list[str]) -> str:
-    """The comment beside a field, or in the line above it."""
+    """Return the comment next to a field, or in the line above it."""
     above = lines[field.lineno - 2].strip()
     comment = " ".join(lines[field.lineno - 1 : field.end_lineno]).partition("#")[2]
     return f"{above} {comment}" if above.startswith("#") else comment
 
 
 def public(tree: ast.Module) -> Iterator[ast.FunctionDef]:
-    """Public functions of a file, and methods of its public classes."""
+    """Yield the public functions of a file, and the methods of its public classes."""
     for node in tree.body:
         inner = node.body if isinstance(node, ast.ClassDef) and node.name[0] != "_" else [node]
         for function in inner:
@@ -131,7 +132,7 @@ def public(tree: ast.Module) -> Iterator[ast.FunctionDef]:
 
 
 def lacks(function: ast.FunctionDef, docstring: str) -> Iterator[str]:
-    """Units and shapes that a docstring does not give."""
+    """Yield missing units and shapes of a docstring."""
     every = (*function.args.args, *function.args.kwonlyargs)
     kinds = [ast.unparse(a.annotation) for a in every if a.annotation]
     kinds += [ast.unparse(function.returns)] if function.returns else []
@@ -143,12 +144,12 @@ def lacks(function: ast.FunctionDef, docstring: str) -> Iterator[str]:
 
 
 def unit_in(text: str) -> bool:
-    """Whether a text gives a unit or says that there is none."""
+    """Return whether a text gives a unit or states that there is none."""
     return bool(UNIT.search(SHAPE.sub("", text)))
 
 
 class Raised:
-    """Errors of the project that the functions of a file raise, by themselves or by private ones."""
+    """Errors of the project that the functions of a file raise, directly or through private functions."""
 
     def __init__(self, tree: ast.Module, kinds: dict[str, set[str]]):
         self.kinds = kinds
@@ -156,7 +157,7 @@ class Raised:
         self.private = {f.name: f for f in functions if f.name[0] == "_" and f.name[:2] != "__"}
 
     def undocumented(self, function: ast.FunctionDef, docstring: str) -> list[str]:
-        """What a docstring does not tell of them."""
+        """Return the errors that a docstring does not document."""
         section = docstring.partition("Raises\n------\n")[2]
         missing = [
             e for e in sorted(self.by(function, set())) if not self.kinds[e] & words(section)
@@ -164,7 +165,7 @@ class Raised:
         return [f"no {error} under Raises" for error in missing]
 
     def by(self, function: ast.FunctionDef, seen: set[str]) -> set[str]:
-        """Names of the errors that a function raises."""
+        """Return the names of the errors that a function raises."""
         found = set()
         for node in ast.walk(function):
             if isinstance(node, ast.Raise) and isinstance(node.exc, ast.Call):
@@ -176,12 +177,12 @@ class Raised:
 
 
 def called(node: ast.AST) -> str:
-    """Last word of the name that a node calls; "" when it calls none."""
+    """Return the last part of the name that a node calls; "" if it calls none."""
     return ast.unparse(node.func).rpartition(".")[2] if isinstance(node, ast.Call) else ""
 
 
 def words(text: str) -> set[str]:
-    """The words of a text."""
+    """Return the words of a text."""
     return set(re.findall(r"\w+", text))
 
 

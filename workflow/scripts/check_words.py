@@ -1,4 +1,4 @@
-"""Hold what people read to the list of words of the style guide: docs, captions, help, page of the report."""
+"""Check docs, captions, help and report page against the list of words of the style guide."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ READ = (
     "src/riserstudy/cli/*.py",
     "src/riserstudy/report/*.html",
 )
-#: made from other texts, or a record of what was
+#: pages that are generated from other texts, or are records of the past
 LEFT = {"docs/changelog.md", "docs/peers_archive.md", "docs/faults.md", "docs/machines.md"}
-#: what is not written, and what is instead
+#: words to avoid, and their replacements
 WORDS = {
     r"come[s]? down on the stack": "re-contacts the BOP",
     r"run[s]? into the stops": "stroke out",
@@ -46,7 +46,7 @@ WORDS = {
 
 
 def faults() -> list[str]:
-    """Every place where one of the words stands, with what to write."""
+    """Return every place with one of the words, and the replacement."""
     found = []
     for pattern in READ:
         for path in sorted(ROOT.glob(pattern)):

@@ -1,4 +1,4 @@
-"""Write the times of steps that come with the project, for runs that have no run before them.
+"""Write the times of steps that come with the project, for runs without an earlier run.
 
     python workflow/scripts/first_times.py [.cache/steps.json]
 
@@ -13,11 +13,11 @@ from pathlib import Path
 
 from riserstudy.jobs.progress import FIRST, MEMORY, Taken
 
-ONE_BY_ONE = ("compile", "simulate", "measure")  # rules whose steps differ much
+ONE_BY_ONE = ("compile", "simulate", "measure")  # rules whose steps have very different times
 
 
 def main(memory: Path) -> None:
-    """Replace times of single steps, and means of the other rules that the run had."""
+    """Replace the times of single steps, and the mean times of the other rules of the run."""
     steps = {m: Taken(*of) for m, of in json.loads(memory.read_text("utf-8"))["standard"].items()}
     first = json.loads(FIRST.read_text("utf-8"))
     for rule in {of.rule for of in steps.values()} - {*ONE_BY_ONE, "all"}:

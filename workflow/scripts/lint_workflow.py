@@ -1,6 +1,7 @@
-"""Lint the workflow by Snakemake; silent when nothing but an environment for each rule is asked for.
+"""Lint the workflow with Snakemake; silent if the only complaint is the missing environment of each rule.
 
-Rules name neither a conda environment nor a container: theirs is that of the hashed locks, in which they run.
+Rules name neither a conda environment nor a container, because they run in the environment of the hashed
+locks.
 """
 
 from __future__ import annotations
@@ -14,12 +15,12 @@ TITLE = re.compile(r"^    \* (.*?):?$", re.MULTILINE)
 
 
 def wanted(output: str) -> list[str]:
-    """Titles of the lints in what Snakemake says, without the one that the locks answer."""
+    """Return the titles of Snakemake's lints, except the lint about environments."""
     return [title for title in TITLE.findall(output) if title != LOCKED]
 
 
 def main() -> int:
-    """Exit status: 1 where something is asked for, or where Snakemake cannot read the workflow."""
+    """Return the exit status: 1 if there is a lint, or Snakemake cannot read the workflow."""
     done = subprocess.run(["snakemake", "--lint"], capture_output=True, text=True)
     output = done.stdout + done.stderr
     answered = LOCKED in output or not done.returncode

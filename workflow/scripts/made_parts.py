@@ -1,6 +1,7 @@
-"""Parts of documentation pages that are made from the code: committed, so that a checkout can be read.
+"""Parts of documentation pages that are generated from the code, and committed for readers of a checkout.
 
-A page holds ``<!-- made: NAME arguments -->``, the part, and ``<!-- end -->``. The site makes each part anew.
+A page contains ``<!-- made: NAME arguments -->``, the part, and ``<!-- end -->``. The build of the site
+generates each part again.
 """
 
 from __future__ import annotations
@@ -26,28 +27,28 @@ if TYPE_CHECKING:
     import xarray as xr
 
 ROOT = Path(__file__).resolve().parents[2]
-#: a place of a page, with the part that stands there if the page keeps one
+#: place of a generated part in a page, with the part itself if the page contains it
 MARK = re.compile(
     r"<!-- made: (\w+)([^>]*?)-->(?P<kept>\n(?:(?!<!-- made:).)*?<!-- end -->)?", re.DOTALL
 )
-LONGEST_HELP = 1000  # characters: none is cut
-NO_EFFECT = ("catalogue", "registry")  # modules of the folder that hold none
+LONGEST_HELP = 1000  # characters; longer than any help text, which is thus never cut
+NO_EFFECT = ("catalogue", "registry")  # modules of the folder without an effect
 TABLE = "|---|---|---|---|"
 
 
 def commands(_: str) -> str:
-    """Every command with its arguments and options, by Typer's own writer of documentation."""
+    """Return all commands with their arguments and options, from Typer's generator of documentation."""
     command = typer.main.get_command(cli.app)
     context = typer.Context(command, info_name="riserstudy")
     text = typer.cli.get_docs_for_click(obj=command, ctx=context, name="riserstudy")
-    text = text.partition("\n")[2]  # the page has a title
+    text = text.partition("\n")[2]  # the page has its own title
     text = _with_whole_help(text, getattr(command, "commands", {}))
     text = re.sub(r"^\* `--help`.*\n", "", text, flags=re.MULTILINE)
     return re.sub(r"^\*\*Options\*\*:\n\n(?!\*)", "", text, flags=re.MULTILINE)
 
 
 def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
-    """The list of commands with the whole first sentence of each, which Typer cuts short."""
+    """Return the list of commands with the whole first sentence of each, which Typer truncates."""
     for name, command in commands.items():
         message = str(command.get_short_help_str(LONGEST_HELP))
         text = re.sub(
@@ -57,7 +58,7 @@ def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
 
 
 def called_by(_: str) -> str:
-    """Effects with a drawing of each and the part of a scene that includes it."""
+    """Return the effects, each with its drawing and the part of a scene that includes it."""
     rows = [
         f"| ![drawing: {name}](images/effects/{file_of(name)}) | {name} "
         f"| {' '.join(_code(word) for word in effect.section.split())} |"
@@ -67,7 +68,7 @@ def called_by(_: str) -> str:
 
 
 def files_of_effects(_: str) -> str:
-    """Every file of effects by the first sentence at its head, with the way to its formulas."""
+    """Return all files of effects with the first sentence of their docstrings and links to their formulas."""
     rows = []
     for module in pkgutil.iter_modules(effects.__path__):
         if module.name not in NO_EFFECT:
@@ -79,7 +80,7 @@ def files_of_effects(_: str) -> str:
 
 
 def quantities(_: str) -> str:
-    """Variables of datasets with their units."""
+    """Return the variables of datasets with their units."""
     rows = [
         f"| `{name}` | {about.get('units', '')} | {_in_words(about)} |"
         for name, about in variables().items()
@@ -92,7 +93,7 @@ def _in_words(about: dict[str, str]) -> str:
 
 
 def others(_: str) -> str:
-    """Least error of displacement that other simulators reached in the last `make bench`, and their time."""
+    """Return the smallest displacement error of other simulators in the last `make bench`, and their time."""
     study = read_yaml(ROOT / "config/studies/numerics.yaml")["measured"]["accuracy"]
     rows = [
         f"| {scene} | {peer} | {100 * error:g} % | {ratio:g} |"
@@ -105,7 +106,7 @@ def others(_: str) -> str:
 
 
 def known(found: xr.Dataset, kind: str) -> str:
-    """What the engine is compared with, by one kind of reference: what is known, and the tolerance."""
+    """Return the comparisons of the engine with one kind of reference: known quantity and tolerance."""
     rows = []
     for k in np.flatnonzero(found["kind"] == kind.strip()):
         of = {str(name): variable.item() for name, variable in found.isel(row=k).data_vars.items()}
@@ -116,7 +117,7 @@ def known(found: xr.Dataset, kind: str) -> str:
 
 
 def _code(word: str) -> str:
-    """A path of a scene as code; the words between as they are."""
+    """Return a path of a scene as code; words between paths are unchanged."""
     bare = word.rstrip(",")
     return f"`{bare}`{word[len(bare) :]}" if "." in bare or "_" in bare else word
 
@@ -127,7 +128,7 @@ MAKERS: dict[str, Callable[[str], str]] = {
 
 
 def kept_pages() -> dict[Path, str]:
-    """Pages that keep parts, by what they should be; parts that need runs stay as they are."""
+    """Return the correct texts of pages with generated parts; parts that need runs are unchanged."""
     texts = {path: path.read_text("utf-8") for path in sorted((ROOT / "docs").glob("*.md"))}
     kept = {
         path: text for path, text in texts.items() if any(m["kept"] for m in MARK.finditer(text))
@@ -136,7 +137,7 @@ def kept_pages() -> dict[Path, str]:
 
 
 def with_parts(text: str, makers: Mapping[str, Callable[[str], str]]) -> str:
-    """A page with the parts that it keeps made anew, as far as there are makers for them."""
+    """Return a page with its parts generated again, for all parts that have a maker."""
 
     def part(found: re.Match[str]) -> str:
         if not found["kept"] or found[1] not in makers:
@@ -148,7 +149,7 @@ def with_parts(text: str, makers: Mapping[str, Callable[[str], str]]) -> str:
 
 
 def write_validation(found: xr.Dataset) -> None:
-    """Write what the engine is compared with into its page, from a dataset of the validation study."""
+    """Write the engine's comparisons into their page, from a dataset of the validation study."""
     page = ROOT / "docs/validation.md"
     makers = {"validation": lambda kind: known(found, kind)}
     page.write_text(with_parts(page.read_text("utf-8"), makers), "utf-8")

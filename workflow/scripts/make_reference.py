@@ -1,8 +1,8 @@
-"""Write what is made from models and libraries.
+"""Write all files that are generated from models and libraries.
 
-Reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages, drawings of
-effects, what describes the software to archives. With a dataset
-of the validation study (results/numerics/validation.nc) also what the engine is compared with.
+They are the reference page and JSON schemas, tables of platforms, factors of usual units, parts of pages,
+drawings of effects, and the metadata for archives. With a dataset of the validation study
+(results/numerics/validation.nc) the comparisons of the engine are written, too.
 """
 
 from __future__ import annotations
@@ -27,11 +27,11 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def made() -> dict[Path, str]:
-    """Content of every file."""
+    """Return the content of every file."""
     platforms = ROOT / "config/platforms"
     units = read_units(platforms / "semisubmersibles.yaml")
     usual = json.loads(USUAL.read_text("utf-8"))
-    with chdir(ROOT):  # whose chapters are in the schema of study files
+    with chdir(ROOT):  # the schema of study files contains its chapters
         schemas = schema_files(own_chapters())
     factors = {unit: {name: factor(name, unit) for name in usual[unit]} for unit in usual}
     return {

@@ -11,7 +11,7 @@ PIP = ("-m", "pip", "--quiet", "--disable-pip-version-check")
 
 
 def main() -> int:
-    """Make the wheel in an environment that is thrown away; exit status."""
+    """Make the wheel in a temporary environment; return the exit status."""
     with tempfile.TemporaryDirectory() as folder:
         venv.create(folder, with_pip=True)
         python = Path(folder) / ("Scripts/python.exe" if sys.platform == "win32" else "bin/python")

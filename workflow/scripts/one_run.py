@@ -1,8 +1,8 @@
-"""One run of the study at a time, whatever became of the one before.
+"""Allow one run of the study at a time, also after a run that was killed.
 
-A lock that the system frees when its holder ends keeps two runs apart. Every process of a run carries the
-run's name in its environment, so what a killed run left behind is found and ended before the next one starts;
-stored points are complete or absent, so ending a job at any moment costs only what it was at.
+A lock excludes a second run; the system releases it when its holder ends. Every process of a run has the
+run's name in its environment. Processes that a killed run left behind can thus be found and ended before the
+next run starts. Stored points are complete or absent: ending a job at any moment loses only its current work.
 """
 
 import contextlib
@@ -25,7 +25,7 @@ ROOT = Path(__file__).resolve().parents[2]
 SNAKEMAKE = (sys.executable, "-m", "snakemake", "--nocolor")
 RUN_NAME = "RISERSTUDY_RUN"
 LOCK = Path(".cache/study.lock")
-WAIT_FOR_LOCK = 3.0  # s; a run whose `make` was killed needs less to end
+WAIT_FOR_LOCK = 3.0  # (s) a run whose `make` was killed ends sooner
 
 
 class Occupied(Exception):
@@ -34,12 +34,12 @@ class Occupied(Exception):
 
 @contextlib.contextmanager
 def one_run() -> Iterator[dict[str, str]]:
-    """Hold the folder for a run, and give the environment that its processes carry.
+    """Lock the folder for a run, and yield the environment of the run's processes.
 
     Raises
     ------
     Occupied
-        When another run, or a snakemake that was started by hand, is at work here.
+        When another run, or a snakemake that was started by hand, is at work in this folder.
     """
     LOCK.parent.mkdir(mode=0o700, exist_ok=True)
     with LOCK.open("a+", encoding="utf-8") as lock:
@@ -63,7 +63,7 @@ def one_run() -> Iterator[dict[str, str]]:
 
 
 def take(lock: TextIO) -> bool:
-    """Take the lock, waiting a moment for a run that is about to end."""
+    """Acquire the lock; wait a moment for a run that is about to end."""
     deadline = time.monotonic() + WAIT_FOR_LOCK
     while True:
         try:
@@ -76,25 +76,25 @@ def take(lock: TextIO) -> bool:
 
 
 def holder(lock: TextIO) -> str:
-    """Name the process that holds the lock, as far as it has said so."""
+    """Return the process that holds the lock, if the lock file names it."""
     words = read(lock).split()
     return f"(pid {words[0]}) " if words else ""
 
 
 def former_run(lock: TextIO) -> str | None:
-    """Name of a run that did not come to its end, if there is one."""
+    """Return the name of a run that did not finish, if there is one."""
     words = read(lock).split()
     return words[1] if len(words) == 2 else None
 
 
 def read(lock: TextIO) -> str:
-    """Read what the lock file says."""
+    """Return the text of the lock file."""
     lock.seek(0)
     return lock.read()
 
 
 def write(lock: TextIO, text: str) -> None:
-    """Replace what the lock file says."""
+    """Replace the text of the lock file."""
     lock.seek(0)
     lock.truncate()
     lock.write(text)
@@ -102,7 +102,7 @@ def write(lock: TextIO, text: str) -> None:
 
 
 def mark(run: str) -> str:
-    """What processes of a run carry: a copy of this folder has the same lock file, but not this run."""
+    """Return the mark of a run's processes; it differs from that of a copy of this folder."""
     return f"{run} in {ROOT}"
 
 
@@ -116,7 +116,7 @@ def end_processes(run: str | None) -> None:
 
 
 def processes_of(run: str) -> Iterator[psutil.Process]:
-    """Find the living processes that carry a run's name."""
+    """Yield the living processes that have a run's name."""
     for process in psutil.process_iter(["environ", "status"]):
         named = (process.info["environ"] or {}).get(RUN_NAME)
         if named == mark(run) and process.info["status"] != psutil.STATUS_ZOMBIE:
@@ -124,7 +124,7 @@ def processes_of(run: str) -> Iterator[psutil.Process]:
 
 
 def foreign_snakemake() -> int | None:
-    """Process number of a snakemake that was started in this folder by hand."""
+    """Return the process number of a snakemake that was started by hand in this folder."""
     for process in psutil.process_iter(["cmdline", "cwd"]):
         names = [Path(word).name for word in process.info["cmdline"] or ()]
         if process.info["cwd"] == str(ROOT) and "snakemake" in names[1:3]:
@@ -133,7 +133,7 @@ def foreign_snakemake() -> int | None:
 
 
 def install_signal_handlers() -> None:
-    """Turn a request to end, and the end of the `make` that started us, into an interrupt."""
+    """Convert a request to end, and the end of the `make` that started this process, into an interrupt."""
 
     def interrupt(_signal: int, _frame: FrameType | None) -> NoReturn:
         raise KeyboardInterrupt
@@ -156,6 +156,6 @@ def locked() -> bool:
 
 
 def unlock() -> None:
-    """Remove the lock of a Snakemake that was killed; only when none is at work."""
+    """Remove the lock of a Snakemake that was killed; only call it when none is at work."""
     if locked():
         subprocess.run([*SNAKEMAKE, "--unlock"], capture_output=True, check=False)

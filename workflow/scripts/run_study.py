@@ -1,4 +1,4 @@
-"""Run the study with Snakemake, one run at a time, and say how it came out."""
+"""Run the study with Snakemake, one run at a time, and print a summary."""
 
 import argparse
 import os
@@ -46,13 +46,13 @@ def parse(arguments: list[str]) -> argparse.Namespace:
 
 
 def refuse(reason: str, status: int = 1) -> int:
-    """Say why nothing is run."""
+    """Print why nothing is run, and return the exit status."""
     print(f"riserstudy: {reason}", file=sys.stderr)
     return status
 
 
 def unwritable() -> str | None:
-    """Name a folder that the run needs and cannot write to, if there is one."""
+    """Return a folder that the run needs and cannot write to, if there is one."""
     cache = Path(os.environ.get("RISERSTUDY_CACHE") or ".cache")
     for folder in (Path("results"), *Path("results").glob("*/"), Path("logs"), cache):
         there = next(path for path in (folder, *folder.absolute().parents) if path.exists())
@@ -62,7 +62,7 @@ def unwritable() -> str | None:
 
 
 def run_snakemake(options: argparse.Namespace, environment: dict[str, str]) -> int:
-    """Run Snakemake, which shows by a plugin of ours how far it is, with our tools first on the path."""
+    """Run Snakemake with the project's progress plugin, and with the project's tools first on the path."""
     tools = Path(sys.executable).parent
     path = environment.get("PATH", os.defpath)
     command = [

@@ -1,4 +1,4 @@
-"""What describes the software to archives, from one source: ``CITATION.cff`` and ``pyproject.toml``.
+"""Metadata of the software for archives, made from ``CITATION.cff`` and ``pyproject.toml``.
 
 References
 ----------
@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 
 def software_metadata() -> dict[Path, str]:
-    """Content of both files."""
+    """Return the contents of both files."""
     citation: dict[str, Any] = dict(read_yaml(ROOT / "CITATION.cff"))
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     return {
@@ -28,7 +28,7 @@ def software_metadata() -> dict[Path, str]:
 
 
 def codemeta(citation: dict[str, Any], project: dict[str, Any]) -> dict[str, Any]:
-    """By the vocabulary of CodeMeta."""
+    """Return the metadata in the vocabulary of CodeMeta."""
     systems = [
         one.split(" :: ")[-1]
         for one in project["classifiers"]
@@ -51,7 +51,7 @@ def codemeta(citation: dict[str, Any], project: dict[str, Any]) -> dict[str, Any
 
 
 def zenodo(citation: dict[str, Any], project: dict[str, Any]) -> dict[str, Any]:
-    """As a deposit of Zenodo takes it."""
+    """Return the metadata of a Zenodo deposit."""
     return {
         "title": f"{citation['title']}: {project['description'].rstrip('.')}",
         "description": citation["abstract"],
@@ -68,7 +68,7 @@ def zenodo(citation: dict[str, Any], project: dict[str, Any]) -> dict[str, Any]:
 
 
 def _article(one: dict[str, Any]) -> dict[str, Any]:
-    """A paper; what is not known of it is left out."""
+    """Return a paper; unknown fields are left out."""
     about: dict[str, Any] = {"type": "ScholarlyArticle", "name": one["title"]}
     people = [
         {"type": "Person", "familyName": who["family-names"], "givenName": who["given-names"]}

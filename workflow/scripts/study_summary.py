@@ -1,4 +1,4 @@
-"""Where the results of a run are, and how the published numbers and claims came out."""
+"""Summary of a run: folder of the results, and verdicts on the published numbers and claims."""
 
 import csv
 from collections import Counter, defaultdict
@@ -14,7 +14,7 @@ VERDICTS = (
 
 
 def summarise(seconds: float) -> None:
-    """Say where the results are and how the published numbers and claims came out."""
+    """Print the folder of the results and the verdicts on the published numbers and claims."""
     report, table = Path("results/report.html"), Path("results/reproduction.csv")
     datasets = Counter(path.parent for path in sorted(Path("results").glob("*/*.nc")))
     print(f"Done in {lasting(seconds)}.")
@@ -37,13 +37,13 @@ def summarise(seconds: float) -> None:
 
 
 def graded_in(table: Path) -> list[dict[str, str]]:
-    """Rows of a table of numbers and claims."""
+    """Return the rows of a table of numbers and claims."""
     with table.open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
 
 def verdicts(rows: Iterable[dict[str, str]]) -> str:
-    """Count the verdicts per paper and kind."""
+    """Return the counts of verdicts per paper and kind, in words."""
     counts: dict[str, Counter[str]] = defaultdict(Counter)
     for row in rows:
         counts[f"{row['paper']} {row['kind']}s"][row["verdict"]] += 1

@@ -1,4 +1,4 @@
-"""Bring the table of the README up to date with the results of `make study`."""
+"""Update the table of the README with the results of `make study`."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ BEGIN, END = "<!-- results: python workflow/scripts/update_readme.py -->\n", "<!
 
 
 def main() -> None:
-    """Rewrite the table."""
+    """Replace the table."""
     with (ROOT / "results/reproduction.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     readme = ROOT / "README.md"
@@ -22,7 +22,7 @@ def main() -> None:
 
 
 def table(rows: list[dict[str, str]]) -> str:
-    """Verdicts by paper and kind."""
+    """Return the table of verdicts by paper and kind."""
     counts: dict[tuple[str, str], Counter[str]] = {}
     for row in rows:
         counts.setdefault((row["paper"], row["kind"]), Counter())[row["verdict"]] += 1
