@@ -1,1 +1,1 @@
-"""Chang, Wu, Zhang, Chen 2020: what is derived from its runs, drawn and claimed."""
+"""Chang, Wu, Zhang, Chen 2020: derived datasets, figures and checks."""

@@ -1,6 +1,7 @@
-"""Chang et al. 2020: what its numbers, claims and errata are checked against.
+"""Chang et al. 2020: checks of its numbers, claims and errata.
 
-x is the rise of the ring above the unstretched riser, a that of the platform, X = x - a the piston's.
+x is the rise of the ring above the unstretched riser, a the rise of the platform, X = x - a the displacement
+of the piston.
 """
 
 from __future__ import annotations
@@ -28,14 +29,14 @@ from riserstudy.grading.yardstick import (
 )
 
 FloatArray = NDArray[np.float64]
-DRAWN = 8.0  # m, either way: the range of the piston in Figs 5, 6 and 9
+DRAWN = 8.0  # range of the piston in Figs 5, 6 and 9, either way (m)
 
 
-# Fig 8: how much the tensioner takes off
+# Fig 8: reduction by the tensioner
 
 
 def reduction(reductions: xr.Dataset, quantity: str) -> Found:
-    """Reduction of the oscillation of one quantity, in every reading."""
+    """Reduction of the oscillation of one quantity, in every interpretation."""
     return Found(reductions["reduction"].sel(quantity=quantity, drop=True))
 
 
@@ -113,9 +114,9 @@ def _curves(law: xr.Dataset, model: str) -> tuple[xr.DataArray, xr.DataArray]:
 
 
 def agree(gas: xr.Dataset, linear: xr.Dataset, amplitude: float, well: Word) -> Found:
-    """Heave with both models agrees within a share of its swing; value: largest difference over it.
+    """Heave with both models agrees within a share of its range; value: largest difference over the range.
 
-    Of two comparisons the one that agrees better.
+    Of two comparisons the one with the better agreement is used.
     """
     apart = _apart(gas, linear, amplitude).min("compared")
     return judged(apart, below(apart, well.bound))
@@ -124,7 +125,7 @@ def agree(gas: xr.Dataset, linear: xr.Dataset, amplitude: float, well: Word) -> 
 def differ(
     gas: xr.Dataset, linear: xr.Dataset, amplitude: float, significantly: Word, asymmetric: Word
 ) -> Found:
-    """Heave with both models differs, and that with the gas law is asymmetric; value: as `agree`."""
+    """Heave with both models differs, and with the gas law it is asymmetric; value: as in `agree`."""
     apart = _apart(gas, linear, amplitude).min("compared")
     up, down = (x.sel(heave_amplitude=amplitude, drop=True) for x in _sides(_model(gas, "gas law")))
     sides = more(up, down, asymmetric)
@@ -151,10 +152,10 @@ def upper_side_larger(runs: xr.Dataset, larger: Word) -> Found:
 
 
 def pushed_in_harder(runs: xr.Dataset, smaller: Word, amplitudes: list[float]) -> Found:
-    """Towards the negative side displacement is smaller and the tensioner's force changes more.
+    """On the negative side displacement is smaller and the tensioner force changes more.
 
-    Judged for the piston's displacement X and the riser's x; value: change of force at the lowest place
-    over its size at the highest, at the largest amplitude.
+    Judged for the displacement X of the piston and x of the riser; value: change of force at the lowest
+    position over its magnitude at the highest, at the largest amplitude.
     """
     runs = _model(runs, "gas law").isel(cylinder=0)
     rest, moving = _rest(runs), runs.sel(heave_amplitude=amplitudes)
@@ -177,7 +178,7 @@ def pushed_in_harder(runs: xr.Dataset, smaller: Word, amplitudes: list[float]) -
 
 
 def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
-    """Force at the time at which a displacement is farthest to one side; records may end early."""
+    """Force at the time of the largest displacement to one side; records may end early."""
     farthest = (sign * away).fillna(-np.inf).argmax("time")
     return force.isel(time=farthest).drop_vars("time")
 
@@ -185,7 +186,7 @@ def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
 def keeps_more_tension(
     gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word
 ) -> Found:
-    """The riser's smallest tension is larger with the gas law, at each amplitude; value: by how much (MN)."""
+    """The riser's smallest tension is larger with the gas law, at each amplitude; value: difference (MN)."""
     smallest = [
         _model(runs, model)["effective_tension_min"].sel(heave_amplitude=amplitudes).min("s_node")
         for model, runs in (("gas law", gas), ("linear", linear))
@@ -197,7 +198,7 @@ def keeps_more_tension(
 def keeps_more_pull(
     gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word
 ) -> Found:
-    """The cylinders' smallest pull is larger with the gas law, at each amplitude; value: by how much (MN)."""
+    """The cylinders' smallest pull is larger with the gas law, at each amplitude; value: difference (MN)."""
     smallest = [
         _least_pull(_model(runs, m), amplitudes)
         for m, runs in (("gas law", gas), ("linear", linear))
@@ -224,13 +225,13 @@ def caused_by_the_law(
 def apart_at_large_amplitudes(
     gas: xr.Dataset, linear: xr.Dataset, larger: Word, amplitudes: list[float]
 ) -> Found:
-    """Both models differ more, over the swing, at the larger amplitude; value: ratio of the differences."""
+    """Both models differ more, over the range, at the larger amplitude; value: ratio of the differences."""
     small, large = (_apart(gas, linear, amplitude).min("compared") for amplitude in amplitudes)
     return judged(large / small, more(large, small, larger))
 
 
 def grows_with_the_bend(volumes: xr.Dataset, increases: Word) -> Found:
-    """S rises as the gas volume falls, which bends the law; value: S of the least over the most."""
+    """S rises as the gas volume falls, which curves the law; value: S of the smallest over the largest."""
     top = volumes.isel(s_node=-1, drop=True).sortby("gas_volume", ascending=False)
     index = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
     ratio = index.isel(gas_volume=-1, drop=True) / index.isel(gas_volume=0, drop=True)
@@ -238,7 +239,7 @@ def grows_with_the_bend(volumes: xr.Dataset, increases: Word) -> Found:
 
 
 def _apart(gas: xr.Dataset, linear: xr.Dataset, amplitude: float) -> xr.DataArray:
-    """Largest difference over the gas law's swing, as it stands and from either's own equilibrium."""
+    """Largest difference over the gas law's range, directly and relative to each model's equilibrium."""
     models = {"gas law": gas, "linear": linear}
     heave, rest = {}, {}
     for model, runs in models.items():
@@ -260,14 +261,14 @@ def _model(runs: xr.Dataset, model: str) -> xr.Dataset:
 
 
 def _rest(runs: xr.Dataset) -> xr.Dataset:
-    """The state at rest: of the smallest amplitude, since a moving platform may begin off its mean."""
+    """The state at rest, from the smallest amplitude, as a moving platform may start off its mean."""
     return runs.sel(heave_amplitude=runs["heave_amplitude"].min(), drop=True)
 
 
 def _sides(
     runs: xr.Dataset, amplitudes: list[float] | None = None
 ) -> tuple[xr.DataArray, xr.DataArray]:
-    """x_p and x_n (m) of all amplitudes above zero, or of some."""
+    """x_p and x_n (m) of all amplitudes above zero, or of the given ones."""
     top = runs.isel(s_node=-1, drop=True)
     rest = _rest(top)["z_static"]
     moving = top.sel(heave_amplitude=top["heave_amplitude"] > 0)
@@ -296,7 +297,7 @@ def readings(reductions: xr.Dataset) -> dict[str, Any]:
 
 
 def ringing(asymmetry: xr.Dataset) -> dict[str, Any]:
-    """Displacements at 5 m, from rest and settled (m)."""
+    """Displacements at 5 m, from rest and in steady state (m)."""
     at = asymmetry.sel(heave_amplitude=5.0, tensioner_model="gas law")
     return {
         f"{side}_{reading}": float(at[f"displacement_{side}"].sel(reading=reading))
@@ -306,7 +307,7 @@ def ringing(asymmetry: xr.Dataset) -> dict[str, Any]:
 
 
 def two_displacements(runs: xr.Dataset) -> dict[str, Any]:
-    """Tensioner force (MN) at the lowest and the highest place of riser and of piston, settled at 10 m."""
+    """Tensioner force (MN) at lowest and highest position of riser and piston, in steady state at 10 m."""
     run = _model(runs, "gas law").sel(heave_amplitude=10.0).isel(s=-1)
     force = run["tensioner_force"].sum("cylinder") / 1e6
     places = {"x": run["z"] - float(runs["s"][-1]), "X": -run["tensioner_stroke"].isel(cylinder=0)}
@@ -333,7 +334,7 @@ def kept_in_tension(settled: xr.Dataset, start: xr.Dataset, bare: xr.Dataset) ->
 
 
 def equilibria(law: xr.Dataset) -> dict[str, Any]:
-    """Equilibria of gas law and line (m), and what the force at X = 0 has over the weight (MN)."""
+    """Equilibria of gas law and line (m), and the excess of the force at X = 0 over the weight (MN)."""
     rest = law.sel(heave_position=0.0).isel(s_node=-1)
     zero = float(law["s_node"][-1])
     x = {
@@ -365,7 +366,7 @@ def stiffnesses(law: xr.Dataset) -> dict[str, Any]:
 
 
 def mass_places(runs: xr.Dataset) -> dict[str, Any]:
-    """Equilibrium and settled swing at 5 m (m) with the mass at the ring and along the riser."""
+    """Equilibrium and steady range at 5 m (m) with the mass at the ring and along the riser."""
     top = runs.sel(heave_amplitude=5.0).isel(s_node=-1)
     zero = float(runs["s_node"][-1])
     words = {"at the ring": "ring", "along the riser": "riser"}

@@ -1,4 +1,4 @@
-"""Chang et al. 2020: the asymmetry index, Eq. 9, and the reductions of Fig 8, in each reading."""
+"""Chang et al. 2020: the asymmetry index, Eq. 9, and the reductions of Fig 8, in each interpretation."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import xarray as xr
 from riserstudy.dataset.describe import described, sampled
 
 PAPER = "chang2020"
-#: how the printed motion height H = 5 m can be meant, and the amplitude (m) that each gives
+#: interpretations of the printed motion height H = 5 m, with the amplitude (m) of each
 HEIGHTS = {"amplitude": 5.0, "height": 2.5}
 QUANTITIES = {"heave": "z", "tension": "effective_tension"}
 
@@ -16,7 +16,7 @@ QUANTITIES = {"heave": "z", "tension": "effective_tension"}
 def asymmetry(steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Dataset) -> xr.Dataset:
     """S = (max x - x_eq) / (x_eq - min x) over (reading, tensioner_model, heave_amplitude).
 
-    x_eq is the static equilibrium of the same law. The quasi-static reading takes the equilibria with
+    x_eq is the static equilibrium of the same law. The quasi-static interpretation uses the equilibria with
     the platform at rest at the two ends of its heave.
     """
     rest = _top(quasi_static)["z_static"].sel(heave_position=0.0, drop=True)
@@ -45,10 +45,10 @@ def asymmetry(steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Datase
 def reductions(
     steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Dataset, rigid: xr.Dataset
 ) -> xr.Dataset:
-    """What the tensioner takes off the riser's oscillation, in every way the text can be read.
+    """Reduction of the riser's oscillation by the tensioner, in every interpretation of the text.
 
     1 - (with tensioner) / (without) over (quantity, measure, height, reading): swing is the difference
-    of largest and smallest value, deviation the standard deviation, peak the largest value.
+    between largest and smallest value, deviation the standard deviation, peak the largest value.
     """
     ways = {
         (quantity, height, reading): 1.0
@@ -74,10 +74,10 @@ def reductions(
 
 
 def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of the unspecified inputs, in the record of each.
+    """Return the reductions for every sample of the unspecified inputs, from the record of each.
 
     Without tensioner the riser's top follows the platform, x = a, and a is x - X of the same run. Tension
-    is k_r x with and without (Eq. 8), so that one reduction is both.
+    is k_r x with and without tensioner (Eq. 8): heave and tension therefore have one reduction.
     """
     rise = open_choices["z"].isel(s=-1, drop=True) - float(open_choices["s"][-1])
     platform = rise + open_choices["tensioner_stroke"].isel(cylinder=0, drop=True)

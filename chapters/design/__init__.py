@@ -1,1 +1,1 @@
-"""Tension, offsets and watch circles of a generic drilling riser: what is derived and drawn."""
+"""Tension, offsets and watch circles of a generic drilling riser: derived datasets and figures."""

@@ -1,13 +1,13 @@
-"""What figures of this chapter have in common: labels, models, and what colours mean."""
+"""Common parts of the figures of this chapter: labels, models, and colours."""
 
 from __future__ import annotations
 
 MODELS = {"gas law": "-", "linear": "--"}
-#: of these, as figures name them
+#: names of the models in figures
 NAMES = {"gas law": "gas law", "linear": "least-squares line"}
 AMPLITUDE, TIME = "heave amplitude of the platform (m)", "time (s)"
 AWAY = "displacement from equilibrium (m)"
-#: states of motion, as figures name them
+#: names of the states of motion in figures
 STATES = {
     "steady": "steady state",
     "from_rest": "transient from rest",
@@ -15,7 +15,7 @@ STATES = {
 }
 
 GAS_LAW, FITTED = "#0072b2", "#d55e00"
-#: the gas law and lines in its place; config/studies/chang2020.yaml, readings
+#: the gas law and the lines that replace it; config/studies/chang2020.yaml, readings
 OF_MODEL = {
     "gas law": GAS_LAW,
     "linear": FITTED,
@@ -24,15 +24,15 @@ OF_MODEL = {
     "tangent at X = 0": "#999933",
     "tangent at rest": "#ee3377",
 }
-#: states of motion on the gas law, where they are compared
+#: colours of the states of motion with the gas law, in comparisons
 OF_STATE = {"steady": "#009e73", "from_rest": "#e69f00", "quasi_static": "#cc79a7"}
-#: how a riser starts; the unstretched one is that of all runs from rest
+#: colours of the initial states; the unstretched state is the start of all runs from rest
 OF_START = {"unstretched": OF_STATE["from_rest"], "equilibrium": "#332288"}
-#: at the ring it is in all other figures
+#: colours of the places of the mass; in all other figures it is at the ring
 OF_MASS = {"at the ring": GAS_LAW, "along the riser": "#661100"}
 
 
-#: lines in place of the gas law, as figures name them
+#: names in figures of the lines that replace the gas law
 LINES = {
     "least squares over -8 to 8 m": "least-squares line, −8 to 8 m",
     "chord from -8 to 8 m": "chord, −8 to 8 m",
@@ -42,5 +42,5 @@ LINES = {
 
 
 def of_amplitude(amplitude: float) -> str:
-    """How the title of a panel names the heave amplitude of the platform (m)."""
+    """Return the words for the platform's heave amplitude (m) in the title of a panel."""
     return f"heave amplitude {amplitude:g} m"

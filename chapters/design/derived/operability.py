@@ -15,15 +15,15 @@ PAPER = "design"
 
 
 def operability(rests: xr.Dataset, reach: str, allowances: dict[str, str]) -> xr.Dataset:
-    """Offsets between which each limit is kept, over the axes of the risers at rest.
+    """Return the offsets between which each limit is met, over the axes of the risers at rest.
 
     Parameters
     ----------
     rests : risers at rest above the well.
-    reach : how far to either side is looked, with its unit.
+    reach : range of the search to either side, with its unit.
     allowances : dynamic allowance by output, with its unit.
     """
-    from riserstudy.design.operability import offsets  # which loads kernels
+    from riserstudy.design.operability import offsets  # loads kernels
 
     found, labels = [], []
     for _, scene in scenes_of(rests):
@@ -44,5 +44,5 @@ def operability(rests: xr.Dataset, reach: str, allowances: dict[str, str]) -> xr
 
 
 def allowed(allowances: dict[str, str]) -> dict[str, float]:
-    """Dynamic allowances in the SI units of their limits, from those with units."""
+    """Convert dynamic allowances with units to the SI units of their limits."""
     return {name: to_si(str(value), UNITS[name]) for name, value in allowances.items()}

@@ -1,4 +1,4 @@
-"""Design, recoil: what each disconnect did, the worst over its phases, and the settings that serve."""
+"""Design, recoil: outcome of each disconnect, the worst over its phases, and the suitable settings."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.design.recoil import limits, outcome
 
 PAPER = "design"
-#: what a disconnect came to, by the worst of its phases; both together are 3
+#: outcome of a disconnect, by its worst phase; both together are 3
 DOWN, OUT = 1, 2
 
 
 def recoil_outcome(recoil: xr.Dataset) -> xr.Dataset:
-    """Lift, clearance, re-contact and stroke of every disconnect, and the smallest and largest setting.
+    """Return lift, clearance, re-contact and stroke of every disconnect, and the range of suitable settings.
 
     Parameters
     ----------
@@ -39,7 +39,7 @@ def recoil_outcome(recoil: xr.Dataset) -> xr.Dataset:
 
 
 def recoil_failures_outcome(recoil_failures: xr.Dataset) -> xr.Dataset:
-    """The same of disconnects with units and valves that failed, without limits.
+    """Return the same for disconnects with failed units and valves, without the limits of the setting.
 
     Parameters
     ----------
@@ -49,21 +49,21 @@ def recoil_failures_outcome(recoil_failures: xr.Dataset) -> xr.Dataset:
 
 
 def _others(of: xr.DataArray) -> list[dict[str, int]]:
-    """Places on all axes but the setting's."""
+    """Positions on all axes except the axis of the setting."""
     others = [dim for dim in of.dims if dim != "gas_pressure"]
     shape = [of.sizes[dim] for dim in others]
     return [dict(zip(map(str, others), at, strict=True)) for at in np.ndindex(*shape)]
 
 
 def _judged(of: xr.Dataset) -> xr.Dataset:
-    """Outcomes point by point, and by the worst phase."""
+    """Outcomes of each point, and of the worst phase."""
     stroke = next(s.top.tensioners.stroke for _, s in scenes_of(of) if s.top.tensioners)
     if stroke is None:
-        raise TypeError("cylinders without ends")  # the study's scene has them
+        raise TypeError("cylinders without ends")  # the scene of the study has ends
     axes = [str(dim) for dim in of["point_key"].dims]
     shape = of["point_key"].shape
     reach = of["tensioner_stroke"].transpose(*axes, "cylinder", "time")
-    far = reach.isel(cylinder=0)  # all go alike
+    far = reach.isel(cylinder=0)  # all cylinders move equally
     lift = of["lift"].transpose(*axes, "time")
     lifts, reaches = (array.values.reshape(-1, array.sizes["time"]) for array in (lift, far))
     judged = outcome(lifts, reaches, (stroke.shortest, stroke.longest))

@@ -1,4 +1,4 @@
-"""Design, seas: what irregular seas add to a riser at rest, and the offsets that are left."""
+"""Design, seas: additions of irregular seas to a riser at rest, and the remaining offsets."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ MODE = "drilling"
 
 
 def allowances(seas: xr.Dataset) -> xr.Dataset:
-    """Dynamic allowance by output over the height of the sea: what nine seas in ten do not exceed.
+    """Dynamic allowance by output over the wave height: the value that nine seas in ten do not exceed.
 
-    The largest of each seed, less the value at rest, follows a Gumbel distribution.
+    The maximum of each seed minus the value at rest is taken to follow a Gumbel distribution.
     """
     made = xr.Dataset({f"{name}_allowance": _fractile(each) for name, each in _added(seas).items()})
     return described(made, PAPER, "dynamic allowances from irregular seas")
 
 
 def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.Dataset:
-    """Offsets between which all limits of drilling are kept, with the allowances of each sea.
+    """Offsets between which all limits of drilling are met, with the allowances of each sea.
 
     Parameters
     ----------
     rests : risers at rest above the well.
     seas : runs in irregular seas over ``significant_height`` and ``seed``.
-    reach : how far to either side is looked, with its unit.
+    reach : range of the search to either side, with its unit.
     """
-    from riserstudy.design.operability import AtRest, offsets_at  # which loads kernels
+    from riserstudy.design.operability import AtRest, offsets_at  # loads kernels
 
     added = {name: _fractile(each) for name, each in _added(seas).items()}
     heights = seas["significant_height"]
@@ -42,7 +42,7 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     for _, scene in scenes_of(rests):
         limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
         labels = [label(limit) for limit in limits]
-        at = AtRest(scene, far)  # which all seas share
+        at = AtRest(scene, far)  # common to all seas
         for height in heights.values:
             own = {name: float(each.sel(significant_height=height)) for name, each in added.items()}
             found.append([one[:2] for one in offsets_at(at, limits, far, own)])
@@ -60,7 +60,7 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
 
 
 def _added(seas: xr.Dataset) -> dict[str, xr.DataArray]:
-    """What each run adds to its outputs at rest, in the unit of the output."""
+    """Increase of each run's outputs over their values at rest, in the unit of the output."""
     added = {}
     for name in ("lfj_angle", "ufj_angle"):
         added[name] = abs(seas[name]).max("time") - abs(seas[name]).isel(time=0)

@@ -1,4 +1,4 @@
-"""Design, sensitivity: what one input at a time does to the tension window and the room for drilling."""
+"""Design, sensitivity: effect of one input at a time on the tension window and the drilling offsets."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ BASE = "base"
 def sensitivity(
     varied: xr.Dataset, settings_varied: dict[str, dict[str, Any]], **settings: Any
 ) -> xr.Dataset:
-    """Gap of the tension window and room for drilling, an input at a time.
+    """Return the width of the tension window and the range of drilling offsets, one input at a time.
 
     Parameters
     ----------
-    varied : risers at rest over ``varied_input``, the first as assumed.
-    settings_varied : what else is varied, by name: the settings that it changes.
-    settings : as those of ``tension_window``, with ``failed`` a number, and of ``operability``.
+    varied : risers at rest over ``varied_input``, the first with all inputs as assumed.
+    settings_varied : further variations by name, each with the settings that it changes.
+    settings : settings of ``tension_window``, with a number as ``failed``, and of ``operability``.
     """
     scenes = {str(place["varied_input"]): scene for place, scene in scenes_of(varied)}
     gaps = {name: _gap(scene, settings) for name, scene in scenes.items()}
@@ -53,7 +53,7 @@ def _gap(scene: Resolved, settings: dict[str, Any]) -> float:
 
 
 def _room(scene: Resolved, settings: dict[str, Any]) -> float:
-    from riserstudy.design.operability import AtRest, offsets_at  # which loads kernels
+    from riserstudy.design.operability import AtRest, offsets_at  # loads kernels
 
     limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
     reach = to_si(settings["reach"], "m")

@@ -20,12 +20,12 @@ FLOORS = ("minimum tension", "LMRP lift-off")
 
 
 def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Dataset:
-    """Tension that keeps every point of the riser from going slack, by the formula and by the engine.
+    """Return the tension at which no point of the riser is slack, by the formula and by the engine.
 
     Parameters
     ----------
     muds : risers at rest over ``mud_weight``.
-    weight, buoyancy : tolerances of steel and of modules.
+    weight, buoyancy : tolerances (shares) of steel weight and of the buoyancy of modules.
     """
     from riserstudy.design import engine_tension  # which loads kernels
 
@@ -53,14 +53,14 @@ def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Data
 
 
 def tension_window(muds: xr.Dataset, failed: list[int], **settings: Any) -> xr.Dataset:
-    """Floors and ceilings of the setting over mud weight and units failed, and the gap.
+    """Return lower and upper limits of the setting over mud weight and failed units, and the gap.
 
-    Floors by the formula, and by the engine with the riser in its current.
+    The lower limits are calculated by the formula, and by the engine with the riser in its current.
 
     Parameters
     ----------
-    failed : numbers of units that are out.
-    settings : as `window_of` takes them.
+    failed : numbers of failed units.
+    settings : as for `window_of`.
     """
     from riserstudy.design import engine_tension  # which loads kernels
 
@@ -91,13 +91,13 @@ def tension_window(muds: xr.Dataset, failed: list[int], **settings: Any) -> xr.D
 
 
 def window_of(scene: Resolved, settings: dict[str, Any], failed: int) -> Window:
-    """The window of a scene's setting with so many units out.
+    """Return the window of a scene's setting with the given number of failed units.
 
     Parameters
     ----------
     settings : ``weight``, ``buoyancy``: tolerances of steel and modules; ``units``, ``tension_ratio``,
-        ``fleet_angle``: of the tensioners; ``overpull``: effective tension wanted between LMRP and stack;
-        ``dynamic_limit``, ``share``: dynamic tension limit of all units, and how much of it a setting may be.
+        ``fleet_angle``: of the tensioners; ``overpull``: required effective tension between LMRP and stack;
+        ``dynamic_limit``, ``share``: dynamic tension limit of all units, and the largest share for a setting.
     """
     overpull = to_si(settings["overpull"], "N")
     tolerances = _tolerances(settings)
@@ -107,7 +107,7 @@ def window_of(scene: Resolved, settings: dict[str, Any], failed: int) -> Window:
 def _window(
     scene: Resolved, settings: dict[str, Any], failed: int, needed: float, weighed: float
 ) -> Window:
-    """The window by the vertical tensions (N) of weights with tolerances, and of weights as told."""
+    """Return the window from the vertical tensions (N) with tolerances on the weights, and without."""
     off = lift_off(scene, to_si(settings["overpull"], "N"), weighed)
     return window(needed, off, _rig(settings, failed), *_ceiling(settings))
 

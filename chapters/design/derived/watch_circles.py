@@ -1,4 +1,4 @@
-"""Design, watch circles: where alarms must be given when a vessel that lost its thrust drifts off."""
+"""Design, watch circles: offsets at which alarms must be given when a vessel without thrust drifts off."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from riserstudy.scene.units import to_si
 
 PAPER = "design"
 MODE = "disconnect"
-TIMES = np.arange(0.0, 3601.0)  # s, adrift
+TIMES = np.arange(0.0, 3601.0)  # since the start of the drift (s)
 
 
 def watch_circles(
@@ -27,19 +27,19 @@ def watch_circles(
     preparing: str,
     **hull: Any,
 ) -> xr.Dataset:
-    """Red and yellow circle down current, over the axes of the risers at rest and the disconnect time.
+    """Return red and yellow circle down current, over the axes of the risers at rest and the disconnect time.
 
-    The vessel drifts from above the well, from rest; what the riser pulls back is left out.
+    The vessel drifts from rest above the well; the restoring force of the riser is neglected.
 
     Parameters
     ----------
     rests : risers at rest above the well, over ``mud_weight`` and ``surface_speed``.
     reach, allowances : as in ``operability``.
-    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
-    preparing : time from the yellow alarm to the red one, with its unit.
+    eds_times : durations of the emergency disconnect, from the red alarm, with units.
+    preparing : time from the yellow alarm to the red alarm, with its unit.
     hull : ``mass`` with added mass, ``drag``, and ``force`` of wind and waves, with units.
     """
-    from riserstudy.design.operability import offsets  # which loads kernels
+    from riserstudy.design.operability import offsets  # loads kernels
 
     own = Hull(to_si(hull["mass"], "kg"), to_si(hull["drag"], "N*s^2/m^2"))
     force = to_si(hull["force"], "N")

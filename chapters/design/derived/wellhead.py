@@ -1,4 +1,4 @@
-"""Design, wellhead: damage of the conductor over samples, and what each input explains of it."""
+"""Design, wellhead: damage of the conductor over samples, and the share that each input explains."""
 
 from __future__ import annotations
 
@@ -11,18 +11,19 @@ from riserstudy.grading.sensitivity import inputs, numbers_of
 
 PAPER = "design"
 SHUFFLES, SURE, SEED = 200, 0.95, 41
-LEAST = 1e-12  # 1/year: damage that is none
+LEAST = 1e-12  # damage below which it counts as zero (1/year)
 
 FloatArray = NDArray[np.float64]
 
 
 def wellhead_fatigue(wellhead: xr.Dataset, wellhead_mesh: xr.Dataset) -> xr.Dataset:
-    """Largest damage a year of each sample, and the share of the variance of its logarithm by input.
+    """Largest damage per year of each sample, and the share of the variance of its logarithm by input.
 
-    By regression of the logarithm on the ranks of all inputs, options by an indicator each: the share of an
-    input is the variance of its part of the fit. ``explained`` is what the whole fit explains of samples that
-    it was not fitted to, by leaving one out. ``by_chance`` is what one in twenty shuffled outcomes exceeds.
-    ``damage_error``: the largest change of damage on a mesh and a step twice as fine, at other samples.
+    The logarithm is fitted by regression on the ranks of all inputs, with an indicator for each option. The
+    share of an input is the variance of its part of the fit. ``explained`` is the share that the whole fit
+    explains of samples to which it was not fitted (leave-one-out). ``by_chance`` is the share that one in
+    twenty shuffled outcomes exceeds. ``damage_error`` is the largest change of damage on a mesh and a step
+    twice as fine, at other samples.
 
     References
     ----------
@@ -70,7 +71,7 @@ def _columns(values: NDArray[np.generic]) -> FloatArray:
 
 
 def _shares(given: dict[str, FloatArray], outcome: FloatArray) -> tuple[FloatArray, float]:
-    """Share of the variance by input, and what the fit explains of samples that are left out."""
+    """Share of the variance by input, and share that the fit explains of samples that are left out."""
     deviation = outcome.std()
     if deviation == 0.0:
         return np.zeros(len(given)), 0.0
