@@ -201,3 +201,28 @@ def test_a_frequency_is_that_of_a_sine(hertz):
     assert frequency(time, vibration(motion[:, None], time, 0.0)[:, 0]) == pytest.approx(
         hertz, rel=1e-3
     )
+
+
+@pytest.mark.parametrize(
+    "kind, period, said",
+    [("wave", 1.8, True), ("surge", 0.9, True), ("surge", 200.0, False), (None, 0.0, False)],
+)
+def test_a_run_says_where_its_vibration_includes_what_waves_and_platform_do(kind, period, said):
+    """Without lift, what is left of the vibration is all theirs, and as fast as they are."""
+    viv = PIPE["viv"] | {"coefficient": 1e-6, "ramp": "2 s"}
+    changes = {"riser[0].viv": viv, "analysis__duration": "20 s"}
+    if kind == "wave":
+        changes["water.surface"] = "14 m"
+        changes["wave"] = {
+            "amplitude": "0.2 m",
+            "period": f"{period} s",
+            "above_mean_level": "none",
+        }
+    elif kind == "surge":
+        changes["top__x"] = "platform"
+        changes["platform"] = {"surge": {"amplitude": "0.05 m", "period": f"{period} s"}}
+    facts = simulated(scene(**changes)).facts
+    warned = any("include motion due to waves" in text for text in facts["warnings"])
+    assert warned == said
+    if said:
+        assert facts["vibration_frequency"] == pytest.approx(1.0 / period, rel=0.05)

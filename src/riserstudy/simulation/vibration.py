@@ -85,6 +85,11 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     facts["vibration_rms_max_s"] = float(arrays["s"][most])
     if facts["vibration_rms"] <= NONE * arrays["s"][-1]:
         return
+    if scene.shortest_period and above * scene.shortest_period < 1.0:
+        facts["warnings"].append(
+            f"riser.viv: the statistics of vibration include motion due to waves and the platform above "
+            f"{above:.3g} Hz. To find its part, repeat the run with riser[*].viv: null"
+        )
     facts["vibration_scatter"] = _scatter(parts, arrays["s"])
     often = interval <= period / OUTPUTS
     histories = {name: arrays[name][late] for name in FIELDS if name in arrays}
