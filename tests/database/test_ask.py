@@ -2,6 +2,7 @@
 
 import json
 import os
+import random
 import sqlite3
 import sys
 from contextlib import closing
@@ -302,3 +303,26 @@ def test_any_program_opens_it_as_it_is(here):
         for (view,) in views:
             assert db.execute(f"select count(*) from {view}").fetchone()[0] >= 0
         assert db.execute("select count(*) from results").fetchone()[0] > 0
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_misspelt_name_in_double_quotes_is_no_text(seed, tmp_path):
+    """SQLite compares its letters instead, which is true of all rows or of none."""
+    draw = random.Random(seed)
+    name = draw.choice(["größe", "select", "heave amplitude", "it's", "a--b", "x;y", "order"])
+    with sqlite3.connect(tmp_path / "results.sqlite") as db:
+        db.execute("create table about (version)")
+        db.execute(f'create table points ("{name}", text)')
+        rows = [(draw.randrange(10), draw.choice(['"', "--", 'say "no"', "[a]"])) for _ in range(9)]
+        db.executemany("insert into points values (?, ?)", rows)
+    db.close()
+    bound, text = draw.randrange(10), rows[0][1]
+    found = query(f'select * from points where "{name}" > {bound}', (), tmp_path / "results.sqlite")
+    assert len(found) == sum(value > bound for value, _ in rows)
+    same = f"select count(*) from points where text = '{text}' -- \"no name\""
+    assert query(same, (), tmp_path / "results.sqlite").iat[0, 0] == [t for _, t in rows].count(
+        text
+    )
+    for condition in (f'"{name}s" > {bound}', f'"{name}s" < {bound}', f'text = "{name}s"'):
+        with pytest.raises(InputError, match="no such column"):
+            query(f"select * from points where {condition}", (), tmp_path / "results.sqlite")

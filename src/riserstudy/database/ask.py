@@ -6,6 +6,7 @@ somebody else. From the first query on, only reading is allowed, and time, texts
 
 from __future__ import annotations
 
+import re
 import sqlite3
 import time as clock
 from collections.abc import Iterator, Sequence
@@ -30,6 +31,8 @@ AT_EASE = 100
 LONGEST = 60.0  # longest time of a statement (s)
 MOST_CELLS = 50_000_000  # most cells of an answer
 MOST_TEXT = 1_000_000_000  # most characters and bytes of an answer
+#: a text in single quotes, a comment, or a name in double quotes, which is the group
+QUOTED = re.compile(r"""'(?:[^']|'')*'|--[^\n]*|/\*.*?\*/|"([^"\]]+)"(?!")""", re.DOTALL)
 #: limits of operations that need much time or memory within one step, where nothing can interrupt them
 LIMITS = {
     sqlite3.SQLITE_LIMIT_LENGTH: 1_000_000,  # bytes of a text or a row
@@ -108,7 +111,7 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     """
     allowed = "allowed is one `select ...`; tables and columns stand in docs/results_database.md"
     try:
-        cursor = db.execute(sql, values)
+        cursor = db.execute(_with_names(sql), values)
         rows = _rows(cursor, where)
     except (sqlite3.OperationalError, sqlite3.ProgrammingError, sqlite3.DataError) as error:
         raise InputError(where, "", _reason(error), allowed) from None
@@ -121,6 +124,15 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     if cursor.description is None:
         raise InputError(where, "", "nothing that can be asked", allowed)
     return Answer([column[0] for column in cursor.description], rows)
+
+
+def _with_names(sql: str) -> str:
+    """A statement whose names in double quotes are names.
+
+    Where there is no such column SQLite takes ``"name"`` for a text, and a condition on a misspelt column is
+    then true everywhere, or nowhere. It never does so with ``[name]``.
+    """
+    return QUOTED.sub(lambda found: f"[{found[1]}]" if found[1] else found[0], sql)
 
 
 def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
