@@ -194,6 +194,22 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
             partial.unlink(missing_ok=True)
 
 
+def seal_line(file: Path, name: Path) -> bytes:
+    """The seal of a file, which has a name in its results folder, as ``sha256sum --check`` reads it."""
+    with file.open("rb") as stream:
+        digest = hashlib.file_digest(stream, "sha256").hexdigest()
+    return f"{digest}  {name.as_posix()}\n".encode()
+
+
+def fits_seal(file: Path, results: Path) -> bool:
+    """Whether a file of a results folder is as the job that made it left it."""
+    name = file.relative_to(results)
+    try:
+        return (results / SEALS / name).read_bytes() == seal_line(file, name)
+    except OSError:
+        return False
+
+
 def remembered(name: str, make: Callable[[], Any]) -> Any:
     """Return plain data that takes long to make, from the cache if possible.
 

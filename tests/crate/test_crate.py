@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import random
 import subprocess
 import zipfile
 from pathlib import Path
@@ -139,6 +140,32 @@ def test_files_older_than_a_zip_can_say_are_packed(study, commands, tmp_path):
     with zipfile.ZipFile(tmp_path / "old.zip") as archive:
         assert archive.testzip() is None
         assert any(name.startswith("config/") for name in archive.namelist())
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_result_that_is_not_as_its_job_wrote_it_is_not_packed(study, commands, tmp_path, seed):
+    folder, draw = tmp_path / "copy", random.Random(seed)
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    seals = folder / "results/.seals"
+    names = sorted(
+        p.relative_to(seals) for p in seals.rglob("*") if p.is_file() and p.name != "tier"
+    )
+    file = folder / "results" / draw.choice(names)
+    file.write_bytes(file.read_bytes() + b"x")
+    code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
+    assert code == 2
+    assert f"{file}: is not as its job wrote it" in said
+    assert not (tmp_path / "study.zip").exists()
+
+
+def test_an_input_that_was_edited_after_the_last_run_is_told(study, commands, tmp_path):
+    folder = tmp_path / "copy"
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    scene = next((folder / "config/scenes").glob("*.yaml"))
+    scene.write_text(scene.read_text() + "# a note\n")
+    code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
+    assert code == 0
+    assert f"note: {scene}: edited after the last run" in said
 
 
 @pytest.mark.parametrize("name", ["there.zip", "study.tar", "nowhere/study.zip", "notes"])

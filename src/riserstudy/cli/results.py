@@ -196,10 +196,21 @@ def crate(
     ],
     study: Annotated[Path, typer.Option(help="folder of the study", metavar="FOLDER")] = HERE,
 ) -> None:
-    """Pack a study, its results and their description as a run crate, which anyone can rerun."""
-    from riserstudy.crate.pack import pack
+    """Pack a study, its results and their description as a run crate, which anyone can rerun.
+
+    The command refuses results that are damaged or were edited. A note states which inputs were edited after
+    the last run of the study.
+    """
+    from riserstudy.crate.pack import edited_since, pack
 
     count = pack(study, output)
+    if edited := edited_since(study):
+        more = f" and {len(edited) - 1} more" if len(edited) > 1 else ""
+        print(
+            f"riserstudy: note: {edited[0]}{more}: edited after the last run; if the edit changes results, "
+            "run the study, and pack it again",
+            file=sys.stderr,
+        )
     wrote(output)
     print(f"{count} files; unpack it and run `snakemake --cores all` there to rerun the study")
 

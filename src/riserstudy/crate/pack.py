@@ -7,7 +7,7 @@ from pathlib import Path
 
 from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
 from riserstudy.errors import InputError
-from riserstudy.folders import SEALS, whole_file
+from riserstudy.folders import SEALS, fits_seal, whole_file
 
 #: optional files in the folder of the study
 FILES = ("README.md", "LICENSE", "CITATION.cff")
@@ -19,7 +19,8 @@ def pack(study: Path, target: Path) -> int:
     Raises
     ------
     InputError
-        When the folder has no results of jobs, or the zip has another suffix or exists already.
+        When the folder has no results of jobs, or one that is not as its job wrote it, or the zip has another
+        suffix or exists already.
     SimulationError
         When the zip cannot be written.
     """
@@ -31,6 +32,10 @@ def pack(study: Path, target: Path) -> int:
         found = "no results of a run of `snakemake` or `make study`"
         raise InputError("crate", str(study), found, "run the study here first")
     results = [study / name for name in outputs_of(study)]
+    for file in results:
+        if not fits_seal(file, study / "results"):
+            found = "is not as its job wrote it"
+            raise InputError(file, "", found, "run the study again, which makes it anew")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
@@ -43,3 +48,9 @@ def pack(study: Path, target: Path) -> int:
         for file in dict.fromkeys(files):
             archive.write(file, file.relative_to(study).as_posix())
     return len(files) + 1
+
+
+def edited_since(study: Path) -> list[Path]:
+    """Inputs of a study that are younger than all its results."""
+    last = max((study / name).stat().st_mtime for name in outputs_of(study))
+    return [path for path in inputs_of(study) if path.stat().st_mtime > last]

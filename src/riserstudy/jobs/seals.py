@@ -8,13 +8,12 @@ times and never opens an output.
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Collection, Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 from riserstudy import folders
-from riserstudy.folders import write_whole
+from riserstudy.folders import fits_seal, seal_line, write_whole
 
 RESULTS = Path("results")  # in the folder where Snakemake runs
 SEALS = RESULTS / folders.SEALS
@@ -25,17 +24,12 @@ def seal(*files: Path) -> None:
     for file in [file for file in files if file.is_relative_to(RESULTS)]:
         target = _seal_of(file)
         target.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(target, _line(file))
+        write_whole(target, seal_line(file, file.relative_to(RESULTS)))
 
 
 def is_whole(file: Path) -> bool:
     """Return whether a file is as its job wrote it; True for a file outside the results folder."""
-    if not file.is_relative_to(RESULTS):
-        return True
-    try:
-        return _seal_of(file).read_bytes() == _line(file)
-    except OSError:
-        return False
+    return not file.is_relative_to(RESULTS) or fits_seal(file, RESULTS)
 
 
 def damaged(files: Iterable[str]) -> list[Path]:
@@ -64,9 +58,3 @@ def remove(file: Path) -> None:
 
 def _seal_of(file: Path) -> Path:
     return SEALS / file.relative_to(RESULTS)
-
-
-def _line(file: Path) -> bytes:
-    with file.open("rb") as stream:
-        digest = hashlib.file_digest(stream, "sha256").hexdigest()
-    return f"{digest}  {file.relative_to(RESULTS).as_posix()}\n".encode()
