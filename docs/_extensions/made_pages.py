@@ -99,8 +99,7 @@ def _figure(paper: str, name: str) -> str:
     caption = str(_study(paper)["figures"][name]["caption"]).strip()
     with chdir(ROOT):  # chapters are those of the folder where one works
         module = function_of(paper, "figures", name).__module__
-    folder = "../src" if module.startswith("riserstudy.") else ".."
-    source = f"{folder}/{module.replace('.', '/')}.py"
+    source = f"../{module.replace('.', '/')}.py"
     return f"""
 :::::{{container}} exhibit
 ![{caption}](images/gallery/{paper}_{name}.png)
