@@ -120,6 +120,11 @@ def chapter_modules(paper: str, part: str) -> list[str]:
     return [f"chapters.{paper}.{part}.{name}" for name in names]
 
 
+def variables_of_chapter(paper: str) -> Path:
+    """File of the names, units and labels that a chapter of the folder where one works defines."""
+    return Path("chapters") / paper / "variables.yaml"
+
+
 def own_chapters() -> list[str]:
     """Return the papers that have a chapter in the current folder."""
     return sorted(path.name for path in Path("chapters").glob("*") if path.is_dir())

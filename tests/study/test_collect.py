@@ -135,8 +135,9 @@ def test_one_point_in_eight_tells_its_error_and_is_lacking_without_it():
 @pytest.mark.parametrize("name", ["case", "riser_drag", "operation", "floor"])
 def test_words_of_an_own_axis_are_not_those_of_a_chapter(name):
     assert "comment" in attributes("case")
-    assert _named(name, {"a": {}}, "own") == {"long_name": name.replace("_", " ")}
-    assert _named(name, {"a": {}}, "liu2017")["long_name"] == attributes(name)["long_name"]
+    plain = {"long_name": name.replace("_", " ")}
+    assert _named(name, {"a": {}}, "own") == plain
+    assert (_named(name, {"a": {}}, "liu2017") == plain) == (name != "riser_drag")
 
 
 @pytest.mark.parametrize(

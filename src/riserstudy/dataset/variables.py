@@ -1,4 +1,4 @@
-"""Names, units and labels of variables, from the file ``variables.yaml``."""
+"""Names, units and labels of variables, from the file of the package and those of chapters."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import re
 from functools import cache
 from pathlib import Path
 
+from riserstudy.dataset.chapter_variables import joined_tables
+from riserstudy.folders import own_chapters
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.facts import point_columns
 from riserstudy.scene.outputs import QUANTITIES
@@ -62,14 +64,24 @@ def of_runs(name: str) -> bool:
 
 
 def variables() -> dict[str, dict[str, str]]:
-    """Names, units and labels of all variables."""
-    return _in_file() | {c.name: c.attributes for c in point_columns() if c.attributes}
+    """Names, units and labels of all variables: the package's, and those of chapters where one works.
+
+    Raises
+    ------
+    InputError
+        When the file of a chapter is not valid, or gives a name that has another meaning elsewhere.
+    """
+    return _in_files(Path.cwd()) | _of_points()
+
+
+def _of_points() -> dict[str, dict[str, str]]:
+    return {column.name: column.attributes for column in point_columns() if column.attributes}
 
 
 @cache
-def _in_file() -> dict[str, dict[str, str]]:
-    table: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
-    return table
+def _in_files(_folder: Path) -> dict[str, dict[str, str]]:
+    own: dict[str, dict[str, str]] = read_yaml(Path(__file__).with_name(DATA_FILES[0]), keep=True)
+    return own | joined_tables(own_chapters(), own | _of_points())
 
 
 def attributes(name: str) -> dict[str, str]:

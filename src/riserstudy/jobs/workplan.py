@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 from riserstudy.digests import defining, dependencies, digest
 from riserstudy.figures import module_of_plot
-from riserstudy.folders import chapter_modules
+from riserstudy.folders import chapter_modules, variables_of_chapter
 from riserstudy.grading.false_claims import false_claims_path
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import published_path
@@ -56,7 +56,7 @@ class Workplan(Configuration):
 
     def study_digest(self, paper: str, study: str) -> str:
         """Digest of axes, point keys and the code that joins points into a dataset."""
-        return f"{self.study(paper, study).digest}-{digest(dependencies(COLLECT))}"
+        return f"{self.study(paper, study).digest}-{digest(dependencies(COLLECT) | _named(paper))}"
 
     def settings_files(self, paper: str, study: str, *_shard: str) -> list[str]:
         """The file with the tuned settings of a study; empty for a study that is not tuned."""
@@ -117,7 +117,7 @@ class Workplan(Configuration):
 
     def seas_digest(self, paper: str, name: str, *_part: str) -> str:
         """Digest of settings, record and requests, and of the code that simulates and counts hours."""
-        return f"{self.seas(paper, name).digest}-{digest(dependencies(SEAS))}"
+        return f"{self.seas(paper, name).digest}-{digest(dependencies(SEAS) | _named(paper))}"
 
     def seas_threads(self, paper: str, name: str, *_part: str) -> int:
         """Threads of a job: few, because it runs few sea states at a time and many jobs run in parallel."""
@@ -138,7 +138,8 @@ class Workplan(Configuration):
 
     def derived_code(self, paper: str, name: str) -> Set[Path]:
         """Sources of the function that derives a dataset."""
-        return dependencies(DERIVE) | dependencies(_module(paper, "derived", name))
+        code = dependencies(DERIVE) | dependencies(_module(paper, "derived", name))
+        return code | _named(paper)
 
     def derived_digest(self, paper: str, name: str) -> str:
         """Digest of the code that derives, and of its settings."""
@@ -155,7 +156,8 @@ class Workplan(Configuration):
 
     def measured_code(self, paper: str, name: str) -> Set[Path]:
         """Sources of the function that measures a dataset."""
-        return dependencies(MEASURE) | dependencies(_module(paper, "measured", name))
+        code = dependencies(MEASURE) | dependencies(_module(paper, "measured", name))
+        return code | _named(paper)
 
     def measured_digest(self, paper: str, name: str) -> str:
         """Digest of what is measured, of its scenes and files, and of the code that measures."""
@@ -182,8 +184,8 @@ class Workplan(Configuration):
         if figure is None:
             return dependencies("riserstudy.schematic")
         if figure.plot:
-            return dependencies(module_of_plot(figure.plot))
-        return dependencies(_module(paper, "figures", name))
+            return dependencies(module_of_plot(figure.plot)) | _named(paper)
+        return dependencies(_module(paper, "figures", name)) | _named(paper)
 
     def figure_digest(self, paper: str, name: str) -> str:
         """Digest of the code that draws, and of what a general plot or a schematic must show."""
@@ -336,6 +338,12 @@ class Workplan(Configuration):
 def _module(paper: str, part: str, name: str) -> str:
     """The module of a chapter that defines a function."""
     return defining(chapter_modules(paper, part), name) or ""
+
+
+def _named(paper: str) -> frozenset[Path]:
+    """The file of names, units and labels of a chapter, if it has one."""
+    file = variables_of_chapter(paper).absolute()
+    return frozenset([file] if file.exists() else [])
 
 
 def _hash(text: str) -> str:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.chapter_variables import chapter_table
 from riserstudy.dataset.complete import complete
 from riserstudy.dataset.extremes import OVER, as_variables, of_runs
 from riserstudy.dataset.label import (
@@ -25,7 +26,6 @@ from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.errors import SimulationError
-from riserstudy.folders import PACKAGE
 from riserstudy.records.facts import point_columns
 from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
@@ -180,12 +180,12 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
 def _named(name: str, axis: Any, paper: str) -> dict[str, Any]:
     """Attributes of an axis, with the unit that the study gives.
 
-    If a user's axis has the name of a variable of a chapter in the package, but has labels or another
-    dimension, the attributes of this variable are not used.
+    An axis of words, or of numbers in another dimension, does not take the attributes of a variable that has
+    its name, unless the chapter of the study names it.
     """
     known, unit = attributes(name), axis.unit if isinstance(axis, Numbers) else None
-    ours = (PACKAGE.parents[1] / "chapters" / paper).is_dir()  # of the checkout
-    meant = ours or (unit is not None and (unit == "1") == (known.get("units", unit) == "1"))
+    meant = name in chapter_table(paper) or isinstance(axis, Samples)
+    meant |= unit is not None and (unit == "1") == (known.get("units", unit) == "1")
     about = {"long_name": name.replace("_", " ")} | (known if meant else {})
     return about | ({"units": cf_unit(unit)} if unit is not None else {})
 

@@ -7,6 +7,4 @@ def tension_swing(heave: xr.Dataset) -> xr.Dataset:
     """Half of the range of tension at the riser's top (N), over heave amplitude."""
     top = {"s_node": -1}
     swing = 0.5 * (heave["effective_tension_max"] - heave["effective_tension_min"]).isel(top)
-    dataset = swing.drop_vars("s_node").to_dataset(name="tension_swing")
-    dataset["tension_swing"].attrs = {"units": "N", "long_name": "half of the range of top tension"}
-    return dataset
+    return swing.drop_vars("s_node").to_dataset(name="tension_swing")
