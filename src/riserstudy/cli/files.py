@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -152,7 +153,8 @@ def new(
     from riserstudy.study.new import new_study
 
     new_study(folder)
-    print(f"{folder} is ready: `cd {folder}`, then `snakemake`; README.md there goes on from here.")
+    way = shlex.quote(str(folder))
+    print(f"{folder} is ready: `cd {way}`, then `snakemake`; README.md there goes on from here.")
 
 
 def schema(

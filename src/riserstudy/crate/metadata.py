@@ -6,12 +6,14 @@ import json
 import os
 from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import chdir
 from pathlib import Path
 
 from riserstudy.crate.claims import claim_entities
 from riserstudy.crate.entities import Entity, file_entity, licence, ref, software
 from riserstudy.crate.records import Made, recorded
-from riserstudy.folders import SEALS, write_whole
+from riserstudy.digests import dependencies
+from riserstudy.folders import PACKAGE, SEALS, write_whole
 
 NAME = "ro-crate-metadata.json"
 RUN, WORKFLOW_LANGUAGE = "#run", "https://w3id.org/workflowhub/workflow-ro-crate#snakemake"
@@ -40,7 +42,19 @@ def inputs_of(study: Path) -> list[Path]:
         for path in sorted((study / folder).rglob("*"))
         if path.is_file() and not {*path.relative_to(study).parts} & {*NO_INPUT}
     ]
-    return [*found, *(study / name for name in LOCKS if (study / name).exists())]
+    locks = [study / name for name in LOCKS if (study / name).exists()]
+    return [*found, *_imported_by_chapters(study), *locks]
+
+
+def _imported_by_chapters(study: Path) -> list[Path]:
+    """Return the files of a study outside its chapters that these import, or that imported modules name."""
+    with chdir(study):  # where chapters find them
+        paths = sorted(Path("chapters").rglob("*.py"))
+        modules = [".".join(path.with_suffix("").parts) for path in paths]
+        files = frozenset[Path]().union(*map(dependencies, modules))
+        names = [path.relative_to(Path.cwd()) for path in files if path.is_relative_to(Path.cwd())]
+        own = [name for name in names if not name.absolute().is_relative_to(PACKAGE)]
+    return [study / name for name in sorted(own) if name.parts[0] not in INPUTS]
 
 
 def outputs_of(study: Path) -> list[str]:
