@@ -10,7 +10,8 @@ from scipy.integrate import solve_bvp
 from riserstudy.errors import InputError
 from riserstudy.model.mesh import even
 from riserstudy.model.sea import current_velocity
-from riserstudy.scene.forcing import Current, Water
+from riserstudy.scene.forcing import Current
+from riserstudy.scene.water import Water
 from riserstudy.simulation.run import single
 
 LENGTH, TENSION, WEIGHT, DENSITY, WIDTH = 533.0, 2275e3, 141.264, 1025.0, 1.22

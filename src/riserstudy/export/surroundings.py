@@ -10,10 +10,10 @@ import numpy as np
 from riserstudy.export.deck import Deck
 from riserstudy.export.topside import VESSEL, held
 from riserstudy.model.sea import current_velocity
-from riserstudy.scene.forcing import Water
 from riserstudy.scene.rao import MOTIONS
 from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.soil import Matlock
+from riserstudy.scene.water import Water
 
 STRETCHING = {"none": "None", "constant": "Vertical stretching", "stretched": "Wheeler stretching"}
 STRAIGHT = 1e-3  # largest error of a thinned current table, as a share of its greatest speed

@@ -30,9 +30,9 @@ from riserstudy.model.sea import (
     wave_numbers,
 )
 from riserstudy.model.vortices import vortex_forces
-from riserstudy.scene.forcing import Water
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave
+from riserstudy.scene.water import Water
 
 FloatArray = NDArray[np.float64]
 ABOVE = {"none": NONE, "constant": CONSTANT, "stretched": STRETCHED}

@@ -7,9 +7,10 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.scene.forcing import Current, Shape, Water
+from riserstudy.scene.forcing import Current, Shape
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell, WindDrift
+from riserstudy.scene.water import Water
 
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # points of a named current profile

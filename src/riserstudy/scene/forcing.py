@@ -1,4 +1,4 @@
-"""Motions and flow: platform, water and current."""
+"""Motions and flow: platform and current."""
 
 from __future__ import annotations
 
@@ -14,26 +14,9 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import ALONG_X, NOT_NEGATIVE, POSITIVE, Positive
 from riserstudy.scene.rao import Response
 from riserstudy.scene.sea import WindDrift
+from riserstudy.scene.water import Water
 
 SMOOTH = 1e-6  # sine of a phase below which a motion starts without a jump
-
-
-class Water(Strict):
-    """The sea. Without this key there is no drag, added mass, current or waves.
-
-    Waves require the elevations of mean level and seabed, and so do current profiles without their own
-    elevations.
-    """
-
-    density: Annotated[u.Density, POSITIVE]
-    surface: u.Length | None = None
-    seabed: u.Length | None = None
-
-    @model_validator(mode="after")
-    def _fits(self) -> Self:
-        if self.surface is not None and self.seabed is not None and self.seabed >= self.surface:
-            raise ValueError("seabed must be below surface")
-        return self
 
 
 class Harmonic(Strict):

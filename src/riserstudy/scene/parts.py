@@ -15,12 +15,13 @@ from riserstudy.scene.buoyant_factor import Buoyancy
 from riserstudy.scene.disconnect import Disconnect
 from riserstudy.scene.ends import Body, Bottom, Top
 from riserstudy.scene.fatigue import Fatigue
-from riserstudy.scene.forcing import Current, Platform, TimeSeries, Water
+from riserstudy.scene.forcing import Current, Platform, TimeSeries
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.riser import RigidBody, Section
 from riserstudy.scene.sea import IrregularSea, RegularWave
 from riserstudy.scene.soil import Soil
 from riserstudy.scene.vessel import Vessel
+from riserstudy.scene.water import Water
 
 
 class Parts(Strict):

@@ -1,0 +1,29 @@
+"""The sea at rest: its density, and the elevations of mean level and seabed."""
+
+from __future__ import annotations
+
+from typing import Annotated, Self
+
+from pydantic import model_validator
+
+from riserstudy.inputs.strict import Strict
+from riserstudy.scene import units as u
+from riserstudy.scene.base import POSITIVE
+
+
+class Water(Strict):
+    """The sea. Without this key there is no drag, added mass, current or waves.
+
+    Waves require the elevations of mean level and seabed, and so do current profiles without their own
+    elevations.
+    """
+
+    density: Annotated[u.Density, POSITIVE]
+    surface: u.Length | None = None
+    seabed: u.Length | None = None
+
+    @model_validator(mode="after")
+    def _fits(self) -> Self:
+        if self.surface is not None and self.seabed is not None and self.seabed >= self.surface:
+            raise ValueError("seabed must be below surface")
+        return self
