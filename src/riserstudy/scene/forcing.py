@@ -131,7 +131,7 @@ class Position(Strict):
 
 
 class Centre(Strict):
-    """Centre of rotation of the platform, where it is when the platform is at rest.
+    """Position of the platform's centre of rotation with the platform at rest.
 
     Without x or y the centre is vertically above the well.
     """

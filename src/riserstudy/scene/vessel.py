@@ -24,7 +24,7 @@ STEPS_A_TURN = 4
 
 
 class Wind(Strict):
-    """Wind force on the platform, C |u| u with the relative velocity u. The default heading is along x."""
+    """Wind force on the platform, C |u| u with the relative velocity u. Its default direction is +x."""
 
     drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE]
     speed: u.Speed
@@ -32,7 +32,7 @@ class Wind(Strict):
 
 
 class WaveDrift(Strict):
-    """Mean second-order force of the waves. The default heading is along x."""
+    """Mean second-order force of the waves. Its default direction is +x."""
 
     force: Annotated[u.Force, NOT_NEGATIVE]
     heading: u.Angle | None = None
