@@ -1,1 +1,1 @@
-"""Liu et al. 2017: what is derived from its runs, drawn and claimed."""
+"""Liu et al. 2017: datasets derived from its runs, figures, and checks of its claims."""

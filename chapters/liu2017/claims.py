@@ -1,6 +1,6 @@
-"""Liu et al. 2017: what its numbers, claims and errata are checked against.
+"""Liu et al. 2017: checks of its published numbers and claims, and numbers for its errata.
 
-Datasets hold both drive-off directions, ``heading`` along and against the environment.
+Datasets contain both directions of drive-off: ``heading`` is "along" or "against" the environment.
 """
 
 from __future__ import annotations
@@ -20,18 +20,18 @@ from riserstudy.grading.yardstick import Condition, all_of, less, more, more_on_
 from riserstudy.scene.units import to_si
 
 TARGET = 100.0  # m, the false position
-TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, both printed; the latter read as the riser's, too
-SEEN = (50.0, 100.0)  # s, of Fig 4: the false position is reached, the largest surge is not passed
-MOVED = 1.0  # m, by which a place of the riser has begun to move
+TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, published; strength taken for the riser, too
+SEEN = (50.0, 100.0)  # s, of Fig 4: target reached, largest surge not yet passed
+MOVED = 1.0  # m, displacement at which a point of the riser counts as having begun to move
 INERTIA = {"riser_inertia": "with", "riser_drag": "without"}
 DRAG = {"riser_inertia": "without", "riser_drag": "with"}
 
 
-# printed numbers
+# published numbers
 
 
 def time_of_ufj_limit(runs: xr.Dataset, degrees: float) -> Found:
-    """Time (s) at which the upper flex joint reaches an angle; infinite where it never does."""
+    """Time (s) at which the upper flex joint reaches an angle (°); infinite if it never does."""
     return Found(first_crossing(abs(_along(runs)["ufj_angle"]), np.deg2rad(degrees)))
 
 
@@ -39,7 +39,7 @@ def time_of_ufj_limit(runs: xr.Dataset, degrees: float) -> Found:
 
 
 def faster_along(runs: xr.Dataset, until: float, larger: Word) -> Found:
-    """Speed along exceeds speed against; value: smallest difference after the first second (m/s)."""
+    """The speed along exceeds the speed against; value: smallest difference after the first second (m/s)."""
     speed = runs["platform_speed_x"].sel(time=slice(1.0, until))
     ahead = _along(speed) - _against(speed)
     faster = more_on_the_whole(_along(speed), _against(speed), larger, "time")
@@ -47,16 +47,16 @@ def faster_along(runs: xr.Dataset, until: float, larger: Word) -> Found:
 
 
 def arrives_earlier_along(runs: xr.Dataset, smaller: Word) -> Found:
-    """The false position is reached along, and later or never against; value: time along (s)."""
+    """The platform reaches the false position along, and later or never against; value: time along (s)."""
     time = _arrival(runs)
     earlier = less(_along(time), _against(time), smaller)
-    # never along is no earlier arrival, whatever happens against
+    # a platform that never arrives along does not arrive earlier, whatever happens against
     earlier = Condition(earlier.margin, earlier.same & np.isfinite(_along(time)))
     return judged(_finite(_along(time), runs), earlier)
 
 
 def smaller_with_riser(runs: xr.Dataset, heading: str, smaller: Word) -> Found:
-    """Surge is smaller with riser from 50 to 100 s; value: by how much at most, over the surge then."""
+    """Surge is smaller with riser from 50 to 100 s; value: largest reduction, relative to surge without."""
     taken = _taken_off(runs.sel(heading=heading, drop=True))
     most, never_more = taken.max("time"), everywhere(taken, "time") + smaller.band
     compared = Condition(most - smaller.bound, abs(taken).max("time") < smaller.band)
@@ -64,14 +64,14 @@ def smaller_with_riser(runs: xr.Dataset, heading: str, smaller: Word) -> Found:
 
 
 def _taken_off(runs: xr.Dataset) -> xr.DataArray:
-    """Share of the platform's surge that the riser takes off over the later part of Fig 4."""
+    """Relative reduction of the platform's surge by the riser, over the later part of Fig 4."""
     run = runs.sel(time=slice(*SEEN))
     share: xr.DataArray = 1.0 - run["platform_surge"] / run["surge_alone"]
     return share
 
 
 def riser_slows_the_platform(runs: xr.Dataset, obvious: Word) -> Found:
-    """With the riser the platform's surge is another, along or against; value: the larger share."""
+    """The riser changes the platform's surge, along or against; value: the larger relative change."""
     share = abs(_taken_off(runs)).max(("time", "heading"))
     return judged(share, above(share, obvious.bound))
 
@@ -80,7 +80,7 @@ def riser_slows_the_platform(runs: xr.Dataset, obvious: Word) -> Found:
 
 
 def drives_then_inhibits(runs: xr.Dataset, after: float) -> Found:
-    """Along, the force drives at first and inhibits after some time until arrival; value: at first (kN)."""
+    """Along, the force first drives, and inhibits from ``after`` (s) to arrival; value: first force (kN)."""
     force = _along(runs["riser_force_x"])
     until = _by_arrival(runs, "along")
     first, size = force.isel(time=0, drop=True), abs(force).max("time")
@@ -90,7 +90,7 @@ def drives_then_inhibits(runs: xr.Dataset, after: float) -> Found:
 
 
 def deflects_along_at_first(runs: xr.Dataset) -> Found:
-    """Along, the riser starts bowed the way of the environment; value: angle between its ends (deg)."""
+    """Along, the riser is first bowed down the environment; value: difference of its end angles (deg)."""
     start = _along(runs).isel(time=0, drop=True)
     low, top = start["lfj_angle"], start["ufj_angle"]
     size = abs(low) + abs(top)
@@ -99,15 +99,15 @@ def deflects_along_at_first(runs: xr.Dataset) -> Found:
 
 
 def always_inhibits(runs: xr.Dataset) -> Found:
-    """Against, the force inhibits until arrival; value: its largest value (kN)."""
+    """Against, the force inhibits the platform until arrival; value: largest force (kN)."""
     force = _against(runs["riser_force_x"]).where(_by_arrival(runs, "against"))
     most = force.max("time")
     return judged(most / 1e3, below(most, 0.0, over=abs(force).max("time")))
 
 
 def larger_against(runs: xr.Dataset, larger: Word) -> Found:
-    """Force is larger against than along until arrival along; value: smallest difference (kN)."""
-    before = _by_arrival(runs, "along").isel(time=slice(1, None))  # at rest both are mirror images
+    """Until arrival along, the force is larger against than along; value: smallest difference (kN)."""
+    before = _by_arrival(runs, "along").isel(time=slice(1, None))  # mirror images at rest
     size = abs(runs["riser_force_x"]).isel(time=slice(1, None))
     ahead = (_against(size) - _along(size)).where(before).min("time")
     whole = more_on_the_whole(_against(size), _along(size), larger, "time", before)
@@ -115,7 +115,7 @@ def larger_against(runs: xr.Dataset, larger: Word) -> Found:
 
 
 def inhibits_overall(runs: xr.Dataset) -> Found:
-    """Impulse of the force along until arrival is against the drive-off; value: in MN s."""
+    """Along, the impulse of the force until arrival opposes the drive-off; value: impulse (MN s)."""
     force = _along(runs["riser_force_x"]).where(_by_arrival(runs, "along"), 0.0)
     impulse = force.integrate("time") / 1e6
     size = abs(force).integrate("time") / 1e6
@@ -126,7 +126,7 @@ def inhibits_overall(runs: xr.Dataset) -> Found:
 
 
 def ufj_first(runs: xr.Dataset) -> Found:
-    """Where the upper flex joint reaches its limit it is the first; value: largest share of another then."""
+    """The upper flex joint, if it reaches its limit, is first; value: largest share of other limits then."""
     run = _along(runs)
     times = reached(run)
     others = times.sel(limit=[name for name in LIMITS if name != "upper flex joint"])
@@ -136,7 +136,7 @@ def ufj_first(runs: xr.Dataset) -> Found:
 
 
 def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
-    """At a time the upper joint has used more of its limit than any other; value: how many times."""
+    """At a time the upper flex joint has used most of its limit; value: ratio to the largest other share."""
     used = shares(_along(runs)).interp(time=time, assume_sorted=True).drop_vars("time")
     ratio = used.sel(limit="upper flex joint", drop=True) / used.sel(
         limit=[name for name in LIMITS if name != "upper flex joint"]
@@ -145,7 +145,7 @@ def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
 
 
 def slow_below(runs: xr.Dataset, later: float) -> Found:
-    """What is at the bottom begins to respond later than the upper joint; value: least delay (s)."""
+    """All parts at the bottom begin to respond later than the upper flex joint; value: least delay (s)."""
     begins = starts(_along(runs))
     delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(
         limit="upper flex joint", drop=True
@@ -154,27 +154,27 @@ def slow_below(runs: xr.Dataset, later: float) -> Found:
 
 
 def constant_at_first(runs: xr.Dataset, least: float) -> Found:
-    """What is at the bottom does not respond for some time; value: when the first begins (s)."""
+    """No part at the bottom responds for some time; value: time at which the first begins (s)."""
     begins = starts(_along(runs)).sel(limit=list(BOTTOM)).min("limit")
     return judged(_finite(begins, runs), above(begins, least))
 
 
 def bottom_moves_later(runs: xr.Dataset, later: float) -> Found:
-    """A tenth up from its foot the riser moves later than its top; value: by how much (s)."""
+    """The riser, at a tenth of its length above its lower end, moves later than its top; value: delay (s)."""
     run = _along(runs)
     top, low = (first_crossing(abs(run[n]), MOVED) for n in ("platform_surge", "low_displacement"))
     return judged(_finite(low - top, runs), above(low - top, later))
 
 
 def inertia_explains_the_lag(runs: xr.Dataset, larger: Word) -> Found:
-    """The bottom lags more by the riser's inertia alone than by its drag alone; value: ratio of both lags."""
+    """The bottom lags more with riser inertia alone than with riser drag alone; value: ratio of the lags."""
     lag = runs["lag"]
     inertia, drag = (lag.sel(alone).reset_coords(drop=True) for alone in (INERTIA, DRAG))
     return judged(inertia / drag, more(inertia, drag, larger))
 
 
 def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
-    """At 50 s the stroke has used more of its limit than all at the bottom; value: how many times."""
+    """At 50 s the stroke's share of its limit exceeds all at the bottom; value: ratio to the largest."""
     used = shares(_along(runs)).interp(time=50.0, assume_sorted=True).drop_vars("time")
     ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(BOTTOM)).max(
         "limit"
@@ -183,7 +183,7 @@ def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
 
 
 def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
-    """The stroke begins nearer to the upper joint than to what is at the bottom; value: its delay (s)."""
+    """The stroke's start is closer to the upper flex joint's than to the bottom's; value: its delay (s)."""
     begins = starts(_along(runs))
     first = begins.sel(limit="upper flex joint", drop=True)
     stroke = begins.sel(limit="telescopic joint", drop=True)
@@ -195,7 +195,7 @@ def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
 
 
 def environment_helps_or_opposes(runs: xr.Dataset) -> Found:
-    """At the start thrust and environment agree along and oppose against; value: environment (MN)."""
+    """At first, thrust and environment agree along and oppose against; value: environment, against (MN)."""
     start = runs.isel(time=1, drop=True)
     thrust, force = start["thrust_x"], start["environment_force_x"]
     larger = abs(thrust).where(abs(thrust) > abs(force), abs(force))
@@ -204,7 +204,7 @@ def environment_helps_or_opposes(runs: xr.Dataset) -> Found:
 
 
 def combined_force_larger_along(runs: xr.Dataset, larger: Word) -> Found:
-    """Thrust and environment together are larger along than against, at the start; value: their ratio."""
+    """At the start, the sum of thrust and environment is larger along than against; value: the ratio."""
     start = runs.isel(time=1, drop=True)
     force = abs(start["thrust_x"] + start["environment_force_x"])
     return judged(_along(force) / _against(force), more(_along(force), _against(force), larger))
@@ -219,7 +219,7 @@ def _against(runs: Any) -> Any:
 
 
 def _arrival(runs: xr.Dataset) -> xr.DataArray:
-    """When the platform reaches the false position (s), infinite if never."""
+    """Time at which the platform reaches the false position (s), infinite if never."""
     return first_crossing(runs["platform_surge"], TARGET)
 
 
@@ -230,7 +230,7 @@ def _by_arrival(runs: xr.Dataset, heading: str) -> xr.DataArray:
 
 
 def _finite(value: xr.DataArray, runs: xr.Dataset) -> xr.DataArray:
-    """Never told as the end of the record."""
+    """Replace values that are not finite (events that never happen) with the record's end time (s)."""
     return value.where(np.isfinite(value), float(runs["time"][-1]))
 
 
@@ -238,7 +238,7 @@ def _finite(value: xr.DataArray, runs: xr.Dataset) -> xr.DataArray:
 
 
 def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
-    """Numbers that errata quote."""
+    """Compute the numbers that the errata quote."""
     times = reached(base)
     stroke = shares(_along(base)).sel(limit="telescopic joint") * LIMITS["telescopic joint"].most
     fifty = _along(base).interp(time=50.0)
@@ -277,7 +277,7 @@ def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
 
 
 def lags(runs: xr.Dataset, begun: float) -> dict[str, Any]:
-    """Lag (s) of the bottom behind the upper flex joint, by what the riser has."""
+    """Lag (s) of the bottom behind the upper flex joint: riser with inertia and drag, either, or neither."""
     lag = runs["lag"].sel(begun=begun)
     cases = {
         "both": dict.fromkeys(INERTIA, "with"),
@@ -291,13 +291,13 @@ def lags(runs: xr.Dataset, begun: float) -> dict[str, Any]:
 def limit_over_phases(
     runs: xr.Dataset, degrees: float, deadline: float, rounding: float
 ) -> dict[str, Any]:
-    """When the upper flex joint reaches an angle, over phases of the wave; phases that no gain suits.
+    """Times at which the upper flex joint reaches an angle, over wave phases; phases that no gain fits.
 
     Parameters
     ----------
-    degrees : angle of the joint.
-    deadline, rounding : time (s) that a gain is to give, and to how many seconds it is rounded. From one
-        gain to the next the time may jump past it.
+    degrees : angle of the joint (°).
+    deadline, rounding : time (s) that a gain must give, and the interval (s) to which it is rounded. From
+        one gain to the next, the computed time may jump past it.
     """
     times = first_crossing(abs(runs["ufj_angle"]), np.deg2rad(degrees)).sortby("gain")
     base = times.sel(gain=gain_of(runs))
@@ -315,5 +315,5 @@ def limit_over_phases(
 
 
 def gain_of(runs: xr.Dataset) -> float:
-    """Gain (kN/m) of the thrusters in the scene of some runs."""
+    """Gain (kN/m) of the thrusters in the scene of the runs."""
     return to_si(json.loads(runs.attrs["scene"])["vessel"]["thrusters"]["gain"], "kN/m")

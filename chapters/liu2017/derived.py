@@ -1,6 +1,6 @@
-"""Liu et al. 2017: drive-offs side by side, when limits are reached, watch circles, static offsets.
+"""Liu et al. 2017: drive-offs compared, times at which limits are reached, watch circles, static offsets.
 
-x and forces count in each run's own drive-off direction.
+x and forces are positive in the drive-off direction of each run.
 """
 
 from __future__ import annotations
@@ -26,9 +26,9 @@ from riserstudy.scene.units import to_si
 
 PAPER = "liu2017"
 BEGUN = (0.02, 0.03, 0.05, 0.07, 0.1)  # shares of a limit
-FEW = 10  # stations: fewer are no riser
+FEW = 10  # stations: a run with no more of them does not contain the whole riser
 ALONE = "_no_riser"
-WELLHEAD, LOW = 73.0, 218.0  # m above the conductor's foot: the wellhead, a tenth up the riser
+WELLHEAD, LOW = 73.0, 218.0  # m above the conductor's foot: wellhead; a tenth up the riser
 OF_THE_PLATFORM = ("platform_surge", "platform_speed_x", "thrust_x", "environment_force_x")
 OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
 
@@ -37,7 +37,7 @@ OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
 
 
 def driveoff(**runs: xr.Dataset) -> xr.Dataset:
-    """All cases over time; what belongs to the riser is missing where there is none, its force zero."""
+    """All cases over time. Without riser, its variables are missing, but its forces are zero."""
     cases = [
         measured(run).assign_coords(case=name).expand_dims("case") for name, run in runs.items()
     ]
@@ -48,17 +48,17 @@ def driveoff(**runs: xr.Dataset) -> xr.Dataset:
 
 
 def base(**runs: xr.Dataset) -> xr.Dataset:
-    """Unlimited thrust, along and against the environment, as claims read it."""
+    """Drive-off with unlimited thrust, along and against the environment, as input of the claims."""
     return _both_ways(runs, "ref")
 
 
 def base_limited(**runs: xr.Dataset) -> xr.Dataset:
-    """Limited thrust, likewise."""
+    """Drive-off with limited thrust, along and against the environment, as input of the claims."""
     return _both_ways(runs, "sat")
 
 
 def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Dataset:
-    """The same over samples of the unspecified inputs, and when each sample reaches each limit."""
+    """Drive-off for samples of the unspecified inputs, and the time at which each reaches each limit."""
     dataset = measured(open_runs)
     dataset["surge_alone"] = open_no_riser["platform_surge"].squeeze("below", drop=True)
     dataset["limit_time"] = reached(dataset)
@@ -71,12 +71,12 @@ def open_drive_off(open_runs: xr.Dataset, open_no_riser: xr.Dataset) -> xr.Datas
 def open_as_printed(
     open_runs: xr.Dataset, open_no_riser: xr.Dataset, deadline: float, one_in: int
 ) -> xr.Dataset:
-    """Those of the samples that come nearest to the printed time of the upper flex joint's limit.
+    """Samples in which the upper flex joint reaches its limit nearest to the published time.
 
     Parameters
     ----------
-    deadline : printed time (s).
-    one_in : of so many samples one is taken, at least one.
+    deadline : published time (s).
+    one_in : one of every ``one_in`` samples is kept, and at least one in all.
     """
     dataset = open_drive_off(open_runs, open_no_riser)
     off = abs(dataset["limit_time"].sel(heading="along", limit="upper flex joint") - deadline)
@@ -95,7 +95,7 @@ def _both_ways(runs: dict[str, xr.Dataset], kind: str) -> xr.Dataset:
 
 
 def measured(run: xr.Dataset) -> xr.Dataset:
-    """What figures and limits are read from, of runs of the platform with or without riser."""
+    """Variables that figures and limits are computed from, of runs of the platform with or without riser."""
     if "ufj_angle" not in run:
         return run[list(OF_THE_PLATFORM)].squeeze(drop=True)
     dataset = run[[name for name in (*OF_THE_PLATFORM, *OF_THE_RISER) if name in run]]
@@ -114,9 +114,10 @@ def measured(run: xr.Dataset) -> xr.Dataset:
 
 
 def riser_stress(run: xr.Dataset) -> xr.DataArray:
-    """Largest stress (Pa) at the outer fibre of the riser, from a run that has all its nodes.
+    """Largest stress (Pa) at the outer fibre of the riser, from a run with outputs at all its nodes.
 
-    The sixth limit that the paper names, 386 MPa; tension over the wall and moment over its section modulus.
+    It is the sixth limit that the paper names, 386 MPa: tension divided by the area of the wall, plus
+    moment divided by the section modulus.
     """
     riser = json.loads(run.attrs["scene"])["riser"]
     below = sum(to_si(section["length"], "m") for section in riser[:2])
@@ -131,7 +132,7 @@ def riser_stress(run: xr.Dataset) -> xr.DataArray:
 
 
 def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
-    """Upper flex joint at the printed time (s), and when it reaches its limit, over what can be fitted."""
+    """Upper flex joint angle at and up to ``deadline`` (s), and time of its limit, over the fitted inputs."""
     angle = abs(fits["ufj_angle"])
     dataset = xr.Dataset(
         {
@@ -154,12 +155,12 @@ def calibration(fits: xr.Dataset, deadline: float) -> xr.Dataset:
 
 
 def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr.Dataset:
-    """When and where each limit is reached, which is first, and the watch circles that follow.
+    """Time and offset at which each limit is reached, the first limit, and the resulting watch circles.
 
     Parameters
     ----------
-    eds_times : how long the emergency disconnect takes, from the red alarm on, with units.
-    preparing : time from the yellow alarm to the red one, with its unit.
+    eds_times : durations of the emergency disconnect, from the red alarm on, with units.
+    preparing : time from the yellow alarm to the red alarm, with its unit.
     """
     runs = measured(headings)
     runs = runs.assign_coords(environment_heading=headings["environment_heading"].astype(float))
@@ -177,9 +178,9 @@ def disconnect(headings: xr.Dataset, eds_times: list[str], preparing: str) -> xr
 
 
 def lag(late: xr.Dataset) -> xr.Dataset:
-    """How much later than the upper flex joint the bottom responds, with and without inertia and drag.
+    """Delay of the bottom behind the upper flex joint, with and without inertia and drag.
 
-    Over the share of its limit by which a quantity counts as having begun to respond.
+    The dimension ``begun`` is the share of its limit at which a quantity counts as having begun to respond.
     """
     dataset = measured(late)
     begins = xr.concat(
@@ -191,7 +192,7 @@ def lag(late: xr.Dataset) -> xr.Dataset:
 
 
 def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
-    """Shares of the limits over time in a drive-off and in a drift-off, and when they are reached."""
+    """Used shares of the limits over time in drive-off and drift-off, and times at which they are reached."""
     parts = []
     for name, run in (("drive-off", ref_0), ("drift-off", drift)):
         dataset = measured(run)
@@ -208,14 +209,17 @@ def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
 
 
 def envelope(offsets: xr.Dataset) -> xr.Dataset:
-    """Shares of the limits at rest, and the offset at which each is reached, over the current."""
+    """Used shares of the limits in static equilibrium; offset at which each is reached, over the current."""
     dataset = xr.Dataset({"limit_share": shares(_at_rest(offsets))})
     dataset["limit_offset"] = first_crossing(dataset["limit_share"], 1.0, along="offset")
     return described(dataset, PAPER, "static offsets at which limits are reached")
 
 
 def _at_rest(rest: xr.Dataset) -> xr.Dataset:
-    """Angles, stroke (from still water on), stress and moment of risers at rest, from shapes and moments."""
+    """Angles, stroke, stress and moment of risers in static equilibrium, from their shapes and moments.
+
+    The stroke is relative to the riser without offset and without current.
+    """
     scene = json.loads(rest.attrs["scene"])
     riser, joint = scene["riser"], scene["top"]["telescopic_joint"]
     x, z, moment = rest["x_static"], rest["z_static"], rest["bending_moment_static"]
@@ -242,9 +246,9 @@ def _at_rest(rest: xr.Dataset) -> xr.Dataset:
 
 
 def top_tension(run: xr.Dataset) -> xr.DataArray:
-    """Tension (N) along the telescopic joint; not a number at its stroke's end in runs with few stations.
+    """Tension (N) along the telescopic joint; in runs with few stations, NaN after stroke-out.
 
-    It is constant before, and then the riser's own pull comes in.
+    It is constant before stroke-out; after it, the riser's own pull is added.
     """
     if "effective_tension" in run and run.sizes["s"] > FEW:
         return run["effective_tension"].isel(s=-1, drop=True)

@@ -1,7 +1,7 @@
-"""Limits of a connected riser (Liu et al. 2017, section 3), and how much of each is used.
+"""Limits of a connected riser (Liu et al. 2017, section 3), and the used share of each.
 
-The paper names six limits and gives five values; the riser's own strength, if it is the conductor's, is told
-apart.
+The paper names six limits and gives five values. The sixth, the strength of the riser itself, is evaluated
+separately, under the assumption that it equals the conductor's strength.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from riserstudy.dataset.crossing import first_crossing
 
 
 class Limit(NamedTuple):
-    """A variable and the size of it that must not be exceeded, in SI."""
+    """A variable and the absolute value that it must not exceed, in SI units."""
 
     variable: str
     most: float
@@ -30,9 +30,10 @@ LIMITS = {
 }
 
 
-#: what is at the bottom
+#: parts at the bottom
 BOTTOM = ("lower flex joint", "conductor", "wellhead")
-#: share of a limit by which a quantity has begun to respond: more than the wave moves the upper flex joint by
+#: change, as a share of the limit, at which a quantity counts as having begun to respond: larger than the
+#: change of the upper flex joint angle by the wave
 START = 0.05
 
 
@@ -49,7 +50,7 @@ def reached(runs: xr.Dataset) -> xr.DataArray:
 
 
 def starts(runs: xr.Dataset, share: float = START) -> xr.DataArray:
-    """When each quantity has changed by a share of its limit since the start (s), infinite if never."""
+    """Time at which each quantity has changed by a share of its limit since the start (s), or infinity."""
     changes = [runs[limit.variable] / limit.most for limit in LIMITS.values()]
     labels = xr.DataArray(list(LIMITS), dims="limit", name="limit")
     used = xr.concat(changes, labels, coords="minimal", compat="override")
