@@ -13,28 +13,28 @@ if TYPE_CHECKING:
 CHANGES = ("displacement_change", "moment_change", "tension_change")
 QUANTITIES = ("displacement", "moment", "tension")
 TOLERANCE = 0.01  # relative change of an answer, or error, that matters
-COMPARED = 0.002  # error at which codes are compared
+COMPARED = 0.002  # relative error at which codes are compared
 SURE = 1.96  # standard deviations of a 95 % interval
 INACCURATE = "stable but inaccurate"
-#: what a scene prescribes; all other effects are physics of riser, water and tensioners
+#: effects that a scene prescribes; all other effects are physics of riser, water and tensioners
 PRESCRIBED = frozenset(
     {
         *("surge", "sway", "heave", "roll", "pitch", "yaw", "cruise", "platform response"),
         *("wave", "current"),
     }
 )
-#: added to scenes instead of removed: the engine decides whether a riser has it
+#: effect that is added to scenes instead of removed: the engine decides whether a scene has it
 DECIDED = "with motion out of the plane"
 WITHOUT = "without "
 
 
 class Price(NamedTuple):
-    """How much longer runs take at a finer tolerance."""
+    """Ratios of run times between two tolerances."""
 
     coarse: float
     fine: float
-    low: float  # ratio of times, of the scene in which it is least
-    high: float
+    low: float  # smallest ratio of times among the scenes
+    high: float  # largest ratio
 
     @property
     def words(self) -> str:
@@ -44,7 +44,7 @@ class Price(NamedTuple):
 
 
 class Others(NamedTuple):
-    """How much longer other codes take than riserstudy for one scene at one error."""
+    """Run times of other codes divided by riserstudy's, for one scene at one error."""
 
     error: float
     codes: int
@@ -53,7 +53,7 @@ class Others(NamedTuple):
 
 
 class Hard(NamedTuple):
-    """How many hard cases ended as expected, and how many were inaccurate without a word."""
+    """Numbers of hard cases that ended as expected, and of those that were inaccurate without a warning."""
 
     met: int
     cases: int
@@ -61,7 +61,7 @@ class Hard(NamedTuple):
 
 
 class Ranked(NamedTuple):
-    """One effect: in how many scenes its absence, or presence, changes the answer beyond the tolerance."""
+    """One effect: number of scenes in which its absence, or presence, changes an answer by over 1 %."""
 
     name: str
     prescribed: bool
@@ -69,11 +69,11 @@ class Ranked(NamedTuple):
     scenes: int
     changed: int
     values: tuple[float, ...]  # largest relative change of an answer, one per scene
-    share: float  # of the run time with the effect, median over scenes
+    share: float  # share of the effect in the run time with it, median over scenes
 
     @property
     def median(self) -> float:
-        """Median change over its scenes."""
+        """Median of the largest changes over the effect's scenes."""
         return float(np.median(self.values))
 
     @property
@@ -85,7 +85,11 @@ class Ranked(NamedTuple):
 
 
 def price(accuracy: xr.Dataset) -> Price | None:
-    """Ratio of times between the finest tolerance that all scenes met and 1 %; None for fewer than two."""
+    """Ratios of run times: finest tolerance that all scenes met, divided by 1 %.
+
+    The coarsest tolerance that all scenes met replaces 1 % where not all met it. None if all scenes
+    together met fewer than two tolerances.
+    """
     met = accuracy["request_seconds"].notnull().values
     requested, scene = accuracy["requested"].values, accuracy["request_scene"].values
     seconds = accuracy["request_seconds"].values
@@ -105,7 +109,7 @@ def price(accuracy: xr.Dataset) -> Price | None:
 
 
 def others(accuracy: xr.Dataset, error: float = COMPARED) -> Others | None:
-    """Times of other codes divided by ours at an error, in the first scene with any; None without."""
+    """Times of other codes divided by riserstudy's at an error, in the first compared scene, or None."""
     if "peer_scene" not in accuracy or not accuracy["peer_scene"].size:
         return None
     scene = accuracy["peer_scene"].values
@@ -117,7 +121,7 @@ def others(accuracy: xr.Dataset, error: float = COMPARED) -> Others | None:
 
 
 def hard(stability: xr.Dataset) -> Hard:
-    """Counts of the hard cases."""
+    """Count the hard cases by outcome."""
     met = stability["as_expected"].values.astype(bool)
     inaccurate = stability["written_outcome"].values.astype(str) == INACCURATE
     return Hard(int(met.sum()), met.size, int((inaccurate & ~met).sum()))
@@ -126,7 +130,7 @@ def hard(stability: xr.Dataset) -> Hard:
 def ranking(effects: xr.Dataset) -> list[Ranked]:
     """Effects by the lower 95 % bound of the share of scenes whose answer they change, largest first.
 
-    Effects that were removed, and motion out of the plane, which was added.
+    It contains the effects that were removed, and motion out of the plane, which was added.
     """
     sizes = np.stack([abs(effects[name]).transpose("scene", "change").values for name in CHANGES])
     known = np.isfinite(sizes)
@@ -152,5 +156,5 @@ def ranking(effects: xr.Dataset) -> list[Ranked]:
 
 
 def never(ranked: list[Ranked]) -> list[Ranked]:
-    """Effects that changed no answer, those of most scenes first."""
+    """Effects that changed no answer, sorted by number of scenes, largest first."""
     return sorted((one for one in ranked if not one.changed), key=lambda one: -one.scenes)

@@ -1,4 +1,4 @@
-"""One attempt to run a scene: what came of it, never an exception, never without bound."""
+"""One attempt to run a scene, bounded in work or time: its outcome, in place of an exception."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from riserstudy.simulation.vibration_statistics import apart
 
 
 class Outcome(StrEnum):
-    """What came of a run."""
+    """Outcome of a run."""
 
     ACCURATE = "accurate"
     INACCURATE = "stable but inaccurate"
@@ -36,12 +36,12 @@ class Outcome(StrEnum):
 
 
 ACCURATE_TO = 0.01
-BEYOND_REASON = 10.0  # times the largest displacement or tension of the reference
+BEYOND_REASON = 10.0  # factor on the largest displacement, tension or moment of the reference
 
 
 @dataclass(frozen=True)
 class Attempt:
-    """What came of one run; ``result`` is None where it was refused."""
+    """Outcome of one run; ``result`` is None if the run was refused."""
 
     result: Result | None
     refused: Outcome | None
@@ -50,7 +50,7 @@ class Attempt:
 
 
 def attempt(do: Callable[[], Result]) -> Attempt:
-    """Run, and keep what a refusal says."""
+    """Run; of a refusal, keep the kind and the message."""
     started = clock.perf_counter()
     result, refused, message = None, None, ""
     try:
@@ -65,12 +65,12 @@ def attempt(do: Callable[[], Result]) -> Attempt:
 
 
 def in_time(scene: Resolved, patience: float) -> Result:
-    """A run to the requested accuracy.
+    """Run a scene to its requested accuracy.
 
     Raises
     ------
     TakesTooLong
-        When that takes longer than ``patience`` (s).
+        When the run takes longer than ``patience`` (s).
     """
     result = run(scene, patience)
     if "ended_by" in result.facts:
@@ -79,12 +79,12 @@ def in_time(scene: Resolved, patience: float) -> Result:
 
 
 def attempt_on(scene: Resolved, mesh: Mesh, step: float | None, budget: float) -> Attempt:
-    """Run on a mesh with a step, unless that takes more node-steps than the budget."""
+    """Run on a mesh with a time step, unless the run takes more node-steps than the budget."""
     return too_long(scene, mesh, step, budget) or attempt(lambda: single(scene, mesh, step, True))
 
 
 def too_long(scene: Resolved, mesh: Mesh, step: float | None, budget: float) -> Attempt | None:
-    """The refusal of a run of more node-steps than the budget."""
+    """Return the refusal of a run that takes more node-steps than the budget, or None."""
     work = len(mesh.s) * (scene.analysis.duration or 0.0) / step if step else 0.0
     if work <= budget:
         return None
@@ -93,9 +93,10 @@ def too_long(scene: Resolved, mesh: Mesh, step: float | None, budget: float) -> 
 
 
 def errors(result: Result, reference: Result) -> dict[str, float]:
-    """Error by quantity that an accuracy bounds, relative to the largest value; the finer mesh comes last.
+    """Error of each quantity that an accuracy bounds, relative to the largest value.
 
-    Of a vibration of vortices, that of its statistics; none where a run is too short to have them.
+    For vortex-induced vibration these are errors of its statistics; a run too short for them has none.
+    The run on the finer mesh is the second argument of ``difference``.
     """
     best = statistics_of(reference)
     if best is not None:
@@ -122,7 +123,7 @@ def judged(tried: Attempt, reference: Result | None) -> tuple[Outcome, float]:
 
 
 def largest(result: Result, name: str) -> float:
-    """Largest size of a quantity over nodes and time; of positions, of what they move from rest."""
+    """Largest absolute value over nodes and time; for positions, of the displacement from the static one."""
     arrays = result.arrays
     sides = [arrays[name + end] for end in ("_max", "_min") if name + end in arrays]
     rest: NDArray[np.float64] | float = 0.0
@@ -132,7 +133,7 @@ def largest(result: Result, name: str) -> float:
 
 
 def mesh_of(scene: Resolved, result: Result) -> Mesh:
-    """The mesh that a run was made on."""
+    """Return the mesh of a run."""
     l0 = result.arrays["l0"]
     ends = np.cumsum([section.total_length for section in scene.riser])
     middle = np.cumsum(l0) - 0.5 * l0

@@ -1,6 +1,6 @@
-"""Closed forms and second methods that the engine is held against; none of them uses it.
+"""Closed forms and second methods that the engine is compared with; none of them uses the engine.
 
-SI throughout; s from the lower end; a moment is EI times curvature.
+All units are SI; s counts from the lower end; a bending moment is EI times curvature.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 FloatArray = NDArray[np.float64]
-GRAVITY, DENSITY = 9.81, 1025.0  # m/s2, and of sea water in kg/m3
+GRAVITY, DENSITY = 9.81, 1025.0  # gravity in m/s2, density of sea water in kg/m3
 
 
 class Chamber(NamedTuple):
@@ -38,7 +38,7 @@ def bar_frequency(mode: int, length: float, stiffness: float, mass: float) -> fl
 
 
 def hanging_chain_frequency(mode: int, length: float, weight: float, mass: float) -> float:
-    """Frequency (rad/s) of a hanging chain (Bernoulli): half a zero of J0 times the root of g' / L."""
+    """Frequency (rad/s) of a hanging chain (Bernoulli): half a zero of J0 times the root of w / (m L)."""
     from scipy.special import jn_zeros
 
     return float(jn_zeros(0, mode)[-1]) / 2.0 * math.sqrt(weight / (mass * length))
@@ -47,7 +47,7 @@ def hanging_chain_frequency(mode: int, length: float, weight: float, mass: float
 def beam_on_varying_tension(
     length: float, low: float, weight: float, bending: float, mass: float, points: int = 48
 ) -> float:
-    """Lowest frequency (rad/s) of a pinned beam: tension ``low`` (N) at its foot grows by its weight (N/m).
+    """Lowest frequency (rad/s) of a pinned beam; tension: ``low`` (N) at its foot, plus its weight (N/m).
 
     (EI y'')'' - (T y')' = m w^2 y, by collocation at Chebyshev's points.
     """
@@ -68,7 +68,7 @@ def beam_on_varying_tension(
 
 
 def _chebyshev(n: int) -> tuple[FloatArray, FloatArray]:
-    """Matrix of the derivative at Chebyshev's points, and the points from 1 to -1 (Trefethen, cheb)."""
+    """Derivative matrix at Chebyshev's points, and the points from 1 to -1 (Trefethen, cheb)."""
     x = np.cos(np.pi * np.arange(n + 1) / n)
     c = np.ones(n + 1)
     c[[0, -1]] = 2.0
@@ -79,7 +79,7 @@ def _chebyshev(n: int) -> tuple[FloatArray, FloatArray]:
 
 
 def self_buckling() -> float:
-    """Weight a length times L^3 / EI at which a column, clamped below, buckles under itself (Greenhill)."""
+    """Weight per length times L^3 / EI at which a column, clamped below, buckles under it (Greenhill)."""
     from scipy.optimize import brentq
     from scipy.special import jv
 
@@ -95,7 +95,7 @@ class Bent(NamedTuple):
 
 
 def taut_beam_under_load(length: float, tension: float, bending: float, load: float) -> Bent:
-    """Middle of a pinned beam under tension (N) and an even load (N/m): EI w'''' - T w'' = q."""
+    """Middle of a pinned beam under tension (N) and a uniform load (N/m): EI w'''' - T w'' = q."""
     half = 0.5 * length * math.sqrt(tension / bending)
     lost = 1.0 - 2.0 * math.exp(-half) / (1.0 + math.exp(-2.0 * half))  # 1 - 1 / cosh
     w = load / tension * (length**2 / 8.0 - bending / tension * lost)
@@ -103,9 +103,9 @@ def taut_beam_under_load(length: float, tension: float, bending: float, load: fl
 
 
 def elastica_tip(length: float, bending: float, load: float) -> tuple[float, float]:
-    """Tip of a cantilever under a dead load (N) across it, along and across the undeformed axis (m).
+    """Tip position (m) of a cantilever, along and across its undeformed axis, under a dead load (N) across.
 
-    The unstretchable elastica, by elliptic integrals: sin of the tip's turn is 2 p - 1.
+    The inextensible elastica, by elliptic integrals; the sine of the tip's rotation is 2 p - 1.
     """
     from scipy.optimize import brentq
     from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
@@ -149,7 +149,7 @@ def elastic_catenary(
 
 
 class Flow(NamedTuple):
-    """A riser in a steady current of one speed, pinned at its foot, pulled up by a force at its top."""
+    """A riser in a steady uniform current, pinned at its foot, with an upward force at its top."""
 
     length: float  # m
     stiffness: float  # EA, N
@@ -161,7 +161,7 @@ class Flow(NamedTuple):
 
 
 def rod_in_current(flow: Flow) -> Bent:
-    """Largest displacement and moment of the rod that stretches and bends, by collocation.
+    """Largest displacement (m) and moment (N m) of a rod that stretches and bends, by collocation.
 
     H' = -q cos a, V' = w + q sin a, M' = -(1 + e)(H cos a - V sin a), a' = M / EI, q = drag (u cos a)^2.
     """
@@ -202,30 +202,30 @@ def towed_angle(weight: float, drag: float, speed: float) -> float:
 
 
 def compound_pendulum(length: float, mass: float, weight: float, end: float, arm: float) -> float:
-    """Frequency (rad/s) of a weightless rod (``mass`` kg/m) with a body (``end`` kg, ``weight`` N) below."""
+    """Frequency (rad/s) of a rod (``mass`` kg/m, no weight) with a body (``end`` kg, ``weight`` N) below."""
     far = length + arm
     return math.sqrt(weight * far / (end * far**2 + mass * length**3 / 3.0))
 
 
 def gas_pull(area: float, pressure: float, volume: float, exponent: float, reach: float) -> float:
-    """Pull (N) of a cylinder of gas that is drawn out by some reach (m), p V^n being constant."""
+    """Pull (N) of a gas cylinder at an extension ``reach`` (m), with constant p V^n."""
     return area * pressure * math.pow(volume / (volume - area * reach), exponent)
 
 
 def gas_work(area: float, pressure: float, volume: float, exponent: float, reach: float) -> float:
-    """Work (J) that draws it out so far, the integral of its pull; the exponent is above 1."""
+    """Work (J) that extends a gas cylinder by ``reach`` (m), the integral of its pull; exponent above 1."""
     over = exponent - 1.0
     pressed = math.pow(volume / (volume - area * reach), over) - 1.0
     return pressure * volume / over * pressed
 
 
 def fall_of_a_bar(lost: float, stiffness: float, mass: float, time: float) -> float:
-    """How far (m) the top of a long bar sinks in some time (s) after it lost a pull (N): d'Alembert."""
+    """Fall (m) of the top of a long bar in a time (s) after it lost a pull (N): d'Alembert."""
     return lost * time / math.sqrt(stiffness * mass)
 
 
 def wave_number(period: float, depth: float) -> float:
-    """Wave number (1/m) of a small wave by its period (s) and the depth (m): w^2 = g k tanh(k h)."""
+    """Wave number (1/m) of a small wave from its period (s) and the depth (m): w^2 = g k tanh(k h)."""
     square = (2.0 * math.pi / period) ** 2 / GRAVITY
     return float(brentq(lambda k: k * math.tanh(k * depth) - square, 1e-9, 10.0 * (square + 1.0)))
 
@@ -233,7 +233,7 @@ def wave_number(period: float, depth: float) -> float:
 def pile_by_inertia(
     added: float, diameter: float, height: float, period: float, depth: float
 ) -> float:
-    """Largest moment (N m) at the foot of a stiff pile by Morison's inertia, up to the mean level."""
+    """Largest moment (N m) at the foot of a stiff pile by Morison's inertia force up to the mean level."""
     k, rate = wave_number(period, depth), 2.0 * math.pi / period
     arm = depth * math.sinh(k * depth) / k - (math.cosh(k * depth) - 1.0) / k**2
     moved = DENSITY * (1.0 + added) * 0.25 * math.pi * diameter**2
@@ -243,7 +243,7 @@ def pile_by_inertia(
 def pile_by_drag(
     coefficient: float, diameter: float, height: float, period: float, depth: float
 ) -> float:
-    """The same (N m) by Morison's drag, below the crest."""
+    """Moment (N m) at the foot of a stiff pile by Morison's drag, below the crest."""
     k = wave_number(period, depth)
     speed = math.pi * height / period / math.sinh(k * depth)
     arm = depth**2 / 4.0 + depth * math.sinh(2.0 * k * depth) / (4.0 * k)
@@ -252,18 +252,18 @@ def pile_by_drag(
 
 
 def driven(force: float, drag: float, mass: float, time: float) -> tuple[float, float]:
-    """Speed (m/s) and way (m) after some time (s) of a mass that a force drives against quadratic drag.
+    """Speed (m/s) and distance (m) at a time (s) of a mass that a force drives against quadratic drag.
 
-    The speed comes to the terminal one, at which drag is the force.
+    The speed approaches the terminal speed, at which drag equals the force.
     """
     terminal, scale = math.sqrt(force / drag), mass / math.sqrt(force * drag)
     return terminal * math.tanh(time / scale), terminal * scale * math.log(math.cosh(time / scale))
 
 
 def two_chambers(high: Chamber, low: Chamber, exponent: float, reach: float) -> tuple[float, float]:
-    """Pull (N) and stiffness (N/m) of a direct-acting cylinder drawn out by some reach (m), p V^n constant.
+    """Pull (N) and stiffness (N/m) of a direct-acting cylinder extended by ``reach`` (m), p V^n constant.
 
-    Drawn out it presses the gas of the high chamber and relieves that of the low one.
+    Extension compresses the gas of the high chamber and expands the gas of the low chamber.
     """
     pull, stiffness = 0.0, 0.0
     for (area, pressure, volume), sign in ((high, 1.0), (low, -1.0)):
@@ -275,5 +275,5 @@ def two_chambers(high: Chamber, low: Chamber, exponent: float, reach: float) -> 
 
 
 def decrement(ratio: float) -> float:
-    """Logarithm of the ratio of two successive tops of a free swing of some damping ratio."""
+    """Logarithm of the ratio of two successive peaks of a free oscillation with a given damping ratio."""
     return 2.0 * math.pi * ratio / math.sqrt(1.0 - ratio**2)

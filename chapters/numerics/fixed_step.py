@@ -1,4 +1,4 @@
-"""A scene as a study of the engine runs it: with histories everywhere, a method, a mesh and a step."""
+"""A scene as the engine studies run it: with histories at all nodes, a method, a mesh and a time step."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 
-#: what a scene is freed of before methods, meshes and steps are put in
+#: settings that are removed from a scene before a method, a mesh and a step are set
 FREE = {f"analysis.{name}": None for name in ("mesh", "step", "method", "solver")}
-MOST_ELEMENTS = 20_000  # that a scene may name; meshes made by refining may have more
+MOST_ELEMENTS = 20_000  # most that a scene file may give; refined meshes may have more
 
 
 def whole(scene: Resolved) -> Resolved:
-    """The scene with histories at all nodes."""
+    """Return the scene with histories at all nodes."""
     output = scene.analysis.output
     if output is None:
         return scene
@@ -24,7 +24,7 @@ def whole(scene: Resolved) -> Resolved:
 
 
 def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | None) -> Resolved:
-    """The scene with a method; mesh and step stand in it because some methods ask for them."""
+    """Return the scene with a method, and with mesh and step, because some methods require them."""
     fixed: dict[str, Any] = {"analysis.accuracy": None}
     fixed["analysis.mesh"] = {"elements": min(len(mesh.l0), MOST_ELEMENTS)}
     if step:

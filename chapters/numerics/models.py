@@ -1,4 +1,4 @@
-"""What the studies of the engine itself run, as data: below ``measured`` in the study file."""
+"""Input data of the studies of the engine itself: the section ``measured`` of the study file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Factors = Annotated[list[Positive], Field(min_length=1)]
 
 
 class EngineStudy(MeasuredModel):
-    """What is run on scenes: ``cases_in`` is the field of the cases.
+    """A study of the engine on scenes: ``cases_in`` is the name of the field that contains the cases.
 
     ``references``: folder of the reference solutions that the cases are compared with. Empty: none.
     """
@@ -30,21 +30,21 @@ class EngineStudy(MeasuredModel):
     references: ClassVar[str] = ""
 
     def scene_files(self, setting: Setting) -> Iterator[tuple[str, SceneFile]]:
-        """Name and scene of each case of the tier."""
+        """Yield name and scene of each case of the tier."""
         for name, case in in_tier(getattr(self, self.cases_in), setting.tier).items():
             yield name, case_file(setting.config, name, case)
 
     def data_files(self, setting: Setting) -> list[Path]:
-        """Files of the reference solutions."""
+        """Return the files of the reference solutions."""
         return references(setting.config, self.references) if self.references else []
 
 
 class Case(Strict):
-    """A hard case: a scene, what is set on top of it, and what a sound engine makes of it.
+    """A hard case: a scene, values set in it, and the outcome expected of a sound engine.
 
-    ``expect``: ``accurate`` to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
-    prescribe a bad step, mesh or scheme: refused, or with an estimate above 1 % where the error is.
-    Absent set: the scene as it is. Absent preview: not part of that tier. ``family``: what it is hard by.
+    ``expect``: ``accurate``, to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
+    prescribe a bad step, mesh or scheme: refused, or with an estimated error above 1 % if the error is.
+    Absent set: the scene unchanged. Absent preview: not part of that tier. ``family``: source of difficulty.
     """
 
     scene: str
@@ -57,11 +57,11 @@ class Case(Strict):
 
 
 class Method(Strict):
-    """A way to step through time: what it sets in a scene. Absent preview: not part of that tier.
+    """A time-stepping method: the values that it sets in a scene. Absent preview: not part of that tier.
 
-    ``only``: the one tier that it is part of. Absent: all, but preview where that is not set.
-    ``integrator``: one from outside the engine. Absent: the engine's own. ``tolerances``: those of an
-    integrator that chooses its steps, in place of the ladder's steps.
+    ``only``: the single tier that it is part of. Absent: all tiers, but preview only if ``preview`` is true.
+    ``integrator``: an integrator from outside the engine. Absent: the engine's integrator.
+    ``tolerances``: for an integrator that chooses its steps, in place of the steps of the ladder.
     """
 
     set: dict[str, Any]
@@ -72,10 +72,11 @@ class Method(Strict):
 
 
 class StabilityStudy(EngineStudy):
-    """Every case by every method over a ladder of steps, as factors on what the default chooses.
+    """Every case by every method with several time steps, ``ladder``: factors on the default step.
 
-    ``explicit_ladder`` counts in predicted stable steps instead. ``budget``: node-steps that a run may
-    take; more count as refused, so that nothing hangs. Explicit methods get ``explicit_budget``.
+    ``explicit_ladder``: factors on the predicted stable step, for explicit methods. ``budget``: largest
+    number of node-steps of a run; a longer run counts as refused, so that no run blocks the study.
+    ``explicit_budget``: the budget of explicit methods.
     """
 
     references = "stability"
@@ -89,7 +90,7 @@ class StabilityStudy(EngineStudy):
 
 
 class LimitStudy(EngineStudy):
-    """Predicted against measured stable step of explicit stepping, over variants of scenes."""
+    """Predicted and measured stable step of explicit stepping, over variants of scenes."""
 
     cases_in = "variants"
 
@@ -98,7 +99,7 @@ class LimitStudy(EngineStudy):
 
 
 class LimitCase(Strict):
-    """A scene varied for the stable step. Absent set: as it is; absent preview: not part of that tier."""
+    """A scene varied for the stable step. Absent set: unchanged; absent preview: not part of that tier."""
 
     scene: str
     elements: Annotated[list[int], Field(min_length=1)]
@@ -107,11 +108,11 @@ class LimitCase(Strict):
 
 
 class EffectsStudy(EngineStudy):
-    """Every change of effects that fits, on every kind of scene of the other chapters.
+    """Every applicable change of effects, on every kind of scene of the other chapters.
 
-    ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: node-steps that a scene may
-    take; longer ones are cut short. ``left_out``: changes that a tier does not make. ``scenes``: with effects
-    that no other chapter has. Absent: none.
+    ``repeats``: rounds of runs, of which the shortest time counts. ``budget``: largest number of node-steps
+    of a scene; longer scenes are shortened. ``left_out``: changes that a tier omits. ``scenes``: scenes with
+    effects that no other chapter has. Absent: none.
     """
 
     timed = True
@@ -123,7 +124,7 @@ class EffectsStudy(EngineStudy):
     scenes: dict[str, Family] = Field(default_factory=dict)
 
     def scene_files(self, setting: Setting) -> Iterator[tuple[str, SceneFile]]:
-        """The study's own scenes, which compile what no other does, and every kind that studies vary."""
+        """Yield the scenes of this study, with effects of no other, and every kind that studies vary."""
         yield from super().scene_files(setting)
         yield from bases(setting.studies, setting.tier)
 
@@ -131,7 +132,7 @@ class EffectsStudy(EngineStudy):
 class Ladder(Strict):
     """A scene with its meshes and steps, from coarse to fine. Absent preview: not part of that tier.
 
-    ``stored``: history of another code to measure errors by. Absent: a fine run of our own.
+    ``stored``: history of another code that errors are measured against. Absent: a fine run of riserstudy.
     """
 
     scene: str
@@ -143,13 +144,13 @@ class Ladder(Strict):
 
 
 class AccuracyStudy(EngineStudy):
-    """Error against time, every method on every rung of a scene's ladder, and requested accuracy.
+    """Error and run time of every method on every mesh and step of a scene, and of requested accuracies.
 
-    ``budget``: node-steps that a run may take; more are left out. ``patience``: seconds that a request for an
-    accuracy may take; one beyond it is a row that says so. ``peers``: by scene and other simulator, errors of
-    displacement and its time divided by the time of riserstudy's cheapest run with the same error, as
-    `make bench` found them last.
-    Absent: none.
+    ``budget``: largest number of node-steps of a run; longer runs are omitted. ``patience``: largest time
+    (s) of a run to a requested accuracy; the row of a longer run states that it exceeded this time.
+    ``peers``: by scene and other simulator, pairs of the error of displacement and a ratio of times: the
+    simulator's divided by that of riserstudy's cheapest run with an equal error, as `make bench` last
+    measured them. Absent: none.
     """
 
     timed = True
@@ -165,13 +166,13 @@ class AccuracyStudy(EngineStudy):
     scenes: dict[str, Ladder]
 
     def data_files(self, setting: Setting) -> list[Path]:
-        """Files of the reference solutions, of other codes too."""
+        """Return the files of the reference solutions, including those of other codes."""
         stored = [setting.config / one.stored for one in self.scenes.values() if one.stored]
         return [*super().data_files(setting), *stored]
 
 
 class Family(Strict):
-    """Scenes of one kind: a scene, values set on it, and ranges to draw from in addition to its assumptions.
+    """Scenes of one kind: a scene, values set in it, and ranges to sample in addition to its assumptions.
 
     Absent preview: not part of that tier.
     """
@@ -185,9 +186,9 @@ class Family(Strict):
 
 
 class RandomStudy(EngineStudy):
-    """Scenes drawn at random, so many a family, and the accuracy asked of each.
+    """Random scenes, ``count`` of each family, all run to the tolerance ``accuracy``.
 
-    ``patience``: seconds a request may take; a scene beyond it is a row that says so.
+    ``patience``: largest time (s) of a run; the row of a longer run states that it exceeded this time.
     """
 
     cases_in = "families"
@@ -201,12 +202,12 @@ class RandomStudy(EngineStudy):
 
     @property
     def share(self) -> float:
-        """The relative accuracy, 0.01 for 1 %."""
+        """The tolerance as a fraction, 0.01 for 1 %."""
         return float(self.accuracy.removesuffix("%")) / 100.0
 
 
 class OwnSetting(Strict):
-    """Mesh, step and method that a paper itself used."""
+    """Mesh, step and method that the paper used."""
 
     elements: Annotated[int, Field(ge=1)]
     step: Positive
@@ -214,11 +215,11 @@ class OwnSetting(Strict):
 
 
 class LongCase(Strict):
-    """A long simulation and the candidates to do it by: meshes, steps, methods.
+    """A long simulation and its candidate meshes, steps and methods.
 
-    ``graded``: how many meshes of those that a refinement would try. ``own``: the paper's setting; absent:
-    none. ``published_seconds``, ``target_seconds``: absent: none named. ``preview``: set in that tier;
-    absent: not part of it.
+    ``graded``: number of meshes from the series that a refinement would try. ``own``: the paper's setting;
+    absent: none. ``published_seconds``, ``target_seconds``: absent: not given. ``preview``: values set in
+    that tier; absent: not part of it.
     """
 
     scene: str
@@ -234,7 +235,7 @@ class LongCase(Strict):
 
 
 class LongStudy(EngineStudy):
-    """Long simulations, each candidate timed so many times."""
+    """Long simulations, each candidate timed ``repeats`` times."""
 
     timed = True
     references = "long_runs"
@@ -245,7 +246,7 @@ class LongStudy(EngineStudy):
 
 
 class EnergyCase(Strict):
-    """A scene on even segments with one step. Absent set: as it is; absent preview: not in that tier."""
+    """A scene on equal segments with one step. Absent set: unchanged; absent preview: not in that tier."""
 
     scene: str
     set: dict[str, Any] = Field(default_factory=dict)
@@ -256,7 +257,7 @@ class EnergyCase(Strict):
 
 
 class EnergyStudy(EngineStudy):
-    """Where energy goes over time, at so many instants, by every method."""
+    """Energy balance over time, at ``instants`` times, by every method."""
 
     instants: dict[Tiers, Annotated[int, Field(ge=1)]]
     methods: dict[str, Method]
@@ -264,9 +265,9 @@ class EnergyStudy(EngineStudy):
 
 
 class TiersStudy(EngineStudy):
-    """Scenes behind published numbers at the accuracy of each tier; ``default`` is that of no accuracy.
+    """Scenes behind published numbers, at each tier's tolerance; ``default``: no tolerance in the scene.
 
-    ``patience``: seconds a run may take; one beyond it is a row that says so.
+    ``patience``: largest time (s) of a run; the row of a longer run states that it exceeded this time.
     """
 
     timed = True
@@ -279,9 +280,9 @@ class TiersStudy(EngineStudy):
 
 
 class ValidationStudy(EngineStudy):
-    """Closed forms, second methods and conservation laws against the engine, on these scenes and its own.
+    """The engine compared with closed forms, second methods and conservation laws, in given and own scenes.
 
-    ``stored``: of some of the scenes, the file of a history that another program made.
+    ``stored``: for some of the scenes, the file of a history that another program computed.
     """
 
     cases_in = "scenes"
@@ -290,7 +291,7 @@ class ValidationStudy(EngineStudy):
     stored: dict[str, str] = Field(default_factory=dict)
 
     def data_files(self, setting: Setting) -> list[Path]:
-        """The histories."""
+        """Return the files of the histories."""
         return [setting.config / path for path in self.stored.values()]
 
 

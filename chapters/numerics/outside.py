@@ -1,8 +1,8 @@
-"""Integrators that are not the engine's, on the engine's own forces: a second opinion on its stepping.
+"""Integrators from outside the engine, with the engine's forces: an independent check of its time stepping.
 
-Both need explicit accelerations, so they see lumped masses; their mesh error is that of the explicit method.
-Semi-implicit Euler and the engine's leapfrog are one recursion of positions; what differs is the velocity
-that belongs to a position, and the first half step.
+Both integrators need explicit accelerations and therefore use lumped masses; their mesh error equals the
+mesh error of the explicit method. Semi-implicit Euler and the engine's leapfrog have an identical recursion
+of positions; they differ in the velocity that belongs to a position, and in the first half step.
 """
 
 from __future__ import annotations
@@ -34,22 +34,22 @@ from riserstudy.solve.write_down import evaluate_and_note, remember
 
 FloatArray = NDArray[np.float64]
 BoolArray = NDArray[np.bool_]
-PATIENCE = 2.0  # processor seconds of a Radau run: a busy machine refuses no more than an idle one
-FASTEST = 10.0  # m/s, the speed whose share by the tolerance is an absolute error
+PATIENCE = 2.0  # CPU seconds of a Radau run: a busy machine refuses as many runs as an idle one
+FASTEST = 10.0  # m/s; times the relative tolerance: absolute tolerance of speeds
 RADAU = "Radau"
-REACH = 4  # nodes: bending moments pass on to two on either side, ends may hold more
+REACH = 4  # nodes: a bending moment acts on two on either side, ends may involve more
 
 
 @kernel
 def accelerations(p: Any, s: Any, time: float, fixed: Any) -> None:
-    """Accelerations of a state at a time; held nodes follow what holds them."""
+    """Compute the accelerations of a state at a time (s); held nodes follow their supports."""
     move(p, s, time)
     accelerate(p, s, fixed)
 
 
 @kernel
 def note_output(p: Any, s: Any, fixed: Any, record: Any) -> None:
-    """Write the next output down from the positions and velocities as they are."""
+    """Write the next output from the current positions and velocities."""
     move(p, s, record.time[record.written[0]])
     accelerate(p, s, fixed)
     record.when[2] = record.time[record.written[0]]
@@ -60,7 +60,7 @@ def note_output(p: Any, s: Any, fixed: Any, record: Any) -> None:
 
 @kernel
 def march_euler(p: Any, s: Any, h: float, count: int, fixed: Any, bound: float) -> bool:
-    """Step positions and velocities ``count`` times by ``h``; whether they stayed within the bound."""
+    """Make ``count`` steps of ``h`` (s); return whether the sum of squared speeds stayed below the bound."""
     start = s.clock[0]
     for step in range(count):
         move(p, s, start + step * h)
@@ -78,14 +78,14 @@ def march_euler(p: Any, s: Any, h: float, count: int, fixed: Any, bound: float) 
 
 
 def outside(scene: Resolved, mesh: Mesh, integrator: str, step: float) -> Result:
-    """One run; of Radau, ``step`` is the relative tolerance instead.
+    """Make one run with a time step (s); for Radau, ``step`` is the relative tolerance instead.
 
-    The scene's method must be the explicit one, which shares out no mass between nodes.
+    The scene's method must be explicit: this method has lumped masses, without coupling between nodes.
 
     Raises
     ------
     SimulationError
-        When it diverges, or takes too long.
+        When the run diverges or takes too long.
     """
     started = clock.perf_counter()
     a = scene.analysis
@@ -111,14 +111,14 @@ def outside(scene: Resolved, mesh: Mesh, integrator: str, step: float) -> Result
 
 
 class Count(NamedTuple):
-    """Steps of a run and force evaluations."""
+    """Numbers of steps and force evaluations of a run."""
 
     steps: int
     evaluations: int
 
 
 def by_euler(model: Model, record: Frozen, longest: float) -> Count:
-    """Semi-implicit Euler, with steps that end at the outputs.
+    """Integrate by semi-implicit Euler; steps of at most ``longest`` (s) end at the output times.
 
     Raises
     ------
@@ -141,14 +141,14 @@ def by_euler(model: Model, record: Frozen, longest: float) -> Count:
 
 
 def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
-    """SciPy's Radau IIA of order 5 with its own steps and a sparse Jacobian by differences.
+    """Integrate by SciPy's Radau IIA of order 5, which chooses its steps, with a sparse difference Jacobian.
 
     Raises
     ------
     StepFailed
-        When the method gives up.
+        When the solver fails.
     TakesTooLong
-        When it asks for more evaluations than it may.
+        When the run takes more CPU time than allowed.
     """
     s, times = model.s, record.value.time
     free = np.ones(s.r.shape, bool)
@@ -164,7 +164,7 @@ def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
     evaluations = 0
 
     def rate(time: float, y: FloatArray) -> FloatArray:
-        nonlocal evaluations  # SciPy's own count leaves out those for the Jacobian
+        nonlocal evaluations  # SciPy's count excludes the evaluations for the Jacobian
         evaluations += 1
         put(y)
         accelerations(model.programs, model.state, time, model.fixed)
@@ -174,7 +174,7 @@ def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
     length = float(s.l0.sum())
     absolute = tolerance * np.repeat([1e-3 * length, FASTEST], half)
     y0 = np.concatenate([s.r[free], s.v[free]])
-    # positions count from rest: their own size says nothing of how far they move
+    # positions count from the initial ones: their absolute size is no measure of displacements
     solver = Radau(
         lambda t, y: rate(t, y + y0), 0.0, 0.0 * y0, float(times[-1]),
         rtol=tolerance, atol=absolute, first_step=1e-3, jac_sparsity=neighbours(free),
@@ -197,7 +197,7 @@ def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
 
 
 def _step(solver: Radau) -> None:
-    """One step of a solver, which fails where forces are not finite or a matrix is singular."""
+    """Make one step of a solver; it fails if forces are not finite or a matrix is singular."""
     try:
         failure = solver.step()
     except (ValueError, RuntimeError) as error:
@@ -207,17 +207,17 @@ def _step(solver: Radau) -> None:
 
 
 def neighbours(free: BoolArray) -> sp.csc_array:
-    """Which unknowns, positions and then velocities, the rates of others may depend on.
+    """Sparsity of the Jacobian of the rates by the unknowns: positions, then velocities.
 
-    A dependence that is left out would cost iterations, not accuracy: the rates themselves have all.
+    A missing dependence would cost iterations, not accuracy, because the rates contain all dependences.
 
     Parameters
     ----------
-    free : (m, n), of each component and node, whether it moves.
+    free : (m, n), true for each component and node that is free to move.
 
     Returns
     -------
-    sparse array : (2 f, 2 f), with f the number of those that do
+    sparse array : (2 f, 2 f), with f the number of free components
     """
     node = np.nonzero(free)[1]
     near = sp.csc_array(np.abs(node[:, None] - node) <= REACH)
@@ -225,5 +225,5 @@ def neighbours(free: BoolArray) -> sp.csc_array:
 
 
 def move_state(model: Model, time: float) -> None:
-    """Bring held nodes to a time, and accelerations with them."""
+    """Move held nodes to their positions at a time (s), and compute the accelerations."""
     accelerations(model.programs, model.state, time, model.fixed)

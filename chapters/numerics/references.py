@@ -1,10 +1,11 @@
-"""What the error of a run is measured by: a stored history of another code, or a kept fine run of our own.
+"""References for the error of a run: a stored history of another code, or a stored fine run of riserstudy.
 
-Stored ones share neither discretisation nor integrator with the engine (quintic elements with Radau IIA,
-the method of characteristics). Where there is none, the mesh of the finest request was halved twice or more,
-and its step with it, by the fourth-order method; what the last halving changed says what the reference is
-worth. Runs on other meshes are compared where their own nodes are, and there a run is what its elements
-mean. What other methods make of the same scene stands beside either, in the reference tier.
+Histories of other codes share neither discretisation nor integrator with the engine (quintic elements with
+Radau IIA, the method of characteristics). In scenes without one, the segments and the time step of the run
+with the finest tolerance were halved at least twice, with the fourth-order method; the change by the last
+halving indicates the error of the reference. A run on another mesh is compared at its own nodes, where the
+reference is interpolated by the shapes of its elements. The reference tier also compares either reference
+with results of other methods for the scene.
 """
 
 from __future__ import annotations
@@ -33,21 +34,21 @@ from riserstudy.simulation.starting_mesh import massless
 
 Array = NDArray[np.float64]
 QUANTITIES = ("displacement", "moment", "tension")
-HEAVE_STEP = 0.05  # s, between the values of the stored heave
+HEAVE_STEP = 0.05  # s, time between the values of the stored heave
 STUDY = "accuracy"  # folder of references
-LONGEST = 30.0  # seconds of a request that a reference is refined from
-ENOUGH = 2e-4  # change by a refinement, well below the finest request
+LONGEST = 30.0  # s, longest run that a reference is refined from
+ENOUGH = 2e-4  # relative change by a refinement at which it ends, well below the finest tolerance
 FOURTH: dict[str, object] = {"analysis.method": "ESDIRK4"}
-TOLERANCE = 1e-9  # of Radau as a second opinion
+TOLERANCE = 1e-9  # relative tolerance of Radau as an independent check
 AVERAGE = {"beta": 0.25, "gamma": 0.5}
 OPINIONS = ("lumped masses, ESDIRK4", "lumped masses, gen.-alpha", "Hermite, Newmark", "Radau")
 
 
 @dataclass(frozen=True)
 class Reference:
-    """How far a run is off, by quantity, and by what that is told.
+    """A reference solution: its description, and a function that returns the errors of a run by quantity.
 
-    ``change``: what the last refinement changed of it, by quantity; none where it is another code's.
+    ``change``: change of the reference by its last refinement, by quantity; empty for another code's history.
     """
 
     about: str
@@ -56,7 +57,7 @@ class Reference:
 
 
 def reference(file: SceneFile, name: str, ladder: Ladder, config: Path) -> Reference:
-    """The reference of a scene; one by which nothing is known where what is kept cannot be used."""
+    """Return the reference of a scene; if the stored file cannot be used, one that returns no errors."""
     if ladder.stored:
         return stored(config / ladder.stored)
     try:
@@ -69,7 +70,10 @@ def reference(file: SceneFile, name: str, ladder: Ladder, config: Path) -> Refer
 
 
 def solved(name: str, file: SceneFile, ladder: Ladder) -> Kept:
-    """Our own reference, from the default accuracy, or from the finest rung where that takes long."""
+    """Compute riserstudy's reference from a run with the default accuracy.
+
+    If this run fails or takes long, compute it from the finest mesh and step of the ladder.
+    """
     scene = whole(file.resolved())
     first = attempt(lambda: in_time(scene, LONGEST))
     if first.result is None:
@@ -81,13 +85,13 @@ def solved(name: str, file: SceneFile, ladder: Ladder) -> Kept:
 
 
 def differences(best: Reference, file: SceneFile, ladder: Ladder) -> dict[str, dict[str, float]]:
-    """How far the opinions of other methods are from a reference."""
+    """Differences of the results of other methods from a reference, by method and quantity."""
     runs = zip(OPINIONS, opinions(file, ladder), strict=True)
     return {name: best.errors(r.result) for name, r in runs if r.result}
 
 
 def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:
-    """Fine runs by several methods; one that cannot do the scene is a refusal."""
+    """Fine runs by several methods; a method that cannot simulate the scene gives a refusal."""
     scene = whole(file.resolved())
     mesh, step = even(scene, ladder.elements[-1]), ladder.steps[-1]
     finer = mesh if massless(scene) else even(scene, 2 * ladder.elements[-1])
@@ -107,7 +111,7 @@ def opinions(file: SceneFile, ladder: Ladder) -> list[Attempt]:
 
 
 def stored(path: Path) -> Reference:
-    """A history of another code, as ``tests/verification`` keeps it."""
+    """Read a history of another code, in the format of the files in ``tests/verification``."""
     with np.load(path) as file:
         best = {name: file[name] for name in file.files}
     measure = _of_heave if "bottom" in best else _of_surge
@@ -115,7 +119,7 @@ def stored(path: Path) -> Reference:
 
 
 def by_run(best: Result) -> Reference:
-    """A finer run, laid on the nodes of another by the shapes of its elements."""
+    """Reference from a finer run, interpolated at the nodes of another run by the shapes of its elements."""
     return Reference("a finer run", lambda run: errors(run, best))
 
 
@@ -124,7 +128,7 @@ def _off(found: Array, expected: Array) -> float:
 
 
 def _rows(time: Array, of: Array) -> NDArray[np.int64]:
-    """Rows of a stored history at the output times of a run."""
+    """Rows of a stored history at the output times of a run (s)."""
     rows = np.searchsorted(of, time - 1e-6)
     if rows[-1] >= len(of) or np.abs(of[rows] - time).max() > 1e-6:
         raise SimulationError("outputs at times that the stored reference has not")
@@ -132,7 +136,7 @@ def _rows(time: Array, of: Array) -> NDArray[np.int64]:
 
 
 def _of_surge(run: Result, best: dict[str, Array]) -> dict[str, float]:
-    """Sideways motion at the stored stations, moments along the riser, force at the top."""
+    """Errors of lateral position at the stored stations, moment along the riser, and force at the top."""
     a = run.arrays
     rows, there = _rows(a["time"], best["time"]), _rows(a["time"], best["moment_time"])
     x = at_stations(a, best["s"])["x"]
@@ -146,7 +150,7 @@ def _of_surge(run: Result, best: dict[str, Array]) -> dict[str, float]:
 
 
 def _of_heave(run: Result, best: dict[str, Array]) -> dict[str, float]:
-    """Motion of the lower end and tension at the top."""
+    """Errors of the motion of the lower end and of the tension at the top."""
     a = run.arrays
     rows = _rows(a["time"], np.arange(len(best["bottom"]), dtype=np.float64) * HEAVE_STEP)
     return {

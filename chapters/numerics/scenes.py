@@ -1,4 +1,4 @@
-"""Which scenes a measured dataset is about; known before anything runs."""
+"""Scenes of a measured dataset, determined before any simulation."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ if TYPE_CHECKING:
     from riserstudy.study.study import Study
 
 Scenes = Iterator[tuple[str, SceneFile]]
-# parts of a scene that leave its kind as it is
+# parts of a scene that do not change its kind
 _VALUES = {"title", "note", "paper", "output", "mesh", "step", "accuracy", "points", "profile"}
 _WHERE = "config/studies/numerics.yaml: measured"
 
 
 def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
-    """The cases, methods or variants of a tier."""
+    """Return the cases, methods or variants of a tier."""
     of = {name: x for name, x in things.items() if getattr(x, "only", None) in (None, tier)}
     return {name: x for name, x in of.items() if tier != "preview" or x.preview}
 
@@ -27,15 +27,15 @@ def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
 def case_file(
     config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase
 ) -> SceneFile:
-    """The scene of a case."""
+    """Read the scene of a case and set the values of the case in it."""
     return read_scene(config / case.scene, keep=True).with_values(case.set, f"{_WHERE}: {name}.set")
 
 
 def bases(studies: Sequence[Study], tier: str) -> Scenes:
-    """The scenes that studies vary, each kind once: a kind is what is in a scene, whatever its values.
+    """Yield the scenes that studies vary, one of each kind: a kind is the set of keys, whatever the values.
 
-    First those of the studies, then what their named options make of them. In preview a scene file stands
-    for all that studies set on it, the first with motion before statics, and for their options.
+    Base scenes have priority over scenes with a named option of an axis. In preview, one scene represents
+    all studies with its scene file and their options: the first with motion, or else the first static one.
     """
     ordered = sorted(studies, key=lambda study: "duration" not in study.base.tree["analysis"])
     scenes: dict[str, tuple[str, SceneFile]] = {}
@@ -50,7 +50,7 @@ def bases(studies: Sequence[Study], tier: str) -> Scenes:
 
 
 def _options(study: Study) -> Scenes:
-    """A study's scene with each named option of each axis in turn."""
+    """Yield the study's scene with one named option of one axis at a time."""
     for name, axis in study.model.axes.items():
         if axis == "readings" or isinstance(axis, dict):
             for label, sets in study.axes[name]:
@@ -58,7 +58,7 @@ def _options(study: Study) -> Scenes:
 
 
 def places(tree: Any, path: str = "") -> Iterator[str]:
-    """Every path of a scene at which something stands, what leaves its kind as it is apart."""
+    """Yield every path of a scene that has a value, without the parts that do not change its kind."""
     if isinstance(tree, list):
         tree = {f"[{k}]": part for k, part in enumerate(tree)}
     if not isinstance(tree, dict):

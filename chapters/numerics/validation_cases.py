@@ -1,7 +1,7 @@
-"""What the engine computes, compared with what is known: closed forms, second methods, conservation laws.
+"""Results of the engine, compared with closed forms, second methods and conservation laws.
 
-Each case runs the engine and names its references, which ``closed_forms`` computes without it. Tolerances
-are what the closed form leaves out, or what the mesh may err by, and say which.
+Each case runs the engine and names its references, which ``closed_forms`` computes without the engine. A
+tolerance covers the effects that the closed form neglects, or the error of the mesh; each row states which.
 """
 
 from __future__ import annotations

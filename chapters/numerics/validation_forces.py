@@ -26,7 +26,7 @@ REACH = 4.0  # m
 
 
 def _pulled(reach: float) -> SceneFile:
-    """A pipe that hardly stretches, held below, its platform lifted: the cylinders reach so far."""
+    """A very stiff pipe, held below; the platform rises and extends the cylinders by ``reach`` (m)."""
     chamber: dict[str, Any] = {
         "area": f"{GAS['area']} m^2",
         "pressure": f"{GAS['pressure']} Pa absolute",
@@ -52,11 +52,11 @@ def _pulled(reach: float) -> SceneFile:
 
 
 def gas(_: Files) -> Iterator[Row]:
-    """Cylinders of gas that are drawn out by a heaving platform."""
+    """Gas cylinders that a heaving platform extends."""
     run = simulated(_pulled(REACH))
     stroke = run["tensioner_stroke"].isel(cylinder=0).values
     force = run["tensioner_force"].isel(cylinder=0).values
-    last = run["time"].values >= 40.0  # from here on the amplitude is whole
+    last = run["time"].values >= 40.0  # the ramp is over, the amplitude is constant
     top = int(np.argmax(np.where(last, stroke, -np.inf)))
     case, by = "gas cylinder extended by heave", "p V^n = const., from mid-stroke"
     because = "the pipe stretches by 1e-8 m; one output is at the platform's highest position"
@@ -83,7 +83,7 @@ HIGH, LOW = known.Chamber(0.205, 2.08e6, 9.38), known.Chamber(0.246, 0.15e6, 2.2
 
 
 def two_chambers(_: Files) -> Iterator[Row]:
-    """A direct-acting cylinder with gas on both sides of its piston, drawn out and pushed in a little."""
+    """A direct-acting cylinder with gas on both sides of its piston, extended by 3 m, and by 3 m ± 1 cm."""
     reach, aside = 3.0, 0.01
 
     def pulled(lift: float) -> tuple[float, float]:
@@ -116,7 +116,7 @@ PILE = {"diameter": 1.0, "height": 2.0, "period": 8.0, "depth": 60.0}
 
 
 def morison(_: Files) -> Iterator[Row]:
-    """A pile so stiff that only the water moves, in a small wave."""
+    """A pile in a small wave, so stiff that it does not move."""
     depth, across = f"{PILE['depth']} m", f"{PILE['diameter']} m"
     tree = {
         "title": "pile",
@@ -161,7 +161,7 @@ def morison(_: Files) -> Iterator[Row]:
 
 
 def terminal(_: Files) -> Iterator[Row]:
-    """A platform alone that a steady force drives off, until drag is as large."""
+    """A platform that a steady force drives off, until the drag nearly equals the force."""
     force, drag, mass, added, time = 4e5, 2.5e5, 4e7, 1e7, 400.0
     thread = {"name": "thread", "length": "1000 m", "axial_stiffness": "100 N"}
     thread |= {"mass": "0.001 kg/m", "submerged_weight": "0 N/m"}

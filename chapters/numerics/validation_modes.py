@@ -37,7 +37,7 @@ def taut_beam(files: Files) -> Iterator[Row]:
 
 
 def bar(files: Files) -> Iterator[Row]:
-    """Axial waves of a hung bar."""
+    """Axial vibration of a bar that hangs from a held top."""
     frequencies = frequencies_of(files["S4d"], "axial", 3)
     for mode in (1, 3):
         exact = known.bar_frequency(mode, 1800.0, 8.3505393e9, 318.0)
@@ -68,7 +68,7 @@ def chain(_: Files) -> Iterator[Row]:
 
 
 def pendulum(_: Files) -> Iterator[Row]:
-    """A body below a rod that does not bend."""
+    """A body below a very stiff rod."""
     body = {"name": "body", "mass": "140 t", "submerged_weight": "1.2 MN", "centre_below": "3 m"}
     sets: dict[str, Any] = {
         "gravity": "9.81 m/s^2",

@@ -42,7 +42,7 @@ def _envelope(file: SceneFile) -> dict[str, float]:
 
 
 def wave(_: Files) -> Iterator[Row]:
-    """Half of the pull at the top of a bar is lost: a wave runs down it and comes back doubled."""
+    """A bar loses half of the pull at its top: a wave travels down and doubles when it is reflected."""
     stiffness, mass, pull = 8e9, 320.0, 2e6
     section = {"length": "1800 m", "axial_stiffness": f"{stiffness} N", "mass": f"{mass} kg/m"}
     loss = {"share": 0.5, "at": "0.05 s", "over": "0.2 s"}
@@ -64,7 +64,7 @@ def wave(_: Files) -> Iterator[Row]:
 
 
 def decay(_: Files) -> Iterator[Row]:
-    """A mass on a spring that dissipates in proportion to its rate of strain, let go."""
+    """Free oscillation of a mass on a spring that dissipates in proportion to its rate of strain."""
     length, stiffness, mass, ratio = 100.0, 343e6, 749e3, 0.03
     frequency = math.sqrt(stiffness / length / mass)
     damping = {"ratio": ratio, "at_period": f"{2.0 * math.pi / frequency!r} s"}
@@ -85,7 +85,7 @@ def decay(_: Files) -> Iterator[Row]:
 
 
 def _tops(values: NDArray[np.float64]) -> list[float]:
-    """Values at the tops of a swing, by the parabola through three."""
+    """Peak values of an oscillation, from the parabola through three points."""
     middle = np.flatnonzero((values[1:-1] > values[:-2]) & (values[1:-1] >= values[2:])) + 1
     tops = []
     for k in middle:
@@ -95,7 +95,7 @@ def _tops(values: NDArray[np.float64]) -> list[float]:
 
 
 def methods(files: Files) -> Iterator[Row]:
-    """Surge by methods of stepping that share no step."""
+    """Surge by different time-stepping methods, with different steps."""
     alike = "errors in time of both runs, with steps of 0.02 and 0.1 s"
     lumped = "explicit stepping lumps masses: second order in the 160 segments"
     for name, elements, sets, tolerances, because in (
@@ -114,7 +114,7 @@ def methods(files: Files) -> Iterator[Row]:
 
 
 def hermite(files: Files) -> Iterator[Row]:
-    """A small surge by lumped masses and by the Hermite beam, which share no code."""
+    """A small surge by lumped masses and by the Hermite beam, whose codes are independent."""
     small = SURGE | {"platform.surge.amplitude": "0.2 m", "analysis.mesh": {"elements": 80}}
     small |= {"analysis.step": "0.02 s"}
     lumped = files["S2"].with_values(small, "validation")
@@ -130,7 +130,7 @@ def hermite(files: Files) -> Iterator[Row]:
 
 
 def energy(files: Files) -> Iterator[Row]:
-    """What the account of a run leaves unexplained of the energy that was exchanged."""
+    """Energy residual of a run, relative to the exchanged energy."""
     for name, elements, step in (("S2c", 40, "0.02 s"), ("S3", 40, "5 ms")):
         sets = SURGE | {"analysis.mesh": {"elements": elements}, "analysis.step": step}
         run = simulated(files[name], sets)
@@ -141,7 +141,7 @@ def energy(files: Files) -> Iterator[Row]:
 
 
 def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
-    """Whole histories that other programs made of a scene, at the accuracy that a run has by default."""
+    """Whole histories of scenes by other programs, compared with runs at the default accuracy."""
     for name, path in stored.items():
         other = references.stored(path)
         short = {"analysis.duration": "60 s", "analysis.output": {"interval": "0.1 s"}}

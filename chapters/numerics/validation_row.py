@@ -1,4 +1,4 @@
-"""A number that the engine computes and what it is compared with; what all cases use."""
+"""A number that the engine computes and its reference value; functions that several cases use."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ Files = Mapping[str, SceneFile]
 class Row(NamedTuple):
     """One quantity and its reference.
 
-    ``tolerance`` is relative to ``scale``, which is the reference's own size where it is not given.
+    ``tolerance`` is relative to ``scale``; None: the absolute value of the reference.
     """
 
     name: str
@@ -39,7 +39,7 @@ class Row(NamedTuple):
 
     @property
     def error(self) -> float:
-        """Difference over the scale."""
+        """Difference of value and reference, divided by the scale."""
         return abs(self.value - self.reference) / (self.scale or abs(self.reference))
 
 
@@ -57,19 +57,19 @@ def pipe_of(file: SceneFile) -> tuple[float, float, float]:
 
 
 def simulated(file: SceneFile, sets: Mapping[str, Any] | None = None) -> xr.Dataset:
-    """A scene simulated, with values set on it."""
+    """Simulate a scene after setting values in it."""
     return simulate(file.with_values(dict(sets or {}), "validation"), progress=False)
 
 
 def frequencies_of(file: SceneFile, motion: str, count: int) -> list[float]:
-    """Natural frequencies of one kind (rad/s), the lowest first."""
+    """Natural frequencies (rad/s) of one kind of motion, lowest first."""
     modes = modes_of(file.resolved(), 15)
     of = modes["frequency"].values[modes["motion"].values == motion]
     return [2.0 * math.pi * float(f) for f in of[:count]]
 
 
 def held_below(section: dict[str, Any], top: dict[str, Any], analysis: dict[str, Any]) -> SceneFile:
-    """Something that is held below and moves up and down above."""
+    """Scene of a bar that is held below and whose top can move vertically."""
     tree = {
         "title": "held below",
         "riser": [{"name": "bar"} | section],
@@ -81,7 +81,7 @@ def held_below(section: dict[str, Any], top: dict[str, Any], analysis: dict[str,
 
 
 def hung(**section: Any) -> SceneFile:
-    """Something that hangs from a held top and is free below."""
+    """Scene of a pipe that hangs from a held top and is free below."""
     pipe = {"name": "hung", "length": "300 m", "mass": "320 kg/m"} | section
     tree = {
         "title": "hung",

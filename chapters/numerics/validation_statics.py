@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 
 def column(_: Files) -> Iterator[Row]:
-    """A column that buckles under its own weight: the weight at which its frequency vanishes."""
+    """A column that buckles under its own weight: the weight at which its lowest frequency is zero."""
     length, bending = 60.0, 2e8
 
     def square(weight: float) -> float:
@@ -63,7 +63,7 @@ def column(_: Files) -> Iterator[Row]:
 
 
 def own_weight(files: Files) -> Iterator[Row]:
-    """A beam whose tension grows by its weight."""
+    """A beam whose tension increases upward by its own weight."""
     length, axial, bending = pipe_of(files["S4a"])
     weight, mass, top = 1500.0, 1006.0, 1000e3
     file = files["S4a"].with_values(
@@ -105,7 +105,7 @@ def loaded_beam(files: Files) -> Iterator[Row]:
 
 
 def cantilever(files: Files) -> Iterator[Row]:
-    """The elastica."""
+    """A cantilever with a large deflection, compared with the elastica."""
     length, _, bending = pipe_of(files["S4c"])
     along, across = known.elastica_tip(length, bending, 324054.15)
     tip = simulated(files["S4c"]).isel(s=-1)
@@ -126,7 +126,7 @@ def cable(files: Files) -> Iterator[Row]:
 
 
 def current(files: Files) -> Iterator[Row]:
-    """A riser at rest in a current that is the same at all depths."""
+    """A riser in static equilibrium in a current that is uniform over depth."""
     length, axial, bending = pipe_of(files["S1"])
     flow = known.Flow(length, axial, bending, 141.264, 0.5 * 1025.0 * 1.22, 1.0, 2275e3)
     exact = known.rod_in_current(flow)
@@ -143,7 +143,7 @@ def current(files: Files) -> Iterator[Row]:
 
 
 def towed(_: Files) -> Iterator[Row]:
-    """A string in a steady current: weight and normal drag balance at one angle."""
+    """A string in a steady current: at one angle, weight and normal drag are in equilibrium."""
     water = {"density": "1025 kg/m^3"}
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (-400, 10)]
     file = hung(
