@@ -1,5 +1,5 @@
-"""Figures of Chang et al. 2020: printed figures by their number, others by their content.
+"""Figures of Chang et al. 2020, named by their number in the paper, or else by their content.
 
-x is the rise of the ring above the unstretched riser, a the rise of the platform, X = x - a the displacement
-of the piston.
+x is the height of the ring above its position on the unstretched riser, a is the upward displacement of the
+platform, and X = x - a is the displacement of the piston.
 """

@@ -14,7 +14,7 @@ from chapters.chang2020.figures.shared import GAS_LAW, MODELS, NAMES, OF_MODEL
 from riserstudy.figures.direct import label_line
 from riserstudy.figures.style import headline, panels
 
-RANGE = (-8.0, 8.0)  # m, of the line in Fig 9
+RANGE = (-8.0, 8.0)  # m, range of the line in Fig 9
 PISTON = "piston displacement $X = x - a$ (m)"
 
 
@@ -62,7 +62,7 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
 
 
 def fig09(quasi_static: xr.Dataset) -> Figure:
-    """Gas law and its least-squares line."""
+    """Tensioner force by the gas law, and its least-squares line."""
     figure, (ax,) = panels()
     at = np.linspace(*RANGE, 161)
     laws = {model: _law(quasi_static, model).interp(X=at, method="cubic") for model in MODELS}
@@ -81,7 +81,7 @@ def fig09(quasi_static: xr.Dataset) -> Figure:
 
 
 def _law(quasi_static: xr.Dataset, model: str) -> xr.DataArray:
-    """Force of all cylinders (N) over X (m), from equilibria with the platform held at many heights."""
+    """Force of all cylinders (N) over X (m), from static equilibria at many heights of the platform."""
     rest = quasi_static.sel(tensioner_model=model)
     force = rest["tensioner_force_static"].sum("cylinder")
     displacement = -rest["tensioner_stroke_static"].isel(cylinder=0)

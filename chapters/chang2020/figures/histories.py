@@ -30,9 +30,9 @@ from riserstudy.figures.style import (
 )
 
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
-NAMED = (3.0, 10.0)  # of them, those that the text names
-LAST = 60.0  # s, of runs from rest: three periods of the platform
-#: dashes of lines, by which those that coincide are seen both
+NAMED = (3.0, 10.0)  # m, amplitudes among them that the paper's text states
+LAST = 60.0  # s, plotted time of runs from rest: three periods of the platform
+#: dashes that keep coinciding lines distinguishable
 DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
 HEAVE, TENSION = "riser heave $x$ (m)", "riser tension (MN)"
 IN_PERIOD = "time in a steady-state period (s)"
@@ -43,7 +43,7 @@ def fig08(
 ) -> Figure:
     """Riser tension and heave with and without tensioner, H = 5 m interpreted in two ways.
 
-    ``tension``, ``heave``: the printed reductions (-).
+    ``tension``, ``heave``: the published reductions, as fractions of one.
     """
     printed = {"tension": tension, "heave": heave}
     figure, axes = panels(2, 2, 3.1, sharex=True)
@@ -101,7 +101,7 @@ def fig08(
 
 
 def _reductions(ax: Axes, found: dict[str, float], printed: float) -> None:
-    """Write by how much (-) the peak-to-peak range is reduced in each state, and by how much as printed."""
+    """Write the reductions (fractions) of the peak-to-peak range: computed in each state, and published."""
     states = ", ".join(f"{100.0 * part:.0f} % ({name})" for name, part in found.items())
     ax.annotate(
         f"peak-to-peak range reduced by\n{states}; printed: about {100.0 * printed:.0f} %",
@@ -111,9 +111,9 @@ def _reductions(ax: Axes, found: dict[str, float], printed: float) -> None:
 
 
 def _printed_range(ax: Axes, bare: xr.DataArray, settled: xr.DataArray, reduction: float) -> None:
-    """The peak-to-peak range that a printed reduction (-) leaves of one without tensioner.
+    """Draw the peak-to-peak range without tensioner after the published reduction (a fraction).
 
-    Centred on the steady state with tensioner, with which it is compared.
+    It is centred on the steady state with tensioner, with which it is compared.
     """
     ax.errorbar(
         101.5,
@@ -127,7 +127,7 @@ def _printed_range(ax: Axes, bare: xr.DataArray, settled: xr.DataArray, reductio
 
 
 def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
-    """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) as printed, then in steady state."""
+    """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) as in the paper, then steady state."""
     figure, axes = panels(4, 2, 2.2)
     started, settled = _histories(from_rest), _histories(steady)
     straight = _histories(lines_settled)
@@ -176,7 +176,7 @@ def fig12(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
 
 
 def settled_response(steady: xr.Dataset) -> Figure:
-    """Figs 10 to 12 in steady state, over one period."""
+    """The quantities of Figs 10 to 12 in steady state, over one period."""
     figure, axes = panels(3, 2, 2.7, sharex=True)
     _models_compared(axes, steady)
     for line, up in zip(axes[0].lines, (-9.0, 3.0), strict=True):
@@ -195,7 +195,7 @@ def settled_response(steady: xr.Dataset) -> Figure:
 
 
 def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
-    """Panels (a) to (d) of Fig 10."""
+    """Draw panels (a) to (d) of Fig 10."""
     histories = _histories(runs)
     start = float(runs["time"][0])
     for k, amplitude in enumerate((3.0, 10.0)):
@@ -211,9 +211,10 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
 
 
 def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:
-    """A panel an amplitude: from rest, and the steady state to which the transient decays.
+    """One panel per amplitude: motion from rest, and the steady state to which the transient decays.
 
-    Beside each panel: how far crests and troughs of the steady state are from equilibrium.
+    The text at the right of each panel gives the distances of steady-state crests and troughs from
+    equilibrium.
     """
     figure, axes = panels(4, 1, 1.75, sharex=True, sharey=True)
     rest = _histories(runs, "static")[quantity].sel(tensioner_model="gas law")
@@ -248,14 +249,14 @@ def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Fi
 
 
 def _steady_index(steady: xr.Dataset) -> xr.DataArray:
-    """Steady-state displacement above over that below the equilibrium; alike of heave and of tension."""
+    """Ratio of the steady-state displacements above and below equilibrium; equal for heave and tension."""
     top = steady.isel(s_node=-1).sel(tensioner_model="gas law")
     index: xr.DataArray = (top["z_max"] - top["z_static"]) / (top["z_static"] - top["z_min"])
     return index
 
 
 def _heights(ax: Axes, settled: xr.DataArray, rest: float, label: str) -> None:
-    """How far crests and troughs are from equilibrium, in the unit of a label, beside a panel."""
+    """Write the distances of crests and troughs from equilibrium next to a panel, in its label's unit."""
     unit = label.rpartition("(")[2].rstrip(")")
     for height, side in (
         (float(settled.max()) - rest, "crests +"),
@@ -281,7 +282,7 @@ def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
 
 
 def _histories(runs: xr.Dataset, when: str = "") -> xr.Dataset:
-    """Heave (m) and riser tension (MN) at the ring over time, or at rest."""
+    """Heave (m) and riser tension (MN) at the ring over time, or in static equilibrium."""
     if when == "static":
         top = runs.isel(s_node=-1)
         z, tension, zero = (
@@ -300,7 +301,7 @@ def _gas(runs: xr.Dataset) -> xr.Dataset:
 
 
 def _repeated(period: xr.Dataset, time: xr.DataArray) -> xr.Dataset:
-    """A steady-state period laid end to end over other times; both start at the same phase."""
+    """Repeat a steady-state period over other times (s); period and times start at equal phases."""
     start, end = float(period["time"][0]), float(period["time"][-1])
     within = start + np.mod(time.values - start, end - start)
     return period.interp(time=within).assign_coords(time=time.values)

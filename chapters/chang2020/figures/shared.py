@@ -15,7 +15,7 @@ STATES = {
 }
 
 GAS_LAW, FITTED = "#0072b2", "#d55e00"
-#: the gas law and the lines that replace it; config/studies/chang2020.yaml, readings
+#: colours of the gas law and of the lines that replace it; keys: config/studies/chang2020.yaml, readings
 OF_MODEL = {
     "gas law": GAS_LAW,
     "linear": FITTED,
@@ -28,11 +28,11 @@ OF_MODEL = {
 OF_STATE = {"steady": "#009e73", "from_rest": "#e69f00", "quasi_static": "#cc79a7"}
 #: colours of the initial states; the unstretched state is the start of all runs from rest
 OF_START = {"unstretched": OF_STATE["from_rest"], "equilibrium": "#332288"}
-#: colours of the places of the mass; in all other figures it is at the ring
+#: colours of the positions of the riser's mass; in all other figures the mass is at the ring
 OF_MASS = {"at the ring": GAS_LAW, "along the riser": "#661100"}
 
 
-#: names in figures of the lines that replace the gas law
+#: names, in figures, of the lines that replace the gas law
 LINES = {
     "least squares over -8 to 8 m": "least-squares line, −8 to 8 m",
     "chord from -8 to 8 m": "chord, −8 to 8 m",

@@ -1,4 +1,4 @@
-"""What amplitude, period, mass and unspecified inputs change."""
+"""Effects of amplitude, period, mass and unspecified inputs."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def fig13(asymmetry: xr.Dataset) -> Figure:
         ax.set_xlabel(AMPLITUDE)
         panel_title(ax, NAMES[model])
     axes[0].set_ylabel(AWAY)
-    key_below(figure, axes[0], 3)  # a column for both sides of each
+    key_below(figure, axes[0], 3)  # one column per state, with both sides
     steady = asymmetry.sel(reading="steady", tensioner_model="gas law")
     up, down = (steady[f"displacement_{way}"] for way in ("up", "down"))
     for away in (up, down):
@@ -85,7 +85,7 @@ def _name_end(ax: Axes, last: xr.DataArray) -> None:
 def fig14(asymmetry: xr.Dataset) -> Figure:
     """Asymmetry index over heave amplitude."""
     figure, (ax,) = panels()
-    figure.set_figwidth(WIDE * WIDTH)  # with names at the right
+    figure.set_figwidth(WIDE * WIDTH)  # room for names at the right
     index = asymmetry["asymmetry_index"]
     for reading in READINGS:
         for model, line in MODELS.items():
@@ -111,7 +111,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     )
     ax.set_ylim(bottom=0.85)
     label_ends(ax)
-    ax.margins(x=0.03)  # so that marks are whole
+    ax.margins(x=0.03)  # prevents that marks are cut
     return figure
 
 
@@ -158,7 +158,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
 
 
 def _near_one(ax: Axes) -> None:
-    """Small amplitudes, at which most decreases are, enlarged where the panel is empty."""
+    """Enlarge the small amplitudes, where most decreases occur, in the empty part of the panel."""
     inset = ax.inset_axes((0.12, 0.52, 0.32, 0.28), xlim=(0.4, 1.05 * LOW), ylim=(0.975, 1.035))
     inset.axhline(1.0, color=GREY, linewidth=0.8)
     for line in ax.lines:
@@ -168,7 +168,7 @@ def _near_one(ax: Axes) -> None:
 
 
 def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
-    """How many samples increase throughout, and where the rest do not."""
+    """State how many samples increase throughout, and at which amplitudes the others decrease."""
     ends = index["heave_amplitude"].values[1:]
     dips = (index.diff("heave_amplitude") <= 0.0).assign_coords(heave_amplitude=ends)
     above = int(dips.sel(heave_amplitude=ends > LOW).any("heave_amplitude").sum())
@@ -179,7 +179,7 @@ def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
 
 
 def _decreases(ax: Axes, lines: xr.DataArray) -> None:
-    """Steps of amplitude over which an index does not increase."""
+    """Draw the amplitude steps over which an index does not increase."""
     amplitude = lines["heave_amplitude"].values
     for k in range(amplitude.size - 1):
         low, high = lines.isel(heave_amplitude=k), lines.isel(heave_amplitude=k + 1)
@@ -189,7 +189,7 @@ def _decreases(ax: Axes, lines: xr.DataArray) -> None:
 
 
 def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
-    """Both percentages in every interpretation; ``tension``, ``heave``: the printed reductions (-)."""
+    """Both reductions in every interpretation; ``tension``, ``heave``: published reductions (fractions)."""
     reduced = {"tension": tension, "heave": heave}
     figure, (ax,) = panels(height=4.3)
     table = 100.0 * reductions["reduction"].sel(quantity="heave")
@@ -248,12 +248,12 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
 
 
 def _whole(value: float) -> str:
-    """A number without digits after its point, with a true minus."""
+    """Format a number without decimals, with a true minus sign."""
     return f"{value:.0f}".replace("-", "−")
 
 
 def period_sweep(period_sweep: xr.Dataset) -> Figure:
-    """Steady state over the platform's period, a row an amplitude; periods of the peaks by the gas law."""
+    """Steady state over the platform's period, one row per amplitude; periods of peaks by the gas law."""
     amplitudes = period_sweep["heave_amplitude"].values
     figure, axes = panels(len(amplitudes), 2, 2.6, sharex=True)
     top = period_sweep.isel(s_node=-1)
@@ -275,7 +275,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
         ax.set_xlabel("heave period of the platform (s)")
     for ax in axes[::2]:
         ax.set_yscale("log")
-    for k, amplitude in enumerate(amplitudes):  # the last, largest one gives the title its periods
+    for k, amplitude in enumerate(amplitudes):  # the title states periods of the last, largest one
         law = {"heave_amplitude": amplitude, "tensioner_model": "gas law"}
         response, index = (values.sel(law) for values in curves.values())
         resonance = _name_peak(axes[2 * k], response, "ratio")
@@ -292,7 +292,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
 
 
 def _name_peak(ax: Axes, curve: xr.DataArray, name: str, lowest: bool = False) -> float:
-    """Write the period at which a named curve is largest (or smallest) there; it (s)."""
+    """Write a curve's largest (or smallest) value and its period at this point; return the period (s)."""
     extreme = curve.min() if lowest else curve.max()
     period = float(curve["heave_period"][int((curve == extreme).argmax("heave_period"))])
     ax.annotate(
@@ -304,7 +304,7 @@ def _name_peak(ax: Axes, curve: xr.DataArray, name: str, lowest: bool = False) -
 
 
 def riser_mass(riser_mass: xr.Dataset, riser_mass_start: xr.Dataset) -> Figure:
-    """The riser's mass at the ring and along the riser."""
+    """Response with the riser's mass at the ring, and distributed along the riser."""
     figure, axes = panels(1, 2, 3.6)
     for place in map(str, riser_mass["mass_place"].values):
         colour = OF_MASS[place]
