@@ -1,1 +1,1 @@
-"""Bench scenes: what is derived from its runs, drawn and claimed."""
+"""Bench scenes: figures of their runs."""

@@ -10,11 +10,11 @@ from matplotlib.figure import Figure
 from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
 
 STATIONS = (433.0, 333.0, 233.0, 133.0)  # m from the bottom
-LAST = 40.0  # s at the end of the histories at these
+LAST = 40.0  # s, plotted time at the end of the histories
 
 
 def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -> Figure:
-    """Shapes in x and z."""
+    """Static shapes in x and z."""
     figure, axes = panels(2, 2)
     named = (
         ("S1, riser in current; x stretched", s1),
@@ -38,9 +38,9 @@ def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -
 
 
 def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
-    """Histories, moment envelopes, top tension."""
+    """Histories of lateral position, moment envelopes, and top tension."""
     figure, axes = panels(1, 3)
-    # shades of the colour that S2 has in the other panels
+    # shades of the colour of S2 in the other panels
     shades = colormaps["Blues"](np.linspace(0.95, 0.4, len(STATIONS)))
     for colour, s in zip(shades, STATIONS, strict=True):
         history = s2["x"].interp(s=s, method="cubic")
@@ -77,7 +77,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
 
 
 def heave(s3: xr.Dataset) -> Figure:
-    """Top tension, and how far the lower end moves otherwise than the top."""
+    """Top tension, and motion of the lower end relative to the top."""
     figure, axes = panels(1, 2)
     axes[0].plot(s3["time"], s3["effective_tension"].isel(s=-1) / 1e6, color=COLOURS[0])
     axes[0].set_ylabel("top tension (MN)")

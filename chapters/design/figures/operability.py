@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels
 
-#: a colour for each limit, in all modes
+#: colour of each limit, in all modes
 OF_LIMIT = {
     "mean lfj_angle": COLOURS[0],
     "mean ufj_angle": COLOURS[1],
@@ -20,7 +20,7 @@ OF_LIMIT = {
     "largest von_mises_stress": COLOURS[4],
     "smallest effective_tension": COLOURS[6],
 }
-#: what a mode allows, as the title says it
+#: activity that a mode allows, as written in the titles
 ALLOWED = {
     "drilling": "drilling",
     "connected": "staying connected",
@@ -29,22 +29,22 @@ ALLOWED = {
 
 
 def operability_drilling(operability: xr.Dataset) -> Figure:
-    """Where the platform may be while drilling."""
+    """Offsets at which the platform may drill."""
     return _chart(operability, "drilling")
 
 
 def operability_connected(operability: xr.Dataset) -> Figure:
-    """Where it may be while connected and not drilling."""
+    """Offsets at which the riser may stay connected without drilling."""
     return _chart(operability, "connected")
 
 
 def operability_disconnect(operability: xr.Dataset) -> Figure:
-    """Where the riser must have disconnected."""
+    """Offsets at which the riser must have disconnected."""
     return _chart(operability, "disconnect")
 
 
 def _chart(operability: xr.Dataset, mode: str) -> Figure:
-    """One panel per mud density."""
+    """Draw the limits of a mode over current, one panel per mud density."""
     muds = operability["mud_weight"].values
     figure, axes = panels(1, len(muds), 4.2, sharey=True)
     mine = [name for name in operability["limit"].values if str(name).startswith(mode + ":")]
@@ -67,7 +67,7 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
 
 
 def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str) -> None:
-    """Both sides of one limit; where it is not reached within the search, nothing."""
+    """Draw both sides of one limit, with gaps where the search does not reach it."""
     for side, label in (("low", None), ("high", name)):
         one = offset.sel(offset_side=side)
         ax.plot(one["surface_speed"], one.where(np.isfinite(one)), ".-", color=colour, label=label)
@@ -87,7 +87,7 @@ def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
 
 
 def _answer(of: xr.Dataset, mode: str) -> str:
-    """The offsets that all muds share in the strongest current that leaves any, or that none is left."""
+    """Title: width of the offsets allowed in all muds, in the strongest current with any, or that none are."""
     low, high = (of["envelope_offset"].sel(offset_side=side) for side in ("low", "high"))
     lowest, highest = low.max("mud_weight", skipna=False), high.min("mud_weight", skipna=False)
     speeds = of["surface_speed"].values

@@ -1,4 +1,4 @@
-"""Design, recoil: which settings serve an emergency disconnect, and what three of them do."""
+"""Design, recoil: settings that allow a safe emergency disconnect, and the response at three settings."""
 
 from __future__ import annotations
 
@@ -46,26 +46,26 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
 
 
 def _metres(clearance: float) -> str:
-    """A clearance (m) to one digit, or to two where one would be a zero and there is no contact."""
+    """Format a clearance (m) with one decimal, or with two where one would show zero without contact."""
     return f"{clearance:.{2 if 0.0 < clearance < 0.05 else 1}f}" if clearance > 0.0 else "0.0"
 
 
 def _cells(ax: Axes, verdict: np.ndarray) -> None:
-    """A cell a value; by their edges, since the centres of a single row give it no height."""
+    """Draw one cell per value from its edges, because the centre of a single row defines no height."""
     ax.grid(False)
     rows, columns = (np.arange(size + 1) - 0.5 for size in verdict.shape)
     ax.pcolormesh(columns, rows, verdict, cmap=ListedColormap(FILL), vmin=-0.5, vmax=3.5)
 
 
 def _key(figure: Figure, verdict: xr.DataArray) -> None:
-    """Of the outcomes those that occur."""
+    """Write a key of the outcomes that occur."""
     there = [kind for kind in range(len(LABELS)) if bool((verdict == kind).any())]
     handles = [Patch(color=FILL[kind], label=LABELS[kind]) for kind in there]
     figure.legend(handles=handles, loc="outside lower center", ncols=2, fontsize="small")
 
 
 def _answer(of: xr.Dataset) -> str:
-    """Up to which heave some tested setting allows a disconnect at every phase, in every mud."""
+    """Title: largest heave up to which a tested setting allows a disconnect at every phase, in every mud."""
     serves = (of["recoil_verdict"] == 0).any("gas_pressure")
     heaves = of["heave_amplitude"].values
     every = serves.all("mud_weight").values
@@ -110,7 +110,7 @@ def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
 
 
 def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
-    """What failed units and valves change, one panel per number of units."""
+    """Effects of failed units and valves, one panel per number of units."""
     units = recoil_failures_outcome["units"].values
     figure, axes = panels(1, len(units), 3.4, sharey=True)
     left = recoil_failures_outcome["valve_left_open"].values

@@ -13,12 +13,12 @@ MODE = "drilling"
 
 
 def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset) -> Figure:
-    """The envelope of drilling over current, one colour per sea, one panel per mud density."""
+    """Offsets that allow drilling, over current, one colour per sea state, one panel per mud density."""
     envelope = operability_in_seas["envelope_offset"].sel(operation=MODE)
     muds, heights = envelope["mud_weight"].values, envelope["significant_height"].values
     figure, axes = panels(1, len(muds), 4.0, sharey=True)
     for ax, mud in zip(axes, muds, strict=True):
-        widths = np.linspace(3.5, 1.2, len(heights))  # one is seen below the next
+        widths = np.linspace(3.5, 1.2, len(heights))  # coinciding lines stay visible
         for colour, height, width in zip(_rising(len(heights)), heights, widths, strict=True):
             at = envelope.sel(mud_weight=mud, significant_height=height)
             angle = np.rad2deg(
@@ -48,7 +48,7 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
 
 
 def _answer(of: xr.Dataset) -> str:
-    """By how much the highest sea narrows the offsets that the lowest leaves, in no current, by mud."""
+    """Title: reduction of the drilling window from the lowest to the highest sea, in the weakest current."""
     calm = of.isel(surface_speed=0)
     ends = calm["envelope_offset"]
     room = ends.sel(offset_side="high") - ends.sel(offset_side="low")

@@ -25,7 +25,7 @@ WORDS = {
     "upper joint's allowance": "upper flex joint allowance",
     "lower joint's allowance": "lower flex joint allowance",
 }
-LEAST = 0.005  # share of the largest effect that is worth a bar
+LEAST = 0.005  # smallest effect that has a bar, as a share of the largest effect
 
 
 def sensitivity(sensitivity: xr.Dataset) -> Figure:
@@ -45,7 +45,7 @@ def sensitivity(sensitivity: xr.Dataset) -> Figure:
 
 
 def _bars(ax: Axes, values: xr.DataArray) -> str:
-    """One row per input, one bar to each end of its range; the name of the most influential."""
+    """Draw one row per input, with a bar to each end of its range; return the most influential input."""
     base = float(values.sel(varied_input=BASE))
     inputs: dict[str, dict[str, float]] = {}
     for label in values["varied_input"].values:

@@ -1,4 +1,4 @@
-"""Design, tension: how much is needed, and what window the setting has."""
+"""Design, tension: minimum top tension, and window of the tension setting."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 
 def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
-    """Minimum top tension by the point that it serves, and over mud density by formula and simulation."""
+    """Minimum top tension for each point of the riser, and over mud density by formula and simulation."""
     figure, (along, over) = panels(1, 2, 3.8)
     muds = minimum_tension["mud_weight"].values
     chosen = muds[[0, len(muds) // 2, -1]]
@@ -58,7 +58,8 @@ def tension_window(
 ) -> Figure:
     """Floors and ceiling of the setting over mud density, one panel per number of failed units.
 
-    Between floor and ceiling is hatched; green are only the settings that a simulated disconnect allows.
+    The range between floor and ceiling is hatched. Green marks are settings that a simulated disconnect
+    allows.
     """
     failed = tension_window["failed_units"].values
     figure, axes = panels(1, len(failed), 3.8, sharey=True)
@@ -97,7 +98,7 @@ def tension_window(
 
 
 def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
-    """From the least to the largest setting that allows a disconnect in the least heave, often the same."""
+    """Draw the range of settings that allow a disconnect in the smallest heave; often a single setting."""
     calm = outcome.isel(heave_amplitude=0)
     heave = float(calm["heave_amplitude"])
     low, high = _ends(outcome, tension_ratio)
@@ -108,14 +109,14 @@ def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
 
 
 def _ends(outcome: xr.Dataset, tension_ratio: float) -> tuple[Array, Array]:
-    """Smallest and largest tested setting (MN) that allow a disconnect in the least heave, (muds,) each."""
+    """Smallest and largest tested settings (MN) for a disconnect in the smallest heave, (muds,) each."""
     calm = outcome.isel(heave_amplitude=0)
     low, high = (calm[f"recoil_{end}"] / tension_ratio / 1e6 for end in ("minimum", "maximum"))
     return low.values, high.values
 
 
 def _allowed(window: xr.Dataset, outcome: xr.Dataset, tension_ratio: float) -> str:
-    """The largest tested setting that allows a disconnect in any mud, compared with the ceiling."""
+    """Title: largest tested setting that allows a disconnect in any mud, compared with the ceiling."""
     high = _ends(outcome, tension_ratio)[1]
     ceiling = float(window["setting_ceiling"].max()) / 1e6
     if np.isnan(high).all():
@@ -127,7 +128,7 @@ def _allowed(window: xr.Dataset, outcome: xr.Dataset, tension_ratio: float) -> s
 
 
 def heaviest(at: xr.Dataset) -> float | None:
-    """Mud density (kg/m3) from which on there is no setting; None where there always is."""
+    """Mud density (kg/m3) above which no setting is allowed; None if every density has one."""
     gap, mud = at["setting_gap"].values, at["mud_weight"].values
     closed = np.flatnonzero(gap < 0.0)
     if not len(closed):

@@ -13,7 +13,7 @@ STYLES = (":", "-", "--")
 
 
 def watch_circles(watch_circles: xr.Dataset) -> Figure:
-    """Red and yellow circle by the time that a disconnect takes, and the first limit."""
+    """Red and yellow circle for each disconnect time, and the first limit, over current."""
     muds = watch_circles["mud_weight"].values
     figure, axes = panels(1, len(muds), 4.0, sharey=True)
     for ax, mud in zip(axes, muds, strict=True):
@@ -35,7 +35,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
 
 
 def _answer(circles: xr.Dataset) -> str:
-    """The first current in which an alarm comes too late in some mud, with the middle disconnect time."""
+    """Title: weakest current in which an alarm is too late in any mud, with the middle disconnect time."""
     eds = float(circles["eds_time"][circles.sizes["eds_time"] // 2])
     at = circles.sel(eds_time=eds)
     labels = []

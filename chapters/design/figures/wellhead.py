@@ -1,4 +1,4 @@
-"""Design, wellhead: how far damage of a conductor is not known, and which inputs explain that."""
+"""Design, wellhead: uncertainty of the fatigue damage of a conductor, and the inputs that explain it."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     share = 100.0 * (np.arange(len(damage)) + 0.5) / len(damage)
     left.plot(damage, share, "o", color=COLOURS[0], markersize=3)
     left.set_xscale("log")
-    left.xaxis.set_minor_formatter(NullFormatter())  # within a decade its labels overlap
+    left.xaxis.set_minor_formatter(NullFormatter())  # labels within a decade overlap
     error = 100.0 * float(wellhead_fatigue["damage_error"])
     left.set_xlabel(
         f"damage of the conductor (1/year)\nmesh and step change it by {error:.1g} % at most"
