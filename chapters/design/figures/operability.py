@@ -87,7 +87,7 @@ def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
 
 
 def _answer(of: xr.Dataset, mode: str) -> str:
-    """Title: width of the offsets allowed in all muds, in the strongest current with any, or that none are."""
+    """Title: width of the offset range of all muds, in the strongest current with any; or there is none."""
     low, high = (of["envelope_offset"].sel(offset_side=side) for side in ("low", "high"))
     lowest, highest = low.max("mud_weight", skipna=False), high.min("mud_weight", skipna=False)
     speeds = of["surface_speed"].values
