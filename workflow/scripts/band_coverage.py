@@ -1,7 +1,8 @@
-"""How often bands hold what comes, over drawn records: `python workflow/scripts/band_coverage.py`.
+"""Coverage of bands for later years, over random records: `python workflow/scripts/band_coverage.py`.
 
-Records are of two kinds: shares of years that persist by a known exponent, and years of hourly sea states of
-the synthetic record. Each is cut into years that are known and years that follow. Prints a table.
+There are two kinds of records: yearly shares with a known exponent of persistence, and years of hourly sea
+states of the synthetic record. Each record is split into known years and the years that follow. The script
+prints a table of how often the mean of the later years is within the band.
 """
 
 from __future__ import annotations
@@ -24,7 +25,7 @@ HOURS = 8766
 KNOWN, AHEAD = (3, 5, 10, 20), (3, 5, 10)
 EXPONENTS = (0.5, 0.66, 0.9)
 TRIALS, RECORDS = 400, 8
-MEAN, DEVIATION = 0.85, 0.03  # of shares of years, about
+MEAN, DEVIATION = 0.85, 0.03  # of yearly shares, approximate
 LIMITS = (1.5, 2.5, 4.0)  # m, of the significant height
 
 
@@ -53,7 +54,7 @@ def main() -> None:
 
 
 def coverage(records: list[list[Year]], known: int, methods: tuple[Bands, ...]) -> list[float]:
-    """Share of records whose later years have a mean within the band that the first ones give."""
+    """Share of records, by method, in which the mean of later years is within the band of the first years."""
     held = np.zeros(len(methods))
     for years in records:
         came = np.mean([year.share for year in years[known:]])
@@ -63,12 +64,12 @@ def coverage(records: list[list[Year]], known: int, methods: tuple[Bands, ...]) 
 
 
 def at_exponent(persistence: float) -> Bands:
-    """Bands of years to come with years that persist so."""
+    """Return a function that computes bands of later years with an exponent of persistence."""
     return lambda years, count: band_of_next(years, count, persistence)
 
 
 def with_replacement(years: list[Year], count: int) -> Band:
-    """Bands as they were before: years of record are drawn with replacement, and those to come of them."""
+    """Bands by the former method: known years are resampled, and later years are drawn from each sample."""
     draw = np.random.default_rng(0)
     shares = np.array([year.share for year in years])
     chosen = draw.integers(len(years), size=(2000, len(years)))
@@ -80,28 +81,28 @@ def with_replacement(years: list[Year], count: int) -> Band:
 def noise(
     exponent: float, length: int, trials: int = TRIALS, seed: int = 0
 ) -> Iterator[list[Year]]:
-    """Records of years whose shares persist: increments of fractional Brownian motion."""
+    """Yield records of years whose shares persist: increments of fractional Brownian motion."""
     draw = np.random.default_rng(seed)
     at = np.arange(length + 1.0)
     power = 2.0 * exponent
     motion = at[:, None] ** power + at**power - np.abs(at[:, None] - at) ** power
     increments = np.diff(np.diff(motion, axis=0), axis=1) / 2.0
     values = draw.standard_normal((trials, length)) @ np.linalg.cholesky(increments).T
-    slope = np.sqrt(MEAN * (1.0 - MEAN))  # of the share over the arcsine of its root, halved
+    slope = np.sqrt(MEAN * (1.0 - MEAN))  # d share / d arcsine of its root, halved
     shares = np.sin(np.arcsin(np.sqrt(MEAN)) + values * DEVIATION / (2.0 * slope)) ** 2
     for row in shares:
         yield [Year(2001 + k, HOURS, s * HOURS, 1.0) for k, s in enumerate(row)]
 
 
 def years_of_seas(seed: int, count: int = 100) -> list[list[Year]]:
-    """Years of an hourly record, a list for each limit of the height."""
+    """Years of an hourly synthetic record, one list for each limit of the significant height."""
     record = synthetic(count, seed)
     height, time = record["significant_wave_height"].values, record["time"].values
     return [by_year(time, height <= limit, 1.0) for limit in LIMITS]
 
 
 def cut(hourly: list[list[list[Year]]], length: int) -> Iterator[list[Year]]:
-    """Stretches of so many years, one after the other, of all limits."""
+    """Yield consecutive periods of ``length`` years, without overlap, of all records and limits."""
     for limits in hourly:
         for years in limits:
             for first in range(0, len(years) - length + 1, length):

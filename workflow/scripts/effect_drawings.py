@@ -1,6 +1,6 @@
-"""A small drawing of each effect, as SVG text that a page shows and git keeps: 120 by 120 units, z upwards.
+"""A small drawing of each effect, as SVG text for a page and the repository: 120 by 120 units, z upwards.
 
-Black: the riser and what is solid; blue: water; orange: what the effect does; grey: other parts.
+Black: the riser and solid parts; blue: water; orange: the action of the effect; grey: other parts.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ STYLE = (
 
 
 def drawing(name: str) -> str:
-    """The drawing of an effect.
+    """Return the drawing of an effect.
 
     Raises
     ------
     KeyError
-        When none is drawn for it.
+        When the effect has no drawing.
     """
     parts = "".join(_DRAWINGS[name])
     return (
@@ -36,11 +36,11 @@ def drawing(name: str) -> str:
 
 
 def file_of(name: str) -> str:
-    """Its file, without folder."""
+    """Return the file name of an effect's drawing, without folder."""
     return f"{name.replace(' ', '_')}.svg"
 
 
-# what many drawings have
+# parts of many drawings
 
 PIPE = line("r", (60, 6), (60, 114))
 LEANING = line("r", *((44 + 32 * (t / 20) ** 1.5, 8 + 104 * t / 20) for t in range(21)))
@@ -50,14 +50,14 @@ BED = box("g", 0, 0, 120, 14)
 
 
 def waves(height: float = 7.0, level: float = 88.0) -> str:
-    """A wavy surface."""
+    """A water surface with waves."""
     return line(
         "w", *((x, level + height * math.cos(2 * math.pi * x / 80)) for x in range(0, 121, 3))
     )
 
 
 def rows(x: float, pairs: Iterable[tuple[float, float]], kind: str = "e") -> str:
-    """Level arrows from x, by height and length."""
+    """Horizontal arrows that start at x, from pairs of height and length."""
     return "".join(arrow((x, z), (x + way, z), kind) for z, way in pairs)
 
 
@@ -67,7 +67,7 @@ def rig(z: float = 92.0) -> str:
 
 
 def cylinder(left: float, low: float, high: float, kind: str = "p") -> str:
-    """A cylinder with its rod downwards."""
+    """A cylinder whose rod points downwards."""
     middle = 0.5 * (low + high)
     return box(kind, left - 7, middle, 14, high - middle) + line(kind, (left, middle), (left, low))
 

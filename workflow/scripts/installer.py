@@ -1,9 +1,9 @@
-"""Install locked packages with uv, else with pip. Needs nothing but the standard library.
+"""Install locked packages with uv, or else with pip. Uses only the standard library.
 
-uv installs in seconds what takes pip a minute. It is a package of the index like any other:
-``installer.lock`` names it with its hashes, and pip puts it into the cache, not into an environment.
-It reads none of pip's settings, so those that lead to the index are handed over. Where it has no
-wheel, or fails, pip installs the same locks.
+uv installs in seconds; pip needs a minute. uv is an ordinary package of the index: ``installer.lock``
+names it with its hashes, and pip installs it into the cache, not into an environment. uv does not read
+pip's settings; therefore this script passes on the settings that give access to the index. If uv has
+no wheel for the platform, or if it fails, pip installs the locks instead.
 
 ``python installer.py LOCK ...`` installs locks into the environment of the Python that runs it.
 """
@@ -28,21 +28,21 @@ LOCKED = ("--require-hashes", "--no-build-isolation")
 #: a dependency of Snakemake that has no wheel for Python 3.14 yet, and works without its compiled part
 PURE = "immutables"
 PURE_FROM = (3, 14)
-REASON = 500  # characters of what a program said that failed
+REASON = 500  # characters of the error output of a failed program
 Command = tuple[object, ...]
 
 
 def install_lock(python: Path, lock: Path) -> None:
-    """Install what a lock file names, hashes checked, into the environment of a Python of this version."""
+    """Install the packages of a lock, with hashes checked, in the environment of a Python of this version."""
     if sys.version_info >= PURE_FROM and (block := block_of(PURE, lock.read_text("utf-8"))):
         install_pure(python, block)
     install(python, *LOCKED, "-r", lock)
 
 
 def install_pure(python: Path, block: str) -> None:
-    """Install a package without its compiled part: what the compiler would make is left out.
+    """Install a package without its compiled part: a command that does nothing replaces the compiler.
 
-    Neither installer may keep that wheel for other environments of this user.
+    Neither installer may keep this wheel for other environments of the user.
     """
     with tempfile.TemporaryDirectory() as folder:
         lock = Path(folder) / "pure.lock"
@@ -52,18 +52,18 @@ def install_pure(python: Path, block: str) -> None:
 
 
 def block_of(package: str, lock: str) -> str:
-    """The lines of a lock that pin a package; "" where there are none."""
+    """Return the lines of a lock that pin a package; "" if there are none."""
     found = re.search(rf"^{re.escape(package)}==.*(\n .*)*\n?", lock, re.MULTILINE)
     return found[0] if found else ""
 
 
 def install(python: Path, *words: object, env: dict[str, str] | None = None) -> None:
-    """Install with options that both installers know, silently unless it fails.
+    """Install with options that both installers know, without output unless the installation fails.
 
     Raises
     ------
     subprocess.CalledProcessError
-        When pip could not install it, either.
+        When pip fails, too.
     """
     env = dict(env or os.environ)
     if (uv := uv_for(python)) and uv_installs(uv, python, words, env):
@@ -72,7 +72,7 @@ def install(python: Path, *words: object, env: dict[str, str] | None = None) -> 
 
 
 def uv_installs(uv: Path, python: Path, words: Command, env: dict[str, str]) -> bool:
-    """Whether uv could install it; tells why not."""
+    """Return whether uv could install; if not, print the reason."""
     settings = pip_settings(python)
     options = ["--no-index"] if agreed(settings.get("no-index", "")) else []
     command = (uv, "pip", "install", "--quiet", "--python", python, *options, *words)
@@ -80,7 +80,7 @@ def uv_installs(uv: Path, python: Path, words: Command, env: dict[str, str]) -> 
 
 
 def uv_for(python: Path) -> Path | None:
-    """The locked uv, fetched by pip unless it is there; None, and why is told, where it cannot be had."""
+    """Return the locked uv, which pip downloads if it is missing; if pip cannot, print why, return None."""
     folder = UV_CACHE / hashlib.sha256(UV_LOCK.read_bytes()).hexdigest()[:12]
     uv = folder / "bin" / "uv"
     if uv.exists():
@@ -99,7 +99,7 @@ def uv_for(python: Path) -> Path | None:
 
 
 def succeeds(command: Command, env: dict[str, str], lacking: str) -> bool:
-    """Whether a command could be run and ended well; its reason is passed on where not."""
+    """Return whether a command could be run and succeeded; if not, print the reason."""
     words = [str(word) for word in command]
     try:
         done = subprocess.run(words, env=env, capture_output=True, text=True, errors="replace")
@@ -114,53 +114,53 @@ def succeeds(command: Command, env: dict[str, str], lacking: str) -> bool:
 
 
 def pip_of(python: Path) -> Command:
-    """The environment's pip."""
+    """Return the command that runs the environment's pip."""
     return (python, "-m", "pip", "--disable-pip-version-check")
 
 
 def run(*command: object, env: dict[str, str] | None = None) -> None:
-    """Run a command; its failure is an exception."""
+    """Run a command; raise an exception if it fails."""
     subprocess.run([str(word) for word in command], check=True, env=env)
 
 
-# What leads to the index
+# Settings that give access to the index
 
 
 @cache
 def pip_settings(python: Path) -> dict[str, str]:
-    """Options of ``pip install`` that this user has set, in files or in the environment."""
+    """Return the options of ``pip install`` that this user has set, in files or in the environment."""
     command = [*map(str, pip_of(python)), "config", "list"]
     reported = subprocess.run(command, capture_output=True, text=True, errors="replace").stdout
     found = re.findall(r"^(global|install|:env:)\.([\w-]+)=(.*)$", reported, re.MULTILINE)
     settings: dict[str, str] = {}
-    for place in ("global", "install", ":env:"):  # the later wins
+    for place in ("global", "install", ":env:"):  # later ones have priority
         settings |= {name: literal(value) for where, name, value in found if where == place}
     return settings
 
 
 def literal(text: str) -> str:
-    """A value as pip prints it: quoted."""
+    """Return a value without the quotes that pip prints around it."""
     with suppress(ValueError, SyntaxError):
         return str(ast.literal_eval(text))
     return text
 
 
 def agreed(text: str) -> bool:
-    """Whether an option is switched on."""
+    """Return whether an option is switched on."""
     return text.lower() in ("1", "true", "yes", "on", "y", "t")
 
 
 def listed(separator: str) -> Callable[[str], str]:
-    """Several values, which pip parts by blanks, parted otherwise."""
+    """Return a function that replaces the blanks between values of pip with a separator."""
     return lambda value: separator.join(value.split())
 
 
 def same(value: str) -> str:
-    """One value."""
+    """Return a single value unchanged."""
     return value
 
 
-#: options of pip, and the variables by which uv is told the same
+#: options of pip, and the environment variables of uv with equal meaning
 HANDED_OVER: dict[str, tuple[tuple[str, ...], Callable[[str], str]]] = {
     "index-url": (("UV_DEFAULT_INDEX",), same),
     "extra-index-url": (("UV_INDEX",), listed(" ")),
@@ -177,17 +177,17 @@ HANDED_OVER: dict[str, tuple[tuple[str, ...], Callable[[str], str]]] = {
 
 
 def with_settings(env: dict[str, str], settings: dict[str, str]) -> dict[str, str]:
-    """An environment in which uv reaches the index as pip does; what it tells uv itself wins."""
-    # Any index may have what is locked: the hashes decide.
+    """Return an environment in which uv uses pip's index; existing variables of uv have priority."""
+    # Any index may provide a locked file: its hash is checked.
     found = {"UV_INDEX_STRATEGY": "unsafe-best-match"}
     for option, (names, of) in HANDED_OVER.items():
         if option in settings:
             found |= dict.fromkeys(names, of(settings[option]))
-    for bundle in ("CURL_CA_BUNDLE", "REQUESTS_CA_BUNDLE"):  # in pip they win, uv knows neither
+    for bundle in ("CURL_CA_BUNDLE", "REQUESTS_CA_BUNDLE"):  # pip prefers them, uv ignores them
         if env.get(bundle):
             found["SSL_CERT_FILE"] = env[bundle]
     if "SSL_CERT_FILE" not in found | env:
-        found["UV_SYSTEM_CERTS"] = "true"  # pip trusts what the system trusts
+        found["UV_SYSTEM_CERTS"] = "true"  # pip trusts the system's certificates
     return env | {
         name: value for name, value in found.items() if not (name.startswith("UV_") and name in env)
     }

@@ -1,9 +1,10 @@
-"""Make .venv from the hashed locks, see ``installer.py``. Needs nothing but the standard library.
+"""Make .venv from the hashed locks, see ``installer.py``. Uses only the standard library.
 
-The order is what makes the install closed: first the build backends, hashed; then everything else,
-hashed and built without isolation, since one dependency is published as source only and its build
-would otherwise fetch a backend that no lock names; then the project itself. An environment that was
-complete is brought to another lock in place: what differs is installed, what no lock names is removed.
+The order of installation ensures that only locked packages are used. First come the build backends,
+with hashes; then all other packages, with hashes and built without isolation, because one dependency
+is published only as source, and its build would otherwise download a backend that no lock names;
+then the project itself. A complete environment is updated in place when a lock changes: packages that
+differ are installed, and packages that no lock names are removed.
 """
 
 import fcntl
@@ -22,7 +23,7 @@ ROOT = Path(__file__).resolve().parents[2]
 VENV = ROOT / ".venv"
 PYTHON = VENV / "bin" / "python"
 LOCKS = (ROOT / "build.lock", ROOT / "requirements.lock")
-#: what most processes of a study import
+#: modules that most processes of a study import
 IMPORTED = (
     "snakemake.cli, snakemake.workflow, numba, xarray, netCDF4, scipy.optimize, scipy.interpolate"
 )
@@ -32,11 +33,11 @@ IMPORTED += (
 
 
 def main(marker: Path) -> int:
-    """Bring the environment up to date and touch `marker` last."""
+    """Update the environment, and touch `marker` last."""
     if sys.prefix != sys.base_prefix:  # started from an environment, perhaps the one to replace
         base = getattr(sys, "_base_executable", sys.executable)
         os.execv(base, [base, *sys.argv])
-    (ROOT / ".cache").mkdir(mode=0o700, exist_ok=True)  # what it holds is executed
+    (ROOT / ".cache").mkdir(mode=0o700, exist_ok=True)  # private: its files are executed
     with (ROOT / ".cache" / "environment.lock").open("a+") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -57,7 +58,7 @@ def main(marker: Path) -> int:
 
 
 def bring_up_to_date(marker: Path) -> None:
-    """Install the locked packages unless they are there, then the project."""
+    """Install the locked packages unless they are installed, then the project."""
     locked = VENV / f".locked-{locks_digest()}"
     if not locked.exists():
         python = f"Python {platform.python_version()}"
@@ -68,7 +69,7 @@ def bring_up_to_date(marker: Path) -> None:
             shutil.rmtree(VENV, ignore_errors=True)
             run(sys.executable, "-m", "venv", VENV)
         for former in VENV.glob(".locked-*"):
-            former.unlink()  # from here on it is not complete
+            former.unlink()  # from here on the environment counts as incomplete
         for lock in LOCKS:
             install_lock(PYTHON, lock)
         if complete and (strangers := not_locked()):
@@ -82,9 +83,10 @@ def bring_up_to_date(marker: Path) -> None:
 
 
 def compile_modules() -> None:
-    """Compile the modules that matter where Python is told to write none: every job would do it again.
+    """Compile the modules of `IMPORTED` if Python is set to write no bytecode.
 
-    Elsewhere each is compiled when it is first imported; most never are.
+    Each job would compile them again. With bytecode, Python compiles a module at its first import, and
+    most modules are never imported.
     """
     if os.environ.get("PYTHONDONTWRITEBYTECODE"):
         env = os.environ | {"PYTHONDONTWRITEBYTECODE": ""}
@@ -92,7 +94,7 @@ def compile_modules() -> None:
 
 
 def is_complete() -> bool:
-    """Whether there is an environment of this Python that was made here and came to its end."""
+    """Return whether a completely installed environment of this Python version, made here, exists."""
     if not any(VENV.glob(".locked-*")):
         return False
     about = (VENV / "pyvenv.cfg").read_text("utf-8")
@@ -102,7 +104,7 @@ def is_complete() -> bool:
 
 
 def not_locked() -> list[str]:
-    """Installed packages that no lock names, besides this project and the installer."""
+    """Return the installed packages that no lock names, except this project and the installer."""
     named = {name for lock in LOCKS for name in re.findall(r"^([\w.-]+)==", lock.read_text(), re.M)}
     command = [*map(str, pip_of(PYTHON)), "list", "--format=freeze"]
     answers = subprocess.run(command, check=True, capture_output=True, text=True)
@@ -112,12 +114,12 @@ def not_locked() -> list[str]:
 
 
 def plain(name: str) -> str:
-    """A package's name as the index compares it."""
+    """Return a package's name in the form in which the index compares names."""
     return re.sub(r"[-_.]+", "-", name).lower()
 
 
 def locks_digest() -> str:
-    """Digest of what the installed packages depend on: the locks and the place."""
+    """Return a digest of the locks and the project's path, on which the installed packages depend."""
     content = b"".join(lock.read_bytes() for lock in LOCKS) + os.fsencode(ROOT)
     return hashlib.sha256(content).hexdigest()[:12]
 

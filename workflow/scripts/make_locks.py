@@ -1,8 +1,8 @@
-"""Resolve the dependencies into the lock files. Needs nothing but the standard library.
+"""Resolve the dependencies into the lock files. Uses only the standard library.
 
-Each lock serves every supported Python at once, with one version of each package for all of them,
-so that results do not change with the interpreter. A lock holds neither an address nor a path: any
-index that serves the same files will do.
+Each lock is valid for every supported Python, with one version of each package for all of them, so
+that results do not change with the interpreter. A lock contains neither an address nor a path: any
+index that provides identical files can be used.
 """
 
 import os
@@ -31,7 +31,7 @@ OPTIONS = (
 
 
 def main() -> None:
-    """Write requirements.lock first: the other locks agree with it."""
+    """Write all locks, requirements.lock first: the other locks, except crate.lock, agree with it."""
     with tempfile.TemporaryDirectory() as folder:
         venv.create(folder, with_pip=True)
         tools = Path(folder) / "bin"
@@ -42,25 +42,28 @@ def main() -> None:
         for group in ("build", "bench", "slurm", "formats", "container", "installer"):
             agree = ("--constraints", "requirements.lock")
             run(*uv, f"--group={group}", *agree, f"--output-file={group}.lock", env=env)
-        # for an environment of its own, as it needs an older release of a library of ours
+        # for a separate environment, because it needs an older release of a library of riserstudy
         run(*uv, "--group=crate", "--output-file=crate.lock", env=env)
         print(about_pure(tools / "uv", env))
 
 
 def leading_to_the_index(python: Path) -> dict[str, str]:
-    """Settings of pip without further places: they may hold a few files of a release, a lock names all."""
+    """Return pip's settings without extra indexes and links, which may lack files of a release.
+
+    A lock names all files of a release.
+    """
     settings = pip_settings(python)
     return {name: settings[name] for name in settings.keys() - {"extra-index-url", "find-links"}}
 
 
 def pinned(group: str) -> list[str]:
-    """What a dependency group of the project names."""
+    """Return the requirements of a dependency group of the project."""
     about = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
     return list(about["dependency-groups"][group])
 
 
 def about_pure(uv: Path, env: dict[str, str]) -> str:
-    """Whether the dependency that newer Pythons use without its compiled part has a wheel for them now."""
+    """State whether `PURE`, used without its compiled part in newer Pythons, has a wheel for them now."""
     version = ".".join(map(str, PURE_FROM))
     requested = (
         uv,
@@ -86,7 +89,7 @@ def about_pure(uv: Path, env: dict[str, str]) -> str:
 
 
 def run(*command: object, env: dict[str, str] | None = None) -> None:
-    """Run a command in the project's folder; its failure ends the program."""
+    """Run a command in the project's folder; exit if it fails."""
     words = [str(word) for word in command]
     status = subprocess.run(words, cwd=ROOT, stdout=subprocess.DEVNULL, env=env)
     if status.returncode:

@@ -1,6 +1,6 @@
-"""Make the pictures of README and docs: from scenes, from the results of `make study`, and drawn.
+"""Make the pictures of README and docs from scenes, from the results of `make study`, and by drawing code.
 
-Small files, since a repository keeps every one of them.
+The files are small, because the repository keeps all of them.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ from theory_drawings import drawings
 ROOT = Path(__file__).resolve().parents[2]
 IMAGES = ROOT / "docs/images"
 THUMBNAIL = 520  # pixels wide: twice as wide as shown, for fine screens
-PAGES = {"numerics/random_scenes": 1126}  # figures that pages show, and how wide (pixels)
+PAGES = {"numerics/random_scenes": 1126}  # figures on pages, and their width (pixels)
 SNAPSHOTS = ("ref_0", (10, 20, 30, 40, 50, 60))  # a run of Liu et al. (2017), and times (s)
 
 
 def main() -> None:
-    """Write all of them."""
+    """Write all pictures."""
     save(overview(), IMAGES / "overview.png", dpi=110)
-    rcParams["svg.hashsalt"] = "riserstudy"  # the same drawing is the same file
+    rcParams["svg.hashsalt"] = "riserstudy"  # equal drawings give equal files
     for name, figure in drawings().items():
         figure.savefig(IMAGES / f"{name}.svg", metadata={"Date": None}, transparent=False)
     (IMAGES / "drive_off.svg").write_text(drive_off(), "utf-8")
@@ -54,7 +54,7 @@ STYLE = """<style>.water{fill:#4a8fc4;opacity:.18}.bed{fill:#8a949c;opacity:.6}
 
 
 def drive_off() -> str:
-    """The run in motion of Liu et al. (2017) as a small SVG that plays by itself."""
+    """Return the animated run of Liu et al. (2017) as a small SVG that plays automatically."""
     displayed = read_studies(ROOT / "config", "liu2017").in_motion
     if displayed is None:
         raise LookupError("liu2017 shows no run in motion")
@@ -70,7 +70,7 @@ def drive_off() -> str:
 
 
 def shrunk(name: str, width: int, target: Path) -> None:
-    """A figure of the results, so many pixels wide."""
+    """Write a figure of the results with a width in pixels."""
     target.parent.mkdir(exist_ok=True)
     with Image.open(ROOT / f"results/{name}.png") as picture:
         height = round(picture.height * width / picture.width)
@@ -78,7 +78,7 @@ def shrunk(name: str, width: int, target: Path) -> None:
 
 
 def gallery() -> list[str]:
-    """Figures that the gallery names, as `paper/figure`."""
+    """Return the names of the gallery's figures, as `paper/figure`."""
     page = (ROOT / "docs/gallery.md").read_text("utf-8")
     return [
         name
@@ -88,7 +88,7 @@ def gallery() -> list[str]:
 
 
 def overview() -> Figure:
-    """A riser as its scene has it, and what a drive-off makes of it."""
+    """Draw the riser of a scene to scale, and its shapes during a drive-off."""
     run, times = SNAPSHOTS
     figure = schematic(load_scene(ROOT / f"config/scenes/liu2017/{run}.yaml").resolved())
     whole, *ends = figure.axes
@@ -123,10 +123,10 @@ def save(figure: Figure, target: Path, dpi: int) -> None:
 
 
 def few_colours(picture: Image.Image, target: Path) -> None:
-    """Write a picture with a palette: a third of the size, and no eye sees it in a drawing.
+    """Write a picture with a palette: a third of the file size, without a visible change of a drawing.
 
-    The palette covers the colours that there are, however few the pixels of thin lines: by the median of
-    pixels blue and green lines became one colour.
+    The palette covers all colours of the picture, also of thin lines with few pixels. A palette by the
+    median of pixels had a single colour for blue and green lines.
     """
     reduced = picture.convert("RGB").quantize(
         128, method=Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE

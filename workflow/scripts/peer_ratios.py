@@ -1,4 +1,4 @@
-"""Draw the table of ratios of the page on other simulators: picture and table have the same numbers."""
+"""Draw the table of ratios of the page on other simulators, so that picture and table agree."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ MARKS = "sD^o"
 
 
 class Ratio(NamedTuple):
-    """Time of a simulator over riserstudy's at one level of error; none where it does not reach the level."""
+    """Run time of a simulator divided by riserstudy's at one level of error; None if it is not reached."""
 
     scene: str
     quantity: str
@@ -27,7 +27,7 @@ class Ratio(NamedTuple):
 
 
 def ratios(page: str) -> list[Ratio]:
-    """Every cell of the table; an em dash or words in place of a number are cells without one."""
+    """Read every cell of the table; a cell with an em dash or words in place of a number has no ratio."""
     head = re.search(r"^\| +\| level \|(.*)\|$", page, re.M)
     if not head:
         raise LookupError("no table with a column 'level'")
@@ -46,7 +46,7 @@ def ratios(page: str) -> list[Ratio]:
 
 
 def drawing(found: list[Ratio]) -> Figure:
-    """Ratios at every level, one row per scene, quantity and level."""
+    """Draw the ratios at every level, one row per scene, quantity and level."""
     rows = list(dict.fromkeys((one.scene, one.quantity, one.level) for one in found))
     simulators = list(dict.fromkeys(one.simulator for one in found))
     figure, (ax,) = panels(height=4.6)

@@ -1,4 +1,4 @@
-"""Predict the vibration of the model riser in a stepped current, over its speed, into a table."""
+"""Predict the vibration of the model riser in a stepped current at several speeds, and write a table."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from riserstudy.simulation.refine import run
 FOLDER = Path(__file__).resolve().parents[2] / "config/predictions"
 SPEEDS = (0.16, 0.31, 0.45, 0.6, 0.75, 0.9, 1.0)  # m/s
 DIAMETER = 0.028  # m
-MODES = 16  # looked for
+MODES = 16  # number of modes among which the dominant one is sought
 COLUMNS = (
     "speed (m/s)",
     "dominant mode across the flow",
@@ -26,14 +26,14 @@ COLUMNS = (
 
 
 def at_speed(file: SceneFile, speed: float) -> SceneFile:
-    """The scene with another speed (m/s) of the current."""
+    """Return the scene with another current speed (m/s)."""
     return file.with_values(
         {f"current.profile[{k}].speed": f"{speed} m/s" for k in (0, 1)}, "predictions"
     )
 
 
 def predicted(result: Result, diameter: float) -> list[float]:
-    """A row's values of a run; diameter in m."""
+    """Return the values of a table row from a run; diameter in m."""
     arrays, facts = result.arrays, result.facts
     late = arrays["time"] >= facts["vibration_since"]
     y, length = arrays["y"][late], arrays["s"][-1]

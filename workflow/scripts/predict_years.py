@@ -1,7 +1,8 @@
-"""Hours of years kept back, from those before: `python workflow/scripts/predict_years.py RECORD [--open]`.
+"""Predict the workable hours of withheld years from the years before them.
 
-Without --open rows after the last known year are dropped before anything is computed, and predictions are
-written; with it the sealed ones are compared with what came.
+Use: `python workflow/scripts/predict_years.py RECORD [--open]`. Without --open, rows after the last known
+year are removed before any computation, and predictions are written. With --open, the sealed predictions
+are compared with the hours that occurred.
 """
 
 from __future__ import annotations
@@ -22,7 +23,7 @@ FIRST, KNOWN, AHEAD = (
     1965,
     (3, 5, 10),
     (1, 5, 10),
-)  # first year, and how many are known and kept back
+)  # first year, numbers of known and of withheld years
 LIMITS = (
     *("hs <= 1 m", "hs <= 1.5 m", "hs <= 2 m", "hs <= 3 m", "hs <= 4 m"),
     *("wind_speed <= 8 m/s", "wind_speed <= 12 m/s", "wind_speed <= 16 m/s"),
@@ -31,7 +32,7 @@ COLUMNS = ("limit", "known", "years", "share", "low", "high")
 
 
 def main() -> None:
-    """Predict, or open."""
+    """Write predictions, or compare the sealed predictions with the record."""
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("record", type=Path)
     parser.add_argument("--open", action="store_true")
@@ -44,13 +45,13 @@ def main() -> None:
 
 
 def of_years(record: xr.Dataset, first: int, end: int) -> xr.Dataset:
-    """Rows of some years; those of the last one are left out."""
+    """Return the rows of the years from ``first`` to ``end``, without ``end``."""
     year = record["time"].values.astype("datetime64[Y]").astype(int) + 1970
     return record.isel(time=np.flatnonzero((year >= first) & (year < end)))
 
 
 def predicted(record: xr.Dataset) -> list[list[str]]:
-    """Share of workable hours of years kept back, with the band of nine in ten, from so many before them."""
+    """Predict the share of workable hours of withheld years, with a 90 % band, from the known years."""
     rows = []
     for limit in LIMITS:
         for known in KNOWN:
@@ -62,7 +63,7 @@ def predicted(record: xr.Dataset) -> list[list[str]]:
 
 
 def opened(record: xr.Dataset) -> list[list[str]]:
-    """The sealed rows with what came."""
+    """Return the sealed rows, each with the share that occurred and whether it is inside the band."""
     with SEALED.open(encoding="utf-8", newline="") as file:
         sealed = list(csv.reader(file))[1:]
     rows = []
@@ -75,7 +76,7 @@ def opened(record: xr.Dataset) -> list[list[str]]:
 
 
 def write(target: Path, head: tuple[str, ...], rows: list[list[str]]) -> None:
-    """Write a table."""
+    """Write a table as CSV, and print its path."""
     with target.open("w", encoding="utf-8", newline="") as file:
         csv.writer(file, lineterminator="\n").writerows([head, *rows])
     print(target)

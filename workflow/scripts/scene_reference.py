@@ -1,4 +1,4 @@
-"""The reference page of scene files, written from the models."""
+"""Write the reference page of scene files from the models."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ following comment in the first line of a scene. The path starts at the folder of
 
 
 def scene_reference() -> str:
-    """The page as Markdown."""
+    """Return the page as Markdown."""
     tables = []
     for place in PLACES:
         columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
@@ -81,7 +81,7 @@ def scene_reference() -> str:
 
 
 def _named(columns: tuple[str, ...]) -> str:
-    """Names of columns; of the phases of motions, the text around the list tells."""
+    """Names of columns, without phases of motions, which the text around the list explains."""
     return ", ".join(f"`{name}`" for name in columns if not name.endswith("_phase"))
 
 
@@ -99,7 +99,7 @@ US gallon. `lb` is a mass; `lbf`, `kip` and `tf` are forces.
 
 
 def units() -> str:
-    """Names of usual units, by the SI unit of what they measure."""
+    """Return the section with the names of usual units, by SI unit."""
     rows = [
         f"| `{unit}` | {', '.join(f'`{name}`' for name in names)} |"
         for unit, names in usual_units().items()
@@ -108,7 +108,7 @@ def units() -> str:
 
 
 def models(first: type[BaseModel] = Scene) -> list[type[BaseModel]]:
-    """A model and every model below it, each after the one that first mentions it."""
+    """Return a model and every model below it, each after the model that first mentions it."""
     reached = [first]
     for field in first.model_fields.values():
         for below in _models_in(field.annotation):
@@ -128,18 +128,18 @@ def _prose(model: type[BaseModel]) -> str:
 
 
 def title(model: type[BaseModel]) -> str:
-    """Name of a model as a heading: the parameter of a generic one stands behind it."""
+    """Return the name of a model as a heading, with the parameter of a generic model after "of"."""
     return model.__name__.replace("[", " of ").replace("]", "")
 
 
 def described(field: FieldInfo) -> str:
-    """What a field takes, and whether it must be there."""
+    """Describe the values that a field accepts, and state whether it is required."""
     text = describe(field.annotation, field.metadata)
     return f"{text}; required" if field.is_required() else text
 
 
 def describe(kind: Any, limits: list[Any]) -> str:
-    """What a type takes, in words."""
+    """Describe in words the values that a type accepts."""
     if get_origin(kind) is Annotated:
         inner, *more = get_args(kind)
         for extra in more:

@@ -1,10 +1,10 @@
-r"""Motion of a semi-submersible in head waves by a formula: plausible, generic, of no unit ever built.
+r"""Motion of a semi-submersible in head waves by a formula: plausible and generic, not of a real unit.
 
 Twin pontoons (volume :math:`V_p`, length :math:`L`, centre at depth :math:`d_p`) carry columns (volume
 :math:`V_c`, waterplane :math:`A_w`, spacing :math:`b`, reaching down to :math:`d_c`). Deep water,
-:math:`k = \omega^2/g`, surface :math:`\cos(kx - \omega t)`, x the way the wave travels, motion
-:math:`\Re\,(R\,e^{i\omega t})` at the middle. Loads are those of water that the hull does not disturb, on
-displaced and added mass, and of pressure under the columns; :math:`u = kL/2`.
+:math:`k = \omega^2/g`, surface :math:`\cos(kx - \omega t)`, x in the direction of wave travel, motion
+:math:`\Re\,(R\,e^{i\omega t})` at the middle. The loads are forces of the undisturbed water on displaced and
+added mass, and pressure under the columns; :math:`u = kL/2`.
 
 .. math::
 
@@ -15,8 +15,8 @@ displaced and added mass, and of pressure under the columns; :math:`u = kL/2`.
     R_{pitch} &= i k\,\frac{C_5 e^{-k d_c} \frac{\sin (kb/2)}{kb/2} + (i\omega B_5 - \omega^2 (I_w + A_5))
         e^{-k d_p} \frac{3(\sin u - u \cos u)}{u^3}}{C_5 - \omega^2 (I + A_5) + i\omega B_5}
 
-At long periods heave and surge follow the water, and pitch the slope of the wave. Where the two parts
-of a numerator are equal the motion cancels; near the natural period it resonates. Mooring is left out.
+At long periods, heave and surge follow the water, and pitch follows the slope of the wave. Where the two
+parts of a numerator cancel, the motion vanishes; near its natural period, it resonates. Mooring is neglected.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, Coefficient
 
 DENSITY, GRAVITY = 1025.0, 9.81
-#: s, of tables; closer where columns and pontoons cancel each other, and about the resonance of heave
+#: periods of tables (s), closer where loads on columns and pontoons cancel, and near the heave resonance
 CLOSE = (4.0, 10.0), (19.0, 25.0)
 PERIODS = np.unique(
     np.concatenate(
@@ -49,7 +49,7 @@ PERIODS = np.unique(
 
 
 class Semisubmersible(Strict):
-    """Sizes of a unit, and the coefficients of its added mass and damping."""
+    """Dimensions of a unit, and the coefficients of its added mass and damping."""
 
     because: str
     waterplane: Annotated[u.Area, POSITIVE]
@@ -63,7 +63,7 @@ class Semisubmersible(Strict):
     pontoon_added_mass_vertical: Coefficient
     pontoon_added_mass_along: Coefficient
     column_added_mass: Coefficient
-    heave_damping: Annotated[float, Field(gt=0, lt=1)]  # of critical
+    heave_damping: Annotated[float, Field(gt=0, lt=1)]  # share of critical
     pitch_damping: Annotated[float, Field(gt=0, lt=1)]
 
 
@@ -80,12 +80,12 @@ class Oscillator(NamedTuple):
         return float(2.0 * np.pi * np.sqrt(self.mass / self.stiffness))
 
     def answer(self, w: NDArray[np.float64]) -> NDArray[np.complex128]:
-        """Load over motion."""
+        """Load divided by motion, complex, at angular frequencies w (rad/s)."""
         return np.asarray(self.stiffness - w**2 * self.mass + 1j * w * self.damping)
 
 
 def heave(unit: Semisubmersible) -> Oscillator:
-    """The unit in heave."""
+    """Return the oscillator of the unit in heave."""
     pontoons, columns = _masses(unit)
     mass = pontoons * (1.0 + unit.pontoon_added_mass_vertical) + columns
     stiffness = DENSITY * GRAVITY * unit.waterplane
@@ -93,7 +93,7 @@ def heave(unit: Semisubmersible) -> Oscillator:
 
 
 def pitch(unit: Semisubmersible) -> Oscillator:
-    """The unit in pitch."""
+    """Return the oscillator of the unit in pitch."""
     displacement = sum(_masses(unit))
     inertia = displacement * unit.radius_of_gyration**2 + _added_inertia(unit)
     stiffness = displacement * GRAVITY * unit.metacentric_height
@@ -103,7 +103,7 @@ def pitch(unit: Semisubmersible) -> Oscillator:
 def response(
     unit: Semisubmersible, period: NDArray[np.float64]
 ) -> dict[str, NDArray[np.complex128]]:
-    """Complex amplitudes of surge (m/m), heave (m/m) and pitch (rad/m, leaning the wave's way)."""
+    """Complex amplitudes of surge (m/m), heave (m/m) and pitch (rad/m, positive in wave direction)."""
     w = 2.0 * np.pi / np.asarray(period)
     k = w**2 / GRAVITY
     pontoons, columns = _masses(unit)
@@ -134,7 +134,7 @@ def response(
 
 
 def table(unit: Semisubmersible) -> str:
-    """The response as CSV: amplitudes a metre of wave amplitude, phases by which motions lead."""
+    """Return the response as CSV: amplitudes per metre of wave amplitude, and phase leads of the motions."""
     found = response(unit, PERIODS)
     units = {"surge": "m/m", "heave": "m/m", "pitch": "deg/m"}
     heading = [f"{name} ({of}),{name}_phase (deg)" for name, of in units.items()]
@@ -150,7 +150,7 @@ def table(unit: Semisubmersible) -> str:
 
 
 def _masses(unit: Semisubmersible) -> tuple[float, float]:
-    """Displaced by pontoons and by columns (kg)."""
+    """Masses of water displaced by pontoons and by columns (kg)."""
     columns = unit.waterplane * unit.column_depth
     return DENSITY * unit.pontoon_volume, DENSITY * columns
 
@@ -168,6 +168,6 @@ def _water_inertia(unit: Semisubmersible) -> float:
 
 
 def read_units(path: Path) -> dict[str, Semisubmersible]:
-    """Units of a file, by name."""
+    """Read the units of a file, by name."""
     tree = read_yaml(path)
     return {name: check(Semisubmersible, unit, f"{path}: {name}") for name, unit in tree.items()}

@@ -1,4 +1,4 @@
-"""Strokes of small drawings as SVG text: lines, arrows, springs, dampers, on 120 by 120 units, z up."""
+"""Parts of small drawings as SVG text: lines, arrows, springs, dampers, on 120 by 120 units, z upwards."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ SIZE = 120
 
 
 def short(value: float) -> str:
-    """A coordinate to a tenth."""
+    """Format a coordinate with at most one decimal."""
     return f"{value:.1f}".rstrip("0").rstrip(".")
 
 
@@ -20,7 +20,7 @@ def line(kind: str, *points: Point) -> str:
 
 
 def arrow(start: Point, end: Point, kind: str = "e") -> str:
-    """A line with a head at its end."""
+    """A line with an arrowhead at its end."""
     (x, z), (u, w) = start, end
     way = math.hypot(u - x, w - z)
     a, b = (u - x) / way, (w - z) / way
@@ -34,7 +34,7 @@ def arrow(start: Point, end: Point, kind: str = "e") -> str:
 
 
 def both_ways(start: Point, end: Point) -> str:
-    """A motion that goes both ways."""
+    """A double arrow, for motion in both directions."""
     middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
     return arrow(middle, end) + arrow(middle, start)
 
@@ -53,7 +53,7 @@ def zigzag(start: Point, end: Point, kind: str = "e", turns: int = 5, wide: floa
 
 
 def dashpot(start: Point, end: Point, kind: str = "e") -> str:
-    """A damper: a cup on the rod from one end, a plate on the rod from the other."""
+    """A damper: a cup on the rod from the start, and a plate on the rod from the end."""
     (x, z), (u, w) = start, end
     way = math.hypot(u - x, w - z)
     a, b = (u - x) / way, (w - z) / way
@@ -81,12 +81,12 @@ def ring(kind: str, x: float, z: float, radius: float) -> str:
 
 
 def turn(x: float, z: float, radius: float, start: float, end: float) -> str:
-    """An arc with a head at its end; angles in degrees, from the right, against the clock."""
+    """An arc with an arrowhead at its end; angles in degrees, anticlockwise from the right."""
     steps = [math.radians(start + (end - start) * k / 16) for k in range(17)]
     points = [(x + radius * math.cos(a), z + radius * math.sin(a)) for a in steps]
     return line("e", *points[:-1]) + arrow(points[-4], points[-1])
 
 
 def word(text: str, x: float, z: float) -> str:
-    """A few letters."""
+    """A short text."""
     return f'<text x="{short(x)}" y="{short(SIZE - z)}">{text}</text>'

@@ -14,7 +14,7 @@ Point = tuple[float, float]
 
 
 def drawings() -> dict[str, Figure]:
-    """Every drawing by the name of its file."""
+    """Return every drawing by the name of its file."""
     return {
         "theory_segments": segments(),
         "theory_flow": flow(),
@@ -24,7 +24,7 @@ def drawings() -> dict[str, Figure]:
 
 
 def _empty(figure: Figure, width: float, height: float, places: int = 1) -> list[Axes]:
-    """Panels without axes, in which a unit is the same in both directions."""
+    """Make panels without axes, with equal scales in both directions."""
     axes = list(figure.subplots(1, places, squeeze=False).flat)
     for ax in axes:
         ax.set(xlim=(0.0, width), ylim=(-0.2, height + 0.5), aspect="equal")
@@ -82,7 +82,7 @@ def conventions() -> Figure:
 
 
 def segments() -> Figure:
-    """Nodes and segments with angles and moments, and a segment cut free."""
+    """Nodes and segments with angles and moments, and the free-body diagram of a segment."""
     figure = Figure((8.4, 4.9), layout="constrained")
     left, right = _empty(figure, 6.0, 6.4, 2)
     nodes = np.array([(1.6, 0.5), (2.1, 2.4), (3.1, 4.2), (4.6, 5.7)])
@@ -148,7 +148,7 @@ def flow() -> Figure:
 
 
 def tensioner() -> Figure:
-    """A cylinder on the gas law: its measures, and its pull beside the tangent and a stop."""
+    """A gas cylinder: its dimensions, and its pull compared with the tangent, and with an end stop."""
     figure = Figure((8.4, 3.8), layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(1, 1.6))
     left.set(xlim=(0.0, 4.4), ylim=(0.0, 6.6), aspect="equal")
@@ -170,7 +170,7 @@ def tensioner() -> Figure:
     left.set_title("(a) one cylinder", fontsize="medium")
 
     x = np.linspace(-6.0, 6.0, 200)
-    pull = (1.0 / (1.0 - 0.06 * x)) ** 1.1  # A / V0 = 0.06 1/m, k = 1.1: a drawing, no scene
+    pull = (1.0 / (1.0 - 0.06 * x)) ** 1.1  # A / V0 = 0.06 1/m, k = 1.1: for the drawing only
     right.plot(x, pull, color=BLUE, label="gas law (12)")
     right.plot(x, 1.0 + 1.1 * 0.06 * x, "--", color=ORANGE, label="its tangent at mid-stroke")
     right.axvspan(5.0, 6.0, color="0.88")
