@@ -1,1 +1,1 @@
-"""Liu et al. 2020: what is derived from its runs, drawn and claimed."""
+"""Liu et al. 2020: derived datasets, figures and claims."""

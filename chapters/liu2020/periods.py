@@ -1,4 +1,4 @@
-"""Amplitudes over the last periods of a history, and whether they have settled."""
+"""Amplitudes over the last periods of a history, and their change from period to period."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import xarray as xr
 
 
 def half_swing(history: xr.DataArray, period: str | float, back: int = 0) -> xr.DataArray:
-    """Half of (largest - smallest) over one period, the last or one ``back`` from it.
+    """Half of (largest - smallest) over one period: the last one, or ``back`` periods before it.
 
     Parameters
     ----------
     history : over ``time`` (s).
-    period : in seconds, or a dimension of the history whose values are periods.
+    period : a period (s), or a dimension of the history whose values are periods (s).
     """
     return _by_period(history, period, back, lambda h, _: 0.5 * (h.max("time") - h.min("time")))
 
@@ -30,15 +30,15 @@ def first_harmonic(history: xr.DataArray, period: str | float) -> xr.DataArray:
 
 
 def settling(history: xr.DataArray, period: str | float) -> xr.DataArray:
-    """Relative change of the half swing from the last period but one to the last."""
+    """Relative change of the amplitude from the second-last period to the last."""
     last, before = half_swing(history, period), half_swing(history, period, back=1)
     return abs(last / before - 1.0)
 
 
 def beats(history: xr.DataArray, period: str) -> xr.DataArray:
-    """Largest difference of the half ranges of all whole periods of a record, over the largest of them.
+    """Largest amplitude of all whole periods minus the smallest, divided by the largest.
 
-    Zero where each period is as the one before; a beat shows where the record is as long as it.
+    Zero if all periods are equal. A beat is visible only if the record is at least as long as the beat.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""Static displacement of a riser in a current by methods that share nothing with the engine.
+"""Static displacement of a riser in a current by two methods that are independent of the engine.
 
-Both solve the small-slope beam (EI u'')'' - (T u')' = c |U| U, pinned above and pinned or on a spring
-below, with the tension of the straight riser and the current of the undeformed one.
+Both solve the small-slope beam (EI u'')'' - (T u')' = c |U| U. Its upper end is pinned, its lower end is
+pinned or has a rotational spring. Tension and current are evaluated on the straight, undeformed riser.
 """
 
 from __future__ import annotations
@@ -22,16 +22,16 @@ ELEMENTS = 400
 
 
 class Beamlike(NamedTuple):
-    """What the small-slope beam needs of a scene with one section and a top tension."""
+    """Data of the small-slope beam, from a scene with one section and a top tension."""
 
     length: float  # m
     stiffness: float  # N m2
     tension: float  # N, at the top
     weight: float  # N/m
     drag: float  # N s2/m3
-    elevation: FloatArray  # m above the bottom, of the current's table
+    elevation: FloatArray  # m above the bottom, of the current table
     speed: FloatArray  # m/s
-    spring: float = 0.0  # N m/rad, that turns the lower end back
+    spring: float = 0.0  # N m/rad, rotational stiffness of the lower end
 
     def current(self, s: FloatArray) -> FloatArray:
         """Speed of the water at arclengths (m/s)."""
@@ -43,7 +43,7 @@ class Beamlike(NamedTuple):
 
 
 def beamlike(scene: Resolved) -> Beamlike:
-    """Numbers of a scene."""
+    """Beam data of a scene."""
     pipe = scene.riser[0]
     if not (scene.top.tension and scene.current and scene.water and pipe.drag):
         raise TypeError("a beam in a current needs top tension, current and drag")
@@ -64,7 +64,7 @@ def beamlike(scene: Resolved) -> Beamlike:
 
 def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
     """Displacement (m) at arclengths by cubic finite elements."""
-    # Brings compiled kernels with it, for which other derived datasets need not wait.
+    # Imported here because it loads compiled kernels, which other derived datasets do not need.
     from riserstudy.solve.hermite import statics
     from riserstudy.solve.hermite_beam import Beam, End
 
@@ -90,7 +90,7 @@ def by_hermite_elements(beam: Beamlike, at: FloatArray) -> FloatArray:
 def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
     """Displacement (m) at arclengths by SciPy's solver of boundary value problems.
 
-    Unknowns over x = s / L: u/L, slope, M L / EI, Q L^2 / EI with Q the force across the undeformed riser.
+    Unknowns over x = s / L: u/L, slope, M L / EI and Q L^2 / EI. Q is the force across the undeformed riser.
     """
     scale = beam.length**2 / beam.stiffness
     turning = beam.spring * beam.length / beam.stiffness  # M = K u' at the lower end

@@ -1,4 +1,4 @@
-"""Liu et al. 2020: numbers that its errata quote."""
+"""Liu et al. 2020: numbers that the errata quote."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ from riserstudy.grading.verdict import ALMOST_ALWAYS
 from riserstudy.grading.word import Word
 
 LENGTH = 533.0  # m of riser
-RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a ratio of 1: at_period over pi
-WET = 220.0 / 15.24  # kg/m in water, of a joint of Table 1
+RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a damping ratio of 1: at_period divided by pi
+WET = 220.0 / 15.24  # kg/m in water, for a joint of Table 1
 
 
 def tensions(readings: xr.Dataset) -> dict[str, Any]:
-    """Tonnes in the readings that the erratum names, and times the riser's weight in water."""
+    """Tension (t) in the interpretations that the erratum names, and its ratio to the submerged weight."""
     every = constant_tension(readings).value.sel(gravity=9.81, pressures="absolute")
     tonnes = every.sel(mid_stroke="riser in equilibrium")
     sevens = tonnes.sel(cylinders="seven", pistons="6050 kg each")
@@ -51,9 +51,9 @@ def tensions(readings: xr.Dataset) -> dict[str, Any]:
 def forces(
     force: xr.Dataset, calibrated: xr.Dataset, slow: float, middle: float, fast: float
 ) -> dict[str, Any]:
-    """Horizontal forces (N) in the calibrated currents, and drag coefficients that profiles would need.
+    """Horizontal forces (N) in the calibrated currents, and the drag coefficients that profiles require.
 
-    ``slow``, ``middle``, ``fast``: those printed for 0.2, 0.6 and 1 m/s (N).
+    ``slow``, ``middle``, ``fast``: the forces printed for 0.2, 0.6 and 1 m/s (N).
     """
     both = calibrated["horizontal_force"]
     tuned, other = (
@@ -63,13 +63,13 @@ def forces(
     fastest = force["horizontal_force"].sel(surface_speed=1.0)
     printed = {0.2: slow, 0.6: middle, 1.0: fast}
     apart = [each / float(tuned.sel(surface_speed=u)) for u, each in printed.items()]
-    needed = fast / fastest  # of a drag coefficient of 1, to which the force is proportional
+    needed = fast / fastest  # drag coefficient, to which force is proportional; computed with 1
     return {
         "slow": float(tuned.sel(surface_speed=0.2)),
         "middle": float(tuned.sel(surface_speed=0.6)),
         "fast": float(tuned.sel(surface_speed=1.0)),
         "one": float(other.sel(surface_speed=1.0)),
-        # one factor on all forces, which are proportional to the drag coefficient
+        # a drag coefficient multiplies all forces by one factor
         "spread": (max(apart) - min(apart)) / (max(apart) + min(apart)),
         "linear_all": float(needed.sel(current_profile="linear", counted="all cylinders")),
         "linear_one": float(needed.sel(current_profile="linear", counted="one cylinder")),
@@ -80,10 +80,10 @@ def forces(
 
 
 def varied(variants: xr.Dataset) -> dict[str, Any]:
-    """Moment of variants over that of the scene (-, at 5 and 10 s), and with another length (kN m).
+    """Relative change of the moment in variants of the scene at 5 and 10 s; moment at another length (kN m).
 
-    With the damping that is printed, the largest change and its period (s), and that of the curvature: the
-    moment is E I (k + tau dk/dt), in periodic motion sqrt(1 + (w tau)^2) of the elastic one.
+    With the printed damping: the largest change, its period (s), and the change of the curvature there. The
+    moment is E I (k + tau dk/dt), in periodic motion sqrt(1 + (w tau)^2) times the elastic moment.
     """
     moment = variants["largest_bending_moment"]
     base = moment.sel(variant="as it is")
@@ -111,7 +111,7 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
 
 
 def heave_compared(heave: xr.Dataset, upright: xr.Dataset) -> dict[str, Any]:
-    """Amplitude of the axial force at the bottom (kN) with cylinders in space and upright."""
+    """Amplitude of the axial force at the bottom (kN), with cylinders in space and with upright cylinders."""
     upright_force = upright["effective_tension"].isel(s=0)
     swing = 0.5 * (upright_force.max("time") - upright_force.min("time"))
     at = heave["axial_force_amplitude"].sel(heave_amplitude=2.0, heave_period=15.0)
@@ -119,7 +119,7 @@ def heave_compared(heave: xr.Dataset, upright: xr.Dataset) -> dict[str, Any]:
 
 
 def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
-    """What cylinders' masses and losses would change: moment under roll, axial force under heave (-)."""
+    """Relative change of roll moment by the pistons' mass, and of axial force under heave by losses."""
     force = heave["effective_tension"].isel(s=0)
     swing = force.max("time") - force.min("time")
     lossless = swing.sel(losses="none")
@@ -134,9 +134,9 @@ def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
 def baselines(
     readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Word
 ) -> dict[str, Any]:
-    """Shares of samples in which static (Q2) and dynamic claims (Q8, Q9) are true, by baseline.
+    """Shares of samples in which the static (Q2) and dynamic claims (Q8, Q9) are true, by baseline.
 
-    Named are the baselines with which Q2 and Q8 are both almost always true.
+    Also named are the baselines with which both Q2 and Q8 are almost always true.
     """
     claims = {
         "Q2": moves_less(readings, smaller),
@@ -158,10 +158,10 @@ def baselines(
 
 
 def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:
-    """Stress amplitude with waves on the riser too over that by the platform's motion alone.
+    """Ratio of the stress amplitude with waves on the riser to the amplitude by platform motion alone.
 
-    Named are the least and the most over wave periods with their periods (s), and the most by which what
-    waves do above the mean level tells readings apart (%).
+    Results are the least and the largest ratio over wave periods with their periods (s), and the largest
+    difference (%) between the interpretations of the waves above the mean level.
     """
     stress = waves["stress_amplitude"]
     alone = "on the platform alone"
@@ -179,7 +179,7 @@ def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:
 
 
 def stresses(roll: xr.Dataset) -> dict[str, Any]:
-    """Stress of the printed moment in both readings (MPa)."""
+    """Stress of the printed moment (MPa), as an amplitude and as a peak-to-peak range."""
     outer, inner = 21.0 * INCH, 19.0 * INCH
     modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
     return {
@@ -190,7 +190,7 @@ def stresses(roll: xr.Dataset) -> dict[str, Any]:
 
 
 def peaks(roll: xr.Dataset) -> dict[str, Any]:
-    """Periods (s) at which the largest moment peaks, 4 degrees of roll."""
+    """Periods (s) at which the largest moment has peaks, for a roll of 4 degrees."""
     moment = roll["largest_bending_moment"].sel(roll_amplitude=4.0)
     values, period = moment.values, moment["roll_period"].values
     inside = (values[1:-1] > values[:-2]) & (values[1:-1] > values[2:])

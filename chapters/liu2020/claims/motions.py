@@ -1,4 +1,4 @@
-"""Liu et al. 2020, section 4.2: motions of the platform that have the same influence, or none."""
+"""Liu et al. 2020, section 4.2: motions of the platform with equal influence or without influence."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from riserstudy.grading.yardstick import alike
 
 
 def same_influence(motions: xr.Dataset, one: str, other: str, same: Word) -> Found:
-    """Two motions bend the riser alike; value: largest moment of the one over that of the other."""
+    """Two motions bend the riser equally; value: ratio of the first largest moment to the second."""
     moment = motions["largest_bending_moment"]
     first, second = (moment.sel(motion=name, drop=True) for name in (one, other))
     return judged(first / second, alike(first, second, same))
 
 
 def no_influence(motions: xr.Dataset, none: str, compared: str, same: Word) -> Found:
-    """A motion moves the riser aside by no difference; value: how far, over how far another does."""
+    """A motion displaces the riser negligibly; value: ratio of its displacement to another motion's."""
     aside = [
         abs(motions[f"{axis}_{side}"]).max("s_node") for axis in "xy" for side in ("max", "min")
     ]

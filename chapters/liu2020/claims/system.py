@@ -1,4 +1,4 @@
-"""Liu et al. 2020: what its numbers and claims are checked against."""
+"""Liu et al. 2020: results against which its numbers and claims are checked."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from riserstudy.grading.margin import above, below, everywhere, least, rising
 from riserstudy.grading.word import Word
 from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, less, more
 
-#: the individual riser as it may be meant; config/studies/liu2020.yaml, readings
+#: possible meanings of the individual riser; config/studies/liu2020.yaml, readings
 WITHOUT = [
     "constant",
     "vertical force at the ring",
     "232 t carried to the upper flex joint",
     "riser's top on the platform",
 ]
-#: periods (s) that Fig 20 may be drawn over
+#: periods (s) at which Fig 20 may have been computed
 GRIDS = {
     "5, 10, 20 s": [5.0, 10.0, 20.0],
     "5, 10, 15, 20 s": [5.0, 10.0, 15.0, 20.0],
@@ -25,14 +25,14 @@ GRIDS = {
     "5, 8, 12, 20 s": [5.0, 8.0, 12.0, 20.0],
     "5, 6, 7, 8, 10, 12, 15, 20 s": [5.0, 6.0, 7.0, 8.0, 10.0, 12.0, 15.0, 20.0],
 }
-INCH, DEGREES = 0.0254, 180.0 / np.pi  # m, a radian
-STEEPEST, GRAVITY = 0.142, 9.81  # height over length of a wave that breaks (Michell); m/s2
+INCH, DEGREES = 0.0254, 180.0 / np.pi  # m; degrees per radian
+STEEPEST, GRAVITY = 0.142, 9.81  # height of a breaking wave divided by its length (Michell); m/s2
 
 # Table 2 and the constant tension
 
 
 def constant_tension(readings: xr.Dataset) -> Found:
-    """Tension of all cylinders in tonnes, in every reading."""
+    """Tension of all cylinders (t), in every interpretation."""
     return Found(readings["top_tension"] / readings["gravity"] / 1e3)
 
 
@@ -40,7 +40,7 @@ def constant_tension(readings: xr.Dataset) -> Found:
 
 
 def codes_agree(codes: xr.Dataset, nearly_same: Word) -> Found:
-    """Three methods give nearly the same displacement; value: largest difference over the largest."""
+    """Three methods give nearly the same displacement; value: largest difference / largest displacement."""
     apart = codes["codes_apart"]
     return judged(apart, below(apart, nearly_same.bound))
 
@@ -61,7 +61,7 @@ def opposes(readings: xr.Dataset) -> Found:
 
 
 def moves_less(readings: xr.Dataset, smaller: Word) -> Found:
-    """With tensioners the riser moves less in every current; value: ratio to the other at 1 m/s."""
+    """With tensioners the riser moves less in every current; value: ratio to the other riser at 1 m/s."""
     return _less_on_tensioners(readings["largest_displacement"], smaller)
 
 
@@ -82,7 +82,7 @@ def _less_on_tensioners(values: xr.DataArray, smaller: Word) -> Found:
 
 
 def simple_model_differs(readings: xr.Dataset, larger: Word) -> Found:
-    """A pull carried to the upper flex joint gives other statics; value: largest difference."""
+    """A force carried to the upper flex joint gives different statics; value: largest difference."""
     apart = []
     for name in ("largest_displacement", "largest_bending_moment"):
         gas, simple = (
@@ -95,7 +95,7 @@ def simple_model_differs(readings: xr.Dataset, larger: Word) -> Found:
 
 
 def _without(values: xr.DataArray) -> xr.DataArray:
-    """Values of the riser without tensioners, as it may be meant."""
+    """Values of the riser without tensioners, in all its possible meanings."""
     return values.sel(tensioner_model=WITHOUT)
 
 
@@ -103,23 +103,23 @@ def _without(values: xr.DataArray) -> xr.DataArray:
 
 
 def uniform(heave: xr.Dataset, amplitude: float, period: float, same: Word) -> Found:
-    """Axial force repeats itself, alike at both ends in amplitude, and in phase by as much of an amplitude.
+    """Axial force is periodic, with equal amplitude and phase at both ends; a lag in rad has the same bound.
 
-    Value: largest relative difference, of the ends and of the last two periods.
+    Value: largest relative difference, between the two ends and between the last two periods.
     """
     run = heave.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
     apart = abs(run["axial_force_amplitude_top"] / run["axial_force_amplitude"] - 1.0)
     worst = apart.where(apart > run["settling"], run["settling"])
     together = below(
         abs(run["axial_force_lag"]), same.bound
-    )  # a lag of x rad is x of the amplitude
+    )  # a lag of x rad makes a difference of x times the amplitude
     return judged(worst, least(below(worst, same.bound), together))
 
 
 def amplitude_not_period(heave: xr.Dataset, clearly: Word, little: Word) -> Found:
-    """Force grows clearly with heave, and changes little with period; value: largest spread.
+    """Force increases clearly with heave, and changes little with period; value: largest spread.
 
-    Of heaves that a platform can have: no larger than waves of that period at which they break.
+    Only heave that a platform can have counts: at most the amplitude of a breaking wave of this period.
     """
     force, steepest = heave["axial_force_amplitude"], 0.5 * STEEPEST
     length = GRAVITY * heave["heave_period"] ** 2 / (2.0 * np.pi)
@@ -135,7 +135,7 @@ def amplitude_not_period(heave: xr.Dataset, clearly: Word, little: Word) -> Foun
 
 
 def not_negligible(heave: xr.Dataset, amplitude: float, period: float, felt: Word) -> Found:
-    """The axial force varies by a share of the tension; value: the share."""
+    """The axial force varies by a perceptible share of the tension; value: this share."""
     share = heave["axial_force_share"]
     share = share.sel(heave_amplitude=amplitude, heave_period=period, drop=True)
     return judged(share, above(share, felt.bound))
@@ -145,14 +145,14 @@ def not_negligible(heave: xr.Dataset, amplitude: float, period: float, felt: Wor
 
 
 def travels_down(motion: xr.Dataset) -> Found:
-    """Motion begins at each depth after the one above; value: time from 100 m to 400 m (s)."""
+    """Motion begins later at each greater depth; value: time from 100 m to 400 m (s)."""
     arrival = motion["arrival"].sortby("depth")
     passed = arrival.isel(depth=-1, drop=True) - arrival.isel(depth=0, drop=True)
     return judged(passed, rising(arrival, "depth"))
 
 
 def seems_the_same(surge: xr.Dataset, same: Word) -> Found:
-    """Displacement is nearly that without tensioners; value: their difference over it, root mean square."""
+    """Displacement nearly equals the other model's; value: r.m.s. difference / r.m.s. with tensioners."""
     apart = _without(surge["displacement_apart"])
     return judged(apart, below(apart, same.bound))
 
@@ -165,9 +165,9 @@ def surges_less(surge: xr.Dataset, smaller: Word) -> Found:
 
 
 def lags(surge: xr.Dataset, later: Word) -> Found:
-    """With tensioners every depth comes later; value: least lag behind the other model (degrees).
+    """With tensioners every depth moves later; value: least lag behind the other model (degrees).
 
-    A lag of x rad makes a difference of x of the amplitude, which is what a word bounds.
+    A lag of x rad makes a difference of x times the amplitude. ``later`` bounds this difference.
     """
     lag = surge["displacement_lag"]
     phase_lag = lag.sel(tensioner_model="gas law", drop=True) - _without(lag)
@@ -177,9 +177,9 @@ def lags(surge: xr.Dataset, later: Word) -> Found:
 
 
 def flexibility_makes_the_lag(surge: xr.Dataset, later: Word) -> Found:
-    """The riser lags more with cylinders than without, below the same telescopic joint.
+    """The riser lags more with cylinders than without; both have the same telescopic joint above.
 
-    Value: least of four depths (degrees).
+    Value: least phase lag of four depths (degrees).
     """
     lag = surge["displacement_lag"]
     gas, without = (lag.sel(tensioner_model=name, drop=True) for name in ("gas law", WITHOUT[2]))
@@ -200,7 +200,7 @@ def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:
 
 
 def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
-    """Stress of the largest moment at the outer fibre, as amplitude and peak to peak (MPa)."""
+    """Outer-fibre stress of the largest moment, as amplitude and as peak-to-peak range (MPa)."""
     outer, inner = 21.0 * INCH, 19.0 * INCH
     modulus = np.pi / 32.0 * (outer**4 - inner**4) / outer
     stress = 1e3 * largest_moment(roll, amplitude, period).value / modulus / 1e6
@@ -209,7 +209,7 @@ def bending_stress(roll: xr.Dataset, amplitude: float, period: float) -> Found:
 
 
 def grows_with_amplitude(roll: xr.Dataset, increases: Word) -> Found:
-    """Moment rises with roll amplitude at every period; value: least ratio of neighbours."""
+    """Moment increases with roll amplitude at every period; value: least ratio of neighbours."""
     moment = roll["largest_bending_moment"]
     ratio = moment / moment.shift(roll_amplitude=1)
     smallest = ratio.min(["roll_amplitude", "roll_period"])
@@ -220,7 +220,7 @@ def grows_with_amplitude(roll: xr.Dataset, increases: Word) -> Found:
 def through_the_tensioners(
     roll: xr.Dataset, amplitude: float, period: float, larger: Word
 ) -> Found:
-    """Roll bends the riser more with cylinders than without; value: moment without over that with them."""
+    """Roll bends the riser more with cylinders than without; value: ratio without / with."""
     moment = roll["largest_bending_moment"].sel(
         roll_amplitude=amplitude, roll_period=period, drop=True
     )
@@ -229,9 +229,9 @@ def through_the_tensioners(
 
 
 def falls_with_period(roll: xr.Dataset, decreases: Word) -> Found:
-    """Moment falls over the periods of a grid and never rises; value: largest ratio of neighbours.
+    """Moment decreases over the periods of a grid, never increases; value: largest ratio of neighbours.
 
-    Judged over each of the grids that Fig 20 may have, as far as its periods are there.
+    Each grid of periods that Fig 20 may have is judged, if all of its periods were simulated.
     """
     moment = roll["largest_bending_moment"]
     there = [name for name, grid in GRIDS.items() if set(grid) <= set(moment["roll_period"].values)]
@@ -249,12 +249,12 @@ def falls_with_period(roll: xr.Dataset, decreases: Word) -> Found:
 
 
 def surge_largest(rao: xr.Dataset, larger: Word, felt: Word) -> Found:
-    """Surge has the largest peak and the largest mean share over periods; others are not negligible.
+    """Surge has the largest peak and mean share over periods; other motions are not negligible.
 
     Value: mean share of surge.
     """
     peak, period = rao["stress_amplitude"].max("wave_period"), rao["wave_period"]
-    # periods stand closer where lateral modes answer
+    # periods are closer together near resonances of lateral modes
     share = rao["stress_share"].integrate("wave_period") / float(period.max() - period.min())
     surge, others = {"motion": "surge"}, {"motion": ["heave", "pitch"]}
     largest = [less(x.sel(others), x.sel(surge, drop=True), larger) for x in (peak, share)]

@@ -1,4 +1,4 @@
-"""Statics of the check riser beside other methods, in the currents assumed."""
+"""Statics of the check riser compared with other methods, in the assumed currents."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ PAPER = "liu2020"
 
 
 def current_profiles(check_riser: xr.Dataset, statics_calibrated: xr.Dataset) -> xr.Dataset:
-    """Speed of the current over its surface speed, over (current_profile, depth).
+    """Ratio of the current speed to its surface speed, over (current_profile, depth).
 
-    The last two are those calibrated to the tensioners' horizontal force.
+    The last two profiles are calibrated to the tensioners' horizontal force.
     """
     length = float(check_riser["s_node"][-1])
     depth = xr.DataArray(np.linspace(0.0, length, 201), dims="depth", name="depth")
@@ -59,7 +59,7 @@ def codes(check_riser: xr.Dataset) -> xr.Dataset:
 
 
 def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
-    """How far three methods are apart for every sample of the unspecified inputs."""
+    """Largest difference between three methods, for every sample of the unspecified inputs."""
     apart = xr.zeros_like(check_open["elements"], dtype=float)
     for place, scene in scenes_of(check_open):
         beam = beamlike(scene)
@@ -79,6 +79,6 @@ def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
 
 
 def _apart(moved: xr.DataArray) -> xr.DataArray:
-    """Largest difference between methods over the largest displacement."""
+    """Largest difference between methods, divided by the largest displacement."""
     largest = abs(moved).max(["depth", "code"])
     return (moved.max("code") - moved.min("code")).max("depth") / largest

@@ -13,7 +13,7 @@ PAPER = "liu2020"
 
 
 def heave(heave_runs: xr.Dataset) -> xr.Dataset:
-    """Amplitude of the axial force over (heave_amplitude, heave_period), gas law and linear."""
+    """Amplitude of the axial force over (heave_amplitude, heave_period), with gas law and linearised."""
     dataset = _axial_force(_at_ends(heave_runs, "gas law"))
     linear = _axial_force(_at_ends(heave_runs, "linear"))
     dataset["axial_force_amplitude_linear"] = linear["axial_force_amplitude"]
@@ -21,7 +21,7 @@ def heave(heave_runs: xr.Dataset) -> xr.Dataset:
 
 
 def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of the unspecified inputs."""
+    """Amplitude of the axial force for every sample of the unspecified inputs."""
     ring = ring_of(heave_open).rename("s")
     ends = heave_open["effective_tension"].sel(s=xr.concat([xr.zeros_like(ring), ring], "end"))
     dataset = _axial_force(ends.drop_vars("s").rename(end="s")).assign(sampled(heave_open))
@@ -35,7 +35,7 @@ def _at_ends(runs: xr.Dataset, model: str) -> xr.DataArray:
 
 
 def _axial_force(tension: xr.DataArray) -> xr.Dataset:
-    """Amplitudes at the riser's ends over the last period, lag between them, and how settled they are."""
+    """Amplitudes at both riser ends over the last period, the lag between them, and their settling."""
     swing = half_swing(tension, "heave_period")
     ends = first_harmonic(tension, "heave_period")
     lag = xr.apply_ufunc(np.angle, ends.isel(s=-1, drop=True) / ends.isel(s=0, drop=True))

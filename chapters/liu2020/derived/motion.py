@@ -18,15 +18,15 @@ from riserstudy.scene.resolve import Resolved
 PAPER = "liu2020"
 SURGE_PERIOD = 15.0  # s
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
-PERIODS = np.arange(5.0, 30.01, 0.1)  # s, of the responses drawn, as in Figs 21 and 22
-ARRIVED = 0.05  # of the largest displacement at a depth, by which its motion counts as begun
+PERIODS = np.arange(5.0, 30.01, 0.1)  # s, of the plotted responses, as in Figs 21 and 22
+ARRIVED = 0.05  # share of the largest displacement at a depth at which motion there begins
 
 
 # surge
 
 
 def surge(surge_case: xr.Dataset) -> xr.Dataset:
-    """Motion at four depths over (tensioner_model, depth), and when it begins."""
+    """Motion at four depths over (tensioner_model, depth), and the time at which it begins."""
     riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
     x = _between_nodes(riser)
     dataset = _moved(x, lag_at(DEPTHS, riser, SURGE_PERIOD)).assign(arrival=first_at(x, ARRIVED))
@@ -34,7 +34,7 @@ def surge(surge_case: xr.Dataset) -> xr.Dataset:
 
 
 def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of the unspecified inputs, once settled."""
+    """Steady-state motion at four depths for every sample of the unspecified inputs."""
     x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
     dataset = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
     return described(
@@ -43,19 +43,19 @@ def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
 
 
 def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
-    """When surge is first felt at four depths, for every sample of the unspecified inputs."""
+    """Time at which surge motion begins at four depths, for every sample of the unspecified inputs."""
     return _arrivals(surge_start, "surge, for samples of the unspecified inputs")
 
 
 def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
-    """When roll is first felt at four depths."""
+    """Time at which motion under roll begins at four depths."""
     riser = roll_case["x"].sel(s=roll_case["s"] <= RING + 1e-6, time=slice(0.0, 60.0))
     dataset = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
     return described(dataset, PAPER, "when roll is first felt")
 
 
 def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of the unspecified inputs."""
+    """Time at which motion under roll begins, for every sample of the unspecified inputs."""
     return _arrivals(roll_start, "when roll is first felt, for samples of the unspecified inputs")
 
 
@@ -71,7 +71,7 @@ def _between_nodes(riser: xr.DataArray) -> xr.DataArray:
 
 
 def _moved(x: xr.DataArray, lag: xr.DataArray) -> xr.Dataset:
-    """Amplitude and lag behind the platform down the riser, how settled, and how far from the gas law's."""
+    """Amplitude and lag along the riser, settling, and difference from the displacement with the gas law."""
     last = x.sel(time=slice(float(x["time"][-1]) - SURGE_PERIOD, None))
     law = last.sel(tensioner_model="gas law", drop=True)
     over = ["time", "depth"]
@@ -86,19 +86,19 @@ def _moved(x: xr.DataArray, lag: xr.DataArray) -> xr.Dataset:
 
 
 def lag_at(depths: Sequence[float], x: xr.DataArray, period: str | float) -> xr.DataArray:
-    """Lag of the first harmonic at depths below the ring, counted on from node to node from there.
+    """Lag of the first harmonic at depths below the ring, unwrapped from node to node from the ring down.
 
-    Between depths far apart the lag may grow by more than half a turn, between nodes it does not.
+    The lag may increase by more than half a turn between distant depths, but not between two nodes.
 
     Parameters
     ----------
-    depths : below the ring (m), in any order.
-    x : displacement over ``time``, ``s`` and more, at the nodes of the riser (m).
+    depths : depths below the ring (m), in any order.
+    x : displacement at the nodes of the riser (m), over ``time``, ``s`` and any further dimensions.
     period : as in ``first_harmonic``.
 
     Returns
     -------
-    Lag over ``depth`` and what else the displacement has (rad), within half a turn at the ring.
+    Lag over ``depth`` and the further dimensions (rad), within half a turn at the ring.
     """
     depth = xr.DataArray(list(depths), dims="depth", name="depth")
     down = x.sel(s=x["s"] <= RING + 1e-6).sortby("s", ascending=False)
@@ -121,7 +121,7 @@ def _lag(x: xr.DataArray, period: str | float, along: str) -> xr.DataArray:
 
 
 def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
-    """Largest bending moment over (roll_amplitude, roll_period), and how settled it is."""
+    """Largest bending moment over (roll_amplitude, roll_period), and the settling of the moment."""
     both = [
         xr.Dataset(
             {
@@ -144,34 +144,34 @@ def roll(roll_runs: xr.Dataset, roll_small: xr.Dataset) -> xr.Dataset:
 
 
 def roll_assumed(roll_base: xr.Dataset) -> xr.Dataset:
-    """The same about an assumed centre."""
+    """Largest bending moment under roll about an assumed centre."""
     return _rolled(roll_base, "largest bending moment under roll, centre of rotation assumed")
 
 
 def roll_readings(roll_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of the unspecified inputs."""
+    """Largest bending moment under roll for every sample of the unspecified inputs."""
     return _rolled(roll_open, "roll, for samples of the unspecified inputs")
 
 
 def varied_roll(roll_variants: xr.Dataset) -> xr.Dataset:
-    """The same over (variant, roll_period)."""
+    """Largest bending moment under roll over (variant, roll_period)."""
     return _rolled(roll_variants, "largest bending moment under roll, in variants of the riser")
 
 
 def roll_ways(roll_geometry: xr.Dataset) -> xr.Dataset:
-    """The same over (geometry, tensioner_model, roll_amplitude, roll_period)."""
+    """Largest moment under roll over (geometry, tensioner_model, roll_amplitude, roll_period)."""
     return _rolled(roll_geometry, "largest bending moment under roll, for several geometries")
 
 
 def roll_about_joint(roll_geometry: xr.Dataset) -> xr.Dataset:
-    """The same on the cylinders, the platform turning about the upper flex joint."""
+    """Largest moment on the cylinders, with the platform rotating about the upper flex joint."""
     geometry = next(str(g) for g in roll_geometry["geometry"].values if "in the flex joint" in g)
     runs = roll_geometry.sel(geometry=geometry, tensioner_model="gas law", drop=True)
     return _rolled(runs, "largest bending moment under roll about the upper flex joint")
 
 
 def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
-    """Largest moment on the curve; settled motion bends as far to one side as to the other."""
+    """Largest moment along the riser, and its settling: in steady state both extremes are equal in size."""
     high = runs["bending_moment_max"].max("s_node")
     low = runs["bending_moment_min"].min("s_node")
     largest = runs["largest_bending_moment"]
@@ -189,7 +189,7 @@ def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
 
 
 def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
-    """Response amplitudes of the platforms over (platform_unit, wave_period), a metre of wave amplitude."""
+    """Platform motion per metre of wave amplitude, over (platform_unit, wave_period)."""
     period = xr.DataArray(PERIODS, dims="wave_period", name="wave_period")
     names = {"surge": "rao_surge", "heave": "rao_heave", "pitch": "rao_pitch"}
     one = rao_runs.isel(reference=[0], motion=[0], wave_period=[0])
@@ -211,7 +211,7 @@ def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
 
 
 def rao(rao_runs: xr.Dataset) -> xr.Dataset:
-    """Largest stress amplitude along the riser by each motion, and each motion's share of their sum."""
+    """Largest stress amplitude along the riser by each motion, and the motion's share of the sum."""
     swing = half_swing(fibre_stress(rao_runs), "wave_period").max(["s", "side"])
     return described(
         _shared(swing), PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
@@ -219,10 +219,10 @@ def rao(rao_runs: xr.Dataset) -> xr.Dataset:
 
 
 def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
-    """The same for every sample of the unspecified inputs."""
+    """Stress amplitudes and shares by motion, for every sample of the unspecified inputs."""
     ring = ring_of(rao_open)
     swings = []
-    for period in rao_open["wave_period"].values:  # one at a time, or histories fill the memory
+    for period in rao_open["wave_period"].values:  # one at a time: all histories fill the memory
         stress = fibre_stress(rao_open.sel(wave_period=period), ring)
         swings.append(half_swing(stress, float(period)).max(["s", "side"]))
     dataset = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
@@ -232,7 +232,7 @@ def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
 
 
 def waves(wave_runs: xr.Dataset) -> xr.Dataset:
-    """Largest stress amplitude along the riser by all motions at once, waves on the riser or not."""
+    """Largest stress amplitude along the riser by all motions together, with and without waves on it."""
     swing = half_swing(fibre_stress(wave_runs), "wave_period").max(["s", "side"])
     dataset = swing.to_dataset(name="stress_amplitude")
     return described(dataset, PAPER, "stress amplitude in waves of 3 m that act on the riser too")
@@ -243,17 +243,17 @@ def _shared(stress: xr.DataArray) -> xr.Dataset:
 
 
 def fibre_stress(runs: xr.Dataset, ring: xr.DataArray | None = None) -> xr.DataArray:
-    """Stress along the riser of either outermost fibre, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa).
+    """Stress along the riser in both outermost fibres, T/A + M D/(2 I) and T/A - M D/(2 I) (Pa).
 
     Parameters
     ----------
-    runs : with histories of tension and moment.
-    ring : arclength of the ring (m); absent: 533 m.
+    runs : runs with histories of tension and moment.
+    ring : arclength of the ring (m); 533 m if absent.
     """
     _, scene = next(scenes_of(runs.isel({dim: [0] for dim in runs["point_key"].dims})))
     area, modulus = section(scene)
     up_to = xr.DataArray(RING) if ring is None else ring
-    bending = runs["bending_moment"].fillna(0.0) / modulus  # none under heave alone
+    bending = runs["bending_moment"].fillna(0.0) / modulus  # heave alone causes no bending
     side = xr.DataArray([1.0, -1.0], dims="side")
     return on_riser(runs["effective_tension"], up_to) / area + side * bending
 
@@ -270,7 +270,7 @@ def section(scene: Resolved) -> tuple[float, float]:
 
 
 def storm(sea: xr.Dataset) -> xr.Dataset:
-    """Histories of the sea's response with extremes, standard deviations and spectra over frequency."""
+    """Histories of the response in a sea state, with extremes, standard deviations and spectra."""
     run = sea.squeeze("tensioner_model", drop=True)
     interval = float(run["time"][1] - run["time"][0])
     records: dict[str, xr.DataArray] = {}

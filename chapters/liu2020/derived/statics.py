@@ -11,17 +11,18 @@ from riserstudy.dataset.describe import described, sampled, scenes_of
 from riserstudy.scene.resolve import Resolved
 
 PAPER = "liu2020"
-#: of which cylinders each calibration makes the printed force
+#: the cylinders whose force equals the printed force, by calibration
 COUNTED = {"8765 N by all cylinders": "all cylinders", "8765 N by one cylinder": "one cylinder"}
-NEAR = 60.0  # m below the ring, what the text calls near the sea surface
-#: deg, of cylinders between ring and deck, all alike
+NEAR = 60.0  # m below the ring; the text calls this range near the sea surface
+#: deg, of the cylinders between ring and deck, equal for all of them
 INCLINATIONS = (0.0, 2.0, 5.7, 9.5, 11.3, 12.8)
 
 
 def tension_readings(tension: xr.Dataset) -> xr.Dataset:
-    """Tension of all cylinders at rest over the readings of Table 2, upright and inclined.
+    """Static tension of all cylinders in every interpretation of Table 2, upright and inclined.
 
-    An inclined cylinder carries its pull times the cosine; the ring's height hardly changes.
+    The vertical part of an inclined cylinder's force is the force times the cosine of the inclination. The
+    ring's height hardly changes.
     """
     pull = tension["tensioner_force_static"].sum("cylinder")
     lean = xr.DataArray(list(INCLINATIONS), dims="inclination", name="inclination")
@@ -37,7 +38,7 @@ def dat_force(statics: xr.Dataset) -> xr.Dataset:
 
 
 def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
-    """The same in the currents tuned to the printed force at 1 m/s, of the cylinders that each counts."""
+    """Horizontal force in each current calibrated to the printed force at 1 m/s, of the cylinders counted."""
     runs = statics_calibrated.sel(tensioner_model=["gas law"])
     force = _force(runs).squeeze("tensioner_model", drop=True)
     parts = [
@@ -51,13 +52,13 @@ def dat_force_calibrated(statics_calibrated: xr.Dataset) -> xr.Dataset:
 
 
 def statics_tuned(statics_calibrated: xr.Dataset) -> xr.Dataset:
-    """Displacement, moments and force in the calibrated currents, by model of the tensioners."""
+    """Displacement, moments and force in the calibrated currents, for every model of the tensioners."""
     dataset = _at_rest(statics_calibrated)
     return described(dataset, PAPER, "static displacement and moments in calibrated currents")
 
 
 def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
-    """The same of every sample, over (sample, tensioner_model, surface_speed)."""
+    """Displacement, moments and force of every sample, over (sample, tensioner_model, surface_speed)."""
     dataset = _at_rest(statics_open).assign(sampled(statics_open))
     return described(
         dataset, PAPER, "displacement and static moments, for samples of the unspecified inputs"
@@ -65,7 +66,7 @@ def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
 
 
 def _at_rest(runs: xr.Dataset) -> xr.Dataset:
-    """Largest displacement of the riser, largest moment on its curve and within 60 m below the ring."""
+    """Largest displacement, and largest moment along the whole riser and within 60 m below the ring."""
     ring = ring_of(runs)
     moment, at = abs(runs["bending_moment_static"]), runs["s_node"]
     near = moment.where((at > ring - NEAR) & (at <= ring + 1e-6))
@@ -73,7 +74,7 @@ def _at_rest(runs: xr.Dataset) -> xr.Dataset:
     return xr.Dataset(
         {
             "largest_displacement": abs(on_riser(runs["x_static"], ring, "s_node")).max("s_node"),
-            # the joint above the ring bends less than the ring
+            # the telescopic joint above the ring has a smaller moment than the ring
             "largest_bending_moment": runs["largest_bending_moment"],
             "largest_bending_moment_near_ring": near.max("s_node"),
             "horizontal_force": force.squeeze("tensioner_model", drop=True),
@@ -82,7 +83,7 @@ def _at_rest(runs: xr.Dataset) -> xr.Dataset:
 
 
 def _force(runs: xr.Dataset) -> xr.DataArray:
-    """Horizontal force (N) against the current, of all cylinders and of one in the mean."""
+    """Horizontal force (N) against the current, of all cylinders and the mean per cylinder."""
     place = list(runs["point_key"].dims)
     total = xr.zeros_like(runs["tensioner_force_static"].isel(cylinder=0, drop=True))
     total.attrs = {}
@@ -106,8 +107,8 @@ def pushed_back(
 
     Parameters
     ----------
-    pull : of each cylinder (N).
-    x, z : place of the node below the ring and of the ring (m); the ring turns with the riser there.
+    pull : force of each cylinder (N).
+    x, z : positions of the node below the ring and of the ring (m); the ring rotates with the riser.
     """
     rig = scene.top.tensioners
     if rig is None or rig.arrangement is None:

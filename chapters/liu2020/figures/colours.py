@@ -1,10 +1,10 @@
-"""Colours and names in all figures of this chapter: one of each for one thing."""
+"""Colours and names in all figures of this chapter: one colour and one name for each thing."""
 
 from __future__ import annotations
 
 VERTICAL, CARRIED = "vertical force at the ring", "232 t carried to the upper flex joint"
 ON_PLATFORM = "riser's top on the platform"
-#: what carries the riser's top; config/studies/liu2020.yaml, readings
+#: colours of the models of the riser's top; config/studies/liu2020.yaml, readings
 OF_TOP = {
     "gas law": "#0072b2",
     "linear": "#d55e00",
@@ -17,20 +17,20 @@ OF_TOP = {
 ON_TENSIONERS, LINEAR, VERTICAL_CYLINDERS = (
     OF_TOP[top] for top in ("gas law", "linear", "vertical cylinders")
 )
-#: what is meant by a riser without tensioners
+#: names of the interpretations of a riser without tensioners
 WITHOUT = {
     "constant": "constant tension along the cylinders",
     VERTICAL: VERTICAL,
     CARRIED: CARRIED,
     ON_PLATFORM: ON_PLATFORM,
 }
-#: what all models of the top are called
+#: names of all models of the top
 NAMES = {"gas law": "tensioners", **WITHOUT}
 LINEARISED = "linearised gas law"
 #: motions of the platform, and waves that act on the riser as well
 OF_MOTION = {"surge": "#332288", "heave": "#999933", "pitch": "#56b4e9"}
 WITH_WAVES = "#aa4499"
-#: currents over depth; calibrated ones are shapes of these
+#: current profiles; the calibrated currents have shapes from this list
 OF_PROFILE = {
     "linear": "#456882",
     "exponential 50 m": "#5c2e0b",

@@ -1,4 +1,4 @@
-"""Effective tension under heave, and where the tensioners reach their stroke."""
+"""Effective tension under heave, and the heave at which the tensioners stroke out."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ from riserstudy.figures.style import (
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 RING = 533.0  # m, arclength of the riser's top
-ALIKE = 0.02  # of amplitudes, below which no difference can be seen
-STROKE = 7.5  # m, either way
+ALIKE = 0.02  # share of an amplitude, below which a difference is invisible
+STROKE = 7.5  # m, in both directions
 ABOUT_ZERO = (6.6, 7.5), (-0.6, 1.4)  # heave (m) and tension (MN) of the inset
 TENSION = "effective tension (kN)"
 AMPLITUDE, PERIOD = "heave amplitude of the platform (m)", "heave period of the platform (s)"
@@ -56,7 +56,7 @@ def fig13(heave_case: xr.Dataset) -> Figure:
 
 
 def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
-    """Effective tension over time at four depths; at the first, what other models differ by."""
+    """Effective tension over time at four depths, and the difference of other models at the first."""
     figure, (ax, below) = panels(2, 1, 2.8, sharex=True)
     tension = _by_depth(heave_case)["effective_tension"] / 1e3
     law = tension.sel(tensioner_model="gas law")
@@ -89,7 +89,7 @@ def fig14(heave_case: xr.Dataset, heave_upright: xr.Dataset) -> Figure:
 
 
 def fig15(heave: xr.Dataset) -> Figure:
-    """Amplitude of the effective tension over heave amplitude, of all periods, and over period."""
+    """Amplitude of the effective tension over heave amplitude, for all periods, and over period."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     law, line = heave["axial_force_amplitude"] / 1e3, heave["axial_force_amplitude_linear"] / 1e3
     at = law["heave_amplitude"]
@@ -118,7 +118,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     )
     key_below(figure, axes[0], 3)
     label_ends(axes[1])
-    axes[1].margins(x=0.02)  # so that marks are whole
+    axes[1].margins(x=0.02)  # room for whole marks at both ends
     return figure
 
 
@@ -181,7 +181,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
 
 
 def _between(values: xr.DataArray, level: float) -> tuple[float, float | None]:
-    """Heave (m) of the last run below a level and of the first beyond it, the latter None where nowhere."""
+    """Heave (m) of the last run up to a level and of the first run above it; None if no run is above it."""
     heave, over = values["heave_amplitude"].values, values.values > level
     if not over.any():
         return float(heave[-1]), None
@@ -190,7 +190,7 @@ def _between(values: xr.DataArray, level: float) -> tuple[float, float | None]:
 
 
 def _shade(axes: list[Axes], free: float, stopped: float) -> None:
-    """Between which runs a stop is first reached."""
+    """Shade the interval between the runs in which a stop is first reached."""
     for ax in axes:
         ax.axvspan(free, stopped, color="0.85", lw=0.0, zorder=0)
     axes[0].annotate(
@@ -201,7 +201,7 @@ def _shade(axes: list[Axes], free: float, stopped: float) -> None:
 
 
 def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, float]) -> None:
-    """Where a curve first reaches a level, with a text so many points away."""
+    """Mark the point where a curve first reaches a level, with a text at an offset in points."""
     ax.plot(*at, "o", color="black", ms=7, mfc="none", mew=1.2, zorder=5)
     ax.annotate(
         text, at, xytext=offset, textcoords="offset points", ha="center", va="bottom",
@@ -210,12 +210,12 @@ def _mark(ax: Axes, at: tuple[float, float], text: str, offset: tuple[float, flo
 
 
 def _near_zero(ax: Axes) -> None:
-    """The tension about the heave (m) at which it becomes negative, enlarged where the panel is empty."""
+    """Enlarge, in the panel's empty part, the tension near the heave (m) at which it becomes negative."""
     enlarge(ax, (0.1, 0.6, 0.36, 0.3), *ABOUT_ZERO, 3.0)
 
 
 def _from(values: xr.DataArray, level: float) -> float | None:
-    """Heave (m) from which on values exceed a level, straight between simulated ones; None where nowhere."""
+    """Heave (m) where values first exceed a level, interpolated linearly; None if they never exceed it."""
     heave, over = values["heave_amplitude"].values, values.values - level
     if not (over > 0.0).any():
         return None
@@ -226,7 +226,7 @@ def _from(values: xr.DataArray, level: float) -> float | None:
 
 
 def _by_depth(runs: xr.Dataset) -> xr.Dataset:
-    """Over depth below the riser's top instead of arclength from its bottom."""
+    """Replace the arclength from the riser's bottom by the depth below its top."""
     runs = runs.sel(s=runs["s"] <= RING + 1e-6)
     length = float(np.max(runs["s"]))
     return runs.assign_coords(depth=length - runs["s"]).swap_dims(s="depth").sortby("depth")

@@ -34,16 +34,16 @@ from riserstudy.figures.style import (
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
-LETTERS = 20  # in a line of a name beside a panel
-ROOM = 0.28  # of a panel of samples, at the right for their share
+LETTERS = 20  # most letters per line of a name next to a panel
+ROOM = 0.28  # share of the width of a panel of samples, kept free at the right for text
 COUNTS = {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
-PEAK = 0.1  # least rise of a resonance above both sides, as a share of it
+PEAK = 0.1  # least prominence of a resonance peak, as a share of its height
 DISPLACEMENT = "lateral displacement (m)"
-WAVE_SPEED = 31.9  # m/s, of lateral waves: root of tension over mass with added mass
+WAVE_SPEED = 31.9  # m/s, of lateral waves: sqrt(tension / (mass + added mass))
 
 
 def fig16(surge_case: xr.Dataset) -> Figure:
-    """Displacement over depth and time, the riser's top on the platform."""
+    """Displacement over depth and time, with the riser's top on the platform."""
     return _surged(surge_case, ON_PLATFORM, "whose top is on the platform")
 
 
@@ -53,7 +53,7 @@ def fig17(surge_case: xr.Dataset) -> Figure:
 
 
 def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
-    """The first minute, which shows how surge enters, and the last, in colours that both figures share."""
+    """First minute, in which surge motion begins, and last minute; both figures share one colour scale."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     both = surge_case["x"].sel(tensioner_model=[ON_PLATFORM, "gas law"])
     size = float(abs(both).max())
@@ -77,7 +77,7 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     axes[0].invert_yaxis()
     engine = figure.get_layout_engine()
     if engine is not None:
-        engine.set(wspace=0.1)  # type: ignore[call-arg]  # the ends of both time axes apart
+        engine.set(wspace=0.1)  # type: ignore[call-arg]  # separates the end labels of the two time axes
     headline(figure, f"Surge waves travel down a riser {title}")
     return figure
 
@@ -131,9 +131,9 @@ def fig18(surge_case: xr.Dataset, surge: xr.Dataset) -> Figure:
 def baselines(
     statics_readings: xr.Dataset, surge_readings: xr.Dataset, smaller: float, later: float
 ) -> Figure:
-    """By what stands without tensioners: in how many samples the riser on them moves less and lags.
+    """Share of samples in which a riser on tensioners moves less and lags, by model without tensioners.
 
-    ``smaller``, ``later``: what counts as a difference.
+    ``smaller`` (share), ``later`` (rad): the least differences that count.
     """
     figure, axes = panels(1, 3, 3.4, sharey=True)
     at_rest = statics_readings["largest_displacement"].sel(surface_speed=1.0)
@@ -182,9 +182,9 @@ def baselines(
 
 
 def _samples(ax: Axes, values: xr.DataArray, even: tuple[float, float]) -> None:
-    """A row a baseline: its samples, their middle 90 %, their median; shaded where the claim holds.
+    """One row per baseline: samples, their middle 90 %, and median; shaded where the claim holds.
 
-    ``even``: between these there is no difference.
+    ``even``: values between these two limits count as no difference.
     """
     for row, model in enumerate(map(str, values["tensioner_model"].values)):
         colour = OF_TOP[model]
@@ -206,7 +206,7 @@ def _samples(ax: Axes, values: xr.DataArray, even: tuple[float, float]) -> None:
 
 
 def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
-    """Bending moment over depth and time under roll, ``largest`` the printed one (kN m)."""
+    """Bending moment over depth and time under roll; ``largest``: the printed maximum (kN m)."""
     figure, axes = panels(1, 3, 4.6, sharey=True)
     run = roll_case.sel(tensioner_model="gas law")
     moment = by_depth(run["bending_moment"]).sel(depth=slice(0.0, None)) / 1e3
@@ -246,7 +246,7 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
 
 
 def fig20(roll: xr.Dataset, largest: float) -> Figure:
-    """Largest bending moment over roll amplitude and period; ``largest``: printed for 4 deg, 10 s (kN m)."""
+    """Largest moment over roll amplitude and period; ``largest``: printed for 4 deg and 10 s (kN m)."""
     figure, (ax,) = panels(height=3.8)
     amplitudes = roll["roll_amplitude"].values
     for colour, amplitude in zip(shades(ON_TENSIONERS, len(amplitudes)), amplitudes, strict=True):
@@ -273,7 +273,7 @@ def fig20(roll: xr.Dataset, largest: float) -> Figure:
     ax.set_ylim(bottom=0.0)
     ax.set_ylim(top=1.08 * float(top.max()))
     periods = top["roll_period"]
-    ax.set_xlim(float(periods.min()) - 0.5, float(periods.max()) + 0.5)  # marks are whole
+    ax.set_xlim(float(periods.min()) - 0.5, float(periods.max()) + 0.5)  # room for whole marks
     falls = bool((np.diff(top.values[peaks]) < 0.0).all())
     count = f"{COUNTS.get(len(peaks), str(len(peaks)))} resonance{'' if len(peaks) == 1 else 's'}"
     headline(

@@ -1,4 +1,4 @@
-"""What figures on motion have in common: labels and models."""
+"""Labels and functions that several figures share."""
 
 from __future__ import annotations
 
@@ -9,6 +9,6 @@ DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 
 
 def by_depth(values: xr.DataArray) -> xr.DataArray:
-    """Over depth below the riser's top instead of arclength from its bottom."""
+    """Replace the arclength from the riser's bottom by the depth below its top."""
     depth = (RING - values["s"]).round(6)
     return values.assign_coords(depth=depth).swap_dims(s="depth").sortby("depth")

@@ -27,7 +27,7 @@ from riserstudy.figures.style import headline, panel_title, panels, shades
 Place = Literal["outside lower left", "outside lower right"]
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 NEAR = 120.0  # m below the ring
-#: dashes that show each of those that coincide with tensioners, which are drawn wide
+#: dashed lines remain visible where they coincide with the wide line of the tensioners
 LINES: dict[str, Any] = {
     "gas law": "-",
     "constant": (0, (4, 4)),
@@ -35,7 +35,7 @@ LINES: dict[str, Any] = {
     CARRIED: (5, (2, 6)),
     ON_PLATFORM: "-",
 }
-#: currents and drag so that the cylinders push back with 8765 N, and what they are
+#: names of the currents and drag coefficients for which the cylinders' horizontal force is 8765 N
 CALIBRATIONS = {
     ALL: "calibrated: exponential 50 m, drag coefficient 0.7",
     ONE: "calibrated: exponential 200 m, drag coefficient 1.112",
@@ -43,7 +43,7 @@ CALIBRATIONS = {
 
 
 def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
-    """Displacement in currents, on the tensioners and on a constant tension."""
+    """Displacement in currents, on the tensioners and in interpretations of a riser without them."""
     title = "1 m/s, tensioners and four interpretations of 232 t"
     figure = _at_rest(1.0 * statics_calibrated["x_static"], title, "lateral displacement (m)")
     low, high = _times(statics_tuned, "largest_displacement")
@@ -56,7 +56,7 @@ def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
 
 
 def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
-    """Bending moment in currents, on the tensioners and on a constant tension."""
+    """Bending moment in currents, on the tensioners and in interpretations of a riser without them."""
     title = f"upper {NEAR:.0f} m, 1 m/s: the other three interpretations"
     figure = _at_rest(
         1e-3 * statics_calibrated["bending_moment_static"], title, "bending moment (kN m)",
@@ -78,7 +78,7 @@ def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
 
 
 def _compare_largest(ax: Axes) -> None:
-    """The largest moments near the ring in the fastest current, by a vertical force and on tensioners."""
+    """Note the largest moments near the ring at the highest speed: by a vertical force, and on tensioners."""
     of_models = {}
     for model in (VERTICAL, "gas law"):
         (line,) = (
@@ -109,7 +109,7 @@ def _compare_largest(ax: Axes) -> None:
 
 
 def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
-    """A quantity under a vertical force over that on tensioners: least and most of currents and speeds."""
+    """Least and largest ratio, over currents and speeds, of a vertical force's result to the tensioners'."""
     at = tuned[name]
     ratio = at.sel(tensioner_model=VERTICAL) / at.sel(tensioner_model="gas law")
     return float(ratio.min()), float(ratio.max())
@@ -118,12 +118,12 @@ def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
 def _at_rest(
     values: xr.DataArray, title: str, across: str, right: Sequence[str] = tuple(NAMES)
 ) -> Figure:
-    """A row for each calibrated current: the paper's comparison, and interpretations (``right``) at 1 m/s."""
+    """One row per calibrated current: the paper's comparison; interpretations (``right``) at 1 m/s."""
     figure, axes = panels(2, 2, 4.2)
     for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
         here = values.sel(calibration=calibration)
         for model in ("gas law", VERTICAL):
-            # the fastest as in the other panel, which has that speed alone
+            # 1 m/s has the colour of the right panel, which shows only this speed
             colours = shades(OF_TOP[model], 2 * len(SPEEDS) - 1)[: len(SPEEDS)]
             for speed, colour in zip(SPEEDS, colours, strict=True):
                 curve = here.sel(tensioner_model=model, surface_speed=speed)
@@ -152,7 +152,7 @@ def _by_depth(
 
 
 def _keys(figure: Figure) -> None:
-    """Keys of the left and of the right panels, below them."""
+    """Keys of the left and the right panels, below the panels."""
     places: tuple[Place, Place] = ("outside lower left", "outside lower right")
     titles = ("(a), (c):", "(b), (d):")
     for ax, place, title, columns in zip(figure.axes[:2], places, titles, (2, 1), strict=True):

@@ -1,4 +1,4 @@
-"""Figures of Liu et al. 2020: the printed ones by number, others by what they show."""
+"""Figures of Liu et al. 2020 on statics: printed figures have numbers, further figures have names."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from riserstudy.figures.style import (
     panels,
 )
 
-NAMED = 0.45  # share of a riser's length, from its top, where curves of Fig 10 are named
+NAMED = 0.45  # share of the riser's length, from its top, at which curves of Fig 10 are labelled
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 #: depth scale and drag coefficient that give 8765 N; config/studies/liu2020.yaml, statics_calibrated
 CALIBRATED = {
@@ -101,7 +101,7 @@ def fig10(codes: xr.Dataset) -> Figure:
                                size="x-small")  # fmt: skip
         panel_title(ax, titles[contents])
         ax.margins(x=0.16)
-        ax.set_xlim(left=-0.25 * float(abs(moved).max()))  # room for a name
+        ax.set_xlim(left=-0.25 * float(abs(moved).max()))  # room for a label
         ax.set_xlabel("lateral displacement (m)")
     key = axes[0].plot(
         [], [], color=GREY, alpha=0.6, linewidth=3.0, label="lumped masses (riserstudy)"
@@ -123,7 +123,7 @@ def fig10(codes: xr.Dataset) -> Figure:
 
 
 def _on_two_rows(shape: object) -> str:
-    """Name of a current's profile, narrow enough to stand between two curves."""
+    """Name of a current profile on two rows, narrow enough to fit between two curves."""
     return str(shape).replace(" ", "\n", 1)
 
 
@@ -134,7 +134,7 @@ def dat_force(
     middle: float,
     fast: float,
 ) -> Figure:
-    """Horizontal force of the tensioners over surface speed, as multiples of the printed (N)."""
+    """Horizontal force of the tensioners / printed force; ``slow``, ``middle``, ``fast``: printed (N)."""
     printed = xr.DataArray(
         [slow, middle, fast], dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
     )
@@ -170,7 +170,7 @@ def dat_force(
 
 
 def _profiles(ax: Axes, over: xr.DataArray) -> None:
-    """A row a profile that was assumed: its force over the printed, over all speeds."""
+    """One row per assumed profile: least and largest ratio of force to printed force over all speeds."""
     profiles = [str(shape) for shape in over["current_profile"].values]
     for counted, away in (("all cylinders", -0.12), ("one cylinder", 0.12)):
         of = over.sel(counted=counted)

@@ -24,16 +24,16 @@ from riserstudy.figures.style import (
 
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
-GENERIC = "generic semi-submersible"  # those of the paper's platform are not printed
+GENERIC = "generic semi-submersible"  # the paper does not print the responses of its platform
 RESPONSES = {
     "bending_moment": ("moment at the ring", "kN m", 1e-3),
     "effective_tension": ("tension at the ring", "kN", 1e-3),
     "stroke": ("stroke", "m", 1.0),
 }
-CALM = 14.0  # s, wave periods above which waves on the riser lower its stress
-SPACED = 1e4  # numbers from which on a space separates the thousands
-WINDOW = 300.0  # s, of a sea
-NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance, and multiples (Hz) at which spectra end
+CALM = 14.0  # s, wave periods above which waves on the riser reduce its stress
+SPACED = 1e4  # least number with a space between the thousands
+WINDOW = 300.0  # s, length of the plotted part of a sea-state history
+NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance in a plotted spectrum; rounding (Hz)
 ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
 
 
@@ -82,7 +82,7 @@ def fig22(rao_table: xr.Dataset) -> Figure:
 
 
 def fig23(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
-    """Stress amplitude by each motion; ``elevations``: of the centres of rotation (m)."""
+    """Stress amplitude by each motion; ``elevations`` (m) of the centres of rotation."""
     stress = rao["stress_amplitude"] / 1e6
     figure = _by_motion(stress, "stress amplitude (MPa)", elevations)
     medium = stress.sel(platform_unit="medium")
@@ -97,7 +97,7 @@ def fig23(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
 
 
 def fig24(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
-    """Share of each motion in the stress amplitude; ``elevations``: of the centres of rotation (m)."""
+    """Share of each motion in the stress amplitude; ``elevations`` (m) of the centres of rotation."""
     share = 100.0 * rao["stress_share"]
     figure = _by_motion(share, "share of the stress amplitude (%)", elevations)
     of_medium = share.sel(platform_unit="medium")
@@ -105,7 +105,7 @@ def fig24(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
         range(of_medium.sizes["motion"]), dims="leader"
     )
     span = float(share["wave_period"].max() - share["wave_period"].min())
-    of_span = leads.astype(float).integrate("wave_period") / span  # of periods, by panel and motion
+    of_span = leads.astype(float).integrate("wave_period") / span  # share of periods
     first = int(of_span.min("reference").argmax("leader"))
     name = str(share["motion"].values[first])
     most = bool((of_span.isel(leader=first) > 0.5).all())
@@ -119,7 +119,7 @@ def fig24(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
 
 
 def _by_motion(values: xr.DataArray, label: str, elevations: dict[str, float]) -> Figure:
-    """A line per motion for the medium unit, marks at simulated periods; bands: over the three units."""
+    """One line per motion for the medium unit, marks at simulated periods, bands over the three units."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
     for ax, reference in zip(axes, values["reference"].values, strict=True):
         for motion in map(str, values["motion"].values):
@@ -142,7 +142,7 @@ def _by_motion(values: xr.DataArray, label: str, elevations: dict[str, float]) -
 
 
 def waves(waves: xr.Dataset) -> Figure:
-    """Stress amplitude with waves on the riser and without."""
+    """Stress amplitude with and without waves on the riser."""
     figure, (ax,) = panels(height=3.8)
     stress = waves["stress_amplitude"] / 1e6
     alone = stress.sel(waves=ALONE)
@@ -192,7 +192,7 @@ def waves(waves: xr.Dataset) -> Figure:
 
 
 def sea(storm: xr.Dataset) -> Figure:
-    """Five minutes about the largest response, the spectra, and how often a size is exceeded."""
+    """Five minutes around the largest response, the spectra, and exceedance of peak sizes."""
     figure, axes = panels(3, 3, 2.4)
     worst = {}
     for row, (name, (label, unit, scale)) in enumerate(RESPONSES.items()):
@@ -229,19 +229,19 @@ def sea(storm: xr.Dataset) -> Figure:
 
 
 def _with_space(value: float, _: float) -> str:
-    """A tick without digits after its point, with a space between thousands from five digits on."""
+    """Tick label without decimals, with a space between thousands from five digits on."""
     return f"{value:,.0f}".replace(",", "\N{NO-BREAK SPACE}" if abs(value) >= SPACED else "")
 
 
 def _highest(density: xr.DataArray) -> float:
-    """Frequency (Hz) up to which a spectrum has nearly all of its variance, up to a round one."""
+    """Frequency (Hz) below which a spectrum has nearly all of its variance, rounded up."""
     below = density.cumsum("frequency") / density.sum("frequency")
     reached = float(density["frequency"][int(np.argmax(below.values >= NEARLY_ALL))])
     return ROUND * float(np.ceil(reached / ROUND))
 
 
 def _at_ring(values: xr.DataArray) -> xr.DataArray:
-    """At the riser's top, where it is over arclength."""
+    """Values at the riser's top; unchanged if they do not vary along the riser."""
     return values.isel(s=-1, drop=True) if "s" in values.dims else values
 
 
@@ -253,7 +253,7 @@ def _about_largest(ax: Axes, history: xr.DataArray, size: xr.DataArray) -> None:
 
 
 def _exceeded(ax: Axes, swing: xr.DataArray) -> None:
-    """Share of peaks above the mean, and below it, that exceed a size; Rayleigh's beside them."""
+    """Share of peaks above and below the mean that exceed a size, and the Rayleigh distribution."""
     largest = 0.0
     for line, sign, label in (("-", 1.0, "above"), ("--", -1.0, "below")):
         sizes = np.sort(peaks(sign * swing.values))
