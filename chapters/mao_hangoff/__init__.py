@@ -1,1 +1,1 @@
-"""Mao, Zeng, Liu: what is derived from its runs, drawn and claimed."""
+"""Mao, Zeng, Liu: derived datasets, figures and claims."""

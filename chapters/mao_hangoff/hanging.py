@@ -1,6 +1,6 @@
-"""Mao, Zeng, Liu: where the LMRP hangs in still water, from which its rise counts.
+"""Mao, Zeng, Liu: elevation of the LMRP in still water, from which its rise is measured.
 
-Records start in the current where it does not grow from nothing, so that the riser is already lifted then.
+A record without a ramp of the current starts in the full current, in which the riser is already lifted.
 """
 
 from __future__ import annotations
@@ -13,20 +13,20 @@ from riserstudy.scene.resolve import Resolved
 
 
 def largest_rise(heave: xr.Dataset) -> xr.DataArray:
-    """How far the LMRP gets above where it hangs in still water (m), over the points of a study."""
+    """Largest rise of the LMRP above its elevation in still water (m), over the points of a study."""
     rise: xr.DataArray = heave["z"].isel(s=0, drop=True).max("time") - hanging(heave)
     return rise
 
 
 def hanging(heave: xr.Dataset) -> xr.DataArray:
-    """Elevation of the LMRP (m) in still water, the platform at rest, over the points of a study."""
+    """Elevation of the LMRP (m) in still water below a platform at rest, over the points of a study."""
     points = heave["point_key"]
     elevations = np.array([_elevation(scene) for _, scene in scenes_of(heave)])
     return xr.DataArray(elevations.reshape(points.shape), points.coords, points.dims)
 
 
 def _elevation(scene: Resolved) -> float:
-    """Of a uniform riser of one section: the stretch is (W + w L / 2) L / (E A)."""
+    """Elevation of the LMRP (m) on a uniform riser of one section; stretch: (W + w L / 2) L / (E A)."""
     (pipe,), body = scene.riser, scene.bottom.body
     if body is None or scene.water is None or pipe.outer_diameter is None:
         raise TypeError("a riser that hangs with its LMRP has a pipe, a body and water")

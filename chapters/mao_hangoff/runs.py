@@ -1,4 +1,4 @@
-"""What numbers, claims and errata of Mao, Zeng, Liu take from runs, at 130 s."""
+"""Results of runs at 130 s for numbers, claims and errata of Mao, Zeng, Liu."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import xarray as xr
 from chapters.mao_hangoff.towed import displacement
 
 STATED = 130.0  # s, the time of Fig 9
-ELEMENTS = 50  # equal ones, of the paper
+ELEMENTS = 50  # number of equal elements in the paper
 PRINTED = ("x_heavy", "x_light", "moment")  # the three numbers that the paper prints
 
 
@@ -20,12 +20,12 @@ def distance(runs: xr.Dataset) -> xr.DataArray:
 
 
 def moments(runs: xr.Dataset) -> xr.DataArray:
-    """Size of the bending moment over s (N m)."""
+    """Magnitude of the bending moment over s (N m)."""
     return abs(runs["bending_moment"].sel(time=STATED, drop=True))
 
 
 def moments_over_time(runs: xr.Dataset) -> xr.DataArray:
-    """Size of the bending moment over time and s (N m)."""
+    """Magnitude of the bending moment over time and s (N m)."""
     return abs(runs["bending_moment"])
 
 
@@ -35,31 +35,32 @@ def largest(runs: xr.Dataset) -> xr.DataArray:
 
 
 def as_drawn(values: Any) -> Any:
-    """Runs or values in the profile that Figs 11 and 12 draw first, where it is varied."""
+    """Runs or values in the first current profile of Figs 11 and 12; unchanged if it is not varied."""
     return values.isel(current_profile=0, drop=True) if "current_profile" in values.dims else values
 
 
 def at_nodes_of_paper(values: xr.DataArray) -> xr.DataArray:
     """Values over s at the ends of the paper's equal elements.
 
-    A study lays its runs on the nodes of the finest; what it has between those of 50 elements exceeds both.
+    A study interpolates its runs to the nodes of the finest run. Interpolated values between two nodes of 50
+    elements exceed the values at both nodes.
     """
     s = values["s"]
     return values.interp(s=np.linspace(float(s[0]), float(s[-1]), ELEMENTS + 1))
 
 
 def with_printed_lmrp(values: xr.DataArray) -> xr.DataArray:
-    """Values with the printed LMRP mass, where it is varied."""
+    """Values with the printed LMRP mass; unchanged if the mass is not varied."""
     return values.sel(lmrp_mass=140.0, drop=True) if "lmrp_mass" in values.dims else values
 
 
 def last_over_first(values: xr.DataArray, axis: str) -> xr.DataArray:
-    """Ratio of the values at the ends of an axis."""
+    """Ratio of the last value of an axis to the first."""
     return values.isel({axis: -1}, drop=True) / values.isel({axis: 0}, drop=True)
 
 
 def at_angle(runs: xr.DataArray, angle: float) -> xr.DataArray:
-    """Values at an angle of the track (deg), over the speed of the current (m/s)."""
+    """Values at a track angle (deg), over the current speed (m/s) if the tracks state it."""
     if "track_angle" in runs.dims:
         return runs.sel(track_angle=angle, drop=True)
     by_speed = {}
@@ -67,14 +68,14 @@ def at_angle(runs: xr.DataArray, angle: float) -> xr.DataArray:
         degrees, _, speed = str(label).partition(" deg, ")
         if degrees == f"{angle:g}":
             by_speed[float(speed.split()[0])] = runs.sel(track=label, drop=True)
-    if not by_speed:  # across the current its speed does not count
+    if not by_speed:  # across the current, its speed has no effect
         return runs.sel(track=f"{angle:g} deg", drop=True)
     speeds = xr.DataArray(list(by_speed), dims="track_current", name="track_current")
     return xr.concat(by_speed.values(), speeds)
 
 
 def misses_of_print(runs: xr.Dataset, heavy: float, light: float, moment: float) -> xr.Dataset:
-    """Relative miss of every printed number, and of the ratio that two of them have."""
+    """Relative error of every printed number, and of the ratio of the two printed distances."""
     x, m = distance(runs), largest(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
     x_heavy, x_light = (x.sel(lmrp_mass=mass, drop=True) for mass in (140.0, 120.0))
     ratios = {

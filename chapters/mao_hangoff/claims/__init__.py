@@ -1,1 +1,1 @@
-"""Claims of the chapter, a file a subject."""
+"""Claims of the chapter, one file per subject."""

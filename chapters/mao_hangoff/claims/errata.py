@@ -1,4 +1,4 @@
-"""Mao, Zeng, Liu: what simulations say to errors and contradictions of the text."""
+"""Mao, Zeng, Liu: results of simulations for errors and contradictions of the text."""
 
 from __future__ import annotations
 
@@ -28,18 +28,18 @@ from riserstudy.grading.word import Word
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 
-CURRENT = 3.0  # m/s, of tracks that are told
-NAMED = 5  # readings told by name, the nearest of them
+CURRENT = 3.0  # m/s, in the tracks that errata quote
+NAMED = 5  # largest number of interpretations that are named, nearest first
 
 
 def readings_near(
     runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> dict[str, Any]:
-    """Which named readings come within a share of each number and of the ratio, and which of all.
+    """Interpretations within a share of each printed number, of their ratio, and of all of these.
 
     Parameters
     ----------
-    runs : over the axes of readings and ``lmrp_mass``.
+    runs : runs over the axes of the interpretations and ``lmrp_mass``.
     heavy, light : printed distances with 140 and 120 t (m).
     moment : printed largest moment (kN m).
     within : share of a number that counts as near.
@@ -59,7 +59,7 @@ def readings_near(
 
 
 def _near(miss: xr.DataArray, within: float) -> str:
-    """How many cells miss by no more, and the nearest by name."""
+    """Number of interpretations with an error of at most ``within``, and the names of the nearest."""
     cells = miss.stack(reading=miss.dims)
     near = cells[cells.values <= within]
     near = near[near.values.argsort()]
@@ -76,13 +76,13 @@ def _of_reading(labels: tuple[str, ...]) -> str:
 def parts_of_samples(
     runs: xr.Dataset, at_most: float, change: Word, ramp: float, area: float
 ) -> dict[str, Any]:
-    """Share of samples in which C5 and C10 are true, on both sides of a ramp and of a drag area.
+    """Share of samples in which C5 and C10 are true, above and below a ramp time and a drag area.
 
     Parameters
     ----------
-    runs : over ``sample`` and ``lmrp_mass``.
-    at_most, change : as C5 and C10 have them.
-    ramp : of the platform's speed (s).
+    runs : runs over ``sample`` and ``lmrp_mass``.
+    at_most, change : limits of C5 and C10.
+    ramp : ramp time of the platform's speed (s).
     area : drag area of the LMRP (m2).
     """
     claims = {
@@ -103,13 +103,13 @@ def parts_of_samples(
 
 
 def _drawn(runs: xr.Dataset, name: str, unit: str) -> xr.DataArray:
-    """What samples assume of an input, which datasets have as it is written."""
+    """Values of an input that samples assume; datasets contain them as text with units."""
     texts = runs[f"assumed_{name}"]
     return texts.copy(data=[to_si(str(text), unit) for text in texts.values])
 
 
 def lighter(runs: xr.Dataset, heavy: float, light: float) -> dict[str, Any]:
-    """Distance x (m) for the three masses of Fig 10, and how much it grows from 140 to 120 t."""
+    """Distance x (m) for the three masses of Fig 10, and its relative increase from 140 to 120 t."""
     x = distance(runs)
     distances = {f"x{mass:g}": float(x.sel(lmrp_mass=mass)) for mass in (120.0, 130.0, 140.0)}
     return distances | {
@@ -119,7 +119,7 @@ def lighter(runs: xr.Dataset, heavy: float, light: float) -> dict[str, Any]:
 
 
 def variants(runs: xr.Dataset) -> dict[str, Any]:
-    """Of every variant: x (m), M (kN m), its depth (m) and the moment at the joint (kN m)."""
+    """For every variant: x (m), M (kN m), the depth of M (m) and the moment at the joint (kN m)."""
     over_s = moments(runs)
     facts: dict[str, Any] = {}
     names = {
@@ -143,7 +143,7 @@ def variants(runs: xr.Dataset) -> dict[str, Any]:
     }
     top, x = at_top(over_s), distance(runs)
     for short, name in names.items():
-        # its own nodes alone: a lever arm makes the riser of another variant longer
+        # only nodes of this variant: with a lever arm, another variant's riser is longer
         one = over_s.sel(variant=name).dropna("s")
         one = at_nodes_of_paper(one) if short == "paper" else one
         facts[f"x_{short}"] = float(x.sel(variant=name))
@@ -164,7 +164,7 @@ def _in_current(values: xr.DataArray) -> xr.DataArray:
 
 
 def load_power(runs: xr.Dataset) -> dict[str, Any]:
-    """Power of the speed with which x grows, from tracks at 0 and 180 deg with both speeds in one profile."""
+    """Exponent with which x increases with speed: tracks at 0 and 180 deg, both speeds in one profile."""
     x, sets = tracks(runs), unwrap(json.loads(runs["track"].attrs["sets"]))[0]
     slow, fast = (
         abs(to_si(sets[f"{angle} deg, {CURRENT:g} m/s"]["current.profile.surface_speed"], "m/s"))
@@ -176,7 +176,7 @@ def load_power(runs: xr.Dataset) -> dict[str, Any]:
 
 
 def flows(runs: xr.Dataset) -> dict[str, Any]:
-    """Distance x (m) in every reading of direction and speed, base riser and profile."""
+    """Distance x (m) in every interpretation of direction and speed, for the base riser and profile."""
     x = distance(runs).sel(lmrp_mass=140.0).isel(riser_weight=0, current_profile=0)
     words = {
         "against": "against, 1 m/s",
@@ -199,7 +199,7 @@ def sweep(runs: xr.Dataset, axis: str) -> dict[str, Any]:
 
 
 def lengths(runs: xr.Dataset) -> dict[str, Any]:
-    """Distance x (m), M (kN m) and angle of the joint (deg) of the shortest and the longest riser."""
+    """Distance x (m), M (kN m) and flex joint angle (deg) of the shortest and the longest riser."""
     angle = abs(np.degrees(runs["ufj_angle"].sel(time=STATED)))
     ends = {f"angle_{w}": float(angle[k]) for w, k in (("first", 0), ("last", -1))}
     return sweep(runs, "riser_length") | ends
@@ -216,7 +216,7 @@ def axial_lengths(heave: xr.Dataset) -> dict[str, Any]:
 
 
 def nearest_found(runs: xr.Dataset, heavy: float, light: float, moment: float) -> dict[str, Any]:
-    """Distances (m) and moment (kN m) of what a continuous search found nearest, and its worst miss."""
+    """Distances (m) and moment (kN m) of the nearest result of a continuous search; its largest error."""
     x, m = distance(runs), largest(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
     misses = misses_of_print(runs, heavy, light, moment)[list(PRINTED)].to_dataarray("number")
     facts = {

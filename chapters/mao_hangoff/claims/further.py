@@ -1,4 +1,4 @@
-"""Mao, Zeng, Liu: sentences on speed, tension and the top end, beside those of Figs 9 to 14."""
+"""Mao, Zeng, Liu: claims on speed, tension and the top end, in addition to the claims of Figs 9 to 14."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from riserstudy.grading.margin import above, everywhere
 from riserstudy.grading.word import Word
 from riserstudy.grading.yardstick import all_along, growing, more, more_on_the_whole
 
-UNSTEADY = (70.0, 130.0)  # s, in which the riser is towed at full speed
+UNSTEADY = (70.0, 130.0)  # s, start and end of the towing at full speed
 
 
 def speed_grows_with_mass(limits: xr.Dataset, larger: Word) -> Found:
-    """A heavier LMRP allows a larger speed, in every case; value: least ratio of the ends."""
+    """A heavier LMRP allows a larger speed, in every case; value: least ratio of last to first."""
     speed = limits["speed_limit"]
     others = [str(dim) for dim in speed.dims if dim != "lmrp_mass"]
     ratio = speed.isel(lmrp_mass=-1, drop=True) / speed.isel(lmrp_mass=0, drop=True)
@@ -23,7 +23,7 @@ def speed_grows_with_mass(limits: xr.Dataset, larger: Word) -> Found:
 
 
 def tension_range_grows_with_length(limits: xr.Dataset, larger: Word) -> Found:
-    """A longer riser has a larger range of tension, in every heave; value: least ratio of the ends."""
+    """A longer riser has a larger range of tension, in every heave; value: least last / first."""
     spread = limits["tension_range"]
     others = [str(dim) for dim in spread.dims if dim not in ("riser_length", "mode")]
     ratio = spread.isel(riser_length=-1, drop=True) / spread.isel(riser_length=0, drop=True)
@@ -31,7 +31,7 @@ def tension_range_grows_with_length(limits: xr.Dataset, larger: Word) -> Found:
 
 
 def upper_half_moves_faster(runs: xr.Dataset, faster: Word) -> Found:
-    """Between the times of Fig 9c the upper half moves faster than the lower; value: ratio of their ways."""
+    """The upper half moves faster than the lower between times of Fig 9c; value: ratio of distances moved."""
     x = with_printed_lmrp(runs["x"]).sel(time=TIMES)
     middle = 0.5 * (float(x["s"][0]) + float(x["s"][-1]))
     way = abs(x.diff("time"))
@@ -41,14 +41,14 @@ def upper_half_moves_faster(runs: xr.Dataset, faster: Word) -> Found:
 
 
 def top_end_decides(runs: xr.Dataset, larger: Word) -> Found:
-    """The joint's stiffness makes the riser deform more; value: distance, clamped over free."""
+    """The joint's stiffness makes the riser deform more; value: distance clamped / free."""
     x = distance(runs)
     clamped, free = (x.sel(variant=f"joint {name}", drop=True) for name in ("clamped", "free"))
     return judged(clamped / free, more(clamped, free, larger))
 
 
 def moments_vary(runs: xr.Dataset, depths: list[float], evident: Word) -> Found:
-    """Moments at depths vary in time; value: least range over the largest."""
+    """Moments at all depths vary in time; value: least ratio of range to largest moment."""
     size = moments_over_time(runs).sel(time=slice(*UNSTEADY))
     s = xr.DataArray([float(size["s"][-1]) - depth for depth in depths], dims="depth")
     there = size.sel(s=s, method="nearest")

@@ -1,8 +1,8 @@
-"""Mao, Zeng, Liu: what claims on axial motion, Figs 9d to 14c, are checked against.
+"""Mao, Zeng, Liu: results against which claims on axial motion, Figs 9d to 14c, are checked.
 
-a is the amplitude of axial motion at the period of the heave; the rise is how far a curve gets above the
-riser that hangs in still water, its level with its amplitude, which is what the text calls amplitude where
-curves are "stretched".
+a is the amplitude of axial motion at the period of the heave. The rise is the largest height of a curve above
+its elevation on the riser that hangs in still water; it includes the mean level and the amplitude. Where the
+text describes curves as "stretched", its word amplitude means this rise.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from riserstudy.grading.margin import above, everywhere
 from riserstudy.grading.word import Word
 from riserstudy.grading.yardstick import alike, all_along, all_of, growing, more
 
-SETTLED = 70.0  # s, by then every ramp of the heave has ended
-STEADY = 0.9  # of the motion at the heave's period, which counts as one frequency
+SETTLED = 70.0  # s, time at which every ramp of the heave has ended
+STEADY = 0.9  # least share of motion at the heave's period that counts as one frequency
 FIRST = 40.0  # s, end of the first phase, the second time of Fig 9c
 
 
@@ -36,21 +36,21 @@ def one_frequency(heave: xr.Dataset, depths: list[float]) -> Found:
 
 
 def amplitude_grows_with_depth(heave: xr.Dataset, depths: list[float], increases: Word) -> Found:
-    """Amplitude a grows with depth; value: deepest over first."""
+    """Amplitude a increases with depth; value: ratio of the deepest to the first."""
     a = harmonic(with_printed_lmrp(_z_at(heave, depths)), heave)["amplitude"]
     ratio = a.isel(depth=-1, drop=True) / a.isel(depth=0, drop=True)
     return judged(ratio, growing(a, "depth", increases))
 
 
 def level_rises(heave: xr.Dataset, depth: float) -> Found:
-    """The mean level at a depth rises while the riser trails off; value: m a minute."""
+    """The mean level at a depth rises while the riser trails; value: rate (m per minute)."""
     fit = harmonic(with_printed_lmrp(_z_at(heave, [depth])), heave).isel(depth=0, drop=True)
     rate = 60.0 * fit["drift"]
     return judged(rate, above(rate, 0.0, over=fit["amplitude"]))
 
 
 def amplitude_follows(heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """Amplitude a of the LMRP rises or falls along an axis, at one frequency; value: last over first."""
+    """Amplitude a of the LMRP increases or decreases along an axis, at one frequency; value: last / first."""
     fit = lmrp_motion(heave)
     steady = everywhere(above(fit["share"], STEADY), axis)
     a = fit["amplitude"]
@@ -58,18 +58,18 @@ def amplitude_follows(heave: xr.Dataset, axis: str, sign: float, change: Word) -
 
 
 def amplitude_hardly_changes(heave: xr.Dataset, axis: str, small: Word) -> Found:
-    """Amplitude a of the LMRP changes little along an axis; value: last over first."""
+    """Amplitude a of the LMRP changes little along an axis; value: last / first."""
     return _hardly_changes(lmrp_motion(heave)["amplitude"], axis, small)
 
 
 def rise_follows(heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """The LMRP's largest rise grows or falls along an axis; value: last over first."""
+    """The LMRP's largest rise increases or decreases along an axis; value: last / first."""
     rise = largest_rise(heave)
     return judged(last_over_first(rise, axis), growing(rise, axis, change, sign))
 
 
 def rise_hardly_changes(heave: xr.Dataset, axis: str, small: Word) -> Found:
-    """The LMRP's largest rise changes little along an axis; value: last over first."""
+    """The LMRP's largest rise changes little along an axis; value: last / first."""
     return _hardly_changes(largest_rise(heave), axis, small)
 
 
@@ -79,7 +79,7 @@ def _hardly_changes(values: xr.DataArray, axis: str, small: Word) -> Found:
 
 
 def lows_deeper_at_first(heave: xr.Dataset, depths: list[float], lower: Word) -> Found:
-    """In the first phase depths reach lower below rest than the top does; value: the least over the top's."""
+    """In the first phase, depths sink farther below their start than the top; value: least ratio."""
     z = with_printed_lmrp(_z_at(heave, [0.0, *depths]))
     fallen = (z.isel(time=0) - z.sel(time=slice(0.0, FIRST))).max("time")
     deep, top = fallen.sel(depth=depths), fallen.sel(depth=0.0, drop=True)
@@ -88,17 +88,17 @@ def lows_deeper_at_first(heave: xr.Dataset, depths: list[float], lower: Word) ->
 
 
 def amplitude_largest_at_0_degrees(heave: xr.Dataset, considerably: Word) -> Found:
-    """The LMRP's amplitude a at 0 deg is considerably above that at 45 and 90 deg; value: 90 over 0 deg."""
+    """The LMRP's amplitude a is considerably larger at 0 deg than at 45 and 90 deg; value: 90 / 0 deg."""
     return largest_at_0_degrees(lmrp_motion(heave)["amplitude"], considerably)
 
 
 def rise_largest_at_0_degrees(heave: xr.Dataset, considerably: Word) -> Found:
-    """The LMRP's largest rise at 0 deg is considerably above those at 45 and 90 deg; value: 90 over 0 deg."""
+    """The LMRP's largest rise is considerably larger at 0 deg than at 45 and 90 deg; value: 90 / 0 deg."""
     return largest_at_0_degrees(largest_rise(heave), considerably)
 
 
 def largest_at_0_degrees(values: xr.DataArray, considerably: Word) -> Found:
-    """Values at 0 deg are considerably above those at 45 and 90 deg; value: 90 over 0 deg."""
+    """Values at 0 deg are considerably larger than at 45 and 90 deg; value: 90 / 0 deg."""
     at0, at45, at90 = (at_angle(values, angle) for angle in (0, 45, 90))
     return judged(at90 / at0, all_of(more(at0, at45, considerably), more(at0, at90, considerably)))
 
@@ -116,9 +116,9 @@ def lmrp_motion(heave: xr.Dataset) -> xr.Dataset:
 
 
 def harmonic(z: xr.DataArray, heave: xr.Dataset) -> xr.Dataset:
-    """Amplitude (m) at the heave's period, drift (m/s), and the share of the motion at that period.
+    """Amplitude (m) at the heave's period, drift (m/s), and the share of the motion at this period.
 
-    Least squares with a quadratic drift: the slow change of level is no part of the amplitude.
+    Least-squares fit with a quadratic drift: amplitude and share exclude the slow change of level.
     """
     z = z.sel(time=slice(SETTLED, None))
     t = z["time"] - float(z["time"][0])
@@ -149,7 +149,7 @@ def harmonic(z: xr.DataArray, heave: xr.Dataset) -> xr.Dataset:
 
 
 def _period(heave: xr.Dataset) -> xr.DataArray:
-    """Period of the platform's heave (s): sampled, or that of the scene."""
+    """Period of the platform's heave (s): the sampled period, or else the period of the scene."""
     if "assumed_platform_heave_period" in heave:
         texts = heave["assumed_platform_heave_period"]
         return texts.copy(data=[float(str(text).split()[0]) for text in texts.values])

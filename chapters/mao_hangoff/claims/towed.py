@@ -1,7 +1,7 @@
-"""Mao, Zeng, Liu: what its numbers and claims on shape and moment are checked against.
+"""Mao, Zeng, Liu: results against which its numbers and claims on shape and moment are checked.
 
-x is the LMRP's distance from the platform along the track, M the largest moment, both at 130 s; a is the
-amplitude of axial motion at the period of the heave.
+x is the LMRP's distance from the platform along the track, and M is the largest moment, both at 130 s. a is
+the amplitude of axial motion at the period of the heave.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ from riserstudy.grading.yardstick import all_of, growing, less, more
 
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
 TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
-NEARLY = 0.99  # of the largest, which counts as the largest
-PLACES = 200  # evenly along the riser, for means
+NEARLY = 0.99  # share of the largest value that counts as the largest
+PLACES = 200  # number of equally spaced positions along the riser, for means
 
 
 # printed numbers
@@ -40,7 +40,7 @@ PLACES = 200  # evenly along the riser, for means
 def all_numbers(
     runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> Found:
-    """Whether one reading meets the three numbers within a share; value: its worst miss."""
+    """One interpretation meets the three numbers within a share; value: its largest error."""
     misses = misses_of_print(runs, heavy, light, moment)
     worst = xr.concat([misses[name] for name in PRINTED], "number").max("number")
     return judged(worst, below(worst, within))
@@ -50,7 +50,7 @@ def all_numbers(
 
 
 def grows_with_depth(runs: xr.Dataset, same: Word) -> Found:
-    """Distance grows with depth at 130 s, but for no difference; value: x over the largest distance."""
+    """Distance increases with depth at 130 s, except negligible decreases; value: x / largest distance."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
     largest_above = (
         away.sortby("s", ascending=False).rolling(s=away.sizes["s"], min_periods=1).max()
@@ -62,7 +62,7 @@ def grows_with_depth(runs: xr.Dataset, same: Word) -> Found:
 
 
 def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
-    """Slope over the lowest 50 m is much smaller than the mean one; value: their ratio."""
+    """The slope over the lowest 50 m is much smaller than the mean slope; value: their ratio."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
     lowest = (away.isel(s=0, drop=True) - away.interp(s=50.0).drop_vars("s")) / 50.0
     mean = away.isel(s=0, drop=True) / (float(away["s"][-1]) - float(away["s"][0]))
@@ -70,7 +70,7 @@ def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
 
 
 def steep_near_the_surface(runs: xr.Dataset, depth: float, steeper: Word) -> Found:
-    """The mean slope down to a depth (m) exceeds that of the riser; value: their ratio."""
+    """The mean slope down to a depth (m) exceeds the mean slope of the riser; value: their ratio."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
     top = float(away["s"][-1])
     near = away.interp(s=top - depth).drop_vars("s") / depth
@@ -79,14 +79,14 @@ def steep_near_the_surface(runs: xr.Dataset, depth: float, steeper: Word) -> Fou
 
 
 def moment_at_the_top(runs: xr.Dataset) -> Found:
-    """M lies in the surface zone; value: its depth below the joint (m)."""
+    """M occurs in the surface zone; value: depth of M below the joint (m)."""
     moment = with_printed_lmrp(moments(runs))
     depth = float(moment["s"][-1]) - moment.idxmax("s")
     return judged(depth, below(depth, SURFACE_ZONE))
 
 
 def small_below(runs: xr.Dataset, depth: float, at_most: float) -> Found:
-    """Moments below a depth (m) are small; value: the largest there over M."""
+    """Moments below a depth (m) are small; value: ratio of the largest there to M."""
     moment = with_printed_lmrp(moments(runs))
     deeper = moment.where(moment["s"] < float(moment["s"][-1]) - depth).max("s")
     share = deeper / moment.max("s")
@@ -94,14 +94,14 @@ def small_below(runs: xr.Dataset, depth: float, at_most: float) -> Found:
 
 
 def grows_in_time(runs: xr.Dataset, at_most: float) -> Found:
-    """Distance x grows from time to time of Fig 9c and is small at first; value: first over last."""
+    """Distance x increases from time to time of Fig 9c and is small at first; value: first / last."""
     x = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES).isel(s=0, drop=True)
     first = x.isel(time=0, drop=True) / x.isel(time=-1, drop=True)
     return judged(first, least(rising(x, "time"), below(first, at_most)))
 
 
 def lower_half_moves_more(runs: xr.Dataset) -> Found:
-    """The LMRP is farthest at all times, the lower half farther than the upper; value: at 130 s."""
+    """The LMRP is farthest at all times, the lower half farther than the upper; value: ratio at 130 s."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES)
     middle = 0.5 * (float(away["s"][0]) + float(away["s"][-1]))
     lower, upper = away.where(away["s"] <= middle), away.where(away["s"] >= middle)
@@ -111,30 +111,30 @@ def lower_half_moves_more(runs: xr.Dataset) -> Found:
     return judged(ratio.isel(time=-1, drop=True), margin)
 
 
-# Figs 10 to 14: what changes with what
+# Figs 10 to 14: effects of the inputs
 
 
 def distance_and_moment_follow(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """Both x and M rise (sign 1) or fall (-1) along an axis; value: last x over first."""
+    """Both x and M increase (sign 1) or decrease (-1) along an axis; value: last x / first."""
     x, m = distance(runs), largest(runs)
     both = all_of(*(growing(values, axis, change, sign) for values in (x, m)))
     return judged(last_over_first(x, axis), both)
 
 
 def distance_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """Distance x rises or falls along an axis; value: last over first."""
+    """Distance x increases or decreases along an axis; value: last / first."""
     x = distance(runs)
     return judged(last_over_first(x, axis), growing(x, axis, change, sign))
 
 
 def moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """M rises or falls along an axis; value: last over first."""
+    """M increases or decreases along an axis; value: last / first."""
     m = largest(runs)
     return judged(last_over_first(m, axis), growing(m, axis, change, sign))
 
 
 def top_moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """M rises or falls along an axis, and is near the top at its end; value: last over first."""
+    """M increases or decreases along an axis, and is near the top at its start; value: last / first."""
     over_s = moments(runs)
     m = over_s.max("s")
     depth = float(over_s["s"][-1]) - over_s.isel({axis: 0}, drop=True).idxmax("s")
@@ -143,15 +143,15 @@ def top_moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -
 
 
 def joint_angle_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """The angle of the flex joint at 130 s rises or falls along an axis; value: last over first."""
+    """The flex joint angle at 130 s increases or decreases along an axis; value: last / first."""
     angle = abs(runs["ufj_angle"].sel(time=STATED, drop=True))
     return judged(last_over_first(angle, axis), growing(angle, axis, change, sign))
 
 
 def change_near_the_lmrp(runs: xr.Dataset) -> Found:
-    """What a lighter LMRP changes is largest at the LMRP, and mainly below mid-length.
+    """The change of distance by a lighter LMRP is largest at the LMRP, and mainly below mid-length.
 
-    Value: mean of the lower half over that of the upper.
+    Value: ratio of the mean change in the lower half to the mean change in the upper half.
     """
     away = abs(displacement(runs)).sel(time=STATED, drop=True)
     change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
@@ -169,7 +169,7 @@ def change_near_the_lmrp(runs: xr.Dataset) -> Found:
 
 
 def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
-    """Most of what a lighter LMRP changes arises in the lowest quarter; value: the share."""
+    """Most of the change by a lighter LMRP arises in the lowest quarter; value: share of this quarter."""
     away = abs(displacement(runs)).sel(time=STATED, drop=True)
     change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
     quarter = 0.25 * float(change["s"][-1])
@@ -179,14 +179,14 @@ def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
 
 
 def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """x, M and a all rise or fall along an axis; value: last x over first."""
+    """x, M and a all increase or decrease along an axis; value: last x / first."""
     return _all_follow(runs, lmrp_motion(heave)["amplitude"], axis, sign, change)
 
 
 def all_rise_with(
     runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word
 ) -> Found:
-    """The same with the LMRP's largest rise in place of a."""
+    """x, M and the LMRP's largest rise all increase or decrease along an axis; value: last x / first."""
     return _all_follow(runs, largest_rise(heave), axis, sign, change)
 
 
@@ -199,13 +199,13 @@ def _all_follow(
 
 
 def loads_small_at_the_lmrp(loads: xr.Dataset, smaller: Word) -> Found:
-    """The load on the riser at the LMRP is smaller than that at the joint; value: their ratio."""
+    """The load on the riser is smaller at the LMRP than at the joint; value: their ratio."""
     low, high = (abs(with_printed_lmrp(loads[f"load_at_{place}"])) for place in ("lmrp", "joint"))
     return judged(low / high, less(low, high, smaller))
 
 
 def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
-    """At 90 deg the LMRP is on another side than at 0 and 45 deg; value: place at 90 over that at 0 deg."""
+    """At 90 deg the LMRP is on another side than at 0 and 45 deg; value: position at 90 / at 0 deg."""
     place = displacement(runs).sel(time=STATED, drop=True).isel(s=0, drop=True)
     at0, at45, at90 = (at_angle(place, angle) for angle in (0, 45, 90))
     same = above(at45 / at0, 0.0, over=1.0)
@@ -213,7 +213,7 @@ def other_way_at_90_degrees(runs: xr.Dataset) -> Found:
 
 
 def falls_with_angle(runs: xr.Dataset, considerably: Word, declines: Word) -> Found:
-    """Distance x falls from 0 over 45 to 90 deg, 0 deg considerably largest; value: x at 90 over 0 deg."""
+    """Distance x decreases from 0 to 45 (considerably) and to 90 deg; value: x at 90 / at 0 deg."""
     x = distance(runs)
     at0, at45, at90 = (at_angle(x, angle) for angle in (0, 45, 90))
     both = all_of(more(at0, at45, considerably), more(at45, at90, declines))
@@ -221,7 +221,7 @@ def falls_with_angle(runs: xr.Dataset, considerably: Word, declines: Word) -> Fo
 
 
 def grows_beyond_90_degrees(runs: xr.Dataset, increases: Word) -> Found:
-    """Distance x grows from 90 over 135 to 180 deg; value: x at 180 over 90 deg."""
+    """Distance x increases from 90 to 135 and to 180 deg; value: x at 180 / at 90 deg."""
     x = distance(runs)
     at90, at135, at180 = (at_angle(x, angle) for angle in (90, 135, 180))
     both = all_of(more(at135, at90, increases), more(at180, at135, increases))

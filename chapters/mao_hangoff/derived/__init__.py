@@ -1,1 +1,1 @@
-"""Derived of the chapter, a file a subject."""
+"""Derived datasets of the chapter, one file per subject."""

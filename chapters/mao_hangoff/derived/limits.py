@@ -1,4 +1,4 @@
-"""Beyond Mao, Zeng, Liu: what limits a captain's speed, and a riser's tension in heave."""
+"""Beyond Mao, Zeng, Liu: limits of the platform's speed, and the riser's tension in heave."""
 
 from __future__ import annotations
 
@@ -24,23 +24,23 @@ def speed_limits(
     yield_stress: str,
     share_of_yield: float,
 ) -> xr.Dataset:
-    """Largest speed that keeps all limits, over length, LMRP mass and current, and what governs it.
+    """Largest speed that meets all limits, over length, LMRP mass and current, and the governing limit.
 
-    ``speed_limit`` is the platform's, over ground; ``speed_through_water`` adds the current that it drives
-    against, at the surface (both in knots).
+    ``speed_limit`` is the platform's speed over ground; ``speed_through_water`` adds the surface speed of the
+    current, against which the platform sails (both in knots).
 
     Parameters
     ----------
     steady : shapes, tensions and moments over the axes and ``platform_speed``.
-    joint_angle : largest angle of the flex joint, with its unit.
-    clearance : how far from below the joint the riser may be at the keel, with its unit.
+    joint_angle : largest allowable flex joint angle, with its unit.
+    clearance : allowable horizontal distance between the riser at keel depth and the joint, with its unit.
     keel : depth of the keel below the joint, with its unit.
-    yield_stress, share_of_yield : stress is kept below this share of it.
+    yield_stress, share_of_yield : yield stress, with its unit, and the share of it that limits the stress.
 
     Raises
     ------
     ValueError
-        When one of them is no quantity of its kind.
+        If one of these texts is not a quantity of its kind.
     """
     scene = json.loads(steady.attrs["scene"])
     pipe = scene["riser"][0]
@@ -68,7 +68,7 @@ def speed_limits(
 
 
 def _at_the_keel(steady: xr.Dataset, keel: float) -> xr.DataArray:
-    """Distance of the riser from below the joint, at the keel (m)."""
+    """Horizontal distance between the riser at keel depth and the joint (m)."""
     angles = []
     for length in steady["riser_length"].values:
         x = steady["x"].sel(riser_length=length).dropna("s")
@@ -78,10 +78,10 @@ def _at_the_keel(steady: xr.Dataset, keel: float) -> xr.DataArray:
 
 
 def tension_limits(hang_off: xr.Dataset, hang_off_lost: xr.Dataset) -> xr.Dataset:
-    """Range of tension at the top, and the heave amplitude at which tension is first lost (m).
+    """Range of the top tension (N), and least heave amplitude (m) at which tension becomes negative.
 
-    Not a number where it is not lost in the amplitudes of the grid. Of a riser that is locked to the
-    platform it is found on the closer grid.
+    The amplitude is NaN if tension stays positive at all amplitudes of the grid. For a riser locked to the
+    platform it is found on the finer grid, ``hang_off_lost``.
     """
     high, low = hang_off["effective_tension_max"], hang_off["effective_tension_min"]
     soft = _loses_tension(hang_off.sel(mode="soft", drop=True))
@@ -97,7 +97,7 @@ def tension_limits(hang_off: xr.Dataset, hang_off_lost: xr.Dataset) -> xr.Datase
 
 
 def _loses_tension(hung: xr.Dataset) -> xr.DataArray:
-    """Heave amplitude (m) at which the smallest tension is zero; not a number where it is not in the grid."""
+    """Heave amplitude (m) at which the smallest tension is zero; NaN if it is outside the grid."""
     lowest = hung["effective_tension_min"].min("s_node")
     rest = hung["effective_tension_static"].min("s_node").isel(heave_amplitude=0, drop=True)
     from_rest = xr.concat([rest.expand_dims(heave_amplitude=[0.0]), lowest], "heave_amplitude")

@@ -1,6 +1,6 @@
-"""Mao, Zeng, Liu: what the figures show, the riser's shape relative to the platform and its moment.
+"""Mao, Zeng, Liu: contents of the figures: the riser's shape relative to the platform, and its moment.
 
-Displacements count along the track, from the upper flex joint: negative is behind the platform.
+Displacements are measured along the track from the upper flex joint; negative is behind the platform.
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from chapters.mao_hangoff.towed import displacement
 from riserstudy.dataset.describe import described, scenes_of
 from riserstudy.model.sea import current_table
 
-MEAN_OVER = 10.0  # s, before it
+MEAN_OVER = 10.0  # s before the stated time, for mean speeds
 
 
 def base(base_runs: xr.Dataset) -> xr.Dataset:
-    """The evacuation of Table 2."""
+    """Shape, moment and axial motion in the evacuation of Table 2."""
     return towed(base_runs, "base")
 
 
 def reference_masses(hangoff_ref: xr.Dataset) -> xr.Dataset:
-    """The case without open inputs over ``lmrp_mass`` (t): the scene and its variant with a lighter LMRP."""
+    """Case without unspecified inputs over ``lmrp_mass`` (t): the scene, and its variant of lighter LMRP."""
     names = {140.0: "hangoff_ref", 120.0: "hangoff_ref_120t"}
     masses = xr.DataArray(list(names), dims="lmrp_mass", name="lmrp_mass", attrs={"units": "t"})
     runs = [hangoff_ref.sel(variant=name, drop=True) for name in names.values()]
@@ -31,9 +31,9 @@ def reference_masses(hangoff_ref: xr.Dataset) -> xr.Dataset:
 
 
 def end_loads(readings: xr.Dataset) -> xr.Dataset:
-    """Drag a metre of riser (N/m) at the joint and at the LMRP at 130 s, in every reading.
+    """Drag per metre of riser (N/m) at the joint and at the LMRP at 130 s, in every interpretation.
 
-    The riser's speed is the mean of the last ten seconds.
+    The riser's speed is its mean over the last ten seconds.
     """
     past, now = (readings["x"].sel(time=time, drop=True) for time in (STATED - MEAN_OVER, STATED))
     speed = (now - past) / MEAN_OVER
@@ -65,7 +65,7 @@ def end_loads(readings: xr.Dataset) -> xr.Dataset:
 
 
 def current_profiles(readings: xr.Dataset) -> xr.Dataset:
-    """Fig 8: speed of the current over its surface speed, over (current_profile, below_surface)."""
+    """Fig 8: ratio of the current speed to its surface speed, over (current_profile, below_surface)."""
     below = xr.DataArray(np.linspace(0.0, 1800.0, 361), dims="below_surface", name="below_surface")
     shares = {}
     for place, scene in scenes_of(readings.isel(riser_weight=[0], flow=[0], lmrp_mass=[0])):
@@ -80,27 +80,27 @@ def current_profiles(readings: xr.Dataset) -> xr.Dataset:
 
 
 def lmrp_mass(lmrp_mass_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 10."""
+    """Shape, moment and axial motion over the LMRP mass, for Fig 10."""
     return towed(lmrp_mass_runs, "lmrp_mass")
 
 
 def current_speed(current_speed_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 11."""
+    """Shape, moment and axial motion over the current speed, for Fig 11."""
     return towed(current_speed_runs, "current_speed")
 
 
 def platform_speed(platform_speed_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 12."""
+    """Shape, moment and axial motion over the platform speed, for Fig 12."""
     return towed(platform_speed_runs, "platform_speed")
 
 
 def riser_length(riser_length_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 14."""
+    """Shape, moment and axial motion over the riser length, for Fig 14."""
     return towed(riser_length_runs, "riser_length")
 
 
 def track_angle(track_angle_runs: xr.Dataset) -> xr.Dataset:
-    """Fig 13."""
+    """Shape, moment and axial motion over the track angle, for Fig 13."""
     return towed(track_angle_runs, "track_angle")
 
 
@@ -109,7 +109,7 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
 
     ``lmrp_displacement``, ``lmrp_displacement_cross`` and ``lmrp_rise`` over time,
     ``displacement_along`` over time and s, ``bending_moment_size`` at 130 s over s. s counts from the LMRP;
-    there is nothing above a top.
+    there are no values above a riser's top.
     """
     along = displacement(runs)
     made = xr.Dataset(
@@ -130,7 +130,7 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
 
 
 def _across(runs: xr.Dataset) -> xr.DataArray:
-    """Displacement of the LMRP across the track (m); none where a run has no motion across it."""
+    """Displacement of the LMRP across the track (m); zero for runs without motion across it."""
     if "y" not in runs:
         return xr.zeros_like(runs["x"].isel(s=0, drop=True))
     y = runs["y"].fillna(0.0)
@@ -139,7 +139,7 @@ def _across(runs: xr.Dataset) -> xr.DataArray:
 
 
 def rise(runs: xr.Dataset, s: float) -> xr.DataArray:
-    """How far the node at ``s`` has risen from rest (m)."""
+    """Rise of the node at ``s`` (m) from its static equilibrium."""
     rest = runs["z_static"].interp(s_node=s)
     risen: xr.DataArray = runs["z"].sel(s=s, method="nearest") - rest
     return risen.drop_vars(["s", "s_node"])

@@ -24,9 +24,9 @@ from riserstudy.figures.style import (
 )
 
 MARKS = ("o", "s", "^", "D", "v", "P")
-NEAR = (0.1, 0.09, 0.44, 0.25)  # where the panel is empty, for what is about the nearest, enlarged
-AROUND = 0.25  # of the nearest's distance and of the printed growth, either way
-LETTERS = 21  # in a line of a name within a panel
+NEAR = (0.1, 0.09, 0.44, 0.25)  # empty part of a panel, for an enlarged part
+AROUND = 0.25  # half size of it, as share of nearest distance and of printed growth
+LETTERS = 21  # most letters per line of a name within a panel
 NEAREST = "nearest to all three numbers"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
 RING: dict[str, Any] = {
@@ -41,7 +41,7 @@ RING: dict[str, Any] = {
 def readings(
     readings: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> Figure:
-    """Every reading of riser weight, flow and profile, compared with the printed numbers.
+    """Every interpretation of riser weight, flow and profile, compared with the printed numbers.
 
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment
     (kN m); ``within``: share of a number that counts as near.
@@ -71,7 +71,7 @@ def readings(
 
 
 def _name_nearest(ax: Axes, nearest: xr.Dataset) -> None:
-    """Write which interpretation the nearest is, with an arrow to its ring."""
+    """Name the nearest interpretation, with an arrow to its ring."""
     parts = (str(nearest[axis].item()) for axis in ("riser_weight", "flow", "current_profile"))
     name = ",\n".join(textwrap.fill(part, LETTERS) for part in parts)
     ax.annotate(
@@ -82,13 +82,13 @@ def _name_nearest(ax: Axes, nearest: xr.Dataset) -> None:
 
 
 def _nearest(numbers: xr.Dataset, misses: xr.Dataset) -> xr.Dataset:
-    """Numbers of what misses all three printed ones by least."""
+    """Numbers of the result whose largest error in the three printed numbers is the least."""
     worst = misses[list(NUMBERS)].to_dataarray("number").max("number")
     return numbers.isel(worst.argmin(...))
 
 
 def _ring(axes: list[Axes], nearest: xr.Dataset, mark: str, colour: str) -> None:
-    """Ring the nearest in both panels, and draw it again over its neighbours."""
+    """Draw a ring around the nearest in both panels, and redraw it in front of its neighbours."""
     on_top: dict[str, Any] = {"marker": mark, "color": colour, "ms": 8, "zorder": 3, "ls": "none"}
     for ax, name in zip(axes, ("moment", "ratio"), strict=True):
         ax.plot(nearest["x"], nearest[name], label=NEAREST, **RING)
@@ -96,7 +96,7 @@ def _ring(axes: list[Axes], nearest: xr.Dataset, mark: str, colour: str) -> None
 
 
 def _how_near(misses: xr.Dataset, within: float, label: str) -> str:
-    """How many come within a share of each number and of all three, and the error of the nearest."""
+    """Title: the count that is within a share of all three numbers, or else the error of the nearest."""
     three = misses[list(NUMBERS)].to_dataarray("number")
     worst = three.max("number")
     every = int((worst <= within).sum())
@@ -112,7 +112,7 @@ def _printed(heavy: float, light: float, moment: float) -> str:
 
 
 def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str], printed: str) -> None:
-    """What colours and marks mean, a column each, below the panels."""
+    """Key of colours, marks and lines, one column each, below the panels."""
     colours = [_legend_line(weight, "o", colour) for weight, colour in weights.items()]
     marks = [_legend_line(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
     others = [
@@ -142,7 +142,7 @@ def _legend_line(label: str, mark: str = "", colour: str = "none") -> Line2D:
 def open_choices(
     open_lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> Figure:
-    """Samples of the unspecified inputs, compared with the printed numbers as ``readings`` has them."""
+    """Samples of the unspecified inputs, compared with the printed numbers; arguments as in ``readings``."""
     numbers = _numbers(open_lmrp_mass)
     figure, axes = _compare_with_print(heavy, light, moment)
     weights = open_lmrp_mass["assumed_riser_weight"]
@@ -165,7 +165,7 @@ def open_choices(
 def _around_print(
     axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float
 ) -> None:
-    """Show what is near the printed numbers; samples beyond are counted."""
+    """Limit panels to the surroundings of the printed numbers; titles count the results within them."""
     for ax, (name, right, bottom, top) in zip(axes, _frames(heavy, light, moment), strict=True):
         ax.set_xlim(-0.1 * heavy, right)
         ax.set_ylim(bottom, top)
@@ -178,7 +178,7 @@ def _around_print(
 def _frames(
     heavy: float, light: float, moment: float
 ) -> tuple[tuple[str, float, float, float], ...]:
-    """Of each panel what is upwards, and the right end, bottom and top of what is shown."""
+    """For each panel: quantity of the vertical axis, and the right end, bottom and top of the frame."""
     growth = light / heavy - 1.0
     return (
         ("moment", 4.1 * heavy, 0.0, 4.2 * moment),
@@ -187,12 +187,12 @@ def _frames(
 
 
 def _beyond(found: xr.Dataset, name: str, right: float, bottom: float, top: float) -> xr.DataArray:
-    """Which of what was found lies outside a panel's frame."""
+    """Flags of the results outside a panel's frame."""
     return (found["x"] > right) | (found[name] > top) | (found[name] < bottom)
 
 
 def _coloured(readings: xr.DataArray) -> dict[str, str]:
-    """The colour of each reading of the weight that there is."""
+    """Colour of each interpretation of the weight that occurs."""
     there = set(map(str, readings.values))
     return {weight: colour for weight, colour in OF_WEIGHT.items() if weight in there}
 
@@ -210,7 +210,7 @@ def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figu
 
 
 def _numbers(runs: xr.Dataset) -> xr.Dataset:
-    """Distance x (m) and M (kN m) with 140 t, and x with 120 t over that."""
+    """Distance x (m) and M (kN m) with 140 t, and the ratio of x with 120 t to x with 140 t."""
     x, moment = distance(runs), largest(runs) / 1e3
     heavy = x.sel(lmrp_mass=140.0, drop=True)
     return xr.Dataset(

@@ -1,4 +1,4 @@
-"""Colours in all figures of this chapter: one for one thing; ordered values are shades, light to dark."""
+"""Colours in all figures of this chapter: one per thing; ordered values are shades, light to dark."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OF_INPUT = {
     "riser_length": "#aa4499",
     "track_angle": "#7f6000",
 }
-#: where and when along one run
+#: coordinates of a single run
 OF_COORDINATE = {"time": "#456882", "depth": "#882255"}
 FINE_MESH, MESH_OF_PAPER = (
     "computed, fine mesh",
@@ -28,11 +28,11 @@ OF_WEIGHT = {
     "flooded 22.2 mm wall": "#117733",
     "flooded 25.4 mm wall": "#cc6677",
 }
-PROFILE = "#555555"  # current profiles, which panels and names tell apart
+PROFILE = "#555555"  # current profiles; panels and names distinguish them
 
 
 def ordered(colour: str, values: Iterable[float]) -> list[str]:
-    """A shade of a colour for each value, the darker the larger."""
+    """One shade of a colour for each value; larger values are darker."""
     given = [*values]
     known = dict(zip(sorted(given), shades(colour, len(given)), strict=True))
     return [known[value] for value in given]

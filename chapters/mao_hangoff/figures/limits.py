@@ -1,4 +1,4 @@
-"""Figures beyond Mao, Zeng, Liu: what limits a captain's speed, and a riser's tension in heave."""
+"""Figures beyond Mao, Zeng, Liu: limits of the platform's speed, and the riser's tension in heave."""
 
 from __future__ import annotations
 
@@ -29,15 +29,15 @@ from riserstudy.figures.style import (
 )
 from riserstudy.scene.origin import unwrap
 
-PERIODS = (5.0, 8.0)  # s, of heave: the least, and one in which heavy risers keep tension
+PERIODS = (5.0, 8.0)  # s, of heave: the least, and one at which heavy risers keep positive tension
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
-MARKS = ("o", "s", "^", "v")  # of limits; the last where none is reached
+MARKS = ("o", "s", "^", "v")  # of limits; the last if no limit is reached
 KEPT, LOST = "Blues", "Oranges"  # of tension ranges
-HEAVES = "Greens_r"  # of heave amplitudes, of which the least is the worst
+HEAVES = "Greens_r"  # of heave amplitudes; the least is the worst
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
-    """Largest speed over ground over length, a line an LMRP mass, a panel a current; marks: what governs."""
+    """Largest speed over ground over length, by LMRP mass, one panel per current; marks: governing limit."""
     currents = speed_limits["current_speed"].values
     figure, axes = panels(1, len(currents), 3.6, sharey=True)
     names = [str(name) for name in speed_limits["limit"].values]
@@ -67,7 +67,7 @@ def speed_limits(speed_limits: xr.Dataset) -> Figure:
         ax.margins(x=0.0)
     label_ends(axes[-1])
     for ax in axes:
-        ax.margins(x=0.05)  # so that marks are whole, and numbers of neighbours apart
+        ax.margins(x=0.05)  # room for whole marks, and between numbers of neighbouring panels
     highest = max(float(text.xy[1]) for text in axes[-1].texts if isinstance(text, Annotation))
     axes[-1].annotate(
         "LMRP\nmass", (1.0, highest), xycoords="axes fraction", xytext=(4.0, 7.0), fontsize="small",
@@ -91,7 +91,7 @@ def _governs(which: int, names: list[str]) -> str:
 
 
 def _limit_in_words(speed_limits: xr.Dataset, name: str) -> str:
-    """A limit that governs everywhere, with its value and whether that is assumed."""
+    """Text of a limit that governs everywhere, with its value and the status of the value."""
     plain, given, _ = unwrap(json.loads(speed_limits.attrs["settings"]))
     setting = name.replace(" ", "_")
     status = f" ({given[setting].status})" if setting in given else ""
@@ -99,7 +99,7 @@ def _limit_in_words(speed_limits: xr.Dataset, name: str) -> str:
 
 
 def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
-    """Where the limits allow the least speed, and where the most, and which of them governs."""
+    """Title: least and largest speed that the limits allow, and the governing limits."""
     speed = speed_limits["speed_limit"]
     which = sorted(set(speed_limits["governing_limit"].values.astype(int).ravel().tolist()) - {-1})
     held = " or ".join(names[k] for k in which)
@@ -108,7 +108,7 @@ def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:
-    """Tension range over heave, soft and hard; the heave that loses tension, hard, over the riser."""
+    """Top tension range over heave, soft and hard; least heave with negative tension, hard, by riser."""
     figure, axes = panels(2, 2, 3.6)
     of_paper = tension_limits.isel(riser_length=-1, lmrp_mass=-1)
     spread = of_paper["tension_range"].transpose("mode", "heave_amplitude", "heave_period") / 1e6
@@ -157,7 +157,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
 
 
 def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str) -> None:
-    """One colour bar for panels that have the same colours; without a label only the unit, below."""
+    """One colour bar for several panels; without a label, only with a unit below the bar."""
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01)
     bar.ax.yaxis.set_major_formatter("{x:g}" if label else NullFormatter())
     if not label:
@@ -166,7 +166,7 @@ def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: s
 
 
 def _loses(lost: xr.DataArray) -> str:
-    """From which heave on a riser's tension is negative, and in which period: the worst; "" where none is."""
+    """Least heave at which a riser's tension becomes negative, and its period; "" if it stays positive."""
     if bool(lost.isnull().all()):
         return ""
     worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
@@ -174,7 +174,7 @@ def _loses(lost: xr.DataArray) -> str:
 
 
 def _two_digits(value: float) -> str:
-    """A number to two significant digits, a zero among them."""
+    """A number with two significant digits; a final zero is kept."""
     return f"{value:#.2g}".removesuffix(".")
 
 
@@ -185,12 +185,12 @@ def _cells(
     lost: xr.DataArray | None = None,
     colours: str = KEPT,
 ) -> None:
-    """A table in colours, a cell a pair of coordinates; no number: beyond the scale."""
+    """A coloured table, one cell per pair of coordinates; NaN: beyond the scale."""
     up, across = values.dims
     kept = values if lost is None else values.where(~lost)
     beyond = xr.where(
         values.isnull(), norm.vmax, np.nan
-    )  # in the colour of the largest that is shown
+    )  # in the colour of the largest value shown
     layers = ((kept, colours), (values.where(kept.isnull()), LOST), (beyond, colours))
     for drawn, shade in layers:
         ax.pcolormesh(drawn.values, norm=norm, cmap=shade, edgecolors="white")

@@ -1,6 +1,6 @@
-"""Figures of Mao, Zeng, Liu on a riser that is towed: the printed ones by number.
+"""Figures of Mao, Zeng, Liu on a towed riser, with the numbers of the printed figures.
 
-Displacements are distances behind the platform, along its track; depths count from the upper flex joint.
+Displacements are distances behind the platform, along its track; depths are below the upper flex joint.
 """
 
 from __future__ import annotations
@@ -43,16 +43,16 @@ from riserstudy.figures.style import (
 )
 
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
-START = (4.0, 8.0, 12.0)  # s, up to where Fig 4 ends
+START = (4.0, 8.0, 12.0)  # s, of Fig 4; it ends at the last
 DEPTHS = (0.0, 1000.0, 1500.0)  # m, of Fig 9d
-#: shapes of the current by what their names contain, with the titles of their panels
+#: families of current profiles: part of their names, and titles of their panels
 FAMILIES = {
     "none below": "uniform to 100 m,\nzero below the depth shown",
     "exponential": "exponential,\ndecay length",
     "": "power of height",
 }
-MIDDLE, DEEPEST = 700.0, 1800.0  # m, depths of Fig 8: where lines are named, and its last
-#: of lines that are close: name in the figure, its depth (m), and how far away it is (points)
+MIDDLE, DEEPEST = 700.0, 1800.0  # m, in Fig 8: depth of line names, and last depth
+#: of lines that are close: name in the figure, its depth (m), and its offset (points)
 PLACES = {
     "uniform to 100 m, none below 300 m": ("300 m (Figs\n9 to 12, 14)", 230.0, (-2.0, 6.0)),
     "uniform to 100 m, none below 500 m": ("500 m", 340.0, (3.0, -4.0)),
@@ -66,12 +66,12 @@ PLACES = {
 }
 SIGNED = "bending moment at 130 s, signed (kN m)"
 HEAVE = 10.0  # s, period of the base case's heave
-UPPER = (-20.0, 180.0)  # m, of depth, enlarged in Fig 9
-AROUND = 130.0  # m, of depth about the largest difference of Fig 4
+UPPER = (-20.0, 180.0)  # m, enlarged range of depth in Fig 9
+AROUND = 130.0  # m, of depth above and below the largest difference of Fig 4
 
 
 def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
-    """Shape and moment in the first 12 s of the case without open inputs, by both integrators."""
+    """Shape and moment in the first 12 s of the case without unspecified inputs, by both integrators."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     runs = hangoff_ref_start
     shapes, moments = -displacement(runs), runs["bending_moment"] / 1e3
@@ -91,8 +91,8 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     implicit = axes[1].plot([], [], color=GREY, label="implicit")
     explicit = axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
     down(axes[0], ASTERN)
-    axes[0].margins(x=0.14)  # room for the last time
-    axes[0].set_ylim(top=-0.1 * float(depth.max()))  # and for those above the moments
+    axes[0].margins(x=0.14)  # room for the label of the last time
+    axes[0].set_ylim(top=-0.1 * float(depth.max()))  # and for labels above the moments
     _enlarge_largest_difference(axes[1], moments.sel(time=list(START)), depth)
     axes[1].set_xlabel("bending moment (kN m)")
     axes[1].legend(handles=[*implicit, *explicit], fontsize="small", loc="lower right")
@@ -110,7 +110,7 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
 
 
 def _enlarge_largest_difference(ax: Axes, moments: xr.DataArray, depth: xr.DataArray) -> None:
-    """Where moments (kN m) by both integrators differ most, enlarged."""
+    """Enlarge the surroundings of the largest difference between the integrators' moments (kN m)."""
     implicit, explicit = (moments.sel(integrator=name) for name in ("implicit", "explicit"))
     apart = abs(explicit - implicit)
     at = apart.argmax(...)
@@ -156,7 +156,7 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
 
 
 def fig08(current_profiles: xr.Dataset) -> Figure:
-    """Current over depth: the surface speeds of Fig 11, and the shapes that the text leaves open."""
+    """Current over depth: the surface speeds of Fig 11, and profiles, which the text does not specify."""
     figure, axes = panels(1, 4, 3.7, sharey=True)
     share = current_profiles["current_share"]
     depth, shapes = share["below_surface"], [str(one) for one in share["current_profile"].values]
@@ -181,25 +181,25 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
         ax.set_xlabel("speed / surface speed")
         panel_title(ax, FAMILIES[family])
     axes[0].set_ylabel("depth below the surface (m)")
-    axes[0].set_ylim(1.12 * float(depth.max()), -0.05 * float(depth.max()))  # room for a name
+    axes[0].set_ylim(1.12 * float(depth.max()), -0.05 * float(depth.max()))  # room for a label
     headline(figure, "Current over depth: surface speeds as printed, shapes assumed")
     return figure
 
 
 def _family(shape: str) -> str:
-    """Panel of Fig 8 in which a shape of the current is drawn."""
+    """Key in ``FAMILIES`` of a current profile, and so its panel of Fig 8."""
     return next((family for family in FAMILIES if family in shape), "")
 
 
 def _while_it_flows(speed: xr.DataArray) -> xr.DataArray:
-    """A current down to where less than a hundredth of it is left, so that no line lies on the axis."""
+    """Speeds above one hundredth of the largest, else NaN, to keep lines off the axis."""
     return speed.where(speed > 0.01 * float(speed.max()))
 
 
 def fig09(
     base: xr.Dataset, base_runs: xr.Dataset, variants: xr.Dataset, heavy: float, moment: float
 ) -> Figure:
-    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; the paper's own setting.
+    """The evacuation of Table 2: shape, moment, shapes in time, axial motion; also with the paper's mesh.
 
     ``heavy``: printed distance (m); ``moment``: printed largest moment (kN m).
     """
@@ -215,7 +215,7 @@ def fig09(
     for colour, time in zip(ordered(OF_COORDINATE["time"], TIMES), TIMES, strict=True):
         shape = -base["displacement_along"].sel(time=time)
         (drawn,) = axes[2].plot(shape, depth, color=colour, label=f"{time:g} s")
-        side = "left" if time == TIMES[-1] else "right"  # the last two end close to each other
+        side = "left" if time == TIMES[-1] else "right"  # the last two shapes end close together
         label_line(axes[2], drawn, 0.0, (0.0, -3.0), size="x-small", ha=side, va="top")
     _axial_motion(axes[3], base_runs["z"])
     titles = (
@@ -229,7 +229,7 @@ def fig09(
     for ax, label in zip(axes, (ASTERN, SIGNED, ASTERN), strict=False):
         down(ax, label)
     largest, band = _moment_of_base(axes[1], base_runs, own, moment)
-    axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the times
+    axes[2].set_ylim(bottom=1.09 * float(depth.max()))  # room for the labels of times
     axes[2].margins(x=0.12)
     known = (
         (Line2D([], [], color=fine), FINE_MESH),
@@ -250,9 +250,9 @@ def fig09(
 def _moment_of_base(
     ax: Axes, base_runs: xr.Dataset, own: xr.Dataset, moment: float
 ) -> tuple[float, PolyCollection]:
-    """Moment at 130 s on a fine mesh and on that of the paper, its peaks with its range enlarged.
+    """Moment at 130 s on a fine mesh and on the mesh of the paper; peaks and range are enlarged.
 
-    Returns the largest on the fine mesh (kN m) and the band of the range.
+    Returns the largest moment on the fine mesh (kN m), and the band of the range in a heave cycle.
     """
     at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
     turn = _sign_of_largest(at_130)
@@ -269,7 +269,7 @@ def _moment_of_base(
         fontsize="small", textcoords="offset points", va="top", color=OF_MESH[FINE_MESH],
     )  # fmt: skip
     inset = enlarge(ax, (0.42, 0.2, 0.46, 0.48), (0.45 * most, 1.1 * most), UPPER, 1.5)
-    inset.yaxis.tick_right()  # at the left, the curve would cross its labels
+    inset.yaxis.tick_right()  # at the left, the curve would cross the tick labels
     cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
     band = inset.fill_betweenx(depth, cycle.min("time"), cycle.max("time"), color="0.8", lw=0.0)
     for values, of, place in (
@@ -289,7 +289,7 @@ def _moment_of_base(
 
 
 def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
-    """Heights over time at several depths; below the joint they nearly coincide, the deeper drawn inside."""
+    """Axial motion over time by depth; below the joint curves nearly coincide, the deeper is thinner."""
     colours = ordered(OF_COORDINATE["depth"], DEPTHS)
     for colour, width, below in zip(colours, (1.0, *NESTED[:2]), DEPTHS, strict=True):
         at = z.sel(s=float(z["s"][-1]) - below, method="nearest")
@@ -300,5 +300,5 @@ def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
 
 
 def _sign_of_largest(moment: xr.DataArray) -> float:
-    """Sign of a moment over s where it is largest: times it, the largest is positive."""
+    """Sign of a moment at its largest magnitude; multiplied by it, the largest moment is positive."""
     return float(np.sign(moment.isel(s=int(abs(moment).argmax("s")))))

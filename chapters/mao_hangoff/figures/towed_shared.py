@@ -1,4 +1,4 @@
-"""What figures of a towed riser have in common: labels and profiles."""
+"""Labels and panels that figures of a towed riser share."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
 MOMENT = "|bending moment| at 130 s (kN m)"
 RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
-#: points, of lines that nearly coincide: the first is seen on both sides of the next
+#: points, widths of lines that nearly coincide: the first is visible on both sides of the next
 NESTED = (2.6, 1.6, 0.7)
 
 
@@ -33,9 +33,9 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
 def towed_panels(
     runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str
 ) -> Figure:
-    """Figs 11, 12 and 14 without a key: shapes, moments, axial motions, and their differences from the first.
+    """Figs 11, 12, 14 without key: shapes, moments, axial motions; the motions' differences from the first.
 
-    ``values``: of the runs, the first one being that of comparison; ``current``: speed and direction, of (a).
+    ``values``: of the axis; differences are from the first. ``current``: speed and direction, title of (a).
     """
     figure, axes = mosaic(["a b c", "a b d"], (1.95, 1.95))
     for colour, value in zip(ordered(OF_INPUT[axis], values), values, strict=True):
@@ -58,7 +58,7 @@ def towed_panels(
 def rise_and_differences(
     ax: Axes, below: Axes, runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str
 ) -> None:
-    """Axial motions of the LMRP; in the panel below, the differences of the others from the first."""
+    """Axial motions of the LMRP and, in the panel below, their differences from the first."""
     first = runs["lmrp_rise"].sel({axis: values[0]}, method="nearest")
     for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, NESTED, strict=True):
         run = runs["lmrp_rise"].sel({axis: value}, method="nearest")
@@ -75,7 +75,7 @@ def rise_and_differences(
 
 
 def name_upright(ax: Axes, x: float, up: float, text: str) -> None:
-    """Write the number of an upright line at its left, at a height (share of the panel; 1: below its end)."""
+    """Write the value of a vertical line on its left, at a height (share of the panel; 1: below its end)."""
     at_end = up == 1.0
     ax.annotate(
         text, (x, up), xycoords=("data", "axes fraction"), xytext=(-3.0, -4.0 if at_end else 0.0),
@@ -84,7 +84,7 @@ def name_upright(ax: Axes, x: float, up: float, text: str) -> None:
 
 
 def down(ax: Axes, label: str) -> None:
-    """Label a panel whose depth counts downwards."""
+    """Label a panel whose depth increases downwards."""
     ax.set_xlabel(label)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()

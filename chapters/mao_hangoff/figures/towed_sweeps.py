@@ -1,4 +1,4 @@
-"""Figures of Mao, Zeng, Liu on what mass, speeds, track and length change for a riser that is towed."""
+"""Figures of Mao, Zeng, Liu on the effects of mass, speeds, track and length on a towed riser."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ MASSES = (140.0, 130.0, 120.0)  # t, of the LMRP
 UPPER = (
     (0.0, 9.0),
     (-10.0, 290.0),
-)  # |moment| (kN m) and depth (m) that are enlarged in Figs 11 and 12
+)  # enlarged ranges of |moment| (kN m) and depth (m) in Figs 11 and 12
 TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
-ALIKE = 1.0  # %, by which curves may differ that are drawn in each other
+ALIKE = 1.0  # %, largest difference of curves that are drawn inside each other
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 
 
@@ -93,7 +93,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
 
 
 def fig11(current_speed: xr.Dataset) -> Figure:
-    """The same for three speeds of the current, in two profiles."""
+    """Shapes, moments and axial motions for three speeds of the current, in two profiles."""
     held = "current along, platform 1.289 m/s"
     label = "current {:.1f} m/s"
     figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), label, held)
@@ -102,7 +102,7 @@ def fig11(current_speed: xr.Dataset) -> Figure:
 
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
-    """The same for three speeds of the platform, in two profiles."""
+    """Shapes, moments and axial motions for three speeds of the platform, in two profiles."""
     held = "current 1.2 m/s, along"
     label = "platform {:g} kn"
     figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), label, held)
@@ -113,7 +113,7 @@ def fig12(platform_speed: xr.Dataset) -> Figure:
 def _two_profiles(
     runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str
 ) -> Figure:
-    """Panels in the profile that is drawn first; dashed, shapes and moments in the other.
+    """Panels in the first profile; dashed lines are shapes and moments in the other profile.
 
     ``held``: speed and direction that panel (a) states.
     """
@@ -125,7 +125,7 @@ def _two_profiles(
     alike = abs(change) < ALIKE
     widths = NESTED if alike else (1.2, 1.2, 1.2)
     for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, widths, strict=True):
-        dashes = (0, (4.0 / width, 2.0 / width))  # as long whatever the width, which scales them
+        dashes = (0, (4.0 / width, 2.0 / width))  # equal lengths: the width multiplies them
         run = other.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
         moment = run["bending_moment_size"].dropna("s") / 1e3
@@ -145,9 +145,9 @@ def _two_profiles(
 
 
 def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
-    """The same for three angles of the track, both speeds in one profile; dash-dotted, separate speeds.
+    """Shapes, moments, axial motions for three track angles: one profile, or separate speeds (dash-dotted).
 
-    In addition, displacement along and across the track over its angle.
+    In addition, the displacement along and across the track over the track angle.
     """
     figure, axes = panels(2, 2, 3.6)
     shapes = displacement(track_one_profile).sel(time=STATED)
@@ -195,7 +195,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
 
 
 def _ahead_and_astern(ax: Axes) -> None:
-    """Name the sides of an upright at zero."""
+    """Name both sides of the vertical line at zero."""
     for side, word, to in ((-0.03, "ahead ←", "right"), (0.03, "→ astern", "left")):
         ax.annotate(
             word, (0.0, 1.0), xycoords=("data", "axes fraction"), xytext=(100.0 * side, -3.0),
@@ -204,7 +204,7 @@ def _ahead_and_astern(ax: Axes) -> None:
 
 
 def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
-    """Displacement of the LMRP along and across the track over its angle."""
+    """Displacement of the LMRP along and across the track, over the track angle."""
     at = track_angle.sel(time=STATED)
     across = abs(at["lmrp_displacement_cross"])
     for values, line, label, share, offset in (
@@ -227,7 +227,7 @@ def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
 
 
 def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
-    """On which tracks the LMRP is ahead of the platform (m, by both interpretations), and on which astern."""
+    """Title: tracks on which the LMRP is ahead or astern (m, by both interpretations) of the platform."""
     ahead = [angle for angle, found in astern.items() if max(found) < 0.0]
     trailing = [angle for angle, found in astern.items() if min(found) > 0.0]
     if len(ahead) + len(trailing) < len(astern) or (
@@ -240,7 +240,7 @@ def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:
-    """The same for three lengths of riser."""
+    """Shapes, moments and axial motions for three riser lengths."""
     lengths = (1800.0, 1500.0, 1200.0)  # the base case first, as in Figs 9 and 10
     figure = towed_panels(riser_length, "riser_length", lengths, "riser {:g} m", AGAINST)
     shapes, moments = figure.axes[:2]
@@ -248,7 +248,7 @@ def fig14(riser_length: xr.Dataset) -> Figure:
         label_line(shapes, of_shape, 0.0, (-5.0, 0.0))
         name = str(of_shape.get_label()).removeprefix("riser ")
         x = np.asarray(of_moment.get_xdata(), dtype=float)
-        share = float(np.argmax(x[: len(x) // 2])) / (len(x) - 1)  # of the peak at the LMRP
+        share = float(np.argmax(x[: len(x) // 2])) / (len(x) - 1)  # of the LMRP peak
         label_line(moments, of_moment, share, (5.0, 0.0), name=name)
     change = changes(riser_length, "riser_length", 1200.0, 1800.0)
     least = min(change, key=lambda name: change[name])
@@ -261,7 +261,7 @@ def fig14(riser_length: xr.Dataset) -> Figure:
 
 
 def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: float) -> str:
-    """How the displacement changes along an axis in the two profiles that are drawn, in words."""
+    """Title: change of the displacement along an axis in both plotted profiles."""
     profiles = [runs.isel(current_profile=k, drop=True) for k in (0, -1)]
     found = sorted(changes(run, axis, first, last)["displacement"] for run in profiles)
     low, high = (f"{abs(change):{'.0f' if round(change) else '.1g'}}" for change in found)

@@ -1,4 +1,4 @@
-"""What a change of each input changes, of a riser that is towed."""
+"""Effect of each input on the results of a towed riser."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from riserstudy.figures.names import in_words
 from riserstudy.figures.style import GREY, headline, key_below, panel_title, panels
 
 RESULTS = ("displacement astern", "largest moment", "joint angle")
-LETTERS = 28  # in a line of a current's name beside a panel
-#: points, of inputs whose lines nearly coincide: the later is drawn on the earlier
+LETTERS = 28  # most letters per line of a current's name next to a panel
+#: points, of inputs whose lines nearly coincide: the later line is in front of the earlier
 WIDTHS = {"lmrp_mass": 3.5, "current_speed": 1.2}
 NAMES = {
     "lmrp_mass": "LMRP {:.0f} to {:.0f} t, current against",
@@ -33,7 +33,7 @@ def trends(
 ) -> Figure:
     """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %.
 
-    A row a profile of the current.
+    One row per current profile.
     """
     figure, axes = panels(2, 3, 2.7)
     runs = {
@@ -64,7 +64,7 @@ def trends(
 
 
 def _changes_over_inputs(axes: list[Axes], runs: dict[str, xr.Dataset]) -> set[str]:
-    """Draw changes of the results over those of inputs; which input has the largest quotient in any panel."""
+    """Plot changes of results over changes of inputs; return the input of the largest ratio in each panel."""
     quotients: dict[str, list[float]] = {}
     for axis, run in runs.items():
         values = run[axis].values
@@ -80,7 +80,7 @@ def _changes_over_inputs(axes: list[Axes], runs: dict[str, xr.Dataset]) -> set[s
 
 
 def _matters_most(inputs: set[str]) -> str:
-    """To which inputs results are most sensitive, per cent of result for per cent of input."""
+    """Title: inputs to which results are most sensitive, in % of result per % of input."""
     names = sorted(in_words(axis) for axis in inputs)
     if len(names) == 1:
         return f"Per 1 % of input, {names[0]} has the largest effect in each profile"
@@ -88,7 +88,7 @@ def _matters_most(inputs: set[str]) -> str:
 
 
 def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:
-    """Displacement of the LMRP, largest moment and angle of the joint."""
+    """Displacement of the LMRP, largest moment and flex joint angle at the stated time."""
     at = runs.sel(time=STATED)
     moment = runs["bending_moment_size"].max("s")
     return [abs(at["lmrp_displacement"]), moment, abs(at["ufj_angle"])]
