@@ -1,1 +1,1 @@
-"""The finite-element riser: what is derived from its runs, drawn and claimed."""
+"""The finite-element riser: derived datasets, figures and claims."""

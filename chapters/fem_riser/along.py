@@ -1,4 +1,4 @@
-"""What is measured along a riser: angles, stresses, amplitudes, and where the largest of them lies."""
+"""Measures along a riser: angles, stresses, amplitudes, and the positions of their largest values."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ import xarray as xr
 from riserstudy.dataset.extremes import largest_size
 from riserstudy.scene.units import to_si
 
-SPAN = 35.0  # s, from the mean over a wave around 261 s to that around 296 s
+SPAN = 35.0  # s, from the mean over a wave around 261 s to the mean around 296 s
 
 
 def measures(runs: xr.Dataset) -> xr.Dataset:
-    """What the claims are about, of every run of a study.
+    """Quantities of the claims, for every run of a study.
 
-    Largest deflection, stress and angle over the record; vibration, the largest amplitude at the wave's
-    period; drift of mid-length from 261 to 296 s over its deflection from the line between the ends;
-    places as shares of the length: of the largest deflection from the bottom, of the largest stress and
-    angle of the lower half from the bottom, of the upper half from the top.
+    Largest deflection (m), stress (Pa) and angle (rad) over the record. Vibration (m): the largest amplitude
+    at the wave's period. Drift: change of the mid-length deflection from 261 to 296 s, divided by its mean,
+    both relative to the line between the ends. Positions as shares of the length: of the largest deflection
+    from the bottom; of the largest stress and angle from the bottom (lower half) and the top (upper half).
     """
     s = runs["s_node"] / runs["s_node"][-1]
     deflection = extreme(runs, "x")
@@ -48,13 +48,13 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
 
 
 def extreme(runs: xr.Dataset, name: str) -> xr.DataArray:
-    """Largest magnitude in the record, by its envelopes."""
+    """Largest magnitude in the record, from the envelopes."""
     sides = [abs(runs[f"{name}_{side}"]) for side in ("max", "min")]
     return xr.concat(sides, "side").max("side")
 
 
 def _from_line(runs: xr.Dataset) -> xr.DataArray:
-    """Largest distance (m) from the straight line between the ends, of which the lower is at zero."""
+    """Largest distance (m) from the straight line between the ends; the lower end is at zero."""
     top = runs["x"].isel(s=-1, time=0, drop=True)
     line = top * runs["s_node"] / runs["s_node"][-1]
     sides = [abs(runs[f"x_{side}"] - line) for side in ("max", "min")]
@@ -62,13 +62,13 @@ def _from_line(runs: xr.Dataset) -> xr.DataArray:
 
 
 def _largest(runs: xr.Dataset, name: str) -> xr.DataArray:
-    """Largest magnitude of each run at its own nodes, not at those that a study lays all on."""
+    """Largest magnitude at the nodes of each run, if stored; else at the common nodes of the study."""
     own = largest_size(runs, name)
     return extreme(runs, name).max("s_node") if own is None else own
 
 
 def angles(runs: xr.Dataset) -> xr.DataArray:
-    """Angle from the vertical (rad) over time and the middles of the elements, as share of the length."""
+    """Angle from the vertical (rad) over time and ``middle``, the element centres as shares of the length."""
     s = runs["s"].values
     slope = runs["x"].diff("s") / xr.DataArray(np.diff(s), dims="s")
     middle = 0.5 * (s[1:] + s[:-1]) / s[-1]
@@ -77,26 +77,26 @@ def angles(runs: xr.Dataset) -> xr.DataArray:
 
 
 def place(values: xr.DataArray, s: xr.DataArray, dim: str, among: xr.DataArray) -> xr.DataArray:
-    """Where the largest of some values lies."""
+    """Position, in the unit of ``s``, of the largest of the values that ``among`` selects."""
     where = values.where(among, -1.0).argmax(dim)
     return xr.DataArray(s.values[where.values], dims=where.dims)
 
 
 def amplitude_at(x: xr.DataArray, period: float) -> xr.DataArray:
-    """Amplitude at a period (s), by least squares beside a straight line in time."""
+    """Amplitude at a period (s), by a least-squares fit together with a straight line in time."""
     parts = xr.dot(x, _fitting(x, period, 2, 4), dim="time")
     amplitude: xr.DataArray = (parts**2).sum("part") ** 0.5
     return amplitude
 
 
 def drift_rate(x: xr.DataArray, period: float) -> xr.DataArray:
-    """Slope of that line: change a second, freed of what has the period (s)."""
+    """Slope of the fitted line: change per second, without the motion at the period (s)."""
     slope: xr.DataArray = xr.dot(x, _fitting(x, period, 1, 2), dim="time").isel(part=0)
     return slope
 
 
 def without_drift(x: xr.DataArray, period: float) -> xr.DataArray:
-    """Values less that line, about where it is at the last time."""
+    """Values without the drift of the fitted line; those at the last time are unchanged."""
     left: xr.DataArray = x - drift_rate(x, period) * (x["time"] - x["time"][-1])
     return left
 
@@ -116,9 +116,9 @@ def period_of(runs: xr.Dataset) -> float:
 
 
 def stress_factor(runs: xr.Dataset) -> xr.DataArray:
-    """Bending stress at the outer fibre over bending moment, D / 2I (1/m3), of each sample.
+    """Ratio of the bending stress at the outer fibre to the bending moment, D / 2I (1/m3), of each sample.
 
-    Samples tell a diameter by the value that they assume, or by the name of a reading, which is one.
+    Samples contain a diameter as an assumed value, or as the name of an interpretation, which is a diameter.
     """
 
     def diameter(name: str) -> Any:

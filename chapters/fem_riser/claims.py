@@ -1,7 +1,7 @@
-"""The Hamilton-principle riser paper: what its claims and errata are checked against.
+"""The Hamilton-principle riser paper: results against which its claims and errata are checked.
 
-Where a dataset has both solvers, the paper's own beam is judged. Shares of a length count from the bottom;
-trends are compared between all neighbouring values of an axis.
+If a dataset has both solvers, the beam is judged, which is the paper's method. Shares of a length count from
+the bottom. Trends are compared between all neighbouring values of an axis.
 """
 
 from __future__ import annotations
@@ -19,11 +19,11 @@ from riserstudy.grading.yardstick import Condition, all_along, all_of, growing
 
 FloatArray = NDArray[np.float64]
 LUMPED, BEAM = "lumped masses", "Hermite beam"
-PERIOD = 8.0  # s, of the wave, over which slow motion is averaged
+PERIOD = 8.0  # s, wave period, over which slow motion is averaged
 PHASES = {"first": (0.0, 16.0), "second": (16.0, 260.0), "last": (260.0, 300.0)}  # s
 SETTLED = 0.005  # share of the last mean; config/published/fem_riser.yaml, B4
 DURATION, PAPER_STEP = 300.0, 5e-4  # s, of the paper's runs
-STABLE = 260.0  # s, for which the paper gives 46 hours
+STABLE = 260.0  # s, simulated time for which the paper states 46 hours
 TOGETHER = ("B5", "B6", "B7", "B8", "B9", "B10")
 
 
@@ -31,7 +31,7 @@ TOGETHER = ("B5", "B6", "B7", "B8", "B9", "B10")
 
 
 def fades_with_depth(water: xr.Dataset, share: float, within: float) -> Found:
-    """Wave motion has fallen to a share of its surface value within a share of the depth; value: where."""
+    """Wave motion decreases to a share of its surface value within a share of the depth; value: the depth."""
     places = []
     for name in ("wave_velocity", "wave_acceleration"):
         size = abs(water[name]).max("time")
@@ -49,7 +49,7 @@ def fades_with_depth(water: xr.Dataset, share: float, within: float) -> Found:
 
 
 def fast_at_first(motion: xr.Dataset, at_least: float) -> Found:
-    """Mid-length deflects faster in the first two wave periods than after them; value: ratio of the rates."""
+    """Mid-length deflects faster in the first two wave periods than in the second phase; value: ratio."""
     x = middle(motion)
     rates = {
         name: (at(x, end) - at(x, start)) / (end - start) for name, (start, end) in PHASES.items()
@@ -59,7 +59,7 @@ def fast_at_first(motion: xr.Dataset, at_least: float) -> Found:
 
 
 def reciprocates(motion: xr.Dataset, at_least: float) -> Found:
-    """Deflection averaged over a wave swings back in the second phase; value: how far, of its last."""
+    """Deflection averaged over a wave reverses in the second phase; value: reversal / last average."""
     slow = averaged(middle(motion))
     start, end = PHASES["second"]
     within = slow.sel(time=slice(start, end))
@@ -70,7 +70,7 @@ def reciprocates(motion: xr.Dataset, at_least: float) -> Found:
 
 
 def periodic_at_last(motion: xr.Dataset, within: float) -> Found:
-    """Settled by the last phase; value: the settling time (s)."""
+    """Motion is steady by the last phase; value: settling time (s)."""
     time = settling_time(motion, within)
     return judged(time, below(time, PHASES["last"][0] + 1.0))
 
@@ -85,14 +85,14 @@ def settling_time(motion: xr.Dataset, within: float) -> xr.DataArray:
 
 
 def middle(motion: xr.Dataset) -> xr.DataArray:
-    """Deflection at mid-length over time, from where it is at first, the top being held anywhere (m)."""
+    """Deflection at mid-length over time (m), relative to its first value, for any position of the top."""
     x = solved(motion["x"])
     x = x.isel(s=x.sizes["s"] // 2, drop=True)
     return x - x.isel(time=0, drop=True)
 
 
 def averaged(x: xr.DataArray) -> xr.DataArray:
-    """Mean over the wave period around each time that has one."""
+    """Mean over the wave period around each time for which the record contains this whole period."""
     count = round(PERIOD / float(x["time"][1] - x["time"][0]))
     ends = xr.zeros_like(x.isel(time=slice(count, None)))
     total = x.cumsum("time")
@@ -108,24 +108,24 @@ def at(x: xr.DataArray, time: float) -> xr.DataArray:
     return x.sel(time=time, method="nearest", drop=True)
 
 
-# Fig 5: where along the riser
+# Fig 5: positions along the riser
 
 
 def deflects_at_mid_length(trends: xr.Dataset, within: float) -> Found:
-    """The largest deflection lies near mid-length; value: its place."""
+    """The largest deflection occurs near mid-length; value: its position."""
     place = base(trends, "deflection_place")
     return judged(place, below(abs(place - 0.5), within))
 
 
 def bends_near_the_ends(trends: xr.Dataset, within: float) -> Found:
-    """Stress and angle of each half are largest near its end; value: the farthest from an end."""
+    """Stress and angle of each half are largest near its end; value: largest distance from an end."""
     names = ("stress_from_bottom", "stress_from_top", "angle_from_bottom", "angle_from_top")
     farthest = xr.concat([base(trends, name) for name in names], "of").max("of")
     return judged(farthest, below(farthest, within))
 
 
 def base(trends: xr.Dataset, name: str) -> xr.DataArray:
-    """A measure of the base case, over where its top is held, or of the longest riser where there is none."""
+    """A measure of the base case (over the top offset, if varied), or else of the longest riser."""
     if f"{name}_by_offset" in trends:
         return trends[f"{name}_by_offset"]
     label = f"{name}_by_ratio"
@@ -138,9 +138,9 @@ def base(trends: xr.Dataset, name: str) -> xr.DataArray:
 
 
 def trend(trends: xr.Dataset, measures: list[str], axis: str, grows: float, change: Word) -> Found:
-    """All measures grow (1) or fall (-1) along an axis; value: last over first, of the first.
+    """All measures increase (1) or decrease (-1) along an axis; value: last / first of the first measure.
 
-    Deflection counts from the line between the ends, where the top has drifted.
+    Deflection is measured from the line between the ends, if the dataset has it: the top may have drifted.
     """
     dims = {"length": "length", "ratio": "tension_ratio", "factor": "buoyant_factor"}
     dim = dims[axis]
@@ -152,7 +152,7 @@ def trend(trends: xr.Dataset, measures: list[str], axis: str, grows: float, chan
 
 
 def solved(values: xr.DataArray) -> xr.DataArray:
-    """What the paper's beam gives, where there are both solvers."""
+    """Values by the paper's beam if there are both solvers; else unchanged."""
     return values.sel(solver=BEAM, drop=True) if "solver" in values.dims else values
 
 
@@ -165,19 +165,19 @@ def all_settled(trends: xr.Dataset, within: float) -> Found:
 
 
 def together(trends: xr.Dataset, mid: float, near: float, change: Word) -> Found:
-    """Claims B5 to B10 at once; value: how many of the six are true."""
+    """Claims B5 to B10 are all true; value: number of true claims among the six."""
     each = each_of_them(trends, mid, near, change)
     return judged((each.margin > 0.0).sum("claim").astype(float), all_along(each, "claim"))
 
 
 def claims(trends: xr.Dataset, change: float, mid: float = 0.1, near: float = 0.1) -> xr.DataArray:
-    """Truth of B5 to B10 over ``claim`` and whatever the measures are over; ``change`` as of its word."""
+    """Truth of B5 to B10 over ``claim`` and the dimensions of the measures; ``change``: bound of the word."""
     word = Word("change", change, False, change)
     return each_of_them(trends, mid, near, word).margin > 0.0
 
 
 def each_of_them(trends: xr.Dataset, mid: float, near: float, change: Word) -> Condition:
-    """Conditions of B5 to B10 over ``claim`` and whatever the measures are over."""
+    """Conditions of B5 to B10 over ``claim`` and the dimensions of the measures."""
     checks = [deflects_at_mid_length(trends, mid), bends_near_the_ends(trends, near)]
     for name, grows in (("vibration", -1.0), ("stress", -1.0), ("deflection", 1.0), ("angle", 1.0)):
         checks.append(trend(trends, [name], "length", grows, change))
@@ -193,9 +193,9 @@ def each_of_them(trends: xr.Dataset, mid: float, near: float, change: Word) -> C
 def grid_suffices(
     grid: xr.Dataset, finer: xr.Dataset, element: str, step: float, at_most: float
 ) -> Found:
-    """Error at an element length and step; value: the larger of those of deflection and moment.
+    """Error at an element length and time step; value: the larger error of deflection and moment.
 
-    Against finer runs of the same inputs, or where these are on one grid with the others its finest.
+    The reference is ``finer``, runs with equal inputs. If the runs form a grid, it is the grid's finest run.
     """
     if "element" in grid.dims:
         grid = grid.sel(element=element, time_step=step, drop=True)
@@ -205,19 +205,19 @@ def grid_suffices(
 
 
 def grid_error(grid: xr.Dataset) -> xr.DataArray:
-    """Relative error of largest deflection and largest moment, the larger of the two, of each grid."""
+    """Larger relative error of largest deflection and largest moment, for each mesh and time step."""
     return difference(grid, finest(grid))
 
 
 def finest(grid: xr.Dataset) -> xr.Dataset:
-    """The run on the shortest elements with the shortest step."""
+    """The run with the shortest elements and the shortest time step."""
     return grid.sel(element="2.5 m", drop=True).sel(
         time_step=float(grid["time_step"].min()), drop=True
     )
 
 
 def difference(runs: xr.Dataset, others: xr.Dataset) -> xr.DataArray:
-    """Relative difference of largest deflection and largest moment from those of others, the larger."""
+    """Larger relative difference, of largest deflection and of largest moment, from other runs."""
     apart = [
         abs(mine / theirs - 1.0)
         for mine, theirs in zip(_largest(runs), _largest(others), strict=True)
@@ -227,12 +227,12 @@ def difference(runs: xr.Dataset, others: xr.Dataset) -> xr.DataArray:
 
 
 def _largest(runs: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    """Largest deflection (m) and moment (N m) anywhere; runs have nodes of their own."""
+    """Largest deflection (m) and moment (N m) along the riser; runs may have different nodes."""
     sides = [abs(runs[f"bending_moment_{side}"]) for side in ("max", "min")]
     return runs["x_max"].max("s_node"), xr.concat(sides, "side").max(("side", "s_node"))
 
 
-# errata: text filled with what was simulated
+# errata: text with results of simulations
 
 
 def deeper(trends: xr.Dataset) -> dict[str, Any]:
@@ -242,7 +242,7 @@ def deeper(trends: xr.Dataset) -> dict[str, Any]:
 
 
 def readings(table: xr.Dataset, rest: xr.Dataset) -> dict[str, Any]:
-    """Largest deflection (m) in each reading at the smallest and the largest factor, and of R1 at rest."""
+    """Largest deflection (m) by interpretation at least and largest factor, and of R1 in the final state."""
     deflection = table["deflection_by_factor"]
     out: dict[str, Any] = {}
     for reading in ("R1", "R2", "R3", "R4"):
@@ -262,7 +262,7 @@ def stiff_joints(table: xr.Dataset) -> dict[str, Any]:
 
 
 def wind_changes(table: xr.Dataset) -> dict[str, Any]:
-    """By which share the wind's current changes the largest deflection, at least and at most, by length."""
+    """Least and largest relative change of the largest deflection by the wind-driven current, by length."""
     deflection = table["deflection_by_length"]
     change = deflection.drop_sel(wind="none") / deflection.sel(wind="none", drop=True) - 1.0
     shares: dict[str, Any] = {}
@@ -273,7 +273,7 @@ def wind_changes(table: xr.Dataset) -> dict[str, Any]:
 
 
 def run_time(own: xr.Dataset) -> dict[str, Any]:
-    """Time of the paper's 600 000 steps on 400 elements, run or told by the time of a longer step."""
+    """Time of the paper's 600 000 steps on 400 elements, measured or estimated from longer steps."""
     steps = own["time_step"].values
     finest = float(steps.min())
     seconds = float(own["solve_seconds"].sel(time_step=finest))
@@ -317,7 +317,7 @@ def settling(tides: xr.Dataset) -> dict[str, Any]:
 
 
 def top_drift(table: xr.Dataset) -> dict[str, Any]:
-    """Deflection (m), its place and the largest angle (deg) with the top held at three places."""
+    """Deflection (m), its position and the largest angle (deg) with the top held at three offsets."""
     offsets = table["top_offset"]
     drifts: dict[str, Any] = {}
     for name, value in (
@@ -336,7 +336,7 @@ def top_drift(table: xr.Dataset) -> dict[str, Any]:
 
 
 def solvers(runs: xr.Dataset) -> dict[str, Any]:
-    """How far the lumped masses and the Hermite beam are apart, at the weakest and the strongest tide."""
+    """Difference between lumped masses and Hermite beam, at the weakest and the strongest tide."""
     apart = differences(runs)
     largest = abs(runs["x"].sel(solver=BEAM)).max(("time", "s"))
     return {
@@ -347,7 +347,7 @@ def solvers(runs: xr.Dataset) -> dict[str, Any]:
 
 
 def differences(runs: xr.Dataset) -> xr.Dataset:
-    """Largest difference of the solvers anywhere, over the largest value, of deflection and moment."""
+    """Largest difference between the solvers / largest value, of deflection and moment."""
     both = runs[["x", "bending_moment"]]
     apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM))
     return apart.max(("time", "s")) / abs(both.sel(solver=BEAM)).max(("time", "s"))

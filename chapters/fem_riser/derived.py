@@ -1,4 +1,4 @@
-"""The Hamilton-principle riser paper: water under the wave, and the trends that its claims are about."""
+"""The Hamilton-principle riser paper: water under the wave, and the trends in its claims."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import RegularWave
 from riserstudy.scene.units import to_si
 
-#: what is measured of a run, and its unit
+#: measures of a run, and their units
 MEASURES = {
     "deflection": "m",
     "deflection_from_line": "m",
@@ -73,7 +73,7 @@ def trends(
 
 
 def lumped_trends(**studies: xr.Dataset) -> xr.Dataset:
-    """The same by lumped masses alone."""
+    """Measures over length, tension ratio and buoyant factor, by lumped masses alone."""
     return trends(**studies).sel(solver=LUMPED, drop=True)
 
 
@@ -81,7 +81,7 @@ def open_trends(
     open_500: xr.Dataset, open_1000: xr.Dataset, open_1500: xr.Dataset,
     open_ratio: xr.Dataset, open_factor: xr.Dataset,
 ) -> xr.Dataset:  # fmt: skip
-    """The same over samples of the unspecified inputs, by the paper's beam."""
+    """Measures over samples of the unspecified inputs as well, by the paper's beam."""
     lengths = _over_length(open_500, open_1000, open_1500)
     ratio, factor = (
         measures(runs).sel(solver=BEAM, drop=True) for runs in (open_ratio, open_factor)
@@ -90,7 +90,7 @@ def open_trends(
 
 
 def open_lumped_trends(open_ratio: xr.Dataset, open_factor: xr.Dataset) -> xr.Dataset:
-    """The same over samples by lumped masses, over tension ratio and buoyant factor."""
+    """Measures over samples, tension ratio and buoyant factor, by lumped masses."""
     ratio, factor = (
         measures(runs).sel(solver=LUMPED, drop=True) for runs in (open_ratio, open_factor)
     )
@@ -98,7 +98,7 @@ def open_lumped_trends(open_ratio: xr.Dataset, open_factor: xr.Dataset) -> xr.Da
 
 
 def _with_assumed(dataset: xr.Dataset, samples: xr.Dataset) -> xr.Dataset:
-    """With what each sample assumed."""
+    """Dataset with the assumed inputs of each sample."""
     assumed = [name for name in samples.data_vars if str(name).startswith("assumed_")]
     return dataset.assign({name: samples[name] for name in assumed})
 
@@ -109,9 +109,10 @@ def map_trends(map_500: xr.Dataset, map_1000: xr.Dataset, map_1500: xr.Dataset) 
 
 
 def reading_trends(readings: xr.Dataset, readings_literal: xr.Dataset) -> xr.Dataset:
-    """Measures over the buoyant factor and its reading.
+    """Measures over the buoyant factor and its interpretation.
 
-    R4, the ratio to the weight of riser and mud with the share carried by blocks, is R3 with the share left.
+    In R4 the factor is the share that blocks carry, and the tension ratio refers to the weight of riser and
+    mud. Therefore R4 is R3 with the share that is left.
     """
     literal = measures(readings_literal).rename(weight_left="buoyant_factor")
     literal = literal.assign_coords(buoyant_factor=1.0 - literal["buoyant_factor"])
@@ -121,22 +122,22 @@ def reading_trends(readings: xr.Dataset, readings_literal: xr.Dataset) -> xr.Dat
 
 
 def rest(at_rest: xr.Dataset) -> xr.Dataset:
-    """Measures of the softest cases once they are at rest."""
+    """Measures of the softest cases in their final state."""
     return _joined({"case": measures(at_rest)})
 
 
 def drift_trends(top_drift: xr.Dataset) -> xr.Dataset:
-    """Measures over how far the top is held from above the wellhead."""
+    """Measures over the offset of the top from the wellhead."""
     return _joined({"offset": measures(top_drift)})
 
 
 def wind_trends(wind_500: xr.Dataset, wind_2000: xr.Dataset) -> xr.Dataset:
-    """Measures over length, the component of the wind's current, and tide."""
+    """Measures over length, the wind-driven component of the current, and tide."""
     return _joined({"length": _over_length(wind_500, wind_2000)})
 
 
 def sample_error(open_fine: xr.Dataset, open_ratio: xr.Dataset) -> xr.Dataset:
-    """Relative error of each measure on the mesh of the samples, over those also run finely."""
+    """Relative error of each measure on the mesh of the samples, for the samples with a finer run."""
     fine = measures(open_fine)
     coarse = measures(open_ratio).sel(sample=fine["sample"], solver=BEAM)
     sizes = ("deflection", "vibration", "stress", "angle")
@@ -154,7 +155,7 @@ def _over_length(*runs: xr.Dataset) -> xr.Dataset:
 
 
 def _joined(parts: dict[str, xr.Dataset]) -> xr.Dataset:
-    """Measures of several studies side by side, named <measure>_by_<study's axis>."""
+    """Measures of several studies in one dataset, named <measure>_by_<study's axis>."""
     named = {
         f"{name}_by_{axis}": part[name].drop_vars(
             [c for c in part[name].coords if c not in part[name].dims]
@@ -170,7 +171,7 @@ def _joined(parts: dict[str, xr.Dataset]) -> xr.Dataset:
 
 
 def described(dataset: xr.Dataset, title: str) -> xr.Dataset:
-    """With the attributes of its variables and of the whole."""
+    """Dataset with attributes of its variables and global attributes."""
     for name in dataset.variables:
         dataset[name].attrs = attributes(str(name)) or dataset[name].attrs
     dataset.attrs = {"Conventions": "CF-1.11", "paper": "fem_riser", "title": f"fem_riser: {title}"}

@@ -1,5 +1,5 @@
-"""Figures of the Hamilton-principle riser paper: the printed ones by number, others by what they show.
+"""Figures of the Hamilton-principle riser paper: printed figures have numbers, further figures have names.
 
-Filled: envelope of the Hermite beam, the paper's own method. Dashed lines of the same colour: lumped
-masses. Heights count along the riser from its lower end.
+Filled: envelope of the Hermite beam, the paper's method. Dashed lines of equal colour: lumped masses. Heights
+are measured along the riser from its lower end.
 """

@@ -1,4 +1,4 @@
-"""What the verdicts rest on: interpretations, regions, other solvers, meshes."""
+"""Figures that support the verdicts: interpretations, regions, other solvers, meshes."""
 
 from __future__ import annotations
 
@@ -35,11 +35,11 @@ from riserstudy.figures.style import (
 )
 
 viridis = colormaps["viridis"]
-#: of the beam, and of lumped masses on it
+#: lines of the beam, and of lumped masses in front of it
 WIDE: dict[str, Any] = {"color": COLOURS[5], "linewidth": 3.2}
 DASHED: dict[str, Any] = {"color": "#003a5d", "linewidth": 1.2, "linestyle": (0, (4, 3))}
-GRID_TIME = 80.0  # s, of the runs of the grid test
-#: what the buoyant factor may mean
+GRID_TIME = 80.0  # s, duration of the runs of the grid test
+#: possible meanings of the buoyant factor
 READINGS = {
     "R1": "the share of the weight in air that the blocks carry",
     "R2": "the share of the weight in air that is left",
@@ -48,7 +48,7 @@ READINGS = {
 }
 
 
-#: what the claims of the region state, in short
+#: short statements of the claims of the region
 STATED = (
     "B5: deflection is largest mid-riser",
     "B6: stress and angle peak near the ends",
@@ -60,12 +60,12 @@ STATED = (
 
 
 def readings(reading_trends: xr.Dataset) -> Figure:
-    """Deflection, stress and angle over the buoyant factor in its four readings."""
+    """Deflection, stress and angle over the buoyant factor in its four interpretations."""
     figure, axes = panels(1, 3, 3.4)
     fields = (("deflection", 1.0, "largest deflection (m)"), ("stress", 1e-6, "largest stress (MPa)"),
               ("angle", np.rad2deg(1.0), "largest angle (°)"))  # fmt: skip
     for ax, (name, scale, quantity) in zip(axes, fields, strict=True):
-        # Two by two they begin together: hollow marks of other shapes are seen on one another.
+        # Curves begin together in pairs: hollow marks of different shapes remain visible.
         for colour, reading, mark in zip(COLOURS, READINGS, "osD^", strict=False):
             curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
             label = f"{reading}: {READINGS[reading]}"
@@ -79,7 +79,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
             ax.plot(curve["buoyant_factor"], curve, f"{mark}-", label=label, **style)
         ax.set_xlabel("buoyant factor")
         ax.set_ylabel(quantity)
-        ax.set_yscale("log")  # so that small changes are seen
+        ax.set_yscale("log")  # makes small changes visible
         ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
         ax.yaxis.set_major_formatter("{x:g}")
         ax.yaxis.set_minor_locator(NullLocator())
@@ -106,13 +106,13 @@ def readings(reading_trends: xr.Dataset) -> Figure:
     )
     for ax in axes:
         label_ends(ax, names=list(READINGS))
-        ax.margins(x=0.06)  # so that marks are whole
+        ax.margins(x=0.06)  # room for whole marks
         ax.set_xticks(reading_trends["buoyant_factor"].values)
     return figure
 
 
 def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Figure:
-    """Where B5 to B10 hold together; ``change``: what counts as an increase or decrease."""
+    """Where B5 to B10 hold together; ``change``: least relative change that is an increase or decrease."""
     figure, axes = panels(2, 2, 3.6)
     held = claims(map_trends, change)
     for ax, joints in zip(axes, map_trends["joints"].values, strict=False):
@@ -190,13 +190,13 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
 
 
 def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
-    """Error over element length; elapsed times of single runs, which scatter, as ranges over the steps."""
+    """Error over element length; elapsed times of single runs as ranges over time steps, as they scatter."""
     figure, (left, right) = panels(1, 2, 3.6)
     error, elements = 100.0 * grid_error(grid_test), [str(e) for e in grid_test["element"].values]
     lengths = [float(element.split()[0]) for element in elements]
     steps = grid_test["time_step"].values
     shades = viridis(np.linspace(0.0, 0.85, len(steps)))
-    sizes = np.linspace(10.0, 3.0, len(steps))  # one in another: steps change little
+    sizes = np.linspace(10.0, 3.0, len(steps))  # nested marks: time steps have little effect
     for colour, size, step in zip(shades, sizes, steps, strict=True):
         curve = error.sel(time_step=step)
         style: dict[str, Any] = {"color": colour, "ms": size, "mfc": "none", "mew": 1.3}
@@ -210,7 +210,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     left.set_ylabel("error of deflection or moment,\nthe larger (%)")
     step = float(
         own_setting["time_step"].min()
-    )  # the paper's own, or the nearest to it at this tier
+    )  # the paper's time step, or the nearest to it at this tier
     whole = float(own_setting["solve_seconds"].sel(time_step=step))
     length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
     steps_of = f"steps of {step:g} s"
@@ -249,7 +249,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
 
 
 def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
-    """Envelopes of the API riser by both solvers, and over its surge; and how far the solvers are apart."""
+    """Envelopes of the API riser by both solvers, and over its surge; difference between the solvers."""
     figure, axes = panels(1, 3, 4.0)
     for ax, name, scale, label in (
         (axes[0], "x", 1.0, "displacement x (m)"),

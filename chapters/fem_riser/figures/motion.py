@@ -1,4 +1,4 @@
-"""The sea, and the riser in it over time."""
+"""Water motion under the wave, and motion of the riser over time."""
 
 from __future__ import annotations
 
@@ -42,11 +42,11 @@ from riserstudy.figures.style import (
 )
 
 LATE, MIDDLE = (200.0, 1000.0, 1800.0), 1000.0  # m, heights of the last window; mid-length
-NEAR = 0.03  # of the printed time, that a title calls nearly it
+NEAR = 0.03  # relative difference from the printed time that a title calls nearly
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time
 LAST = ListedColormap(colormaps["Reds"](np.linspace(0.5, 0.9, 256)))  # of time, red as in the text
-#: of the other method: circles, between which the paper's is seen
+#: circles for the other method; the line of the paper's method is visible between them
 OTHER: dict[str, Any] = {
     "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
 }  # fmt: skip
@@ -123,13 +123,13 @@ def fig04(motion: xr.Dataset) -> Figure:
     for ax in axes[3:]:
         inside = [line for line in named(ax) if "mean" in str(line.get_label())]
         label_ends(ax, [line for line in named(ax) if line not in inside], size="x-small")
-        for line in inside:  # below the mean, which only the ends of others cross
+        for line in inside:  # below the mean, where only the ends of other lines cross
             label_line(ax, line, 0.28, (4.0, -14.0), size="x-small")
     return figure
 
 
 def _mean(ax: Axes, motion: xr.Dataset) -> None:
-    """The mean over a wave at mid-length, less its last value (cm), below the lines of single heights."""
+    """Mean over a wave at mid-length, minus its last value (cm), behind the lines of single heights."""
     slow = 100.0 * averaged(middle(motion))
     final = float(slow.isel(time=-1))
     slow = slow.sel(time=slice(WINDOWS[2][0], None)) - final
@@ -138,7 +138,7 @@ def _mean(ax: Axes, motion: xr.Dataset) -> None:
 
 
 def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
-    """Deflection over time every 200 m; in the last window at some heights, less their last means."""
+    """Deflection over time every 200 m; in the last window at some heights, minus their last means."""
     heights = np.arange(200.0, 2000.0, 200.0)
     shades = GREENS(np.linspace(0.0, 1.0, heights.size))
     for colour, s in zip(shades, heights, strict=True):
@@ -150,14 +150,14 @@ def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
         ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m" + mean)
     ax.set_xlabel(TIME)
     ax.set_ylabel("deviation from the last mean (cm)" if last_window else DEFLECTION)
-    ax.margins(y=0.1)  # room for names
+    ax.margins(y=0.1)  # room for labels
     panel_title(ax, "histories at heights s")
 
 
 def _profiles(
     figure: Figure, ax: Axes, window: xr.DataArray, last: xr.DataArray, colours: Colormap
 ) -> None:
-    """Profiles of a window, coloured by time; circles, the last one by the other method."""
+    """Profiles of a window, coloured by time; circles: last profile by the other method."""
     shapes = window.isel(time=slice(None, None, max(1, window.sizes["time"] // 24)))
     times = Normalize(float(window["time"][0]), float(window["time"][-1]))
     for time in shapes["time"].values:
@@ -168,7 +168,7 @@ def _profiles(
 
 
 def fig05(settled: xr.Dataset) -> Figure:
-    """The base case."""
+    """Envelopes of the base case."""
     figure = envelopes(
         {"2000 m, tension ratio 1.3, buoyant factor 0.7 (assumed)": settled}, (BLUE,)
     )
@@ -188,7 +188,7 @@ def fig05(settled: xr.Dataset) -> Figure:
 
 
 def tides(tides: xr.Dataset) -> Figure:
-    """Mid-length over time and the tide; how far it reverses, and when it is steady."""
+    """Mid-length deflection over time by tide; its reversal, and the time at which it is steady."""
     figure, axes = panels(1, 3, 3.6)
     slow = averaged(middle(tides))
     values = tides["tide"].values
@@ -221,7 +221,7 @@ def tides(tides: xr.Dataset) -> Figure:
     axes[2].set_ylabel("time to steady state (s)")
     for ax in axes[1:]:
         ax.set_xlabel("tide speed (m/s)")
-        ax.set_ylim(bottom=-0.04 * ax.get_ylim()[1])  # so that marks at zero are whole
+        ax.set_ylim(bottom=-0.04 * ax.get_ylim()[1])  # room for whole marks at zero
     near = values[abs(time.values / printed - 1.0) < NEAR]
     headline(
         figure,

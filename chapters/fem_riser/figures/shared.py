@@ -1,4 +1,4 @@
-"""What figures of this chapter have in common: labels, colours, interpretations."""
+"""Labels and colours that figures of this chapter share."""
 
 from __future__ import annotations
 

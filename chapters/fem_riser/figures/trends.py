@@ -1,4 +1,4 @@
-"""What length, tension ratio and buoyant factor change."""
+"""Effects of length, tension ratio and buoyant factor."""
 
 from __future__ import annotations
 
@@ -45,14 +45,14 @@ from riserstudy.figures.style import (
 
 FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "vibration amplitude,\ndrift (m)"
-SEEN = 1e-3  # m, of vibration and drift: below it lines show what the mesh leaves
-DRIFTS = 10.0 * SEEN  # m, the least largest drift that is shown; others change sign
+SEEN = 1e-3  # m, of vibration and drift: below it, lines show errors of the mesh
+DRIFTS = 10.0 * SEEN  # m, least maximum of a drift that is shown; smaller drifts change sign
 SIMPLE = {0.5: ("halves", "halving"), 2.0: ("doubles", "doubling"), 3.0: ("triples", "tripling")}
-ABOUT = 0.1  # share by which a ratio differs from the one that a title names
+ABOUT = 0.1  # largest relative difference of a ratio from the ratio in a title
 
 
 def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Dataset) -> Figure:
-    """Three lengths; colours as the text has them, where it says."""
+    """Three lengths; in the colours of the text, if it states them."""
     runs = (length_500, length_1000, length_1500)
     cases = {f"riser of {float(of['s_node'][-1]):g} m": of for of in runs}
     figure = envelopes(cases, (BLUE, BLACK, RED))
@@ -68,7 +68,7 @@ def fig06(length_500: xr.Dataset, length_1000: xr.Dataset, length_1500: xr.Datas
 
 
 def fig07(tension_ratio: xr.Dataset) -> Figure:
-    """Three top tension ratios; red as the text has it, the base case blue as in Figs 5 and 8."""
+    """Three top tension ratios; red as in the text, the base case blue as in Figs 5 and 8."""
     cases = _each(tension_ratio, "tension_ratio", "top tension ratio")
     figure = envelopes(cases, (BLACK, BLUE, RED))
     headline(figure, f"More top tension {_changes(tension_ratio, 'tension_ratio')}")
@@ -92,7 +92,7 @@ def _largest(
 
 
 def fig08(buoyant_factor: xr.Dataset) -> Figure:
-    """Three buoyant factors; black as the text has it, the base case blue as in Figs 5 and 7."""
+    """Three buoyant factors; black as in the text, the base case blue as in Figs 5 and 7."""
     cases = _each(buoyant_factor, "buoyant_factor", "buoyant factor")
     figure = envelopes(cases, (RED, BLUE, BLACK))
     headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
@@ -112,7 +112,7 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
 
 
 def _multiplies(ratio: float, ending: str = "s") -> str:
-    """A ratio as a verb, within a tenth of a simple one: halves, tripling."""
+    """A ratio as a verb, if within 10 % of a simple ratio: halves, tripling; else with its number."""
     for simple, verbs in SIMPLE.items():
         if abs(ratio / simple - 1.0) < ABOUT:
             return verbs[ending == "ing"]
@@ -120,7 +120,7 @@ def _multiplies(ratio: float, ending: str = "s") -> str:
 
 
 def _changes(runs: xr.Dataset, axis: str) -> str:
-    """What decreases and what increases throughout along an axis, by the paper's beam."""
+    """Title: results that decrease, and results that increase, throughout an axis, by the paper's beam."""
     found = measures(runs.sel(solver=BEAM)).sortby(axis)
     ways: dict[str, list[str]] = {"decreases": [], "increases": []}
     for name in ("deflection", "stress", "angle", "vibration"):
@@ -137,7 +137,7 @@ def _listed(names: list[str]) -> str:
 
 
 def _ratios(first: xr.Dataset, last: xr.Dataset) -> dict[str, float]:
-    """What a case has of deflection and vibration over another, by the paper's beam."""
+    """Ratios of the last case to the first, of deflection and vibration, by the paper's beam."""
     old, new = (measures(runs.sel(solver=BEAM)) for runs in (first, last))
     return {name: float(new[name] / old[name]) for name in ("deflection", "vibration")}
 
@@ -147,10 +147,10 @@ def _each(runs: xr.Dataset, axis: str, word: str) -> dict[str, xr.Dataset]:
 
 
 def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figure:
-    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and drift, which (a) is freed of."""
+    """Panels (a) to (c) of Figs 5 to 8; (d) vibration, and the drift, which (a) excludes."""
     figure, axes = panels(1, 4, 4.2, sharey=True)
     pairs = list(zip(colours, cases.values(), strict=True))
-    # the widest first, as ranges of others are within it
+    # the widest first, because the other ranges are within it
     pairs.sort(key=lambda pair: -float(abs(pair[1]["bending_moment_min"].sel(solver=BEAM)).max()))
     for colour, runs in pairs:
         factor = stress_factor(runs) / 1e6
@@ -198,7 +198,7 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
 
 
 def _around_largest(values: xr.DataArray) -> xr.DataArray:
-    """Values along the riser from the largest to the first below what is seen, on either side."""
+    """Values around the largest, up to the first value below the visible range on both sides."""
     seen = values.values >= SEEN
     most = int(values.argmax("s"))
     below, above = np.flatnonzero(~seen[:most]), np.flatnonzero(~seen[most:])
@@ -208,7 +208,7 @@ def _around_largest(values: xr.DataArray) -> xr.DataArray:
 
 
 def _frame(axes: list[Axes], length: float) -> None:
-    """Axes around all that is drawn, with room at both ends of the riser, where stresses peak."""
+    """Set limits around all curves, with room at both ends of the riser, where stresses peak."""
     axes[0].set_ylabel(HEIGHT)
     axes[0].set_ylim(-0.03 * length, 1.03 * length)
     for ax in axes[:3]:
@@ -217,14 +217,14 @@ def _frame(axes: list[Axes], length: float) -> None:
     axes[3].set_xlim(left=SEEN)
     ticks = [tick for tick in (SEEN, 0.01, 0.1, 1.0) if tick <= axes[3].get_xlim()[1]]
     axes[3].set_xticks(ticks, [f"$10^{{{np.log10(tick):.0f}}}$" for tick in ticks])
-    low, high = axes[2].get_xlim()  # no label at its end, beside the first of the next panel
+    low, high = axes[2].get_xlim()  # no label at its end, next to the first label of the next panel
     axes[2].set_xticks([t for t in axes[2].get_xticks() if low < t < high - 0.05 * (high - low)])
 
 
 def _envelope(
     ax: Axes, low: xr.DataArray, high: xr.DataArray, s: xr.DataArray, colour: str, *, filled: bool
 ) -> None:
-    """Range along the riser: filled within its outline, or the outline alone, dashed."""
+    """Range along the riser: filled with an outline, or a dashed outline alone."""
     if filled:
         ax.fill_betweenx(s, low, high, color=colour, alpha=FILL, linewidth=0)  # below all outlines
     style: dict[str, Any] = {"linewidth": 0.6} if filled else {"linewidth": 0.8, "linestyle": "--"}
