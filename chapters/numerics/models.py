@@ -43,7 +43,7 @@ class Case(Strict):
     """A hard case: a scene, values set in it, and the outcome expected of a sound engine.
 
     ``expect``: ``accurate``, to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
-    prescribe a bad step, mesh or scheme: refused, or with an estimated error above 1 % if the error is.
+    prescribe a bad step, mesh or scheme: refused, accurate, with a warning, or with an estimate above 1 %.
     Absent set: the scene unchanged. Absent preview: not part of that tier. ``family``: source of difficulty.
     """
 

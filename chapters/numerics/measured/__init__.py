@@ -1,1 +1,1 @@
-"""What measures the datasets: a file a dataset, with a function of its name."""
+"""Measurement of the datasets: one file per dataset, with a function of its name."""

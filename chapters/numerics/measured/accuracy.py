@@ -1,6 +1,6 @@
-"""What accuracy costs in time: every method on a ladder of meshes and steps, errors and wall times.
+"""Run time of accuracy: errors and elapsed times of every method on a ladder of meshes and steps.
 
-And the accuracy that a user asks for: what was asked, estimated, reached and spent.
+In addition, runs to tolerances: the tolerance, the estimated error, the true error and the elapsed time.
 """
 
 from __future__ import annotations
@@ -55,14 +55,14 @@ COSTS = (
     "elements",
 )
 EXPLICIT = "explicit"
-SOON = 1.0  # seconds of a request that is timed again
-SETTLED = 0.1  # share of an error, change by which a shorter step does not help
-ENOUGH = 2.0  # seconds of a rung's runs, after which it is timed no more
+SOON = 1.0  # s, time of a run to a tolerance below which it is timed a second time
+SETTLED = 0.1  # relative change of an error, up to which a shorter step does not help
+ENOUGH = 2.0  # s, total time of the runs of a rung after which it is not repeated
 WHERE = "config/studies/numerics.yaml: measured.accuracy"
 
 
 def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
-    """All scenes by all methods, as a dataset over scene, method, mesh and step of the ladder."""
+    """Run all scenes with all methods: a dataset over scene, method, mesh and step of the ladder."""
     import xarray as xr
 
     scenes, methods = in_tier(study.scenes, setting.tier), in_tier(study.methods, setting.tier)
@@ -120,12 +120,12 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
 
 
 def scene_of(config: Path, name: str, ladder: Ladder) -> SceneFile:
-    """The scene of a ladder, without mesh, step and method."""
+    """Read the scene of a ladder, without mesh, step and method."""
     return read_scene(config / ladder.scene).with_values(FREE | ladder.set, f"{WHERE}: {name}")
 
 
 def wanted(study: AccuracyStudy, config: Path) -> Iterator[Wanted]:
-    """The reference of every scene of which no other code has one."""
+    """Yield the reference of every scene for which no history of another code is stored."""
     for name, ladder in study.scenes.items():
         if not ladder.stored:
             file = scene_of(config, name, ladder)
@@ -133,7 +133,7 @@ def wanted(study: AccuracyStudy, config: Path) -> Iterator[Wanted]:
 
 
 def peers(study: AccuracyStudy, scenes: list[str]) -> dict[str, Any]:
-    """What other simulators cost, as the study file has it, a row an error."""
+    """Run-time ratios of other simulators from the study file, one row per error."""
     rows = [
         (scene, peer, error, ratio)
         for scene in scenes
@@ -146,10 +146,11 @@ def peers(study: AccuracyStudy, scenes: list[str]) -> dict[str, Any]:
 
 
 class Climb:
-    """A method on the rungs of a scene, mesh by mesh and from long steps to short ones.
+    """A method on the rungs of a scene, mesh by mesh, and from long to short time steps.
 
-    Left out is what took too long on a coarser mesh and, but in the reference tier, a step on a mesh on
-    which halving it changed the error no more: such runs are no part of the lower edge.
+    A step that took too long on a coarser mesh is omitted. Except in the reference tier, further steps are
+    omitted on a mesh on which a shorter step no longer changed the error. Omitted runs cannot be on the lower
+    edge of error against time.
     """
 
     def __init__(
@@ -171,7 +172,7 @@ class Climb:
         self._warm = False
 
     def rung(self, k: int, m: int) -> Attempt:
-        """A mesh and a step, timed; its errors are left in ``errors``."""
+        """Run and time a mesh and a step; its errors are stored in ``errors``."""
         if m in self._given_up:
             return Attempt(None, None, f"on a coarser mesh: {self._given_up[m]}", 0.0)
         if k in self._settled:
@@ -188,7 +189,7 @@ class Climb:
         return one
 
     def _see(self, k: int, error: float) -> None:
-        """Whether shorter steps will help on a mesh."""
+        """Note whether shorter steps can still reduce the error on a mesh."""
         last = self._last.get(k, np.inf)
         if not self.whole and abs(error - last) <= SETTLED * last < np.inf:
             self._settled.add(k)
@@ -204,7 +205,7 @@ def rung(
     repeats: int,
     warm: bool,
 ) -> Attempt:
-    """One rung, timed several times; explicit steps are shares of the predicted stable one."""
+    """Run one rung, timed several times; the explicit method has one step, 0.9 of its stable one."""
     k, m = at
     steps = method.tolerances or ladder.steps
     if m >= len(steps):
@@ -221,7 +222,7 @@ def rung(
 
 
 def once(scene: Resolved, mesh: Mesh, step: float, method: Method, budget: float) -> Attempt:
-    """One run by a method, the engine's or another."""
+    """Make one run with a method of the engine or from outside."""
     which = method.integrator
     if which is None or (which != RADAU and too_long(scene, mesh, step, budget)):
         return attempt_on(scene, mesh, step, budget)
@@ -229,13 +230,13 @@ def once(scene: Resolved, mesh: Mesh, step: float, method: Method, budget: float
 
 
 def timed(one: Callable[[], Attempt], repeats: int, warm: bool) -> Attempt:
-    """The last of several runs, with the median and the least of their times.
+    """Return the last of several runs, with the median and the minimum of their elapsed times (s).
 
-    Processor time is there for machines that do something else besides.
+    CPU time is included because it is less affected by other programs on the machine.
 
     Parameters
     ----------
-    warm : whether kernels are loaded; else a first run, which is not counted, does it.
+    warm : whether kernels are loaded; if not, a first run, whose elapsed time is not counted, loads them.
     """
     walls, own = [], []
     for _ in range(repeats + (not warm)):
@@ -256,7 +257,7 @@ def timed(one: Callable[[], Attempt], repeats: int, warm: bool) -> Attempt:
 
 
 class Request(NamedTuple):
-    """What asking for an accuracy came to: a row of the dataset, and the run, None where it was refused."""
+    """Result for one tolerance: a row of the dataset, and the run, which is None if it was refused."""
 
     row: dict[str, Any]
     result: Result | None
@@ -264,7 +265,7 @@ class Request(NamedTuple):
 
 
 def requests(file: SceneFile, name: str, shares: Iterable[float], patience: float) -> list[Request]:
-    """What asking for more and more accuracy came to; where one takes too long, finer ones do too."""
+    """Results for finer and finer tolerances; after one takes too long, finer ones count as too long."""
     met: list[Request] = []
     for share in sorted(shares, reverse=True):
         if met and met[-1].refused == Outcome.TOO_LONG:
@@ -275,9 +276,9 @@ def requests(file: SceneFile, name: str, shares: Iterable[float], patience: floa
 
 
 def spent(file: SceneFile, name: str, share: float, patience: float) -> Request:
-    """What asking for an accuracy came to, for a scene, within so many seconds; the shorter of two runs."""
+    """Run a scene to a tolerance in at most ``patience`` (s); of two short runs, keep the faster one."""
     scene = whole(file.with_values({"analysis.accuracy": f"{100 * share!r} %"}, WHERE).resolved())
-    attempt(lambda: run(scene, 0.0))  # warms up
+    attempt(lambda: run(scene, 0.0))  # loads kernels
     tried = attempt(lambda: in_time(scene, patience))
     if tried.result is not None and tried.seconds < SOON:
         tried = min(tried, attempt(lambda: run(scene)), key=lambda one: one.seconds)
@@ -296,7 +297,7 @@ def spent(file: SceneFile, name: str, share: float, patience: float) -> Request:
 
 
 def judged(one: Request, best: Reference) -> dict[str, Any]:
-    """The row of a request with the error that it reached."""
+    """Return the row of a request with its true errors."""
     reached = best.errors(one.result) if one.result else {}
     return one.row | {f"reached_{q}": reached[q] for q in QUANTITIES if q in reached}
 

@@ -1,4 +1,4 @@
-"""The dataset of effects: what each changes and costs in every kind of scene, and compiling them."""
+"""The dataset of effects: change of results and run time by each in every kind of scene, compile times."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ QUANTITIES = ("displacement", "moment", "tension")
 
 
 class Tried(NamedTuple):
-    """What became of one scene."""
+    """Results for one scene."""
 
     ablation: Ablation
     costs: list[Cost]
@@ -39,15 +39,15 @@ class Tried(NamedTuple):
 
 
 def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
-    """Every fitting change of every kind of scene of the chapters, and of the study's own scenes.
+    """Run every applicable change of every kind of scene of the chapters, and of the study's own scenes.
 
-    As many scenes at once as there are threads: what is compared, the changes of one scene, runs in turn in
-    one process, and no other job.
+    As many scenes run in parallel as there are threads. The compared runs, which are the changes of one
+    scene, run in sequence in one process; no other job of the workflow runs.
 
     Raises
     ------
     InputError
-        When a change that a tier leaves out does not exist.
+        When a change that a tier omits does not exist.
     """
     import xarray as xr
 
@@ -86,7 +86,7 @@ def _check(study: EffectsStudy) -> None:
 
 
 def _tried(repeats: int, budget: float, left_out: list[str], file: SceneFile) -> Tried | str:
-    """One scene with its changes, or why it cannot be run."""
+    """Run one scene with its changes, or return the reason why it cannot be run."""
     try:
         ablation = ablate(file, repeats, budget, left_out=left_out)
         scene = ablation.file.resolved()
@@ -103,7 +103,7 @@ def _labels() -> list[str]:
 
 
 def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
-    """What each change made of peaks and run time."""
+    """Relative changes of peaks and run time by each change."""
     labels = _labels()
     shape = (len(found), len(labels))
     change = {name: np.full(shape, np.nan) for name in (*QUANTITIES, "time")}
@@ -125,7 +125,7 @@ def _changed(found: dict[str, Ablation]) -> dict[str, Any]:
 
 
 def _cost(found: dict[str, Ablation], spent: dict[str, list[Cost]]) -> dict[str, Any]:
-    """Share of run time and calls by effect."""
+    """Share of run time and number of calls by effect."""
     names = sorted({cost.name for of in spent.values() for cost in of})
     share = np.full((len(found), len(names)), np.nan)
     calls = np.zeros(share.shape, np.int64)
@@ -138,7 +138,7 @@ def _cost(found: dict[str, Ablation], spent: dict[str, list[Cost]]) -> dict[str,
 
 
 def kernels(marker: Path) -> dict[str, Any]:
-    """Signatures compiled of every kernel and the time of their own, where the workflow noted it."""
+    """Number of compiled signatures of every kernel and their compile times, if the workflow noted them."""
     rows = _noted(marker).get("kernels", [])
     names = sorted({name for name, _ in rows})
     seconds = {name: [s for n, s in rows if n == name] for name in names}
@@ -155,7 +155,7 @@ def _noted(marker: Path) -> dict[str, Any]:
 
 
 def compiling(marker: Path) -> dict[str, Any]:
-    """Time of compiling from nothing as the workflow noted it, and what was compiled."""
+    """Time of compiling with an empty cache, if the workflow noted it, and number of compiled functions."""
     noted = _noted(marker)
     cold, spent = noted.get("cold_seconds"), noted.get("cold_core_seconds")
     return {

@@ -1,6 +1,6 @@
-"""Where energy goes over time, by method: stored, dissipated by physics, by the method, and unexplained.
+"""Energy balance over time, by method: stored energy, physical and numerical dissipation, energy residual.
 
-A run's ledger is told at its end; runs of growing length with one step give it over time.
+A run gives its energy balance only at its end; runs of increasing duration give the balance over time.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ PARTS = {
 
 
 def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
-    """Every case by every method at instants of its duration."""
+    """Energy balance of every case by every method, at several times within its duration."""
     import xarray as xr
 
     cases, methods = in_tier(study.cases, setting.tier), in_tier(study.methods, setting.tier)
@@ -63,7 +63,7 @@ def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
 def ledger_of(
     file: SceneFile, case: EnergyCase, method: Method, duration: float
 ) -> tuple[EnergyAudit, str]:
-    """The ledger of a run of some length; empty, with a message, where it is refused."""
+    """Energy balance of a run with a duration (s); if the run is refused, an empty one and the message."""
     cut = {
         "analysis.duration": f"{duration!r} s",
         "analysis.output": {"interval": f"{duration!r} s"},

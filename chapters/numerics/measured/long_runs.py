@@ -1,8 +1,8 @@
-"""Long simulations: what a published or a demanding one takes, over candidates of mesh, step and method.
+"""Long simulations: run times of published or demanding ones, over candidates of mesh, step and method.
 
 Every candidate is timed and compared with a reference: moments of the whole history, and the largest
-moment anywhere. The cheapest that is accurate enough is what a user could have; the paper's own setting is
-one of the candidates.
+moment anywhere. The cheapest sufficiently accurate candidate shows what a user can achieve. The setting of
+the paper is one of the candidates.
 """
 
 from __future__ import annotations
@@ -45,7 +45,7 @@ WHERE = "config/studies/numerics.yaml: measured.long_runs"
 
 
 def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
-    """All candidates of all cases, one after another: they are timed.
+    """Run all candidates of all cases, in sequence, because they are timed.
 
     Raises
     ------
@@ -64,7 +64,7 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
         rows += candidates(name, case, file, best.result, study.repeats, setting.tier)
     dataset = xr.Dataset({key: ("run", [row[key] for row in rows]) for key in rows[0]})
     label_variables(dataset, ABOUT)
-    if setting.tier == "preview":  # which cuts runs short: what papers and we name is of whole ones
+    if setting.tier == "preview":  # runs are shortened, but these times are for whole runs
         for name in ("published_seconds", "target_seconds"):
             dataset[name] = dataset[name].where(False)
     dataset.attrs["load_average"] = psutil.getloadavg()[0]
@@ -72,7 +72,7 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
 
 
 def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
-    """The scene of a case, as long as the tier asks for."""
+    """Read the scene of a case, with the duration of the tier."""
     sets = case.set | (case.preview or {} if tier == "preview" else {})
     return read_scene(config / case.scene).with_values(FREE | sets, f"{WHERE}: {name}")
 
@@ -80,7 +80,7 @@ def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
 def candidates(
     name: str, case: LongCase, file: SceneFile, best: Result, repeats: int, tier: Tier
 ) -> list[dict[str, Any]]:
-    """Every candidate of a case as a row, the paper's own first."""
+    """Run every candidate of a case: one row each, with the paper's setting first."""
     scene = whole(file.resolved())
     rows = []
     if case.own and tier != "preview":
@@ -98,7 +98,7 @@ def candidates(
 def candidate(
     file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float, repeats: int
 ) -> Attempt:
-    """A candidate, timed after a run of a few steps has loaded its kernels."""
+    """Time a candidate after a run of a few steps has loaded its kernels."""
     few = {
         "analysis.duration": f"{FEW * step!r} s",
         "analysis.output": {"interval": f"{FEW * step!r} s"},
@@ -111,7 +111,7 @@ def candidate(
 
 
 def meshes(case: LongCase, scene: Resolved) -> list[tuple[str, Mesh]]:
-    """Even meshes, and those that a refinement would try."""
+    """Return meshes of equal segments, and graded meshes that a refinement would try."""
     named = [("even", even(scene, n)) for n in case.elements]
     mesh = coarsest_mesh(scene)
     for _ in range(case.graded):
@@ -121,12 +121,12 @@ def meshes(case: LongCase, scene: Resolved) -> list[tuple[str, Mesh]]:
 
 
 def named(case: str, tier: Tier) -> str:
-    """What the reference of a case is called: preview, which cuts it short, has its own."""
+    """Name of the reference of a case: the preview tier, which shortens the case, has a separate one."""
     return f"{case}, preview" if tier == "preview" else case
 
 
 def wanted(study: LongStudy, config: Path) -> Iterator[Wanted]:
-    """The references of all cases, as long as each tier has them."""
+    """Yield the references of all cases, with the duration of each tier."""
     tiers: tuple[Tier, ...] = ("preview", "standard")
     for tier in tiers:
         for name, case in in_tier(study.cases, tier).items():
@@ -135,7 +135,7 @@ def wanted(study: LongStudy, config: Path) -> Iterator[Wanted]:
 
 
 def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
-    """A reference finer in mesh and step than any candidate, by the fourth-order method."""
+    """Compute a reference by the fourth-order method, with finer mesh and step than any candidate."""
     mesh, step = meshes(case, whole(file.resolved()))[-1][1], case.steps[-1]
     finest = attempt_on(stepped(file, SMOOTH.method, mesh, step), mesh, step, math.inf)
     if finest.result is None:
@@ -146,7 +146,7 @@ def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
 def row(
     name: str, case: LongCase, label: str, step: float, tried: Attempt, best: Result
 ) -> dict[str, Any]:
-    """What came of a candidate."""
+    """Return the row of a candidate: its times and errors, or the message of its refusal."""
     numbers = {
         "case": name,
         "candidate": label,

@@ -1,10 +1,11 @@
-"""Is a requested accuracy reached, its error estimated well, and cheap? Over seeded random scenes.
+"""Random scenes: whether tolerances are met, how well errors are estimated, and at which cost.
 
-Scenes are drawn from what papers leave open and from the ranges of their studies; half of them are held
-out, which nobody may look at when refinement is tuned. The list is fixed by its seed, so that the reference
-of each scene is kept; it was computed by the fourth-order method. The cost is compared with that of the
-cheapest even mesh and step that err no more, which nobody knows beforehand: even meshes and steps that were
-tried when the reference was computed are kept with it, and the first of them that should do is run again.
+Scenes are sampled from the inputs that papers do not specify and from the ranges of their studies. Half of
+the scenes are held out: they must not be used to tune the refinement. The seed fixes the list, so that the
+reference of each scene can be stored; it was computed by the fourth-order method. The work is compared with
+the work of the cheapest uniform mesh and step whose error is no larger, which a user cannot know beforehand.
+Uniform meshes and steps that were tried for the reference are stored with it; the first of them that should
+meet this condition is rerun.
 """
 
 from __future__ import annotations
@@ -46,20 +47,20 @@ if TYPE_CHECKING:
 
 WHERE = "config/studies/numerics.yaml: measured.random_scenes"
 STUDY = "random_scenes"  # folder of references
-QUICK = replace(SMOOTH, most_first=1e7)  # there are many
-LONGEST = 30.0  # seconds of a request, beyond which there is no reference
+QUICK = replace(SMOOTH, most_first=1e7)  # cheaper first refinement: there are many scenes
+LONGEST = 30.0  # s, longest run to the tolerance for which a reference is computed
 NOT_JUDGED = "not judged"
-LEVELS = tuple(2.0 ** (k / 2) for k in range(24))  # of mesh and step, finer and finer
-COARSE = 6  # segments, and steps a period, of the first level
-CHEAPEST = 32.0  # times less work than the request: where the search begins
-FALLEN = 0.9  # of an error, that refinement must bring to be worth going on
+LEVELS = tuple(2.0 ** (k / 2) for k in range(24))  # factors on mesh and step, from coarse to fine
+COARSE = 6  # segments, and steps per period, of the first level
+CHEAPEST = 32.0  # the search begins at the work of the request divided by this factor
+FALLEN = 0.9  # refinement continues only if the error decreases to this share of it
 
-#: of a result, the errors by quantity
+#: function that returns the errors of a result by quantity
 Measure = Callable[[Result], dict[str, float]]
 
 
 class Even(NamedTuple):
-    """An even mesh and a step that were tried: their largest error, and segments times iterations."""
+    """A uniform mesh and a step that were tried: largest error, and work in segments times iterations."""
 
     elements: int
     step: float  # s
@@ -69,7 +70,7 @@ class Even(NamedTuple):
 
 @dataclass
 class Drawn:
-    """A scene, what was drawn, and what came of it."""
+    """A random scene: its sampled values, and its results."""
 
     family: str
     number: int
@@ -79,7 +80,7 @@ class Drawn:
     message: str = ""
     requested: Result | None = None
     true: dict[str, float] = field(default_factory=dict)
-    fixed: Even | None = None  # the cheapest that errs no more
+    fixed: Even | None = None  # the cheapest with no larger error
 
     @property
     def name(self) -> str:
@@ -88,7 +89,7 @@ class Drawn:
 
 
 def random_scenes(study: RandomStudy, setting: Setting) -> xr.Dataset:
-    """Ask for the accuracy of every scene, and measure what was reached and spent."""
+    """Run every scene to the tolerance, and measure the true error and the work."""
     every = drawn(study, setting.config, setting.tier)
     patience = study.patience[setting.tier]
     one = partial(judge, setting.config, patience, setting.tier == "reference")
@@ -97,7 +98,7 @@ def random_scenes(study: RandomStudy, setting: Setting) -> xr.Dataset:
 
 
 def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:
-    """The scenes of a tier."""
+    """Return the scenes of a tier."""
     families = in_tier(study.families, tier).items()
     return [one for item in families for one in draw(*item, study, config, tier)]
 
@@ -105,7 +106,7 @@ def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:
 def draw(
     name: str, family: Family, study: RandomStudy, config: Path, tier: Tier
 ) -> Iterator[Drawn]:
-    """The scenes of a family: assumptions and varied values by a seeded Sobol sequence."""
+    """Yield the scenes of a family: assumed and varied values from a seeded Sobol sequence."""
     base = read_scene(config / family.scene).with_values(FREE | family.set, f"{WHERE}: {name}")
     open_values = {
         path: origin
@@ -121,13 +122,13 @@ def draw(
 
 
 def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
-    """Run at the requested accuracy, find the true error, and the cheapest that errs no more.
+    """Run to the tolerance; find the true error, and the cheapest uniform mesh and step with no larger one.
 
-    A request that takes more than ``patience`` (s) is not judged.
+    A run that takes more than ``patience`` (s) is not judged.
 
     Parameters
     ----------
-    anew : whether to find the cheapest without what is kept of it.
+    anew : whether to search the cheapest without the stored meshes and steps.
     """
     scene = whole(one.file.resolved())
     try:
@@ -135,7 +136,7 @@ def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
     except NotUsed as error:
         one.message = f"reference: {error}"
         return one
-    attempt(lambda: run(scene, 0.0))  # loads its kernels, which is not the request's time
+    attempt(lambda: run(scene, 0.0))  # loads kernels, which must not be timed
     tried = attempt(lambda: in_time(scene, patience))
     if tried.result is None:
         late = f"{NOT_JUDGED}: " if tried.refused is Outcome.TOO_LONG else ""
@@ -148,16 +149,16 @@ def judge(config: Path, patience: float, anew: bool, one: Drawn) -> Drawn:
     one.true = errors(tried.result, kept.result)
     known = [] if anew else [Even(*row) for row in kept.more["even"]]
     one.fixed = least_work(one, scene, by_run(kept.result).errors, known)
-    one.requested = replace(tried.result, arrays={})  # what is left goes from process to process
+    one.requested = replace(tried.result, arrays={})  # only the rest is sent between processes
     return one
 
 
 def least_work(one: Drawn, scene: Resolved, measure: Measure, known: list[Even]) -> Even | None:
-    """Even mesh and step of least work that err no more than the request; None where none works less.
+    """Uniform mesh and step of least work whose error does not exceed the request's; None if none needs less.
 
     Parameters
     ----------
-    known : those that were tried before, the cheapest first, whose errors foresee which will do.
+    known : meshes and steps tried before, cheapest first; their errors predict which will be sufficient.
     """
     achieved, spent = max(one.true.values(), default=0.0), spent_on(one)
     for even_one in known:
@@ -174,9 +175,10 @@ def least_work(one: Drawn, scene: Resolved, measure: Measure, known: list[Even])
 def search(
     file: SceneFile, scene: Resolved, measure: Measure, spent: float, achieved: float
 ) -> list[Even]:
-    """Even meshes and steps that were tried, the cheapest first, until one errs no more than ``achieved``.
+    """Try uniform meshes and steps, cheapest first, until an error does not exceed ``achieved``; return them.
 
-    A mesh that shorter steps do not help is not tried further, nor a step that finer meshes do not.
+    A mesh is not tried further when shorter steps no longer reduce its error enough, nor a step when finer
+    meshes do not.
     """
     duration = scene.analysis.duration or 0.0
     last: dict[tuple[str, float], float] = {}
@@ -202,7 +204,7 @@ def search(
 def tried_on(
     file: SceneFile, scene: Resolved, measure: Measure, elements: int, step: float
 ) -> Even | None:
-    """Error and work of an even mesh and a step; None where they cannot be run."""
+    """Error and work of a uniform mesh and a step; None if they cannot be run."""
     mesh = even(scene, elements)
     tried = attempt_on(stepped(file, {}, mesh, step), mesh, step, math.inf)
     if tried.result is None:
@@ -212,20 +214,20 @@ def tried_on(
 
 
 def by_work(scene: Resolved) -> Iterator[tuple[float, int, float]]:
-    """Segments per second of step, segments of even meshes, and steps (s): the cheapest first."""
+    """Work (segments divided by step, 1/s), segments of uniform meshes, and steps (s), cheapest first."""
     counts = [len(scene.riser)] if massless(scene) else [round(COARSE * x) for x in LEVELS]
     steps = [period(scene) / (COARSE * x) for x in LEVELS]
     yield from sorted((n / step, n, step) for n in counts for step in steps)
 
 
 def wanted(study: RandomStudy, config: Path) -> Iterator[Wanted]:
-    """The reference of every scene of the standard tier."""
+    """Yield the reference of every scene of the standard tier."""
     for one in drawn(study, config, "standard"):
         yield Wanted(one.name, one.file, partial(solved, one))
 
 
 def solved(one: Drawn) -> Kept:
-    """The reference of a scene, and the even meshes and steps on the way to what errs no more."""
+    """Compute the reference of a scene, with the uniform meshes and steps that the search tried."""
     scene = whole(one.file.resolved())
     first = attempt(lambda: in_time(scene, LONGEST))
     if first.result is None:
@@ -241,17 +243,17 @@ def solved(one: Drawn) -> Kept:
 
 
 def spent_on(one: Drawn) -> float:
-    """Segments times iterations of all runs that a request took."""
+    """Segments times iterations, summed over all runs of a request."""
     return sum(map(_work, one.requested.facts["refinements"])) if one.requested else 0.0
 
 
 def _work(facts: Mapping[str, Any]) -> float:
-    """Segments times Newton iterations: what a run costs, free of noise."""
+    """Segments times Newton iterations: a measure of work without the noise of timing."""
     return float(facts["elements"]) * float(facts["newton_iterations"])
 
 
 def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
-    """All scenes as one dataset; a scene that cannot be run is a row with its message."""
+    """Return all scenes as one dataset; the row of a scene that cannot be run has its message."""
     import xarray as xr
 
     data: dict[str, Any] = {
@@ -284,7 +286,7 @@ def tabulated(study: RandomStudy, drawn: list[Drawn]) -> xr.Dataset:
 
 
 def _estimated(one: Drawn) -> dict[str, float]:
-    """The estimate, of what the error is known of."""
+    """Estimated errors of the quantities whose true error is known."""
     estimate = one.requested.facts["error_estimate"] if one.requested else {}
     return {q: estimate[q] for q in one.true if q in estimate}
 

@@ -1,9 +1,9 @@
-"""Hard cases by every method over a ladder of steps: what survives, what is accurate, what is said.
+"""Hard cases by every method over a ladder of steps: which runs finish, which are accurate, their messages.
 
-The step and the mesh that the default accuracy chooses are the middle of the ladder; methods run on that
-mesh. A ladder is climbed by bisection, in the reference tier rung by rung. The reference of a case is kept;
-it was computed with another spectral radius, from that mesh and step by halving both until little changed,
-and what the last halving changed says what it is worth.
+The step that the default accuracy chooses is the middle of the ladder; methods run on the mesh that it
+chooses. A ladder is searched by bisection, but in the reference tier all its steps are run. The reference
+of a case is stored. It was computed with another spectral radius, from this mesh and step, by halving both
+until the result changed little; the change by the last halving indicates the error of the reference.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ WRITTEN = "as written"  # the scene's own method and accuracy
 
 @dataclass
 class Rung:
-    """One run of a ladder."""
+    """One run with a time step of a ladder."""
 
     step: float
     outcome: Outcome
@@ -68,28 +68,28 @@ class Rung:
 
     @property
     def survived(self) -> bool:
-        """Whether the run came to its end within reason."""
+        """Whether the run finished with plausible values."""
         return self.outcome in (Outcome.ACCURATE, Outcome.INACCURATE, Outcome.UNJUDGED)
 
 
 @dataclass
 class Standard:
-    """What the runs of a case are measured by."""
+    """The reference that the runs of a case are compared with."""
 
     reference: Result | None = None
-    doubt: float = math.nan  # what the last refinement of the reference changed
+    doubt: float = math.nan  # change by the reference's last refinement
     why_not: str = ""
 
 
 @dataclass
 class CaseResult:
-    """What became of one case by every method."""
+    """Results for one case by every method."""
 
     written: Rung
     estimate: float
     warned: str
     standard: Standard
-    explicit_limit: float = math.nan  # s, where explicit stepping is tried
+    explicit_limit: float = math.nan  # predicted stable step (s), if explicit stepping is tried
     rungs: dict[str, list[Rung]] = field(default_factory=dict)
 
 
@@ -115,7 +115,7 @@ def run_case(
 
 
 class Chosen(NamedTuple):
-    """Mesh and step (s) that methods are tried on; ``alone`` where the scene prescribes them."""
+    """Mesh and step (s) that methods are run with; ``alone`` if the scene prescribes the mesh."""
 
     mesh: Mesh
     step: float
@@ -123,7 +123,7 @@ class Chosen(NamedTuple):
 
 
 def chosen(scene: Resolved, written: Attempt) -> Chosen | None:
-    """Mesh and step of a scene, its own or those of its accuracy; None where there are none."""
+    """Return the prescribed mesh and step of a scene, or the ones that its run chose; None without any."""
     own, result = scene.analysis, written.result
     if own.mesh and own.step:
         return Chosen(even(scene, own.mesh.elements), own.step, True)
@@ -140,7 +140,7 @@ def rungs(
     tier: Tier,
     result: CaseResult,
 ) -> list[Rung]:
-    """What a method makes of a case; notes the predicted limit of explicit stepping."""
+    """Run a case by a method; for explicit stepping, also store the predicted limit of the step."""
     explicit = method.set.get("analysis.method") == EXPLICIT
     steps = [on.step] if on.alone else [on.step * factor for factor in study.ladder[tier]]
     try:
@@ -159,12 +159,12 @@ def rungs(
 
 
 def climbed(one: Callable[[float], Rung], steps: Sequence[float]) -> list[Rung]:
-    """The rungs beside the largest accurate and the largest surviving step, found by bisection.
+    """Find the largest accurate and the largest surviving step by bisection; return all rungs tried.
 
     Parameters
     ----------
-    one : runs a step (s).
-    steps : rising (s). A run that would take too long is one whose step is too short to be of interest.
+    one : function that runs a step (s).
+    steps : increasing (s). The step of a run that would take too long counts as too short to be of interest.
     """
     tried: dict[int, Rung] = {}
     for good in (lambda r: r.outcome == Outcome.ACCURATE, lambda r: r.survived):
@@ -181,7 +181,7 @@ def climbed(one: Callable[[float], Rung], steps: Sequence[float]) -> list[Rung]:
 
 
 def attempt_limit(scene: Resolved, mesh: Mesh) -> float | None:
-    """Predicted stable step."""
+    """Predicted stable step (s); None unless it is positive and finite."""
     limit = explicit_limit(scene, settle(scene, mesh)[0])
     return limit if 0.0 < limit < math.inf else None
 
@@ -189,13 +189,13 @@ def attempt_limit(scene: Resolved, mesh: Mesh) -> float | None:
 def rung(
     scene: Resolved, mesh: Mesh, step: float, *, budget: float, reference: Result | None
 ) -> Rung:
-    """One run of a ladder, judged."""
+    """Make one run of a ladder, and determine its outcome."""
     tried = attempt_on(scene, mesh, step, budget)
     return Rung(step, *judged(tried, reference), tried)
 
 
 def standard_of(config: Path, name: str, scene: Resolved) -> Standard:
-    """The reference of a case, as it is kept; why there is none where none can be used."""
+    """Read the stored reference of a case; if it cannot be used, return the reason."""
     try:
         kept = read(config, STUDY, name, scene)
     except NotUsed as error:
@@ -209,14 +209,14 @@ def standard_of(config: Path, name: str, scene: Resolved) -> Standard:
 
 
 def wanted(study: StabilityStudy, config: Path) -> Iterator[Wanted]:
-    """The reference of every case."""
+    """Yield the reference of every case."""
     for name, case in study.cases.items():
         file = case_file(config, name, case)
         yield Wanted(name, file, partial(solved, name, file))
 
 
 def solved(name: str, file: SceneFile) -> Kept:
-    """The reference of a case, from the mesh and step that the default accuracy chooses."""
+    """Compute the reference of a case, from the mesh and step that the default accuracy chooses."""
     free = (
         file.with_values(FREE, "reference") if file.resolved().analysis.mesh is not None else file
     )
@@ -227,7 +227,7 @@ def solved(name: str, file: SceneFile) -> Kept:
 
 
 def as_expected(case: Case, result: CaseResult) -> tuple[bool, str]:
-    """Whether a case came out as a sound engine would have it; what else, in words."""
+    """Return whether a case ended as expected of a sound engine; if not, also its outcome in words."""
     outcome, error = result.written.outcome, result.written.error
     if case.expect == "accurate":
         if outcome == Outcome.ACCURATE:
@@ -244,7 +244,7 @@ def as_expected(case: Case, result: CaseResult) -> tuple[bool, str]:
 
 
 def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
-    """All cases, as a dataset over case, method and rung of the ladder."""
+    """Run all cases: a dataset over case, method and rung of the ladder."""
     cases = in_tier(study.cases, setting.tier)
     one = partial(_case_result, study, setting.config, setting.tier)
     outcomes = dict(zip(cases, each(one, list(cases.items()), setting.threads), strict=True))
@@ -262,7 +262,7 @@ def _case_result(
 def tabulated(
     study: StabilityStudy, cases: dict[str, Case], results: dict[str, CaseResult], tier: Tier
 ) -> xr.Dataset:
-    """The results of all cases, labelled."""
+    """Return the results of all cases as a labelled dataset."""
     import xarray as xr
 
     methods = list(in_tier(study.methods, tier))
@@ -300,7 +300,7 @@ def tabulated(
 
 
 def by_case(cases: dict[str, Case], results: dict[str, CaseResult]) -> dict[str, Any]:
-    """What there is once a case: its scene's own run, what was expected of it, the reference."""
+    """Variables with one value per case: run of the unchanged scene, expected outcome, reference."""
     verdicts = [as_expected(case, results[name]) for name, case in cases.items()]
     written = [t.written for t in results.values()]
     runs = [w.tried.result for w in written]
@@ -325,7 +325,7 @@ def by_case(cases: dict[str, Case], results: dict[str, CaseResult]) -> dict[str,
 
 
 def summed_up(rungs: list[Rung]) -> dict[str, Any]:
-    """What a ladder says of a method: outcome, largest steps, and the audit at the step to take."""
+    """Summary of a ladder: outcome, largest steps, and counts and energies at the best step."""
     survived = [r for r in rungs if r.survived]
     accurate = [r for r in rungs if r.outcome == Outcome.ACCURATE]
     ran = [r for r in rungs if r.outcome != Outcome.TOO_LONG]
@@ -342,7 +342,7 @@ def summed_up(rungs: list[Rung]) -> dict[str, Any]:
 
 
 def unrun(result: CaseResult) -> dict[str, Any]:
-    """What to say of methods that had nothing to run."""
+    """Outcome and message for methods that were not run."""
     if result.written.tried.refused == Outcome.UNSTABLE:
         return {"outcome": str(Outcome.UNSTABLE), "message": result.written.tried.message}
     return {"message": result.standard.why_not or "statics has no time steps"}
@@ -358,7 +358,7 @@ def _audit(name: str) -> Any:
 
 
 def counted(tried: Attempt) -> dict[str, float]:
-    """Counts and energies of a run, none where it was refused."""
+    """Counts and energies of a run; empty if it was refused."""
     if tried.result is None:
         return {}
     return {name: float(extract(tried.result.facts)) for name, extract in COUNTS.items()}

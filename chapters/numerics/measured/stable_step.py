@@ -1,7 +1,7 @@
-"""Explicit stepping: the stable step as predicted and as measured.
+"""Explicit stepping: predicted and measured stable step.
 
-Measured is the longest step at which a small disturbance of every mode does not grow; it is found by
-halving a bracket around the prediction, to 0.6 %, with the engine's own refusal put aside.
+The measured step is the longest one at which a small disturbance of every mode does not grow. It is found
+to 0.6 % by halving a bracket around the prediction, with the engine's refusal of long steps switched off.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-GROWN = 10.0  # times the largest speed of a calm run, which growth without bound exceeds
-BRACKET = (0.9, 1.1)  # of the predicted step: within a tenth, the prediction itself tried first
+GROWN = 10.0  # ratio to the largest speed of a stable run; only unbounded growth exceeds it
+BRACKET = (0.9, 1.1)  # ratios to the predicted step; the prediction is tried first
 HALVINGS = 5  # of the bracket
 
 
 def stable_step(study: LimitStudy, setting: Setting) -> xr.Dataset:
-    """Predicted and measured stable step of every variant on every mesh."""
+    """Compute and measure the stable step of every variant on every mesh."""
     import xarray as xr
 
     variants = in_tier(study.variants, setting.tier)
@@ -71,7 +71,7 @@ def limit(scene: Resolved, mesh: Mesh) -> float:
 
 
 def measured(scene: Resolved, mesh: Mesh, predicted: float) -> float:
-    """The longest step found that stays calm, over the predicted one; an end of the bracket if beyond."""
+    """Longest stable step found, divided by the predicted one; if outside the bracket, its nearer end."""
     low, high = BRACKET
     calm = speed(scene, mesh, 0.5 * predicted)
     if grows(scene, mesh, low * predicted, calm):
@@ -88,16 +88,16 @@ def measured(scene: Resolved, mesh: Mesh, predicted: float) -> float:
 
 
 def grows(scene: Resolved, mesh: Mesh, step: float, calm: float) -> bool:
-    """Whether speeds grow beyond those of a calm run."""
+    """Return whether the largest speed grows far beyond the largest speed ``calm`` (m/s) of a stable run."""
     return not speed(scene, mesh, step) <= GROWN * calm
 
 
 def speed(scene: Resolved, mesh: Mesh, step: float) -> float:
-    """Largest speed at the end of an explicit run (m/s), infinite where it stops."""
+    """Largest speed at the end of an explicit run (m/s), infinite if the run stops early."""
     model, _ = settle(scene, mesh)
     rng = np.random.default_rng(1)
     state = model.s
-    # something in every mode, so that the fastest has what to grow from
+    # a small disturbance of every mode, from which the fastest mode can grow
     state.r[:] += 1e-9 * mesh.riser_length * rng.standard_normal(state.r.shape)
     move_to(model.programs, model.state, 0.0)
     steps = math.ceil((scene.analysis.duration or 0.0) / step)

@@ -1,6 +1,6 @@
-"""What a tier costs and how far its numbers are off: the scenes behind published numbers at each accuracy.
+"""Run times and errors of the tiers, for the scenes behind published numbers, at the tolerance of each tier.
 
-A tier runs its own accuracy and those of coarser tiers. Peaks are compared with those of kept references.
+A tier runs its own tolerance and the tolerances of coarser tiers. Peaks are compared with stored references.
 """
 
 from __future__ import annotations
@@ -41,11 +41,11 @@ PEAKS = ("displacement", "moment", "tension")
 COSTS = ("wall_seconds", "elements", "step")
 DEFAULT = "default"
 STUDY = "tiers"  # folder of references
-ENOUGH = 2e-4  # change by a refinement, below the error of the finest tier
+ENOUGH = 2e-4  # relative change that ends refinement, below the error of the finest tier
 
 
 def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
-    """Every scene at the accuracy of every tier, one after another: they are timed."""
+    """Run every scene at the tolerance of every tier, in sequence, because the runs are timed."""
     import xarray as xr
 
     scenes = in_tier(study.scenes, setting.tier)
@@ -57,7 +57,7 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
     message = np.full(shape, "", object)
     for i, (name, case) in enumerate(scenes.items()):
         file = case_file(setting.config, name, case)
-        once(file, study.accuracies[names[0]], 0.0)  # loads its kernels
+        once(file, study.accuracies[names[0]], 0.0)  # loads kernels
         best, why = known(setting, name, file)
         for k, of in enumerate(names):
             tried = once(file, study.accuracies[of], study.patience[setting.tier])
@@ -81,13 +81,13 @@ def tiers(study: TiersStudy, setting: Setting) -> xr.Dataset:
 
 
 def up_to(tier: Tier, study: TiersStudy) -> list[Tier]:
-    """A tier and all that are coarser."""
+    """Return a tier and all coarser tiers."""
     every = list(study.accuracies)
     return every[: every.index(tier) + 1]
 
 
 def known(setting: Setting, name: str, file: SceneFile) -> tuple[NDArray[np.float64], str]:
-    """Peaks of the reference of a scene, and why there are none where there are none."""
+    """Return the peaks of a scene's reference; if there is none, NaN and the reason."""
     try:
         kept = read(setting.config, STUDY, name, file.resolved())
     except NotUsed as error:
@@ -98,14 +98,14 @@ def known(setting: Setting, name: str, file: SceneFile) -> tuple[NDArray[np.floa
 
 
 def wanted(study: TiersStudy, config: Path) -> Iterator[Wanted]:
-    """The reference of every scene."""
+    """Yield the reference of every scene."""
     for name, case in study.scenes.items():
         file = case_file(config, name, case)
         yield Wanted(name, file, partial(solved, name, file))
 
 
 def solved(name: str, file: SceneFile) -> Kept:
-    """The reference of a scene, from what the default accuracy chooses."""
+    """Compute the reference of a scene, from the mesh and step that the default accuracy chooses."""
     first = attempt(lambda: run(whole(requested(file, DEFAULT))))
     if first.result is None:
         return none(name, file, first.message)
@@ -118,13 +118,13 @@ def solved(name: str, file: SceneFile) -> Kept:
 
 
 def requested(file: SceneFile, accuracy: str) -> Any:
-    """The scene with the accuracy of a tier."""
+    """Return the scene with the tolerance of a tier."""
     values = None if accuracy == DEFAULT else accuracy
     return file.with_values({"analysis.accuracy": values}, "tiers").resolved()
 
 
 def once(file: SceneFile, accuracy: str, patience: float) -> Attempt:
-    """One run, or what it is refused for."""
+    """Make one run, or return the reason for its refusal."""
     return attempt(lambda: in_time(requested(file, accuracy), patience))
 
 

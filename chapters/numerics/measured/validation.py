@@ -1,4 +1,4 @@
-"""The engine compared with what is known: every case run now, its error over what it is allowed."""
+"""The engine compared with known solutions: runs of every case, with error and tolerance."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ NUMBERS = {
 
 
 def validation(study: ValidationStudy, setting: Setting) -> xr.Dataset:
-    """A row a number: reference, value, error and tolerance."""
+    """Run all cases; one row per number: reference, value, error and tolerance."""
     import xarray as xr
 
     scenes = in_tier(study.scenes, setting.tier)

@@ -1,1 +1,1 @@
-"""Reference solutions as data: computed once, kept with the scene's digest, read by the studies."""
+"""Reference solutions as data: computed once, stored with the scene's digest, read by the studies."""

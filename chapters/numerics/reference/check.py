@@ -1,4 +1,4 @@
-"""A seeded tenth of the kept reference solutions, computed anew and compared."""
+"""A random tenth of the stored reference solutions, with a seed, recomputed and compared."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ if TYPE_CHECKING:
     from riserstudy.study.measured import Setting
 
 SEED = 37
-SHARE = 10  # one of so many
+SHARE = 10  # one of this number is recomputed
 
 
 def tenth(wanted: Sequence[Wanted], seed: int = SEED) -> list[Wanted]:
-    """A tenth of the cases, at least one, the same for a seed."""
+    """Return a random tenth of the cases, at least one; a seed always gives an identical choice."""
     count = math.ceil(len(wanted) / SHARE)
     return random.Random(seed).sample(list(wanted), count)
 
@@ -31,12 +31,12 @@ def tenth(wanted: Sequence[Wanted], seed: int = SEED) -> list[Wanted]:
 def with_recomputed(
     dataset: xr.Dataset, setting: Setting, study: EngineStudy, wanted: Iterable[Wanted]
 ) -> xr.Dataset:
-    """A dataset of the reference tier with deviations of recomputed references; others as they are.
+    """Add the deviations of recomputed references to a dataset of the reference tier, and to no other.
 
     Raises
     ------
     NotUsed
-        When a reference that is kept cannot be used.
+        When a stored reference cannot be used.
     """
     if setting.tier != "reference":
         return dataset
@@ -44,12 +44,12 @@ def with_recomputed(
 
 
 def recomputed(config: Path, study: str, wanted: Sequence[Wanted]) -> xr.Dataset:
-    """A tenth of the references of a study, computed anew: by case, how far they deviate.
+    """Recompute a tenth of the references of a study; return their deviations, by case.
 
     Raises
     ------
     NotUsed
-        When one that is kept cannot be used.
+        When a stored reference cannot be used.
     """
     import xarray as xr
 
@@ -66,10 +66,10 @@ def recomputed(config: Path, study: str, wanted: Sequence[Wanted]) -> xr.Dataset
 
 
 def deviation(kept: Kept, anew: Kept) -> float:
-    """Difference of two solutions of a case over what they may differ by.
+    """Difference of two solutions of a case, divided by the allowed difference.
 
-    That is what their last refinements changed, and rounding. 0 where neither exists, infinite where one
-    alone does.
+    The allowed difference is the sum of the changes by their last refinements, and rounding. The result is 0
+    if neither solution exists, and infinite if only one exists.
     """
     if kept.result is None or anew.result is None:
         return 0.0 if kept.result is anew.result else math.inf

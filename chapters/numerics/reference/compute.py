@@ -16,17 +16,17 @@ from riserstudy.study.read import read_studies
 
 
 def compute(config: Path, only: list[str], again: bool, processes: int) -> None:
-    """Compute what is missing, damaged or of another scene, and remove what nothing needs.
+    """Compute references that are missing, damaged or of another scene; remove those that no case needs.
 
     Parameters
     ----------
     only : studies, and cases as study/case; empty: all.
-    again : compute what could be used, too.
+    again : recompute references that could be used, too.
 
     Raises
     ------
     InputError
-        When ``only`` names what needs no reference.
+        When ``only`` names a study or case that needs no reference.
     """
     by_study = all_wanted(read_studies(config, PAPER).measured, config)
     known = {f"{study}/{one.case}" for study, every in by_study.items() for one in every}
@@ -42,7 +42,7 @@ def compute(config: Path, only: list[str], again: bool, processes: int) -> None:
 
 
 def keep(config: Path, study: str, one: Wanted) -> str:
-    """Compute one reference and keep it; what came of it, in words."""
+    """Compute and store one reference; return a line with its outcome."""
     started = clock.perf_counter()
     kept = one.compute()
     write(config, study, kept)
@@ -50,7 +50,7 @@ def keep(config: Path, study: str, one: Wanted) -> str:
 
 
 def in_words(kept: Kept) -> str:
-    """How a reference was computed, and how well it is known."""
+    """Describe how a reference was computed, and its change by the last refinement."""
     if kept.result is None:
         return f"none: {kept.missing}"
     error = ", ".join(f"{name} {100 * value:.2g} %" for name, value in kept.error.items())
@@ -58,7 +58,7 @@ def in_words(kept: Kept) -> str:
 
 
 def usable(config: Path, study: str, one: Wanted) -> bool:
-    """Whether a case has a reference that can be used."""
+    """Return whether a case has a reference that can be used."""
     try:
         read(config, study, one.case, one.file.resolved())
     except NotUsed:
@@ -67,7 +67,7 @@ def usable(config: Path, study: str, one: Wanted) -> bool:
 
 
 def remove_others(config: Path, study: str, every: list[Wanted]) -> None:
-    """Remove references of cases that are no more."""
+    """Remove references of cases that no longer exist."""
     needed = {path_of(config, study, one.case) for one in every}
     for path in references(config, study):
         if path not in needed:

@@ -1,4 +1,4 @@
-"""A scene solved finer and finer until that changes next to nothing."""
+"""Refinement of a scene's solution until further refinement changes it very little."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ from riserstudy.simulation.starting_mesh import massless
 class Recipe:
     """How a reference is computed.
 
-    ``enough``: change by a refinement, of the error that counts, after which there is no further one.
-    ``most_work``: node-steps of a run, beyond which there is none either; ``most_first``: of the first
-    refinement, beyond which there is no reference.
+    ``enough``: change of the deciding error by a refinement, at or below which refinement ends.
+    ``most_work``: largest number of node-steps of a further refinement. ``most_first``: largest number of
+    node-steps of the first refinement; if it needs more, there is no reference.
     """
 
     method: dict[str, Any]
@@ -37,28 +37,28 @@ class Recipe:
 
 #: fourth order
 SMOOTH = Recipe({"analysis.method": "ESDIRK4"}, "ESDIRK4", 1e-3, 1e7)
-#: second order with dissipation, for stops, snaps and releases
+#: second order with dissipation, for end stops, snap loads and disconnects
 HARD = Recipe({"analysis.method": {"rho_inf": 0.6}}, "generalised-alpha 0.6", 1e-3, 3e7)
 LEAST, MOST = 2, 8  # refinements
 
 
 def none(case: str, file: SceneFile, why: str) -> Kept:
-    """A case that has no reference, and why."""
+    """Return the record of a case that has no reference, with the reason."""
     return Kept(case, scene_digest(file.resolved()), PHYSICS, engine_digest(), "", missing=why)
 
 
 def converged(
     case: str, file: SceneFile, first: Result, recipe: Recipe, mesh: Mesh | None = None
 ) -> Kept:
-    """The reference of a scene, from a run whose mesh and step are halved again and again.
+    """Compute the reference of a scene by repeated halving of the mesh and step of a run.
 
     Parameters
     ----------
-    mesh : that of the run; None: as its segments say, which a graded mesh follows less smoothly.
+    mesh : mesh of the run; None: derived from its segments, which represents a graded mesh less smoothly.
 
     Returns
     -------
-    The finest run. Its error is what the last refinement changed; of a vibration of vortices no less than
+    The finest run. Its error is the change by the last refinement; for vortex-induced vibration at least
     twice the standard error of its statistics, which refinement does not reduce.
     """
     scene = whole(file.resolved())
@@ -90,7 +90,7 @@ def converged(
 
 
 def method_of(recipe: Recipe, best: Result) -> str:
-    """How a reference was computed, in words."""
+    """Describe in words how a reference was computed."""
     step = best.facts.get("step")
     at = f"{step:.3g} s" if step else "at rest"
     return f"{recipe.name}, {len(best.arrays['l0'])} segments, {at}"

@@ -1,4 +1,4 @@
-"""What a reference solution belongs to: a scene, whatever it is solved with, and the engine's physics."""
+"""Identity of a reference solution: a scene, without its numerical settings, and the engine's physics."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from typing import Any
 from riserstudy.scene.resolve import Resolved
 from riserstudy.study.store import COUNTS, canonical
 
-#: Version of the physics. Raise it when the exact solution of a scene changes (a law, a load, a meaning of a
-#: field), not when the way to it does: then no kept solution is used until it is computed anew.
+#: Version of the physics. Increase it when the exact solution of a scene changes (a law, a load, a meaning of
+#: a field), not when the numerical method does. Then no stored solution is used until it is recomputed.
 PHYSICS = 1
 
-#: fields of ``analysis`` that tell how a scene is solved, and not what
+#: fields of ``analysis`` that define how a scene is solved, and do not change the exact solution
 HOW = frozenset({"mesh", "step", "method", "solver", "accuracy"})
 
 
 def scene_digest(scene: Resolved) -> str:
-    """Hash of a scene without mesh, step, method and requested accuracy, 32 hexadecimal digits.
+    """Hash of a scene without mesh, step, method and tolerance, 32 hexadecimal digits.
 
-    Fields that are absent do not count: a field that scenes may have from now on changes nothing.
+    Absent fields do not count; therefore a new optional field of scenes does not change the hash.
     """
     parts = {name: canonical(getattr(scene, name)) for name in COUNTS}
     analysis = {name: part for name, part in parts["analysis"].items() if name not in HOW}
@@ -30,7 +30,7 @@ def scene_digest(scene: Resolved) -> str:
 
 
 def _present(part: Any) -> Any:
-    """Plain data without what is absent."""
+    """Return plain data without absent fields."""
     if isinstance(part, dict):
         kept = {name: _present(value) for name, value in part.items()}
         return {name: value for name, value in kept.items() if value not in (None, {})}

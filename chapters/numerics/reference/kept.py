@@ -1,10 +1,10 @@
-"""One reference solution as it is kept: envelopes, instants of its histories, and where it comes from.
+"""One stored reference solution: envelopes, some instants of its histories, and its origin.
 
-A compressed netCDF file. The nodes are about those of the run that it was refined from, so that coarse runs
-are compared at their own nodes. Positions count from the unstretched straight riser; values are whole
-multiples of a 131 072th of the largest, far below the error of any run that is compared. The file has their
-second differences along the nodes, which are small: added up twice, times ``unit_of_differences``, they are
-the values.
+The file is compressed netCDF. Its nodes are close to the nodes of the run that it was refined from, so that
+coarse runs are compared at their own nodes. Positions count from the unstretched straight riser. Values are
+rounded to multiples of 1/131 072 of the largest value, far below the error of any compared run. The file
+contains their second differences along the nodes, because these are small. Their double cumulative sum,
+times ``unit_of_differences``, gives the values.
 """
 
 from __future__ import annotations
@@ -29,26 +29,26 @@ Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 ENDS = ("_static", "_min", "_max")
-MANY = 60  # nodes of a coarser run, beyond which no middles of its segments are kept
-MOST_VALUES = 8_000  # of a history, over nodes and outputs
+MANY = 60  # most nodes of a coarser run with which the middles of its segments are stored
+MOST_VALUES = 8_000  # of a stored history, over nodes and outputs
 LEAST_OUTPUTS = 8
-RESOLUTION = 2.0**-17  # of the largest value
+RESOLUTION = 2.0**-17  # relative to the largest value
 COMPONENTS = "mesh_moment"  # in space: components of the moment over time
 MIDDLE = ("mesh_moment_min", "mesh_moment_max")  # at the middle of a segment
 OF_SEGMENTS = ("mesh_flexibility", *MIDDLE)
 OF_NODES = {"s_node", "mesh_corner", "zero_z", *(name + end for name in HISTORIES for end in ENDS)}
 EXACT = {"s_node", "time", "mesh_flexibility", "mesh_corner", "zero_z"}
-DIGITS = 7  # of statistics
-KEPT = ("elements", "step", "statistics")  # facts
+DIGITS = 7  # significant digits of statistics
+KEPT = ("elements", "step", "statistics")  # facts that are stored
 UNITS = {"x": "m", "y": "m", "z": "m", "s_node": "m", "time": "s", "effective_tension": "N"}
 
 
 @dataclass(frozen=True)
 class Kept:
-    """A reference solution, or why there is none.
+    """A reference solution, or the reason why there is none.
 
-    ``error``: what the last refinement changed, by quantity, over the largest value: no less than the error
-    that is left where refining converges. ``more``: what else a study keeps with it, plain data.
+    ``error``: change by the last refinement, by quantity, relative to the largest value. If refinement
+    converges, it is no less than the remaining error. ``more``: further plain data that a study stores.
     """
 
     case: str
@@ -63,17 +63,17 @@ class Kept:
 
 
 class Damaged(Exception):
-    """Bytes that are no kept reference solution."""
+    """Error: the bytes of a file are not a stored reference solution."""
 
 
 def reduced(result: Result, nodes: Array | None = None) -> Result:
-    """What is compared of a run with histories at all nodes, at fewer nodes and outputs.
+    """Reduce a run with histories at all nodes to the compared arrays, at fewer nodes and outputs.
 
-    Of a vibration of vortices, statistics in place of histories.
+    For vortex-induced vibration, statistics replace histories.
 
     Parameters
     ----------
-    nodes : those (m) of a coarser run; None: all of the run itself.
+    nodes : arclengths (m) of the nodes of a coarser run; None: all nodes of the run itself.
     """
     arrays = result.arrays
     keep = np.arange(len(arrays["s_node"])) if nodes is None else next_to(nodes, arrays["s_node"])
@@ -95,7 +95,7 @@ def reduced(result: Result, nodes: Array | None = None) -> Result:
 
 
 def _rounded(value: Any) -> Any:
-    """Plain numbers with as many digits as a comparison needs."""
+    """Round plain numbers to the digits that a comparison needs."""
     if isinstance(value, dict):
         return {name: _rounded(one) for name, one in value.items()}
     if isinstance(value, list):
@@ -104,7 +104,7 @@ def _rounded(value: Any) -> Any:
 
 
 def next_to(nodes: Array, s: Array) -> NDArray[np.int64]:
-    """Which nodes of a mesh (m) are next to those of a coarser one, or to the middles of its segments."""
+    """Indices of the nodes of a mesh (m) nearest to a coarser mesh's nodes or middles of its segments."""
     middles = 0.5 * (nodes[1:] + nodes[:-1]) if len(nodes) <= MANY else nodes
     near = np.union1d(nodes, middles)
     up = np.clip(np.searchsorted(s, near), 1, len(s) - 1)
@@ -113,18 +113,18 @@ def next_to(nodes: Array, s: Array) -> NDArray[np.int64]:
 
 
 def _of_segments(arrays: Arrays, keep: NDArray[np.int64]) -> Arrays:
-    """Values of the segments between nodes that are kept; their sections are those of the coarser mesh."""
+    """Values of the segments between stored nodes, whose sections are the sections of the coarser mesh."""
     low, up = keep[:-1], keep[1:]
     less = {name: arrays[name][low] for name in OF_SEGMENTS if name in arrays}
     for name in MIDDLE:
-        if name in less:  # where segments were joined, their middle is a node
+        if name in less:  # the middle of joined segments is a node
             at_node = arrays[name.replace(COMPONENTS, "bending_moment")][(low + up) // 2]
             less[name] = np.where(up - low > 1, at_node, less[name])
     return less
 
 
 def packed(kept: Kept) -> bytes:
-    """A reference solution as the bytes of a file; equal ones have equal bytes."""
+    """Return a reference solution as the bytes of a file; equal solutions give equal bytes."""
     import xarray as xr
 
     dataset = xr.Dataset(attrs={"Conventions": "CF-1.11", "about": json.dumps(_about(kept))})
@@ -147,12 +147,12 @@ def packed(kept: Kept) -> bytes:
 
 
 def unpacked(content: bytes) -> Kept:
-    """A reference solution out of the bytes of its file.
+    """Return the reference solution from the bytes of its file.
 
     Raises
     ------
     Damaged
-        When they are not as they were written.
+        When the bytes cannot be read as a stored reference solution.
     """
     import xarray as xr
 
@@ -175,7 +175,7 @@ def unpacked(content: bytes) -> Kept:
 
 
 def _values(of: xr.Variable) -> Array:
-    """Values of a variable as they were, or as their differences add up to."""
+    """Values of a variable, stored directly or as second differences."""
     values = np.array(of.values, float)
     if "unit_of_differences" in of.attrs:
         values = values.cumsum(axis=-1).cumsum(axis=-1) * float(of.attrs["unit_of_differences"])
@@ -183,13 +183,13 @@ def _values(of: xr.Variable) -> Array:
 
 
 def _zero(arrays: Arrays, name: str) -> Array | float:
-    """Elevations that those of a quantity count from."""
+    """Elevations (m) from which the values of a quantity count; 0 for a quantity other than z."""
     of_z = name == "z" or (name[0] == "z" and name[1:] in ENDS)
     return arrays["zero_z"] if of_z else 0.0
 
 
 def _about(kept: Kept) -> dict[str, Any]:
-    """All but the arrays, as plain data."""
+    """Return everything except the arrays, as plain data."""
     names = ("case", "scene", "physics", "engine", "how", "error", "missing", "more")
     facts: dict[str, Any] = {**kept.result.facts} if kept.result else {}
     kept_facts = {name: facts[name] for name in KEPT if name in facts}

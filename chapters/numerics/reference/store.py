@@ -1,4 +1,4 @@
-"""Where reference solutions lie, and why one is not used: absent, damaged, of another scene or physics."""
+"""Reading and writing of reference solutions; reasons not to use one: absent, damaged, scene or physics."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ REMEDY = "Run `make references`."
 
 
 class NotUsed(SimulationError):
-    """A reference solution that cannot be used, and why."""
+    """Error: a reference solution cannot be used, with the reason."""
 
 
 class Wanted(NamedTuple):
-    """A case that needs a reference solution, and what computes it: picklable, for other processes."""
+    """A case that needs a reference solution, and the function that computes it; picklable for processes."""
 
     case: str
     file: SceneFile
@@ -30,16 +30,16 @@ class Wanted(NamedTuple):
 
 
 def read(config: Path, study: str, case: str, scene: Resolved) -> Kept:
-    """The reference solution of a case, as it is kept.
+    """Read the stored reference solution of a case.
 
     Parameters
     ----------
-    scene : the case as it is now.
+    scene : the current scene of the case.
 
     Raises
     ------
     NotUsed
-        When there is none, it is damaged, or it solves another scene or other physics.
+        When there is no solution, it is damaged, or it is for another scene or another version of physics.
     """
     path = path_of(config, study, case)
     try:
@@ -58,7 +58,7 @@ def read(config: Path, study: str, case: str, scene: Resolved) -> Kept:
 
 
 def write(config: Path, study: str, kept: Kept) -> Path:
-    """Keep a reference solution; its file."""
+    """Store a reference solution, and return its file path."""
     path = path_of(config, study, kept.case)
     path.parent.mkdir(parents=True, exist_ok=True)
     write_whole(path, packed(kept))

@@ -11,7 +11,7 @@ from chapters.numerics.reference.store import Wanted
 from riserstudy.study.measured import MeasuredModel
 
 PAPER = "numerics"
-#: what a study wants references for
+#: by study: function that yields the cases that need a reference
 OF: dict[str, Callable[[Any, Path], Iterator[Wanted]]] = {
     "stability": stability.wanted,
     "random_scenes": random_scenes.wanted,
@@ -22,5 +22,5 @@ OF: dict[str, Callable[[Any, Path], Iterator[Wanted]]] = {
 
 
 def all_wanted(measured: Mapping[str, MeasuredModel], config: Path) -> dict[str, list[Wanted]]:
-    """The cases of each study that need a reference solution."""
+    """Return the cases of each study that need a reference solution."""
     return {name: list(OF[name](measured[name], config)) for name in OF if name in measured}
