@@ -1,1 +1,1 @@
-"""Figures of the chapter, a file a subject."""
+"""Figures of the chapter, one file per subject."""

@@ -1,4 +1,4 @@
-"""What accuracy costs by method, and whether requests are met."""
+"""Run time of accuracy by method, and true errors of runs to a tolerance."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, 
 QUANTITIES = ("displacement", "moment", "tension")
 MARKERS = "osD^vPX*<>"
 STYLES = ("-", (0, (4, 2)))
-LARGEST = 0.5  # error that is drawn, at most
-BELOW = 0.02  # of the smallest request, down to which errors are drawn
-CHANGED = (0, (6, 2, 1, 2))  # dashes of what the reference changed by
+LARGEST = 0.5  # largest error that is drawn
+BELOW = 0.02  # lower limit of the axis of errors, relative to the smallest tolerance
+CHANGED = (0, (6, 2, 1, 2))  # dashes of the change of the reference
 TARGET = 0.002  # error at which methods are compared
 
 
 def accuracy(accuracy: xr.Dataset) -> Figure:
-    """A panel a scene: for each method the lower edge of all its meshes and steps."""
+    """One panel per scene: for each method, the lowest error over time among its meshes and steps."""
     scenes = [str(scene) for scene in accuracy["scene"].values]
     columns = min(2, len(scenes))
     figure, axes = panels(-(-len(scenes) // columns), columns, height=3.3)
@@ -56,7 +56,7 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
 
 
 def _answer(quickest: list[str]) -> str:
-    """In how many scenes which method is the quickest at the target; "" of those where none reaches it."""
+    """Title: the method that is fastest at the target error most often; "" is a scene without any."""
     wins = Counter(name for name in quickest if name).most_common()
     if not wins:
         return f"No method reaches an error of {100 * TARGET:g} %"
@@ -65,7 +65,7 @@ def _answer(quickest: list[str]) -> str:
 
 
 def _scene(ax: Axes, of: xr.Dataset) -> str:
-    """Draw the edges of all methods; the quickest at the target, "" where none reaches it."""
+    """Draw the edges of all methods; return the fastest at the target error, "" if none reaches it."""
     quickest = (np.inf, "")
     for k, method in enumerate(map(str, of["method"].values)):
         edge = _edge(of.sel({"method": method}))
@@ -83,7 +83,7 @@ def _scene(ax: Axes, of: xr.Dataset) -> str:
 
 
 def _edge(one: xr.Dataset) -> NDArray[np.float64]:
-    """Time and largest error of runs that no quicker one of the method betters, (n, 2)."""
+    """Time (s) and largest error of runs with a smaller error than all faster runs of the method, (n, 2)."""
     errors = np.stack([one[f"error_{q}"].values.ravel() for q in QUANTITIES])
     worst = np.where(np.isnan(errors), -np.inf, errors).max(axis=0)
     seconds = one["wall_seconds"].values.ravel()
@@ -95,7 +95,7 @@ def _edge(one: xr.Dataset) -> NDArray[np.float64]:
 
 
 def requested(accuracy: xr.Dataset) -> Figure:
-    """Accuracy requested, estimated and reached, and the time it took; late scenes are named."""
+    """Tolerance, estimated and true error, and elapsed time; scenes over the time limit are named."""
     figure, (left, right) = panels(1, 2, height=3.9)
     known = accuracy["request_seconds"].notnull().values
     scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
@@ -114,7 +114,7 @@ def requested(accuracy: xr.Dataset) -> Figure:
             halved = "level below which true errors are unknown"
             changes[scene] = change
     ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
-    floor = BELOW * ends[0]  # a reference that is far better says no more
+    floor = BELOW * ends[0]  # lower reference levels are not shown
     if far := [scene for scene, change in changes.items() if change < floor]:
         left.text(
             0.02, 0.93, f"level below the frame: {', '.join(map(in_one_line, far))}",
@@ -159,7 +159,7 @@ def _largest(of: xr.Dataset, kind: str) -> NDArray[np.float64]:
 
 
 def _met(accuracy: xr.Dataset) -> str:
-    """How many requests reached what they asked for."""
+    """Title: number of runs that meet their tolerance."""
     worst = _largest(accuracy, "reached")
     judged = np.isfinite(worst)
     kept = int((worst[judged] <= accuracy["requested"].values[judged]).sum())

@@ -1,4 +1,4 @@
-"""What accuracy costs, in one picture: by tolerance and code, of an unknown mesh, and honesty."""
+"""Cost of accuracy in one picture: by tolerance, by code, of finding the mesh; quality of estimates."""
 
 from __future__ import annotations
 
@@ -16,17 +16,17 @@ from chapters.numerics.figures.scenes import in_one_line, in_two_lines
 from riserstudy.figures.style import COLOURS, GREY, headline
 
 TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
-WIDEST, FINEST = 0.07, 0.0002  # errors that the axis reaches
-LEAST = 1e-5  # error that is drawn, at least
-APART = 1.35  # times, by which names stand apart
+WIDEST, FINEST = 0.07, 0.0002  # ends of the axis of errors
+LEAST = 1e-5  # smallest error that is drawn
+APART = 1.35  # least ratio between the heights of neighbouring names
 OURS = "riserstudy"
-WIDEST_PAGE = 9.8  # inches, at which small text is 6 points on a page of 180 mm
+WIDEST_PAGE = 9.8  # inches: small text is 6 points on a page of 180 mm
 
 Array = NDArray[np.float64]
 
 
 def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
-    """Time over tolerance, single runs of codes, the ratio to the cheapest run, and honesty of estimates."""
+    """Time over tolerance, single runs of codes, ratio to the cheapest run, quality of error estimates."""
     figure = Figure((WIDEST_PAGE, 8.0), dpi=150, layout="constrained")
     (tolerances, runs), (ratios, honest) = figure.subplots(2, 2)
     _tolerances(tolerances, accuracy)
@@ -38,7 +38,7 @@ def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
 
 
 def answer(accuracy: xr.Dataset) -> str:
-    """What a finer tolerance costs, from the tolerances that all scenes met."""
+    """Title: ratio of times between two tolerances that all scenes met."""
     found = price(accuracy)
     if found is None:
         return "What accuracy costs"
@@ -48,7 +48,7 @@ def answer(accuracy: xr.Dataset) -> str:
 
 
 def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
-    """Time of all runs over the tolerance, a line per scene, with the ratio that the title counts."""
+    """Draw the time of all runs over the tolerance, one line per scene, with the ratio of the title."""
     found = price(accuracy)
     ends: list[tuple[float, float, str, str]] = []
     for k, scene in enumerate(_scenes(accuracy)):
@@ -71,7 +71,7 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
     _label_ends(ax, ends)
     for tolerance in (found.coarse, found.fine) if found else ():
         ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
-    _time_over_error(ax, FINEST / 280.0)  # names stand to the right
+    _time_over_error(ax, FINEST / 280.0)  # room for names at the right
     ax.set_xlabel("tolerance (%): more accurate →")
     ax.set_ylabel("elapsed time of all runs (s)")
     between = f"; ×: {100 * found.fine:g} % compared with {100 * found.coarse:g} %" if found else ""
@@ -79,7 +79,7 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
 
 
 def _time_over_error(ax: Axes, end: float) -> None:
-    """Axes of times over errors, from the widest to the right end, both logarithmic."""
+    """Set axes of time over error, from the widest error to the right end, both logarithmic."""
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_xlim(WIDEST, end)
@@ -91,14 +91,14 @@ def _time_over_error(ax: Axes, end: float) -> None:
 
 
 def _percent_ticks(ax: Axes) -> None:
-    """Ticks of errors at usual tolerances, in per cent."""
+    """Set ticks of errors at usual tolerances, in per cent."""
     ticks = [tick for tick in TICKS if FINEST < tick < WIDEST]
     ax.set_xticks(ticks, [f"{100 * tick:g}" for tick in ticks])
     ax.xaxis.set_minor_locator(NullLocator())
 
 
 def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
-    """Cheapest single runs of one scene, ours and those of other codes, over the error of displacement."""
+    """Draw the cheapest single runs of one scene by riserstudy and other codes, over displacement error."""
     scenes = list(dict.fromkeys(map(str, accuracy.get("peer_scene", accuracy["scene"]).values)))
     scene = scenes[0]
     single = lowest_cost(accuracy.sel(scene=scene))
@@ -125,7 +125,7 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
 
 
 def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
-    """Other codes: errors, and their time divided by ours at the same error."""
+    """Other codes: errors, and their time divided by riserstudy's time at an equal error."""
     if "peer_scene" not in accuracy:
         return []
     here = accuracy["peer_scene"].values == scene
@@ -139,7 +139,7 @@ def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
 
 
 def _at(single: Array, error: Array) -> Array:
-    """Our time at errors, along the line between runs; NaN outside of them."""
+    """Interpolate riserstudy's time (s) at given errors between runs; NaN outside their range."""
     if not len(single):
         return np.full(len(error), np.nan)
     x, y = np.log(single[::-1]).T
@@ -147,7 +147,7 @@ def _at(single: Array, error: Array) -> Array:
 
 
 def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
-    """Names at the ends of lines, moved apart upwards; below the end of a line that others outrun."""
+    """Write names at the ends of lines, moved upwards to separate them; below the end of a short line."""
     lowest, farthest = 0.0, min((x for x, *_ in names), default=0.0)
     for x, y, name, colour in sorted(names, key=lambda one: one[1]):
         short = x > 2.0 * farthest
@@ -162,7 +162,7 @@ def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
 
 
 def lowest_cost(of: xr.Dataset) -> Array:
-    """Error of displacement and seconds of runs that no other undercuts in both, coarse to fine, (n, 2)."""
+    """Displacement error and time (s) of the runs with a smaller error than all faster runs, (n, 2)."""
     error, seconds = of["error_displacement"].values.ravel(), of["wall_seconds"].values.ravel()
     good = np.isfinite(error) & np.isfinite(seconds) & (error > 0.0)
     runs = sorted(zip(seconds[good], error[good], strict=True))
@@ -174,13 +174,13 @@ def lowest_cost(of: xr.Dataset) -> Array:
 
 
 def _ratios(ax: Axes, accuracy: xr.Dataset) -> None:
-    """Time with a tolerance divided by the cheapest run of no larger error, all runs and the last alone."""
+    """Draw the time with a tolerance, of all runs and of the last, divided by the cheapest equal run's."""
     scenes = _scenes(accuracy)
     labels = {"all": "all runs, including those that find the mesh", "last": "only the last run"}
     for k, scene in enumerate(scenes):
         every, last, missing = over_lowest_cost(accuracy, scene)
         if missing:
-            ax.annotate(  # beyond the line of the cheapest run
+            ax.annotate(  # at the right of the line of the cheapest run
                 missing, (1.0, k), xytext=(5, 0), textcoords="offset points", va="center",
                 fontsize="small", color="0.3",
             )  # fmt: skip
@@ -206,9 +206,10 @@ def _scenes(accuracy: xr.Dataset) -> list[str]:
 
 
 def over_lowest_cost(accuracy: xr.Dataset, scene: str) -> tuple[float, float, str]:
-    """Time of all runs, and of the last, at 1 % tolerance divided by the cheapest run of no larger error.
+    """Ratios of the time of all runs, and of the last, at 1 % tolerance, to an equally accurate cheapest run.
 
-    Third: why there is no ratio, "" where there is one.
+    The run compared with has no larger error than the run to the tolerance, or than 1 %. The third value is
+    the reason why there is no ratio, or "".
     """
     here = accuracy["request_scene"].values == scene
     here &= np.isclose(accuracy["requested"].values, TOLERANCE)
@@ -237,7 +238,7 @@ def _time(seconds: float) -> str:
 
 
 def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
-    """Estimated and true error of random scenes, and how many met their tolerance."""
+    """Draw estimated and true errors of random scenes; the title counts those that meet their tolerance."""
     requested = float(drawn.attrs["requested"])
     judged = drawn["true"].notnull().values
     true = np.maximum(drawn["true"].values[judged], LEAST)

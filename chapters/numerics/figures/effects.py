@@ -1,4 +1,4 @@
-"""Which effects matter, in one picture: in how many scenes each changes the answer, and what it costs."""
+"""Importance of effects in one picture: number of scenes that each changes, and its share of run time."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from matplotlib.ticker import NullLocator
 from chapters.numerics.answers import TOLERANCE, Ranked, never, ranking
 from riserstudy.figures.style import COLOURS, WIDTH, headline
 
-LEAST, MOST = 1e-6, 1.0  # change that is drawn, at least and at most
-ROW = 0.27  # inches
+LEAST, MOST = 1e-6, 1.0  # smallest and largest change that is drawn
+ROW = 0.27  # inches per row
 PHYSICS, PRESCRIBED, ADDED = COLOURS[0], COLOURS[1], COLOURS[2]
 KEY = (
     (PHYSICS, "property of the riser, removed"),
@@ -24,7 +24,7 @@ KEY = (
 
 
 def effects(effects: xr.Dataset) -> Figure:
-    """One row per effect: its change of the answer in every scene, and its share of the run time."""
+    """One row per effect: its change of the results in every scene, and its share of the run time."""
     ranked = ranking(effects)
     figure = Figure((1.53 * WIDTH, ROW * len(ranked) + 1.9), dpi=150, layout="constrained")
     changes, shares = figure.subplots(1, 2, width_ratios=[2.6, 1.0], sharey=True)
@@ -49,7 +49,7 @@ def effects(effects: xr.Dataset) -> Figure:
 
 
 def answer(effects: xr.Dataset) -> str:
-    """The effects that change the answer most surely, and those that change it in no scene."""
+    """Title: the effects that change the results in most scenes, and one that changes them in none."""
     ranked = ranking(effects)
     top = " and ".join(one.name for one in ranked[:2] if one.changed)
     none = [one.name for one in never(ranked)[:1]]
@@ -65,7 +65,7 @@ def _colour(one: Ranked) -> str:
 
 
 def _changes(ax: Axes, ranked: list[Ranked]) -> None:
-    """A dot per scene, the median as a tick, and the count of scenes at the right."""
+    """Draw one dot per scene, the median as a tick, and the count of scenes at the right."""
     for row, one in enumerate(ranked):
         clipped = np.clip(one.values, LEAST, MOST)
         ax.plot(
@@ -99,7 +99,7 @@ def _changes(ax: Axes, ranked: list[Ranked]) -> None:
 
 
 def _shares(ax: Axes, ranked: list[Ranked]) -> None:
-    """Median share of the run time that an effect takes; what is saved without it."""
+    """Draw the median share of the run time that is saved without an effect."""
     for row, one in enumerate(ranked):
         if np.isfinite(one.share):
             ax.barh(row, 100.0 * one.share, height=0.62, color=_colour(one), alpha=0.75)

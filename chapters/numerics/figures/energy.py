@@ -1,4 +1,4 @@
-"""Energy by method: the most that each dissipates by itself, and the most that is left unexplained."""
+"""Energy by method: largest numerical dissipation, and largest energy residual."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from matplotlib.ticker import FixedLocator, NullLocator
 
 from riserstudy.figures.style import COLOURS, headline, key_below
 
-ROUNDING = 1e-14  # share of energy below which nothing but rounding is left
+ROUNDING = 1e-14  # share of energy below which only rounding errors remain
 PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
 
 
 def energy(energy: xr.Dataset) -> Figure:
-    """A row a case, a mark a method: the largest share over time of the largest energy by then."""
+    """One row per case, one mark per method: largest part over time, relative to the largest energy."""
     cases = [str(case) for case in energy["case"].values]
     figure = Figure((9.8, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
@@ -33,13 +33,13 @@ def energy(energy: xr.Dataset) -> Figure:
 
 
 def largest(energy: xr.Dataset) -> xr.Dataset:
-    """Of each case and method, the largest share of either part over time."""
+    """Largest share of either part over time, for each case and method, relative to the largest energy."""
     scale = xr.concat([energy["exchanged"], abs(energy["stored"])], "part").max(["part", "instant"])
     return xr.Dataset({part: abs(energy[part]).max("instant") / scale for part in PARTS})
 
 
 def answer(energy: xr.Dataset) -> str:
-    """The most that is unexplained, and which method dissipates the most."""
+    """Title: largest energy residual, and the method with the largest numerical dissipation."""
     most = largest(energy)
     by = most["numerical"].max("case")
     worst = str(by["method"].values[int(np.nanargmax(by.values))])
@@ -63,7 +63,7 @@ def _marks(ax: Axes, most: xr.DataArray, cases: list[str]) -> None:
 
 
 def _axis(ax: Axes, high: float) -> None:
-    """Shares in per cent, the least of them where rounding begins."""
+    """Set the axis of shares in per cent; its lowest tick is the level of rounding."""
     ticks = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0]
     ax.set_xscale("log")
     ax.set_xlim(0.3 * ROUNDING, high)

@@ -1,4 +1,4 @@
-"""Long simulations: error against time over candidates, with what papers name and what is aimed at."""
+"""Long simulations: error and time of candidates, with published times and target times."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
-WANTED = 0.01  # error of the moment
-LEAST = 1e-6  # error that a mark is drawn at, at least
-DECADES = 30.0  # spread of times below which more than their powers of ten are written
+WANTED = 0.01  # wanted error of the moment
+LEAST = 1e-6  # smallest error that is drawn
+DECADES = 30.0  # ratio of times below which ticks between powers of ten are labelled
 
 
 def long_runs(long_runs: xr.Dataset) -> Figure:
-    """A panel a case; even meshes open, graded ones filled, the quickest below the wanted error circled."""
+    """One panel per case; uniform meshes open, graded filled, fastest run below the wanted error circled."""
     cases = list(dict.fromkeys(long_runs["case"].values.tolist()))
     candidates = list(dict.fromkeys(long_runs["candidate"].values.tolist()))
     figure, axes = panels(len(cases), 1, height=2.9)
@@ -33,7 +33,7 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
 
 
 def answer(long_runs: xr.Dataset) -> str:
-    """How long the cheapest accurate run of each case takes, and what the paper took."""
+    """Title: time of the cheapest accurate run of each case, and the published time."""
     cases = dict.fromkeys(long_runs["case"].values.tolist())
     for case in cases:
         of = long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case))
@@ -77,14 +77,14 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
 
 
 def _quickest(of: xr.Dataset) -> int | None:
-    """The run of least time among those below the wanted error; None where there is none."""
+    """Index of the run of least CPU time below the wanted error; None if there is none."""
     error, time = of["error_moment"].values, of["cpu_seconds"].values
     good = np.flatnonzero((error <= WANTED) & np.isfinite(time))
     return int(good[np.argmin(time[good])]) if len(good) else None
 
 
 def _lowest_cost(ax: Axes, of: xr.Dataset) -> str:
-    """Circle the run of least time below the wanted error; its mesh, step and time."""
+    """Circle the run of least CPU time below the wanted error; return its mesh, step and time in words."""
     error, time = of["error_moment"].values, of["cpu_seconds"].values
     best = _quickest(of)
     if best is None:

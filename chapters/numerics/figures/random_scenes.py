@@ -1,4 +1,4 @@
-"""Accuracy asked for in random scenes: what was estimated, what was true, what it cost."""
+"""Random scenes run to a tolerance: estimated error, true error, and work."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ from matplotlib.ticker import FuncFormatter, NullFormatter
 from chapters.numerics.figures.scenes import family_in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
 
-HONEST = (0.5, 5.0)  # estimate over error
-CHEAP = (5.0, 10.0)  # times the cheapest, aimed at: in the median, in 95 %
+HONEST = (0.5, 5.0)  # range of the ratio of estimated to true error
+CHEAP = (5.0, 10.0)  # target ratios to the cheapest work: median, 95 % of scenes
 LEAST = 1e-6  # error below which a point is drawn at the edge
 
 
 def random_scenes(random_scenes: xr.Dataset) -> Figure:
-    """Estimated and true error; work of the request over that of the cheapest fixed mesh and step."""
+    """Estimated and true error; work with the tolerance, divided by the least work at fixed mesh and step."""
     figure, (left, right) = panels(1, 2, height=4.4)
     _errors(left, random_scenes)
     _costs(right, random_scenes)
@@ -27,7 +27,7 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
 
 
 def answer(of: xr.Dataset) -> str:
-    """How many scenes are as accurate as they ask, and how honest their estimates are."""
+    """Title: number of scenes that meet their tolerance."""
     requested, true = float(of.attrs["requested"]), of["true"].dropna("drawn")
     met = int((true <= requested).sum())
     many = f"All {met}" if met == true.size else f"{met} of {true.size}"
@@ -35,7 +35,7 @@ def answer(of: xr.Dataset) -> str:
 
 
 def _errors(ax: Axes, of: xr.Dataset) -> None:
-    """A mark a scene; those that miss the request are named by their family."""
+    """Draw one mark per scene; scenes that exceed the tolerance are named by their family."""
     requested = float(of.attrs["requested"])
     true, estimated = (np.maximum(of[name], LEAST) for name in ("true", "estimated"))
     ends = np.array([LEAST, 1.0])
@@ -77,7 +77,7 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
 
 
 def _costs(ax: Axes, of: xr.Dataset) -> None:
-    """A row a family, marks as in the other panel."""
+    """Draw one row of work ratios per family, with marks as in the other panel."""
     ratio = (of["work_asked"] / of["work_fixed"]).values
     judged, held_out = of["true"].notnull().values, of["held_out"].values.astype(bool)
     families = list(dict.fromkeys(of["family"].values.tolist()))

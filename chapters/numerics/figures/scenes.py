@@ -1,8 +1,8 @@
-"""Scenes of the numerics chapter in words."""
+"""Names of the scenes of the numerics chapter, in words."""
 
 from __future__ import annotations
 
-#: scenes, in two lines
+#: names of scenes, in two lines
 NAMES = {
     "S2": "riser in surge,\nconstant tension",
     "S2c": "riser in surge,\ntop held",
@@ -22,7 +22,7 @@ PAPERS = {
 
 
 def in_two_lines(scene: str) -> str:
-    """A scene in words, in two lines where it is long."""
+    """Return the name of a scene in words, in two lines if it is long."""
     if scene in NAMES:
         return NAMES[scene]
     first, _, rest = scene.partition(" of " if len(scene) > 18 else "\0")
@@ -30,12 +30,12 @@ def in_two_lines(scene: str) -> str:
 
 
 def in_one_line(scene: str) -> str:
-    """A scene in words."""
+    """Return the name of a scene in words, in one line."""
     return " ".join(NAMES.get(scene, scene).split())
 
 
 def family_in_words(family: str) -> str:
-    """A family of random scenes, with its paper as readers know it."""
+    """Return the name of a family of random scenes, with the citation of its paper."""
     for name, words in PAPERS.items():
         if family.startswith(name):
             return words + family.removeprefix(name)

@@ -1,4 +1,4 @@
-"""What stays stable, in one picture: how hard cases end, and the longest steps of the methods."""
+"""Stability in one picture: outcomes of hard cases, and the longest time steps of the methods."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from chapters.numerics.answers import hard
 from riserstudy.figures.style import COLOURS, headline
 
-#: how a case ended, by colour
+#: colours of the outcomes of cases
 ENDS = {
     "accurate to 1 %": "#2f8f5b",
     "inaccurate and flagged": "#e8a93a",
@@ -26,19 +26,19 @@ ENDS = {
     "not as expected": "#c0392b",
 }
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
-#: methods of the lower panel, as far as they were run; the table has all
+#: methods of the lower panel, if they were run; the table has all
 EXPLICIT = "explicit"
 METHODS = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
 NAMES = {"gen.-alpha 0.8": "generalised-alpha", "Newmark 1/4 1/2": "Newmark"}  # in the key
-SHORTEST = 0.01  # step over the default's that the axis reaches; an arrow where it is shorter
+SHORTEST = 0.01  # least ratio to the default step on the axis; an arrow marks less
 LIMIT = "predicted explicit limit"
-MORE, LESS = ">", "<"  # marks of a range that goes on, and of one off the axis
-SAME = 1e-9  # relative difference of steps that are the same
-WORST = 2  # cases that are named, at least
+MORE, LESS = ">", "<"  # marks of a range without upper limit, and of one off the axis
+SAME = 1e-9  # relative difference below which steps count as equal
+WORST = 2  # least number of cases that are named
 
 
 def stability(stability: xr.Dataset) -> Figure:
-    """Squares in families above, ranges of steps by family and method below."""
+    """Squares for the cases of each family above, ranges of steps by family and method below."""
     families = list(dict.fromkeys(map(str, stability["family"].values)))
     methods = [m for m in METHODS if m in stability["method"].values]
     stepped = [name for name in families if not np.isnan(_ranges(stability, name, methods)).all()]
@@ -57,7 +57,7 @@ def stability(stability: xr.Dataset) -> Figure:
 
 
 def ended(stability: xr.Dataset) -> list[str]:
-    """How each case ended, in the words of the key."""
+    """Outcome of each case, in the words of the key."""
     ends = []
     for outcome, met in zip(
         map(str, stability["written_outcome"].values), stability["as_expected"].values, strict=True
@@ -69,14 +69,14 @@ def ended(stability: xr.Dataset) -> list[str]:
 
 
 def answer(stability: xr.Dataset) -> str:
-    """How many cases ended as expected, and how many are silently wrong."""
+    """Title: numbers of cases that ended as expected, and that are wrong without a warning."""
     counts = hard(stability)
     silent = f"{counts.silent or 'none'} {'are' if counts.silent > 1 else 'is'} silently wrong"
     return f"{counts.met} of {counts.cases} hard cases end as expected; {silent}"
 
 
 def worst(stability: xr.Dataset) -> list[int]:
-    """The cases that are named: all that are not as expected, and those that are furthest off."""
+    """Indices of the cases to name: all not as expected, and the ones with the largest errors."""
     error = np.nan_to_num(stability["written_error"].values, nan=-1.0)
     wrong = ~stability["as_expected"].values
     order = [int(case) for case in np.lexsort((-error, ~wrong)) if wrong[case] or error[case] > 0.0]
@@ -98,7 +98,7 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
         most = max(most, len(here))
     notes = "\n".join(f"{k}  {_named(stability, case)}" for k, case in enumerate(named, start=1))
     ax.text(-0.1, len(families) - 0.35, notes, va="top", fontsize="small")
-    ax.set_xlim(-0.3, max(most, 12) + 9)  # the key stands beside the longest row
+    ax.set_xlim(-0.3, max(most, 12) + 9)  # room for the key at the longest row
     ax.set_ylim(len(families) - 0.4 + 0.55 * len(named), -0.6)
     ax.set_yticks(range(len(families)), families)
     ax.set_xticks([])
@@ -116,7 +116,7 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
 
 
 def _named(stability: xr.Dataset, case: int) -> str:
-    """A case in words, with its error and what its run says of it."""
+    """Describe a case in words, with its true and estimated errors, or else its outcome."""
     of = stability.isel(case=case)
     error, estimate = (100 * float(of[f"written_{name}"]) for name in ("error", "estimate"))
     if np.isnan(error):
@@ -129,14 +129,14 @@ def _per_cent(value: float) -> str:
 
 
 def _laddered(stability: xr.Dataset, family: str) -> xr.Dataset:
-    """The cases of a family that were tried with more than one step."""
+    """Return the cases of a family that were run with more than one step."""
     of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
     tried = (of["step"].notnull().sum("rung") > 1).any("method").values
     return of.isel(case=np.flatnonzero(tried))
 
 
 def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[np.float64]:
-    """Mean largest accurate and largest surviving step of methods over the default's, (methods, 2)."""
+    """Mean ratios of the largest accurate and largest surviving steps to the default step, (methods, 2)."""
     of = _laddered(stability, family)
     out = np.full((len(methods), 2), np.nan)
     for row, method in enumerate(methods):
@@ -146,7 +146,7 @@ def _ranges(stability: xr.Dataset, family: str, methods: list[str]) -> NDArray[n
 
 
 def _goes_on(stability: xr.Dataset, family: str, method: str) -> bool:
-    """Whether in some case of a range the longest step that was tried survives, so that it is no limit.
+    """Return whether, in any case of a range, the longest step tried survives and is therefore no limit.
 
     Explicit stepping is tried up to its predicted limit, which is drawn.
     """
@@ -158,7 +158,7 @@ def _goes_on(stability: xr.Dataset, family: str, method: str) -> bool:
 
 
 def _drawable(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Cases that a range is of: those with both ends, else those with any, else all."""
+    """Select the cases for a range: cases with both ends; without any, cases with one end; else all."""
     known = np.isfinite(ratio)
     for of in (known.all(axis=1), known.any(axis=1)):
         if of.any():
@@ -167,7 +167,7 @@ def _drawable(ratio: NDArray[np.float64]) -> NDArray[np.bool_]:
 
 
 def _over_default(stability: xr.Dataset, method: str) -> NDArray[np.float64]:
-    """Largest accurate and largest surviving step of a method over the default's, (case, 2)."""
+    """Ratios of a method's largest accurate and largest surviving steps to the default step, (case, 2)."""
     of = stability.sel({"method": method})
     names = ("largest_accurate_step", "largest_stable_step")
     ratios = [(of[name] / stability["written_step"]).values for name in names]
@@ -175,13 +175,13 @@ def _over_default(stability: xr.Dataset, method: str) -> NDArray[np.float64]:
 
 
 def _mean(values: NDArray[np.float64]) -> float:
-    """Geometric mean of what there is."""
+    """Geometric mean of the finite values; NaN without any."""
     known = values[np.isfinite(values)]
     return float(np.exp(np.log(known).mean())) if known.size else np.nan
 
 
 def _explicit_limit(stability: xr.Dataset, family: str) -> float:
-    """Mean predicted limit of explicit stepping over the default's step, of the cases of its range."""
+    """Mean ratio of the predicted explicit limit to the default step, over the cases of its range."""
     of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
     ratio = (of["explicit_limit"] / of["written_step"]).values
     return _mean(
@@ -241,7 +241,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
 
 
 def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
-    """Two rows below the panel: colours, each a method, and marks, each an end of a range."""
+    """Draw two rows below the panel: the colours of methods, and the marks of the ends of ranges."""
     handles, labels = ax.get_legend_handles_labels()
     methods = [
         Line2D([], [], color=handle.get_color(), linewidth=3.0)
@@ -281,7 +281,7 @@ def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
 
 
 def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) -> str:
-    """Which method stays accurate at the longest steps, in how many families."""
+    """Title: the method that is accurate at the longest steps, and in how many families."""
     ranges = np.array([_ranges(stability, family, methods)[:, 0] for family in families])
     seen = ranges[~np.isnan(ranges).all(axis=1)] if len(ranges) else ranges
     if not len(seen):

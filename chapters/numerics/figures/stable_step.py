@@ -9,8 +9,8 @@ from matplotlib.ticker import NullFormatter
 
 from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
-UNSAFE = 1.0  # measured over predicted, below which a predicted step is too long
-ALIKE = 0.1  # % by which steps differ that are told as the same
+UNSAFE = 1.0  # measured / predicted step, below which the prediction is too long
+ALIKE = 0.1  # difference (%) below which steps count as equal
 
 
 def stable_step(stable_step: xr.Dataset) -> Figure:
@@ -42,7 +42,7 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
 
 
 def _count_alike(ax: Axes, elements: xr.DataArray, ratio: xr.DataArray) -> None:
-    """Write how many lines coincide where the measured step is as predicted."""
+    """Write how many lines coincide because the measured step equals the prediction."""
     off = abs(ratio - UNSAFE) >= ALIKE / 100.0
     alike = ~off.any([dim for dim in ratio.dims if dim != "variant"])
     count = int(alike.sum())
@@ -55,7 +55,7 @@ def _count_alike(ax: Axes, elements: xr.DataArray, ratio: xr.DataArray) -> None:
 
 
 def answer(ratio: xr.DataArray) -> str:
-    """How far the measured stable step is from the predicted one, and whether that is safe."""
+    """Title: largest difference of measured and predicted stable step, and whether it is safe."""
     low, high = (100.0 * (float(end) - UNSAFE) for end in (ratio.min(), ratio.max()))
     if max(abs(low), abs(high)) < ALIKE:
         return f"The longest stable explicit step is as predicted, to {ALIKE:g} %"

@@ -1,4 +1,4 @@
-"""What each tier costs and how far off it is."""
+"""Run time and error of each tier."""
 
 from __future__ import annotations
 
@@ -10,21 +10,21 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
-LEAST = 1e-7  # error that a mark is drawn at, at least
-DECADES = 100.0  # spread below which more than powers of ten are written
-ROW, FRAME = 0.3, 1.7  # inches
-APART = 0.28  # of a row, between tiers
-ALIKE = 0.05  # by which a ratio of times differs from one, of which it is told as one
+LEAST = 1e-7  # smallest error that is drawn
+DECADES = 100.0  # ratio of values below which ticks between powers of ten are labelled
+ROW, FRAME = 0.3, 1.7  # inches: height of a row, and of the rest
+APART = 0.28  # distance between tiers, as a share of a row
+ALIKE = 0.05  # difference from one below which a ratio of times counts as one
 
 
 def tiers(tiers: xr.Dataset) -> Figure:
-    """A row a scene, a colour a tier: time, and error as estimated and as peaks show it."""
+    """One row per scene, one colour per tier: time, estimated error, and error of the peaks."""
     figure, (left, right) = panels(1, 2, height=FRAME + ROW * tiers.sizes["scene"])
     places = np.arange(tiers.sizes["scene"])
     for k, tier in enumerate(tiers["tier"].values):
         of = tiers.sel(tier=tier)
         colour, marker = COLOURS[k], "os^"[k % 3]
-        rows = places + APART * (k - 0.5 * (tiers.sizes["tier"] - 1))  # so that each is seen
+        rows = places + APART * (k - 0.5 * (tiers.sizes["tier"] - 1))  # all stay visible
         left.plot(of["wall_seconds"], rows, marker, color=colour, markersize=6, label=str(tier))
         right.plot(_drawable(of["estimated"]), rows, marker, color=colour, markersize=6)
         peaks = _drawable(of["error"].max("quantity"))
@@ -43,7 +43,7 @@ def tiers(tiers: xr.Dataset) -> Figure:
 
 
 def answer(tiers: xr.Dataset) -> str:
-    """What the finest tier that was run costs over the coarsest, in the median of scenes that both can do."""
+    """Title: median ratio of times of the finest and the coarsest tier, over the scenes that both can run."""
     first, last = str(tiers["tier"].values[0]), str(tiers["tier"].values[-1])
     if first == last:
         spent = float(tiers["wall_seconds"].median())
