@@ -1,4 +1,4 @@
-"""Figures of Liu et al. 2017: the printed ones by number, others by what they show.
+"""Figures of Liu et al. 2017, named by their number in the paper, or else by their content.
 
-Axis ranges are not printed: the first 100 s are shown, up to the largest surge of about 150 m.
+No axis ranges are published: the figures show the first 100 s, up to the largest surge of about 150 m.
 """

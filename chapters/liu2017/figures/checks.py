@@ -1,4 +1,4 @@
-"""What the verdicts rest on: calibration, coupling, unspecified inputs."""
+"""Basis of the verdicts: calibration, coupling, unspecified inputs."""
 
 from __future__ import annotations
 
@@ -22,15 +22,15 @@ from riserstudy.figures.direct import label_line, legible
 from riserstudy.figures.style import PRINTED, legend_below, panel_title, panels
 
 DEGREES = 180.0 / np.pi
-PASSED = 0.03  # deg, by which an angle is past its largest: half a second after it
-AS_ONE = "as one"  # of platform and riser
+PASSED = 0.03  # °: a larger drop means that an angle is past its maximum, by half a second
+AS_ONE = "as one"  # platform and riser are solved together
 
 
 def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
-    """Gains and hull drags that meet the printed number, for three weights of the riser.
+    """Gains and hull drags that give the published number, for three weights of the riser.
 
-    While the angle still rises then, its largest value so far is reached for the first time; where it has
-    passed its largest value, 12 degrees are reached before or never, and no line is drawn.
+    If the angle still increases at the published time, it reaches its largest value so far for the first
+    time. If it has passed its largest value, 12° are reached earlier or never, and no line is drawn.
     """
     figure, (ax,) = panels(height=3.8)
     upper: list[tuple[float, float]] = []  # ends of lines: gain, hull drag
@@ -78,12 +78,12 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
 
 
 def _first(weight: str) -> str:
-    """The number in a weight, of which none is zero."""
+    """Return the number of a weight as text; "none" is zero."""
     return "0" if weight == "none" else weight.split()[0]
 
 
 def coupling(coupling: xr.Dataset) -> Figure:
-    """What solving platform and riser in turns changes, and the riser's iterations that it takes."""
+    """Effect of solving platform and riser alternately, and the number of iterations of the riser."""
     figure, axes = panels(1, 3, 3.8)
     one, turns = coupling.sel(exchange=AS_ONE), coupling.drop_sel(exchange=AS_ONE)
     ways = [str(way) for way in turns["exchange"].values]
@@ -95,7 +95,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     ):
         for colour, way in zip(shades, ways, strict=True):
             so_far = np.maximum.accumulate(factor * off[name].sel(exchange=way).values)
-            rises = np.where(so_far > 0.0, so_far, np.nan)  # as the axis has no zero
+            rises = np.where(so_far > 0.0, so_far, np.nan)  # a logarithmic axis has no zero
             ax.semilogy(off["time"], rises, color=colour, label=way)
         ax.set_ylim(bottom=least)
         ax.set_xlabel(TIME)
@@ -125,12 +125,12 @@ def coupling(coupling: xr.Dataset) -> Figure:
 
 
 def _millimetres(length: float) -> str:
-    """A length (m) in mm, to two digits and without a power of ten."""
+    """Format a length (m) in mm, with two digits if small, and without a power of ten."""
     return f"{1e3 * length:.2g} mm" if length < 0.01 else f"{1e3 * length:.0f} mm"
 
 
 def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
-    """Upper flex joint over what is open, and when the first limits are reached."""
+    """Upper flex joint angle over samples of unspecified inputs, and times at which it reaches its limit."""
     figure, axes = panels(1, 2, 3.6)
     parts: list[str] = []
     angle = abs(open_drive_off["ufj_angle"]).sel(time=slice(0.0, BEGINNING)) * DEGREES
@@ -148,10 +148,10 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
             axes[0].plot(run["time"], edge, color=colour, linewidth=0.8, label="_")
         (line,) = axes[0].plot(run["time"], middle, color=colour)
         key[label] = (band, line)
-        times = limits.sel(heading=heading).where(run.notnull().any("time"))  # never is not unknown
+        times = limits.sel(heading=heading).where(run.notnull().any("time"))  # "never" is known
         parts.append(_share_reached(times, heading))
         reached = times.values[np.isfinite(times.values)]
-        width = 3.0 if heading == "along" else 1.3  # one in the other, where both are as many
+        width = 3.0 if heading == "along" else 1.3  # equal counts stay visible
         axes[1].hist(reached, bins, color=colour, histtype="step", linewidth=width)
     (dot,) = axes[0].plot([deadline], [UFJ_LIMIT], "o", color="black")
     for ax in axes:
@@ -178,7 +178,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
 
 
 def _share_reached(times: xr.DataArray, label: str) -> str:
-    """Share of samples that reach a limit, infinite where never; those without a value are counted apart."""
+    """Share of samples that reach a limit (infinite time: never); missing values are counted separately."""
     unknown = int(times.isnull().sum())
     share = f"{100.0 * float(np.isfinite(times).sum()) / times.size:.0f} %"
     return f"{share} ({label}{f', {unknown} without a value' if unknown else ''})"

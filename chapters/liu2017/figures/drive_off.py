@@ -39,8 +39,8 @@ from riserstudy.figures.style import (
 )
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
-EARLY = 20.0  # s, one of them, when the top has moved and the bottom hardly
-HARDLY = 0.02  # share of the way of the top
+EARLY = 20.0  # s, one of `TIMES`: the top has moved, the bottom hardly
+HARDLY = 0.02  # share of the displacement of the top
 TIMES = (10.0, 20.0, 30.0, 40.0, 50.0, 60.0)  # s, of Fig 5
 PIPE = "riser, 386 MPa\n(assumed)"
 LOW = 218.0  # m above the conductor's foot, a tenth up the riser
@@ -93,7 +93,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
 
 
 def _mark_arrivals(ax: Axes, driveoff: xr.Dataset, kind: str) -> float:
-    """Mark when the platform with riser reaches the false position; how much later (s) against it does."""
+    """Mark arrival of the platform with riser at the false position; return the delay (s) of "against"."""
     times = []
     for (heading, label), across in zip(HEADINGS.items(), ("right", "left"), strict=True):
         surge = driveoff["platform_surge"].sel(case=f"{kind}_{heading}")
@@ -109,13 +109,13 @@ def _mark_arrivals(ax: Axes, driveoff: xr.Dataset, kind: str) -> float:
 
 
 def _range(values: list[float]) -> str:
-    """Whole numbers, from the least to the largest."""
+    """Format the range of values in whole numbers."""
     low, high = round(min(values)), round(max(values))
     return f"{low}" if low == high else f"{low} to {high}"
 
 
 def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
-    """Shapes of the riser; against the environment mirrored, so that x is the same in both panels."""
+    """Shapes of the riser; the panel against the environment is mirrored, so that both have one x scale."""
     figure, axes = panels(1, 2, 4.2, sharey=True)
     farthest = max(float(run["x"].sel(time=list(TIMES)).max()) for run in (ref_0, ref_180))
     for ax, run, sign, label in zip(
@@ -168,7 +168,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
 
 
 def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
-    """Force of the riser on the platform; ``deadline`` is the printed time (s)."""
+    """Force of the riser on the platform; ``deadline`` is the published time (s)."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
     beginning = driveoff.sel(time=slice(0.0, BEGINNING))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
@@ -197,12 +197,12 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
     key = [(handle, label) for handle, label in rest if label not in HEADINGS.values()]
     legend_below(figure, [handle for handle, _ in key], [label for _, label in key], 4)
     label_ends(axes[1], [line for line in axes[1].lines if line.get_label() in HEADINGS.values()])
-    axes[1].margins(x=0.05)  # as its neighbour
+    axes[1].margins(x=0.05)  # as in the other panel
     return figure
 
 
 def _when_it_drives(force: xr.DataArray) -> str:
-    """How long the riser drives the platform along the environment, and whether it ever does against it."""
+    """Title: time for which the riser drives the platform along, and whether it ever drives it against."""
     until = [float(first_crossing(-force.sel(case=f"{kind}_0"), 0.0)) for kind in SETS]
     against = max(float(force.sel(case=f"{kind}_180").max()) for kind in SETS)
     ever = "never" if against < 0.0 else "at times"
@@ -211,7 +211,7 @@ def _when_it_drives(force: xr.DataArray) -> str:
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
-    """A run until the telescopic joint meets its end, where a cross is drawn at a quantity."""
+    """Return a run until stroke-out of the telescopic joint; mark a quantity there with a cross."""
     if not bool(run["stroke"].notnull().any()):
         return run  # no riser
     end = float(first_crossing(run["stroke"], LIMITS["telescopic joint"].most))
@@ -223,7 +223,7 @@ def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Da
 
 
 def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
-    """Shares of the limits that are used, along the environment; ``deadline`` is the printed time (s)."""
+    """Used shares of the limits, along the environment; ``deadline`` is the published time (s)."""
     figure, axes = panels(1, 2, 3.8, sharex=True, sharey=True)
     beginning = driveoff.sel(time=slice(0.0, BEGINNING))
     for ax, (kind, title) in zip(axes, SETS.items(), strict=True):
@@ -251,7 +251,7 @@ def fig07(driveoff: xr.Dataset, deadline: float) -> Figure:
 
 
 def envelope(envelope: xr.Dataset) -> Figure:
-    """Utilisation of the limits over the static offset; bands: over the currents."""
+    """Utilisation of the limits over the static offset; bands: range over the currents."""
     figure, (ax,) = panels(height=4.4)
     used = envelope["limit_share"]
     for colour, name in zip(COLOURS, LIMITS, strict=False):

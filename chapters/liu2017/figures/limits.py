@@ -1,4 +1,4 @@
-"""When limits are reached, and what disconnecting by then leaves."""
+"""Times at which limits are reached, and the offsets at which a disconnect must start."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ LOSSES = {"drive-off": "unlimited thrust", "drift-off": DRIFT_OFF}
 
 
 def losses(losses: xr.Dataset) -> Figure:
-    """Shares of the limits in a drive-off and in a drift-off."""
+    """Used shares of the limits in a drive-off and in a drift-off."""
     figure, axes = panels(1, 2, 3.8, sharey=True)
     for ax, (loss, thrust) in zip(axes, LOSSES.items(), strict=True):
         run = losses.sel(loss=loss).dropna("time", how="all")
@@ -54,7 +54,7 @@ def losses(losses: xr.Dataset) -> Figure:
 
 
 def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
-    """When limits are reached, and where the alarm must be, by angle to the environment.
+    """Times at which limits are reached, and radius of the alarm, over the angle to the environment.
 
     ``station``: radius within which the platform keeps its station (m); a smaller red circle is too late.
     """
@@ -72,7 +72,7 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
         top = max(ax.get_ylim()[1] for ax in row)
         for ax in row:
-            ax.set_ylim(-0.04 * top, 1.13 * top)  # so that what is nearly zero is seen
+            ax.set_ylim(-0.04 * top, 1.13 * top)  # values near zero stay visible
             ax.tick_params(labelleft=ax is row[0])
         row[0].set_ylabel(label)
     set_title(figure, _slowest_in_time(disconnect, station))
@@ -87,9 +87,9 @@ def _station(station: float) -> str:
 
 
 def _name_lines(above: list[Axes], last: Axes) -> None:
-    """Names of limits unless the panel to the left has them; times of disconnects at the right."""
+    """Name the limits that the panel to the left does not name; write disconnect times at the right."""
     places = {"upper flex joint": (0.0, -5.0, "left"), "conductor": (0.5, 4.0, "center")}
-    beneath = (0.5, -15.0, "center")  # a hill's top, with another line just above
+    beneath = (0.5, -15.0, "center")  # below the peak of a line, because another line is just above
     labelled: set[str] = set()
     for ax in above:
         names = [str(line.get_label()) for line in named(ax)]
@@ -114,7 +114,7 @@ def _limit_times(ax: Axes, run: xr.Dataset) -> None:
 
 
 def _circles(ax: Axes, run: xr.Dataset, station: float) -> None:
-    """Radius over the environment's angle to the hull; a note names disconnects that are not in time."""
+    """Draw the radius over the environment's angle to the hull; a note names too late disconnects."""
     times = run["eds_time"].values
     for colour, eds in zip(plasma(np.linspace(0.0, 0.85, len(times))), times, strict=True):
         circle = run.sel(eds_time=eds)
@@ -130,12 +130,12 @@ def _circles(ax: Axes, run: xr.Dataset, station: float) -> None:
 
 
 def _in_time(disconnect: xr.Dataset, station: float) -> xr.DataArray:
-    """Whether the red circle exceeds the radius (m) of station keeping, whatever the direction."""
+    """Return whether the red circle exceeds the radius (m) of station keeping in every direction."""
     return (disconnect["red_circle_radius"] >= station).all("environment_heading")
 
 
 def _slowest_in_time(disconnect: xr.Dataset, station: float) -> str:
-    """Of each scenario the longest tested disconnect that is in time whatever the direction, and the next."""
+    """Title: by scenario, the longest tested disconnect that is in time in every direction, and the next."""
     tested = disconnect["eds_time"]
     longest = tested.where(_in_time(disconnect, station)).max("eds_time")
     if bool(longest.isnull().any()):

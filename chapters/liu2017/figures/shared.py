@@ -1,4 +1,4 @@
-"""What figures of this chapter have in common."""
+"""Common parts of the figures of this chapter."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ TIME, SURGE = "time (s)", "surge of the platform (m)"
 BEGINNING = 100.0  # s
 UFJ_LIMIT = 12.0  # degrees, of Table 4
 HEADINGS = {"0": "0° (along)", "180": "180° (against)"}  # of the environment
-#: by heading; neither is a colour of a limit
+#: colours of the headings; neither is a colour of a limit
 OF_HEADING = {"0° (along)": "#332288", "180° (against)": "#999933"}
 STROKE_OUT = "stroke-out (assumed stop)"
 REFERENCE: dict[str, Any] = {"color": GREY, "linestyle": ":", "linewidth": 1.6}  # not printed
 viridis = colormaps["viridis"]
-plasma = colormaps["plasma"]  # where limits have colours, of which it has none
+plasma = colormaps["plasma"]  # contains no colour of a limit
 
 
 def set_title(figure: Figure, title: str) -> None:
-    """What a figure shows, above it."""
+    """Write the title of a figure above it."""
     figure.suptitle(title, fontsize="medium")
 
 
 def name_limits(figure: Figure, axes: list[Axes], *others: str) -> None:
-    """Names of limits, and of other lines, at the right ends of the last panel; a key of the rest below."""
+    """Write names of limits and other lines at the right of the last panel, and a key of the rest below."""
     written = {*LIMITS, *others}
     rest = {
         label: handle
@@ -44,9 +44,9 @@ def name_limits(figure: Figure, axes: list[Axes], *others: str) -> None:
 
 
 def mark_stroke_out(ax: Axes, place: float, value: float) -> Line2D:
-    """The mark of all figures for the telescopic joint at the end of its stroke.
+    """Draw the mark that all figures use for stroke-out of the telescopic joint.
 
-    The paper prints the limit and no stop; curves beyond it are those of an assumption.
+    The paper gives the limit and no stop; curves beyond the mark depend on an assumption.
     """
     label = "_" if STROKE_OUT in ax.get_legend_handles_labels()[1] else STROKE_OUT
     (mark,) = ax.plot([place], [value], "x", color="black", markersize=8, zorder=4, label=label)
@@ -54,7 +54,7 @@ def mark_stroke_out(ax: Axes, place: float, value: float) -> Line2D:
 
 
 def mark_both(ax: Axes, out: float, conductor: float, unit: str) -> None:
-    """Mark stroke-out and the limit of the conductor soon after it, with both places."""
+    """Mark stroke-out, and the limit of the conductor soon after it, with the positions of both."""
     mark_stroke_out(ax, out, 1.0)
     colour = dict(zip(LIMITS, COLOURS, strict=False))["conductor"]
     ax.plot([conductor], [1.0], "o", color=colour, mec="black", mew=0.7, ms=5, zorder=5)
@@ -67,7 +67,7 @@ def mark_both(ax: Axes, out: float, conductor: float, unit: str) -> None:
 
 
 def draw_limits(ax: Axes, used: xr.DataArray) -> None:
-    """Shares of limits that are used over time (-), a line a limit."""
+    """Draw the used shares of limits over time, one line per limit."""
     for colour, name in zip(COLOURS, LIMITS, strict=False):
         ax.plot(used["time"], used.sel(limit=name), color=colour, label=name)
     ax.axhline(1.0, label="limit (printed)", **PRINTED)
