@@ -1,1 +1,1 @@
-"""The engine measured: what accuracy costs, what stays stable, which effects matter, what is known."""
+"""Measurements of the engine: cost of accuracy, stability, importance of effects, known solutions."""

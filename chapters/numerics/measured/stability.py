@@ -59,7 +59,7 @@ WRITTEN = "as written"  # the scene's own method and accuracy
 
 @dataclass
 class Rung:
-    """One run with a time step of a ladder."""
+    """One run of a ladder, which is a series of increasing time steps."""
 
     step: float
     outcome: Outcome

@@ -1,1 +1,1 @@
-"""What the report shows of the engine measured: three answers on its first screen, and a section."""
+"""Measurements of the engine in the report: three answers on its first screen, and a section."""

@@ -1,4 +1,4 @@
-"""What the studies of the engine itself found, for the report."""
+"""Section of the report on the results of the engine studies."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from riserstudy.report.wording import counted, listed, seconds
 if TYPE_CHECKING:
     import xarray as xr
 
-HONEST = (0.5, 5.0)  # estimate over error
-WANTED = 0.01  # error of the moment that a long run may have
-UNSAFE = 0.9999  # measured over predicted stable step, below which the prediction is not safe
+HONEST = (0.5, 5.0)  # range of the ratio of estimated to true error
+WANTED = 0.01  # largest error of the moment accepted in a long run
+UNSAFE = 0.9999  # measured / predicted stable step, below which the prediction is unsafe
 
 
 def section(datasets: Mapping[str, xr.Dataset]) -> Section | None:
-    """What was measured of the engine, None where nothing was."""
-    # tables show each cell: of a file, every cell would be a read of its own
+    """Return the section on measurements of the engine, or None without any dataset of them."""
+    # load first: tables show each cell, and each would need a separate read of the file
     datasets = {name: dataset.load() for name, dataset in datasets.items()}
     sentences: list[str] = []
     bad: list[Table] = []
@@ -42,7 +42,7 @@ def section(datasets: Mapping[str, xr.Dataset]) -> Section | None:
 
 
 def unexpected(stability: xr.Dataset) -> list[Table]:
-    """Hard cases that did not come out as a sound engine would have it, as a table; none where all did."""
+    """Table of the hard cases that did not end as expected of a sound engine; no table if all did."""
     bad = stability.isel(case=~stability["as_expected"].values)
     columns = [map(str, bad[name].values) for name in ("case", "about", "expected", "finding")]
     rows = [[Cell(text) for text in row] for row in zip(*columns, strict=True)]
@@ -53,7 +53,7 @@ def unexpected(stability: xr.Dataset) -> list[Table]:
 
 
 def references(datasets: Mapping[str, xr.Dataset]) -> list[str]:
-    """How many reference solutions a rerun finds, and which it does not; nothing where none was rerun."""
+    """State how many references a rerun reproduces, and which it does not; empty if none was rerun."""
     deviations = {
         f"{study}, {case}": float(deviation)
         for study, of in datasets.items()
@@ -74,7 +74,7 @@ def references(datasets: Mapping[str, xr.Dataset]) -> list[str]:
 
 
 def hard_cases(stability: xr.Dataset) -> list[str]:
-    """How many hard cases came out how, as written."""
+    """Count hard cases by outcome of their scene as written."""
     outcomes = Counter(map(str, stability["written_outcome"].values))
     met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
     ended = f"all {count}" if met == count else f"{met} of {count}"
@@ -83,7 +83,7 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
 
 
 def known(validation: xr.Dataset) -> str:
-    """How many numbers agree with what is known, and which do not."""
+    """State how many numbers agree with known values, and which do not."""
     holds = validation["holds"].values
     kinds = Counter(map(str, validation["kind"].values))
     text = listed(counted(number, kind) for kind, number in kinds.items())
@@ -95,7 +95,7 @@ def known(validation: xr.Dataset) -> str:
 
 
 def stable_steps(steps: xr.Dataset) -> str:
-    """How well the stable step of explicit stepping is predicted."""
+    """State the accuracy of the predicted stable step of explicit stepping."""
     ratio = steps["measured"] / steps["predicted"]
     unsafe = ratio.where(ratio < UNSAFE).min("mesh").dropna("variant")
     named = [
@@ -114,7 +114,7 @@ def stable_steps(steps: xr.Dataset) -> str:
 
 
 def costs(effects: xr.Dataset) -> list[str]:
-    """What effects cost, and compiling them."""
+    """State the most expensive effects, and the time to compile the engine."""
     share = effects["time_share"].drop_sel(effect="solver and bookkeeping", errors="ignore")
     costliest = share.max("scene").sortby(share.max("scene"), ascending=False)[:3]
     named = [
@@ -133,7 +133,7 @@ def costs(effects: xr.Dataset) -> list[str]:
 
 
 def random_scenes(drawn: xr.Dataset) -> list[str]:
-    """Whether an accuracy asked for is reached, honestly estimated, and cheap."""
+    """State how often tolerances are met, how good the error estimates are, and the relative work."""
     requested, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
@@ -168,7 +168,7 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
 
 
 def long_runs(long: xr.Dataset) -> list[str]:
-    """The cheapest settings of each long simulation, and the time that a paper names."""
+    """State the cheapest settings of each long simulation, and the published time."""
     lines = []
     for case in dict.fromkeys(long["case"].values.tolist()):
         of = long.isel(run=long["case"].values == case)

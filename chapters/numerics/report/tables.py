@@ -1,4 +1,4 @@
-"""What is measured of the engine, case by case, as tables that sort."""
+"""Measurements of the engine, case by case, as sortable tables."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CHANGES = {
 
 
 def tables(datasets: Mapping[str, xr.Dataset]) -> Iterator[Table]:
-    """A table for each of the datasets that has one."""
+    """Yield a table for each dataset that has one."""
     if "stability" in datasets:
         yield hard_cases(datasets["stability"])
     if "effects" in datasets:
@@ -36,7 +36,7 @@ def tables(datasets: Mapping[str, xr.Dataset]) -> Iterator[Table]:
 
 
 def hard_cases(stability: xr.Dataset) -> Table:
-    """A row a case: how it ended as written, and the largest steps of each method."""
+    """One row per case: outcome of the scene as written, and the largest steps of each method."""
     methods = [str(name) for name in stability["method"].values]
     rows = []
     for case in stability["case"].values:
@@ -70,7 +70,7 @@ def hard_cases(stability: xr.Dataset) -> Table:
 
 
 def changes(effects: xr.Dataset) -> Table:
-    """A row a scene and change: what it did to the answer and the time."""
+    """One row per scene and change: change of the results and of the run time."""
     rows = []
     for scene in effects["scene"].values:
         of = effects.sel(scene=scene)
@@ -98,7 +98,7 @@ def changes(effects: xr.Dataset) -> Table:
 
 
 def requests(accuracy: xr.Dataset) -> Table:
-    """A row a request: tolerance, estimate, error reached and time."""
+    """One row per run to a tolerance: tolerance, estimated error, true error and time."""
     rows = []
     for k in range(accuracy.sizes.get("request", 0)):
         of = accuracy.isel(request=k)
@@ -137,7 +137,7 @@ def requests(accuracy: xr.Dataset) -> Table:
 
 
 def balances(energy: xr.Dataset) -> Table:
-    """A row a case and method: the largest shares of energy that it dissipates and leaves unexplained."""
+    """One row per case and method: largest shares of numerical dissipation and energy residual."""
     rows = []
     for case in energy["case"].values:
         for method in energy["method"].values:
@@ -151,7 +151,7 @@ def balances(energy: xr.Dataset) -> Table:
 
 
 def known(validation: xr.Dataset) -> Table:
-    """A row a closed form, second method or conservation law, beside what the engine computes."""
+    """One row per comparison of the engine with a closed form, second method or conservation law."""
     rows = []
     for k in range(validation.sizes["row"]):
         of = validation.isel(row=k)

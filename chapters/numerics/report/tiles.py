@@ -1,4 +1,4 @@
-"""The three answers of the first screen: a number in large type, a line, and a small picture of each."""
+"""The three answers on the first screen, each with a number in large type, a line and a small picture."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ROWS = 5  # effects that are drawn
 
 
 def tiles(datasets: Mapping[str, xr.Dataset]) -> list[Tile]:
-    """A tile for each question; without its dataset, or a number in it, without an answer."""
+    """Return a tile for each question; it has no answer if its dataset, or a number in it, is missing."""
     questions = [
         ("cost", "What does accuracy cost?", "accuracy", _cost),
         ("stability", "What stays stable?", "stability", _hard),
@@ -97,7 +97,7 @@ def _svg(inside: str) -> str:
 
 
 def _lines(lines: Sequence[Sequence[tuple[float, float]]]) -> str:
-    """A line per scene; finer tolerances to the right, longer times upwards."""
+    """Draw one line per scene; finer tolerances to the right, longer times upwards."""
     if not lines:
         return ""
     xs, ys = zip(*(point for line in lines for point in line), strict=True)
@@ -112,7 +112,7 @@ def _lines(lines: Sequence[Sequence[tuple[float, float]]]) -> str:
 
 
 def _stack(parts: Sequence[tuple[str, int]]) -> str:
-    """One bar in the shares of its parts."""
+    """Draw one bar, divided in proportion to its parts."""
     total, x, drawn = sum(count for _, count in parts), 0.0, ""
     for colour, count in parts:
         width = WIDTH * count / total
@@ -122,7 +122,7 @@ def _stack(parts: Sequence[tuple[str, int]]) -> str:
 
 
 def _bars(shares: Sequence[tuple[str, float]]) -> str:
-    """A named bar per share, from top to bottom."""
+    """Draw one named bar per share, from top to bottom."""
     rows = (
         f'<span>{escape(name)}</span><i><b style="width: {100.0 * share:.0f}%"></b></i>'
         for name, share in shares
@@ -131,5 +131,5 @@ def _bars(shares: Sequence[tuple[str, float]]) -> str:
 
 
 def _under(words: str) -> str:
-    """What a small picture shows, below it."""
+    """Return the text below a small picture, which states what the picture shows."""
     return f'<span class="under">{escape(words)}</span>'
