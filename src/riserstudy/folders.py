@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import secrets
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -24,6 +25,8 @@ PACKAGE = Path(__file__).parent
 
 #: subfolder of a results folder in which jobs store the digest of each file
 SEALS = ".seals"
+#: name of a file that is not yet complete: a dot, its later name, and a random number or that of a process
+_PARTIAL = re.compile(r"\..+\.([0-9a-f]{8}|\d+)", re.DOTALL)
 
 
 def cache_folder() -> Path:
@@ -197,6 +200,11 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
     finally:
         with suppress(OSError):  # the error of a read-only folder is reported with its reason
             partial.unlink(missing_ok=True)
+
+
+def is_partial(path: Path) -> bool:
+    """Return whether a file has a temporary name of this package, which a killed run left behind."""
+    return bool(_PARTIAL.fullmatch(path.name)) and path.is_file()
 
 
 def seal_line(file: Path, name: Path) -> bytes:

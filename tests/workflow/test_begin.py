@@ -99,6 +99,24 @@ def test_what_killed_runs_left_is_removed(results):
     assert seals.damaged(map(str, results)) == []
 
 
+@pytest.mark.parametrize("seed", range(5))
+def test_hidden_files_of_users_stay(results, seed):
+    draw = random.Random(seed)
+    words = ["gitignore", "gitkeep", "DS_Store", "notes.txt", "nfs000000a1", "b.png.swp", "b.png"]
+    words += ["~lock.all.csv#", f"v1.{draw.randrange(10)}-draft", "git/config", "deadbeef"]
+    folders = ["results", "results/paper", "results/paper/mine"]
+    files = [Path(draw.choice(folders), f".{word}") for word in words]
+    for file in files:
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text("mine")
+    name = draw.choice(["paper/.b.png", ".all.csv", "paper/.a.nc.77", "paper/.0-of-3"])
+    half = Path(f"results/{name}.{draw.choice(['4711', '0a1b2c3d'])}")
+    half.write_bytes(b"half")
+    assert start(results) == ([], [])
+    assert [file.read_text() for file in files] == ["mine"] * len(files)
+    assert not half.exists()
+
+
 def test_results_that_nobody_asks_for_go_and_what_users_made_stays(results):
     mine = Path("results/paper/mine.png")
     mine.write_bytes(b"mine")

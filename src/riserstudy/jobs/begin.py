@@ -13,6 +13,7 @@ from pathlib import Path
 from filelock import FileLock, Timeout
 
 from riserstudy.errors import InputError
+from riserstudy.folders import is_partial
 from riserstudy.jobs import mend, seals
 from riserstudy.simulation.compile import marker
 
@@ -109,8 +110,8 @@ def _listed(files: list[Path], why: str) -> list[str]:
 
 
 def _remove(results: Iterable[Path]) -> None:
-    """Remove results and leftovers of a killed run: locks, and hidden files that were not yet complete."""
-    partial = [path for path in seals.RESULTS.rglob(".*") if path.is_file()]
+    """Remove results and leftovers of a killed run: locks, and files that were not yet complete."""
+    partial = [path for path in seals.RESULTS.rglob(".*") if is_partial(path)]
     locks = (SNAKEMAKE / "locks").glob("*")
     for file in (*locks, *partial):
         file.unlink(missing_ok=True)
