@@ -1,5 +1,6 @@
 """Tuning: what it finds holds at points it never saw, is the same every time, and is refused in one line."""
 
+import os
 from datetime import date
 
 import pytest
@@ -12,9 +13,9 @@ from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.run import single
 from riserstudy.study.corners import corners, others
 from riserstudy.study.models import StudyFile
-from riserstudy.study.setting import own_setting
+from riserstudy.study.setting import Setting, own_setting
 from riserstudy.study.study import Study
-from riserstudy.study.tune import FREE, tune
+from riserstudy.study.tune import FREE, Tuned, tune
 
 STUDIES = """\
 # A remark at the head.
@@ -167,3 +168,33 @@ def test_what_is_written_is_what_was_printed_and_leaves_the_rest_of_the_file(com
     for other in ("rest", "few"):
         assert study_of(file, other).model.tuned is None
     assert tune(study, "3 %", 4, 1).setting == setting
+
+
+EDITS = {
+    "axis": ("studies/tuned.yaml", "values: [0.5, 1, 1.5]", "values: [1, 2, 3]"),
+    "other name": ("studies/tuned.yaml", "  surge:\n", "  surges:\n"),
+    "scene": ("scenes/riser.yaml", "mass: 700 kg/m", "mass: 900 kg/m"),
+    "table": ("scenes/current.csv", "300, 1.1", "300, 1.2"),
+}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_a_study_that_changes_during_the_tuning_stays_as_edited(commands, file, monkeypatch, edit):
+    name, old, new = EDITS[edit]
+    found = Tuned(
+        "3 %", Setting(40, (), 0.1, "TR-BDF2"), [(0, 0, 0)], [(1, 1, 1)], 0.5, 0.6, 0.7, None
+    )
+    path = file.parent.parent / name
+    assert old in path.read_text()
+
+    def tune_meanwhile(*_):
+        path.write_text(path.read_text().replace(old, new, 1))
+        os.utime(path, (1e9, 1e9))
+        return found
+
+    monkeypatch.setattr("riserstudy.study.tune.tune", tune_meanwhile)
+    code, _, said = commands("tune", file, "surge", "--write")
+    assert code == (2 if edit == "other name" else 3)
+    assert ("no study 'surge'" if edit == "other name" else "changed during the tuning") in said
+    assert "tuned:" not in file.read_text()
+    assert new in path.read_text()

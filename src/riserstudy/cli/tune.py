@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from riserstudy.cli.shared import compile_kernels, notify
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
     from riserstudy.study.study import Study
@@ -43,10 +43,13 @@ def tune(
     The command selects mesh, time step and time integration method at a few points of the study, and checks
     them at other points. The points for the selection are taken from the corners and the middle of the axes,
     and from the ends of sampled ranges. The points for the check are random.
+
+    The exit status is 3, and nothing is written, if study, scene or tables changed during the tuning.
     """
     from riserstudy.study.write_tuned import write_tuned
 
     one = _study(studies, study)
+    begun = one.plan_digest
     from riserstudy.study.tune import check_tunable
     from riserstudy.study.tune import tune as tuned_of
 
@@ -56,6 +59,11 @@ def tune(
     for line in _lines(one, found):
         print(line)
     if write:
+        if _study(studies, one.name).plan_digest != begun:
+            raise SimulationError(
+                f"{studies}: studies.{one.name}, its scene or a table changed during the tuning; nothing is "
+                "written. Tune the study again"
+            )
         write_tuned(studies, one, found, about(found, seed))
         print(f"{studies}: written into studies.{one.name}")
 

@@ -152,7 +152,7 @@ class Study:
 
         Checking 40 000 points takes ten seconds, so the result is cached by all inputs that it depends on.
         """
-        keys = remembered(f"plans/{self._plan_digest}", lambda: [p.key for p in self.grid.points()])
+        keys = remembered(f"plans/{self.plan_digest}", lambda: [p.key for p in self.grid.points()])
         every = product(*(range(len(axis)) for axis in self.grid.axes))
         return [Point(index, key) for index, key in zip(every, keys, strict=True)]
 
@@ -170,7 +170,7 @@ class Study:
             return sorted({group(scene) for group in kinds for scene in scenes})
 
         modes = "-modes" if self.model.modes else ""
-        return list(remembered(f"groups{modes}/{self._plan_digest}", find_groups))
+        return list(remembered(f"groups{modes}/{self.plan_digest}", find_groups))
 
     @property
     def tuned_at(self) -> tuple[int, int]:
@@ -187,7 +187,7 @@ class Study:
         return texts_of_tables([self.base.tree, axes], Path(self.base.source).parent)
 
     @property
-    def _plan_digest(self) -> str:
+    def plan_digest(self) -> str:
         """Digest of scene, axes, their tables, and the code that checks them."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         code = [engine_digest(), digest(dependencies(Grid.__module__))]
