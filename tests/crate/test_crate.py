@@ -158,6 +158,21 @@ def test_a_result_that_is_not_as_its_job_wrote_it_is_not_packed(study, commands,
     assert not (tmp_path / "study.zip").exists()
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_results_of_a_run_that_did_not_end_are_not_packed(study, commands, tmp_path, seed):
+    """A job that is killed or fails has removed its old files."""
+    folder, draw = tmp_path / "copy", random.Random(seed)
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    seals = folder / "results/.seals"
+    made = sorted(seals.rglob("*.*" if seed % 2 else "*.nc"))
+    file = folder / "results" / draw.choice(made).relative_to(seals)
+    file.unlink()
+    code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
+    assert code == 2
+    assert f"{file}: is absent" in said
+    assert not (tmp_path / "study.zip").exists()
+
+
 def test_an_input_that_was_edited_after_the_last_run_is_told(study, commands, tmp_path):
     folder = tmp_path / "copy"
     subprocess.run(["cp", "-a", study[0], folder], check=True)

@@ -198,8 +198,8 @@ def crate(
 ) -> None:
     """Pack a study, its results and their description as a run crate, which anyone can rerun.
 
-    The command refuses results that are damaged or were edited. A note states which inputs were edited after
-    the last run of the study.
+    The command refuses results that are damaged, were edited, or belong to a run that was interrupted or
+    failed. A note states which inputs were edited after the last run of the study.
     """
     from riserstudy.crate.pack import edited_since, pack
 

@@ -6,6 +6,7 @@ import zipfile
 from pathlib import Path
 
 from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
+from riserstudy.crate.records import recorded
 from riserstudy.errors import InputError
 from riserstudy.folders import SEALS, fits_seal, whole_file
 
@@ -19,8 +20,8 @@ def pack(study: Path, target: Path) -> int:
     Raises
     ------
     InputError
-        When the folder has no results of jobs, or one that is not as its job wrote it, or the zip has another
-        suffix or exists already.
+        When the folder has no results of jobs, one that is not as its job wrote it, or results of a run that
+        did not end, or the zip has another suffix or exists already.
     SimulationError
         When the zip cannot be written.
     """
@@ -36,6 +37,9 @@ def pack(study: Path, target: Path) -> int:
         if not fits_seal(file, study / "results"):
             found = "is not as its job wrote it"
             raise InputError(file, "", found, "run the study again, which makes it anew")
+    if absent := _absent(study):
+        found = "is absent: the last run was interrupted or failed, or the file was deleted"
+        raise InputError(absent[0], "", found, "run the study again, which makes it anew")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
@@ -48,6 +52,20 @@ def pack(study: Path, target: Path) -> int:
         for file in dict.fromkeys(files):
             archive.write(file, file.relative_to(study).as_posix())
     return len(files) + 1
+
+
+def _absent(study: Path) -> list[Path]:
+    """Return the files that jobs made, or made results from, and that are absent.
+
+    A job removes its old files when it starts. The other results may then be those before an edit.
+    """
+    results, made = study / "results", recorded(study)
+    read = {name for out in outputs_of(study) if out in made for name in made[out].inputs}
+    of_jobs = {study / name for name in read if name.startswith("results/")}
+    seals = {path.relative_to(results / SEALS) for path in (results / SEALS).rglob("*.*")}
+    return sorted(
+        path for path in of_jobs | {results / seal for seal in seals} if not path.exists()
+    )
 
 
 def edited_since(study: Path) -> list[Path]:

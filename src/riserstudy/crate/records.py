@@ -1,4 +1,4 @@
-"""Snakemake's records of the jobs that made results: rule, start and end."""
+"""Snakemake's records of the jobs that made results: rule, start, end, and files that they read."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ LONG = "@"  # prefix of the parts of a record name that is too long for a file s
 
 
 class Made(NamedTuple):
-    """The job that made a file: its rule, start and end."""
+    """The job that made a file: its rule, start and end, and the files that it read."""
 
     rule: str
     began: datetime
     ended: datetime
+    inputs: tuple[str, ...]
 
 
 def recorded(study: Path) -> dict[str, Made]:
@@ -33,7 +34,9 @@ def _records(folder: Path) -> Iterator[tuple[str, Made]]:
         try:
             name = urlsafe_b64decode("".join(p.removeprefix(LONG) for p in parts)).decode()
             record = json.loads(path.read_bytes())
-            times = [datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime")]
-            yield name, Made(str(record["rule"]), *times)
+            began, ended = (
+                datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime")
+            )
+            yield name, Made(str(record["rule"]), began, ended, (*map(str, record["input"]),))
         except (ValueError, KeyError, TypeError):  # truncated, or of another version
             continue
