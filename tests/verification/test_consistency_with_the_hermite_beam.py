@@ -9,6 +9,7 @@ from engine import SCENES, march, off, slopes
 from reference_heave import ramped_sine
 
 from riserstudy import load_scene
+from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import even
 from riserstudy.scene.models import Scene
 from riserstudy.scene.resolve import resolve
@@ -247,3 +248,62 @@ def test_both_solvers_start_a_drifted_riser_alike(offset):
     changes = {"top.offset": f"{offset} m", "current.profile.sum[0].surface_speed": "0.2 m/s"}
     beam = drifted(200, **changes, **{"analysis.solver": "hermite"})
     assert off(drifted(200, **changes)["x"], beam["x"]) < 0.01
+
+
+def rested(seed: int) -> dict:
+    """A riser below a platform at a random place and with a random hold of its top, for 10 s."""
+    draw = np.random.default_rng(seed)
+    pull = f"{draw.uniform(1.5, 3.0)} MN"
+    hold = (
+        {"z": "platform", "held_at_tension": pull}
+        if draw.integers(2)
+        else {"z": "free", "tension": pull}
+    )
+    pipe = {
+        "name": "riser",
+        "length": "300 m",
+        **STIFF,
+        "mass": "700 kg/m",
+        "submerged_weight": f"{draw.uniform(500, 2500)} N/m",
+    }
+    position = {
+        "surge": f"{draw.uniform(-3, 3)} m",
+        "heave": f"{draw.choice([0.0, 2e-5])} m",  # 3 % of the tension of a pipe that hardly stretches
+        "pitch": f"{draw.choice([0.0, 2.0])} deg",
+    }
+    return {
+        "title": "rested",
+        "gravity": "9.81 m/s^2",
+        "riser": [pipe],
+        "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": {"stiffness": "5 MN*m/rad"}},
+        "top": {"x": "platform", "rotation": {"stiffness": "1 MN*m/rad"}, **hold},
+        "platform": {"position": position, "centre_of_rotation": {"elevation": "270 m"}},
+        "analysis": {
+            "duration": "10 s",
+            "output": {"interval": "0.5 s"},
+            "mesh": {"elements": 100},
+            "step": "0.1 s",
+            "start": str(draw.choice(["equilibrium", "undeflected", "unstretched"])),
+        },
+    }
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_beam_begins_where_lumped_masses_do_or_is_refused(seed):
+    tree = rested(seed)
+    tree["analysis"]["solver"] = "hermite"
+    scene = resolve(Scene.model_validate(tree))
+    try:
+        beam = single(scene, even(scene, 100), 0.1).arrays
+    except SimulationError as refusal:
+        said = str(refusal)
+    else:
+        said = ""
+    if said:
+        assert "platform.position" in said or "analysis.start" in said
+        return
+    del tree["analysis"]["solver"]
+    scene = resolve(Scene.model_validate(tree))
+    lumped = single(scene, even(scene, 100), 0.1).arrays
+    assert off(lumped["x"], beam["x"]) < 1e-3
+    assert off(lumped["effective_tension"], beam["effective_tension"]) < 1e-3

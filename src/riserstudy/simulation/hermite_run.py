@@ -249,6 +249,7 @@ def _refuse(scene: Resolved) -> None:
     """Refuse scenes that the beam cannot represent."""
     effects_of(scene)
     top, platform = scene.top, scene.platform
+    position = platform.position if platform else None
     reasons = {
         "riser without bending stiffness": not all(stiffness(s).bending for s in scene.riser),
         "riser.structural_damping": any(s.structural_damping for s in scene.riser),
@@ -263,6 +264,9 @@ def _refuse(scene: Resolved) -> None:
         "top.tension_loss": top.tension_loss,
         "a top without tension": not (top.tension or top.held_at_tension),
         "top.z on a platform that heaves": top.z == "platform" and platform and platform.heave,
+        "platform.position.heave of the top": top.z == "platform" and position and position.heave,
+        "platform.position.pitch": position and position.pitch,
+        "analysis.start: unstretched": scene.analysis.start == "unstretched",
         "motion out of the plane": scene.spatial,
         "platform.pitch": platform and (platform.pitch or platform.response),
         "platform.cruise": platform and platform.cruise,
