@@ -137,6 +137,16 @@ def test_a_riser_that_nothing_holds_at_an_offset_is_refused():
         offsets(free.resolved(), 50.0, {})
 
 
+def test_a_solver_that_does_not_evaluate_limits_is_refused_at_every_offset():
+    beam = {"analysis": {"solver": "hermite", "mesh": {"elements": 100}}, "limits": LIMITS[:1]}
+    free = {"x": "held", "z": "free", "tension": "5 MN", "rotation": "free"}
+    scene = load_scene(
+        ROOT / "config/scenes/design/riser.yaml", **beam, **{"top": free, "platform": None}
+    )
+    with pytest.raises(InputError, match=r"analysis\.solver.*does not evaluate limits"):
+        offsets(scene.resolved(), 50.0, {})
+
+
 def adrift(seed, constant=False):
     """A rig on a vessel that lost its thrust, driven by waves and current."""
     tree = rig(seed, spatial=False, conductor=False)

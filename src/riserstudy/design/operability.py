@@ -138,8 +138,10 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     Raises
     ------
     InputError
-        When the riser's top is not held horizontally.
+        When the riser's top is not held horizontally, or the solver does not evaluate limits.
     """
+    if solver := scene.analysis.solver:
+        raise InputError("analysis.solver", solver, "does not evaluate limits", "Leave it out")
     scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
