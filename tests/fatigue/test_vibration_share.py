@@ -5,6 +5,7 @@ import pytest
 from short_riser import riser, simulated
 
 from riserstudy import sweep
+from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import of_table
 from riserstudy.fatigue.vibration_share import shares
 from riserstudy.fatigue.years import axes_of, over_years
@@ -71,6 +72,29 @@ def test_in_steady_current_vibration_brings_all_of_the_damage(tmp_path):
     alone = [simulated(riser(speed, CURVE)).arrays["damage_rate"] for speed in SPEEDS]
     expected = 0.3 * alone[0] + 0.1 * alone[1]
     assert years.worst[0].rate == pytest.approx(float(np.nanmax(expected)), rel=1e-6)
+
+
+def test_studies_that_cannot_be_compared_are_refused(tmp_path):
+    """A share of vibration needs vibration in the first study only, at the same places of the wall."""
+    path = tmp_path / "currents.csv"
+    path.write_text("current_profile_surface_speed (m/s),share (%)\n0.5,100\n")
+    file = riser(0.5, CURVE).with_values({"analysis.duration": "120 s"}, "test")
+    coarser = file.with_values({"riser[0].viv": None, "fatigue.angles": 20}, "test")
+    renamed = file.with_values({"riser[0].viv": None, "fatigue.details[0].name": "other"}, "test")
+    with_it, without = (over_years(of, of_table(path, of, axes_of(of)), {}) for of in studies(file))
+    others = [
+        over_years(of[1], of_table(path, of[1], axes_of(of[1])), {})
+        for of in (studies(coarser), studies(renamed))
+    ]
+    for pair, said in (
+        ((with_it, with_it), "with vortex-induced vibration"),
+        ((without, with_it), "with vortex-induced vibration"),
+        ((without, without), "no vortex-induced vibration"),
+        ((with_it, others[0]), "fatigue.angles"),
+        ((with_it, others[1]), "no detail"),
+    ):
+        with pytest.raises(InputError, match=said):
+            shares(*pair)
 
 
 def test_in_waves_the_rest_is_that_of_the_same_seas_without(tmp_path):

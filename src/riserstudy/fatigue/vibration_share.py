@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.errors import InputError
 from riserstudy.fatigue.years import Worst, Years
 
 Array = NDArray[np.float64]
@@ -35,7 +36,14 @@ def shares(years: Years, without: Years) -> list[Share]:
     Parameters
     ----------
     without : damage in the same sea states and currents; its places along the riser may differ.
+
+    Raises
+    ------
+    InputError
+        When the studies cannot be compared: vibration in the second one, or none in the first one, no common
+        detail, or other places around the wall.
     """
+    _check(years, without)
     at_rest = {of.detail: k for k, of in enumerate(without.worst)}
     found = []
     for of in years.worst:
@@ -48,3 +56,21 @@ def shares(years: Years, without: Years) -> list[Share]:
         there = float(np.interp(of.s, without.s[known], rates[known]))
         found.append(Share(of, there, without.worst[k].rate))
     return found
+
+
+def _check(years: Years, without: Years) -> None:
+    """Refuse studies that cannot be compared."""
+    common = {of.detail for of in years.worst} & {of.detail for of in without.worst}
+    same = years.rates.shape[1] == without.rates.shape[1]
+    faults = {
+        "is simulated with vortex-induced vibration": any(sea.vibrates for sea in without.seas),
+        "has no detail of the first study": not common,
+        "has another number of fatigue.angles": not same,
+    }
+    allowed = "allowed is a dataset of the same study with `riser[*].viv: null`"
+    for found, there in faults.items():
+        if there:
+            raise InputError("fatigue", "--without", found, allowed)
+    if not any(sea.vibrates for sea in years.seas):
+        found = "the first study has no vortex-induced vibration in these sea states"
+        raise InputError("fatigue", "--without", found, "Leave out --without")
