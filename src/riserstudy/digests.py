@@ -83,7 +83,7 @@ def _dependencies(module: str, _roots: tuple[Path, ...]) -> frozenset[Path]:
     left = [(module, False)]
     while left:
         name, of_chapter = left.pop()
-        file = source_of(name) or (_beside_chapters(name) if of_chapter else None)
+        file = source_of(name) or (_source_in_study(name) if of_chapter else None)
         if file is None or name in seen:
             continue
         seen.add(name)
@@ -100,7 +100,7 @@ def source_of(module: str) -> Path | None:
     return _source_of(ROOTS[first].absolute(), *steps) if first in ROOTS else None
 
 
-def _beside_chapters(module: str) -> Path | None:
+def _source_in_study(module: str) -> Path | None:
     """Return the file of a module in the current folder, where chapters find it, outside both packages."""
     first, *steps = module.split(".")
     return None if first in {"", *ROOTS} else _source_of(Path(first).absolute(), *steps)

@@ -66,7 +66,7 @@ def joined_tables(papers: list[str], known: Table) -> Table:
     joined: Table = {}
     for paper in papers:
         for name, about in chapter_table(paper).items():
-            if (elsewhere := {**known, **joined}.get(name, about)) != about:
+            if (elsewhere := joined.get(name) or known.get(name, about)) != about:
                 found = f"has other attributes elsewhere: {elsewhere['long_name']!r}"
                 raise InputError(variables_of_chapter(paper), name, found, "Choose another name")
             joined[name] = about

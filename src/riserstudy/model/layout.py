@@ -98,6 +98,13 @@ class Layout(NamedTuple):
         return [*first, *(k for k, s in enumerate(self.scene.riser) if s.corner_below)]
 
 
+def lower_end(scene: Resolved, length: float) -> float:
+    """Elevation (m) of the lower end of an unstretched riser; its length (m) includes a telescopic joint."""
+    if scene.bottom.hold == "free":
+        return (scene.top.elevation or 0.0) - length
+    return scene.bottom.elevation or 0.0
+
+
 def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
     """Layout of a scene on a mesh in ``d`` directions.
 
@@ -114,9 +121,7 @@ def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int)
         own = scene.riser[k].submerged_weight or 0.0
         return own + contents[k] * sections[k].bore * gravity
 
-    bottom = scene.bottom.elevation or 0.0
-    if scene.bottom.hold == "free":
-        bottom = (scene.top.elevation or 0.0) - float(mesh.l0.sum())
+    bottom = lower_end(scene, float(mesh.l0.sum()))
     top = scene.top.elevation if scene.top.elevation is not None else ring_elevation
     return Layout(
         scene,

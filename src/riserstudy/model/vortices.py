@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from riserstudy.effects.synchronisation import PHASE, VARIABLES
 from riserstudy.effects.vortex_drag import VortexDrag
 from riserstudy.effects.vortex_lift import VortexLift
-from riserstudy.model.layout import Layout
+from riserstudy.model.layout import Layout, lower_end
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
 from riserstudy.model.sea import current_velocity, fastest_current
@@ -163,11 +163,9 @@ def slowest(scene: Resolved) -> float:
 
 def _lower_end(scene: Resolved) -> float:
     """Elevation of the riser's lower end before it stretches (m)."""
-    if scene.bottom.hold != "free":
-        return scene.bottom.elevation or 0.0
     joint = scene.top.telescopic_joint
-    hung = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
-    return (scene.top.elevation or 0.0) - hung
+    length = sum(section.total_length for section in scene.riser) + (joint.length if joint else 0.0)
+    return lower_end(scene, length)
 
 
 def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
