@@ -27,7 +27,7 @@ Arrays = dict[str, Array]
 CONTROLLED = ("displacement", "tension", "moment", "damage")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
 MOST_FALL = 8.0  # largest ratio of successive differences that an estimate uses: third order
-# curvature that counts as zero (1/m): a strain of 5e-10 at the wall of a riser a metre thick
+# curvature of the softest section that counts as zero (1/m): a strain of 5e-10 at a radius of half a metre
 FLAT = 1e-9
 UPRIGHT = 1e-9  # angle that counts as zero (rad)
 LEAST_FALL = 1.5
@@ -203,7 +203,7 @@ def _largest(values: Array, least: Array) -> float:
 
 def _rounding_of_shear(arrays: Arrays) -> Array:
     """Rounding error of shear (N) at the nodes: that of a moment, divided by a segment's length."""
-    by_segment = np.pad(FLAT / arrays["mesh_flexibility"], 1)
+    by_segment = np.pad(_rounding_of_moment(arrays) / arrays["l0"], 1)
     return np.asarray(np.maximum(by_segment[1:], by_segment[:-1]))
 
 
@@ -254,8 +254,13 @@ def _rounding(name: str, arrays: Arrays) -> float:
     if name == "displacement":
         return NONE * float(arrays["s_node"][-1])
     if name == "moment" and "mesh_flexibility" in arrays:
-        return FLAT * float((arrays["l0"] / arrays["mesh_flexibility"]).max())
+        return _rounding_of_moment(arrays)
     return 0.0
+
+
+def _rounding_of_moment(arrays: Arrays) -> float:
+    """Moment (N m) that counts as zero: of the softest section, since stiff sections have the same error."""
+    return FLAT * float((arrays["l0"] / arrays["mesh_flexibility"]).min())
 
 
 def _zero(arrays: Arrays, field: str) -> Array:

@@ -1,0 +1,41 @@
+"""A very stiff section does not hide the errors of moment and shear: conductors with a rigid stack."""
+
+import pytest
+from random_rigs import moving, rig, written
+
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
+
+LIKE = 0.02  # relative difference of estimates between a stiff and a rigid stack
+STACK = "stack"
+
+
+def estimates(tree, stiffness):
+    """Estimated errors of a rig whose stack has this bending stiffness (N m^2)."""
+    tree = written(tree)
+    stack = next(one for one in tree["riser"] if one["name"] == STACK)
+    del stack["young_modulus"]
+    stack |= {"axial_stiffness": "1e11 N", "bending_stiffness": f"{stiffness} N*m^2"}
+    return run(SceneFile("rig.yaml", tree, {}).resolved()).facts["error_estimate"]
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(3))
+def test_estimates_in_motion_do_not_depend_on_how_rigid_the_stack_is(seed, spatial):
+    tree = moving(seed, spatial=spatial, conductor=True)
+    tree["analysis"]["mesh"]["elements"] = 40
+    stiff, rigid = (estimates(tree, of) for of in (1e12, 1e15))
+    assert stiff["moment"] > 1e-3
+    assert {name: rigid[name] for name in ("moment", "shear")} == pytest.approx(
+        {name: stiff[name] for name in ("moment", "shear")}, rel=LIKE
+    )
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_estimates_at_rest_do_not_depend_on_how_rigid_the_stack_is(seed):
+    tree = rig(seed + 10, spatial=False, conductor=True)
+    tree["analysis"] = {"mesh": {"elements": 60}}
+    stiff, rigid = (estimates(tree, of) for of in (1e12, 1e15))
+    assert stiff["moment"] > 1e-4
+    assert rigid["moment"] == pytest.approx(stiff["moment"], rel=LIKE)
+    assert rigid["shear"] == pytest.approx(stiff["shear"], rel=LIKE)
