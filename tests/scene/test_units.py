@@ -29,6 +29,8 @@ from riserstudy.scene.units import ATMOSPHERE, factor, to_si, usual_units
         ("12 ppg", "kg/m^3", 12 * 119.826427),
         ("100 psf", "N/m^2", 100 * 4.4482216152605 / 0.3048**2),
         ("1e-3 m^2", "m^2", 1e-3),
+        ("3 bbl", "m^3", 3 * 42 * 231 * 0.0254**3),
+        ("1 lb/barrel", "kg/m^3", 2.8530102),
         ("-.5 m", "m", -0.5),
     ],
 )
@@ -54,6 +56,9 @@ def test_the_page_lists_names_for_every_field_that_takes_a_unit():
     "text, unit, said",
     [
         ("20 mt", "kg", "'mt', which means a thousandth of a tonne"),
+        ("110 ton", "kg", "'ton', which means 1000 kg, 2000 lb or 2240 lb; write t, short_ton or"),
+        ("0.2 tons/m", "kg/m", "'tons', which means 1000 kg, 2000 lb"),
+        ("300 ton_force", "N", "'ton_force', which means the weight of 1000 kg or of 2000 lb"),
         ("20 t", "N", "for a force write tf"),
         ("14 kip", "kg", "for a mass write lb"),
         ("14 lb", "N", "for a force write lbf"),

@@ -91,7 +91,8 @@ UNITS = """\
 A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The table lists the
 usual names by SI unit; other names of the library pint are accepted, too. A pressure needs `absolute` or
 `gauge` after its unit; moduli and stresses do not. `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a
-US gallon. `lb` is a mass; `lbf`, `kip` and `tf` are forces.
+US gallon. A barrel (`bbl`) is 42 US gallons. `lb` is a mass; `lbf`, `kip` and `tf` are forces. The engine
+refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
 
 | SI unit | names |
 |---|---|

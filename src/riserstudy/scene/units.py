@@ -98,8 +98,9 @@ def factor(name: str, unit: str) -> float:
     """
     import pint
 
-    if _MILLITONNE.search(name):
-        raise Misfit("", "has the unit 'mt', which means a thousandth of a tonne", "write t or kg")
+    for unclear, (meaning, remedy) in UNCLEAR.items():
+        if found := re.search(unclear, name):
+            raise Misfit("", f"has the unit {found.group()!r}, which means {meaning}", remedy)
     try:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
         same = _angle_power(given._units) == _angle_power(wanted._units)
@@ -123,11 +124,20 @@ HINTS = {
     ("lbf", "kg"): " (for a mass write lb)",
     ("lb", "N"): " (for a force write lbf)",
 }
-#: units of drilling and soils that pint does not have
-OILFIELD = ("ppg = pound / US_liquid_gallon", "psf = force_pound / foot ** 2")
+#: units of drilling and soils that pint does not have, or has with another meaning: a barrel of 31.5 gallons
+OILFIELD = (
+    "ppg = pound / US_liquid_gallon",
+    "psf = force_pound / foot ** 2",
+    "barrel = 42 * US_liquid_gallon = bbl",
+)
+#: names that are easily taken for another unit: their meaning, and the remedy
+UNCLEAR = {
+    r"\bmt\b": ("a thousandth of a tonne", "write t or kg"),
+    r"\btons?\b": ("1000 kg, 2000 lb or 2240 lb", "write t, short_ton or long_ton"),
+    r"\b(ton_force|force_ton)s?\b": ("the weight of 1000 kg or of 2000 lb", "write tf or kip"),
+}
 #: dimensionless units that a scene may have
 PLAIN = ("degree", "radian", "percent", "permille", "ppm")
-_MILLITONNE = re.compile(r"\bmt\b")  # often written for metric tonnes
 
 
 @cache
