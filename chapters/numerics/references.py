@@ -1,9 +1,9 @@
 """References for the error of a run: a stored history of another code, or a stored fine run of riserstudy.
 
 Histories of other codes share neither discretisation nor integrator with the engine (quintic elements with
-Radau IIA, the method of characteristics). In scenes without one, the segments and the time step of the run
-with the finest tolerance were halved at least twice, with the fourth-order method; the change by the last
-halving indicates the error of the reference. A run on another mesh is compared at its own nodes, where the
+Radau IIA, the method of characteristics). In scenes without one, the segments and the time step of a run with
+the default accuracy were halved at least twice, with the fourth-order method; the change by the last halving
+indicates the error of the reference. A run on another mesh is compared at its own nodes, where the
 reference is interpolated by the shapes of its elements. The reference tier also compares either reference
 with results of other methods for the scene.
 """

@@ -134,11 +134,12 @@ def moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Fo
 
 
 def top_moment_follows(runs: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """M increases or decreases along an axis, and is near the top at its start; value: last / first."""
+    """M increases or decreases along an axis, and is near the top everywhere on it; value: last / first."""
     over_s = moments(runs)
     m = over_s.max("s")
-    depth = float(over_s["s"][-1]) - over_s.isel({axis: 0}, drop=True).idxmax("s")
-    condition = all_of(growing(m, axis, change, sign), below(depth, SURFACE_ZONE))
+    depth = float(over_s["s"][-1]) - over_s.idxmax("s")
+    near_top = everywhere(below(depth, SURFACE_ZONE), axis)
+    condition = all_of(growing(m, axis, change, sign), near_top)
     return judged(last_over_first(m, axis), condition)
 
 
