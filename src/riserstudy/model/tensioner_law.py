@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from scipy.interpolate import PPoly
 
 FloatArray = NDArray[np.float64]
+ROUNDING = 1e-9  # share of the largest pull below which a negative pull is rounding
 
 
 def gas_force(gas: Gas | TwoChamberGas, reach: FloatArray) -> FloatArray:
@@ -61,6 +62,20 @@ def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
     return [
         f"tensioners extend from {reach.min():.4g} m to {reach.max():.4g} m, but their table covers only "
         f"{first:g} m to {last:g} m: beyond it, force is extrapolated linearly; extend it or give stops"
+    ]
+
+
+def pushes(force: FloatArray, time: FloatArray | None = None) -> list[str]:
+    """A warning when cylinders push: their pull (N), (c,) at rest or (k, c) over time (k,) (s), is negative."""
+    least = float(force.min())
+    if least >= -ROUNDING * float(abs(force).max()):
+        return []
+    when = "in static equilibrium"
+    if time is not None:
+        when = f"at t = {time[np.unravel_index(force.argmin(), force.shape)[0]]:.6g} s"
+    return [
+        f"tensioners: a cylinder pushes, with at most {-least / 1e3:.4g} kN {when}: check that its law holds "
+        "there, since a cylinder on wires or with a slender rod cannot push"
     ]
 
 

@@ -16,7 +16,7 @@ from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.space_out import joint_of
 from riserstudy.model.stops import beyond_its_barrels, joint_stops_touched, stops_touched
-from riserstudy.model.tensioner_law import leaves_table
+from riserstudy.model.tensioner_law import leaves_table, pushes
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.limits import ANGLES
@@ -290,15 +290,18 @@ def peaks(arrays: Arrays) -> RunFacts:
 
 
 def of_tensioners(rig: Tensioners, arrays: Arrays, every_step: Arrays) -> list[str]:
-    """Warnings about cylinders outside their law or at their stops, at rest and over time.
+    """Warnings about cylinders that push, outside their law or at their stops, at rest and over time.
 
-    ``every_step``: time and strokes of all time steps; empty if only outputs are known.
+    ``every_step``: time, strokes and pulls of all time steps; empty if only outputs are known.
     """
     over_time, all_steps = every_step or arrays, bool(every_step)
     moving = [over_time["tensioner_stroke"]] if "tensioner_stroke" in over_time else []
     rest = arrays["tensioner_stroke_static"]
     sentences = leaves_table(rig, np.concatenate([reach.ravel() for reach in (rest, *moving)]))
     sentences += stops_touched(rig, rest)
+    sentences += pushes(arrays["tensioner_force_static"])
+    if "tensioner_force" in over_time:
+        sentences += pushes(over_time["tensioner_force"], over_time["time"])
     for reach in moving:
         sentences += stops_touched(rig, reach, over_time["time"], all_steps)
     return sentences
