@@ -9,6 +9,7 @@ from test_vortex_induced_vibration import scene
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import synchronised
+from riserstudy.scene.forcing import Cruise, Platform
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.rival_modes import EDGE, FIRST, rivals, warn_of_rivals
 
@@ -72,6 +73,17 @@ def test_a_run_whose_modes_cannot_be_found_is_whole_and_says_so(monkeypatch):
     warn_of_rivals(scene().resolved(), facts)
     (warning,) = facts["warnings"]
     assert warning.endswith("several competing modes failed: modes need mass")
+
+
+def test_of_a_riser_that_is_towed_nothing_is_claimed(monkeypatch):
+    """Vortices then depend on the speed through the water, which the modes about a riser at rest lack."""
+    monkeypatch.setattr("riserstudy.simulation.rival_modes.rivals", lambda scene: [0.1, 0.2])
+    facts = {"warnings": []}
+    resolved = scene().resolved()
+    platform = Platform(cruise=Cruise(speed="0.5 m/s"))
+    warn_of_rivals(resolved.model_copy(update={"platform": platform}), facts)
+    (warning,) = facts["warnings"]
+    assert "not checked for a platform that cruises" in warning
 
 
 def _brief(file):

@@ -46,6 +46,12 @@ def rivals(scene: Resolved) -> list[float]:
 
 def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
     """Warn if a vibration might equally be in another mode, or if this cannot be determined."""
+    if shedding(scene) and scene.platform and scene.platform.cruise:
+        facts["warnings"].append(
+            "riser.viv: whether several modes compete is not checked for a platform that cruises: compare runs "
+            "with other values of riser.viv.seed, and on a finer mesh"
+        )
+        return
     try:
         found = rivals(scene)
     except SimulationError as error:  # of the modes; the run itself is complete
