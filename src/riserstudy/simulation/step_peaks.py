@@ -74,18 +74,45 @@ def _peak(times: FloatArray, values: FloatArray) -> Peak:
 def _vertex(times: FloatArray, values: FloatArray, sign: float) -> tuple[float, float]:
     """The highest vertex of all triples of steps about an extremum, and its time; else the first value.
 
-    At an event, there are two values at one time, and no parabola across it is used.
+    At an event, there are two values at one time, and no parabola across it is used. Where a value drops
+    suddenly after being constant, the parabola has a vertex that is too high by up to an eighth of the drop.
+    The parabola through the vertex's two steps and the step before them limits it; a smooth peak has the same
+    vertex by either, up to an error of third order in the step.
     """
     a, b, c = sign * values[:-2], sign * values[1:-1], sign * values[2:]
     h, k = np.diff(times)[:-1], np.diff(times)[1:]
     turning = (b >= a) & (b >= c) & ((b > a) | (b > c)) & (h > 0.0) & (k > 0.0)
     if not turning.any():
         return float(values[0]), float(times[0])
+    place = np.flatnonzero(turning) + 1
     a, b, c, h, k = (of[turning] for of in (a, b, c, h, k))
     left, right = (b - a) / h, (c - b) / k
     bend = (right - left) / (h + k)
     slope = left + bend * h
+    away = -0.5 * slope / bend  # time from the middle step to the vertex
     tops = b - 0.25 * slope**2 / bend
+    tops = np.minimum(tops, _by_the_other_side(times, sign * values, place, away, b))
     best = int(tops.argmax())
-    middle = times[1:-1][turning][best]
-    return sign * float(tops[best]), float(middle - 0.5 * slope[best] / bend[best])
+    return sign * float(tops[best]), float(times[place[best]] + away[best])
+
+
+def _by_the_other_side(
+    times: FloatArray, values: FloatArray, place: NDArray[np.int64], away: FloatArray, least: FloatArray
+) -> FloatArray:
+    """Largest value allowed at the vertices: of the parabola through a vertex's two steps and the next one.
+
+    ``place``: index of the middle step of each triple. ``away``: time from it to the vertex (s). ``least``:
+    values at the middle steps, below which the limit does not fall. Infinite where there is no such step.
+    """
+    side = np.where(away < 0.0, -1, 1)
+    near, far = place + side, place + 2 * side
+    known = (far >= 0) & (far < len(times))
+    far = np.where(known, far, near)
+    to_near, to_far = times[near] - times[place], times[far] - times[place]
+    known &= to_near != to_far  # there is no event between them
+    apart = np.where(known, to_far - to_near, 1.0)
+    slope = (values[near] - values[place]) / to_near
+    beyond = (values[far] - values[near]) / apart
+    bend = (beyond - slope) / np.where(known, to_far, 1.0)
+    limit = values[place] + away * (slope + bend * (away - to_near))
+    return np.where(known, np.maximum(limit, least), np.inf)
