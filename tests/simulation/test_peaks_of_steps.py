@@ -1,4 +1,4 @@
-"""Peaks between time steps: of fourth order for smooth values, and never above a value that drops suddenly."""
+"""Peaks between time steps: of fourth order where values are smooth, and not above a sudden drop."""
 
 import numpy as np
 import pytest

@@ -66,7 +66,7 @@ def leaves_table(rig: Tensioners, reach: FloatArray) -> list[str]:
 
 
 def pushes(force: FloatArray, time: FloatArray | None = None) -> list[str]:
-    """A warning when cylinders push: their pull (N), (c,) at rest or (k, c) over time (k,) (s), is negative."""
+    """A warning when cylinders push: their pull (N), (c,) at rest or (k, c) over time (k,), is negative."""
     least = float(force.min())
     if least >= -ROUNDING * float(abs(force).max()):
         return []

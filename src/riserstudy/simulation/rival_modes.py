@@ -48,8 +48,8 @@ def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
     """Warn if a vibration might equally be in another mode, or if this cannot be determined."""
     if shedding(scene) and scene.platform and scene.platform.cruise:
         facts["warnings"].append(
-            "riser.viv: whether several modes compete is not checked for a platform that cruises: compare runs "
-            "with other values of riser.viv.seed, and on a finer mesh"
+            "riser.viv: whether several modes compete is not checked for a platform that cruises: compare "
+            "runs with other values of riser.viv.seed, and on a finer mesh"
         )
         return
     try:
