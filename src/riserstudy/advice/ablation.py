@@ -149,7 +149,7 @@ def ablate(
         base.changed.append(changed)
         try:
             of_change = other.resolved()
-            single(brief(of_change, step), mesh, step)
+            single(brief(of_change, step), laid(of_change, mesh), step)
             runs.append((changed, of_change))
         except RiserStudyError as error:
             changed.message = str(error)
@@ -158,13 +158,19 @@ def ablate(
         notify(f"timing {len(runs)} runs, round {k + 1} of {repeats}")
         for of, which in list(runs):
             try:
-                measure(of, which, mesh, step)
+                measure(of, which, laid(which, mesh), step)
             except RiserStudyError as error:
                 if not isinstance(of, Changed):
                     raise
                 of.message = str(error)
                 runs.remove((of, which))
     return base
+
+
+def laid(scene: Resolved, mesh: Mesh) -> Mesh:
+    """Return the same segments in the sections of a scene, which may be divided at other places."""
+    ends = np.cumsum([section.total_length for section in scene.riser])
+    return mesh._replace(section=np.searchsorted(ends, mesh.s[:-1] + 0.5 * mesh.l0))
 
 
 def brief(scene: Resolved, step: float | None) -> Resolved:

@@ -73,11 +73,20 @@ def _expanded(change: Change, tree: dict[str, Any], scene: Resolved) -> Iterator
                 yield path, _filled(value, scene, 0)
             continue
         field = path[len(SECTIONS) + 1 :]
-        count = len(tree["riser"])
-        for k in range(count):
-            if value is None or change.kind == "removed" or not value_at(tree["riser"][k], field):
-                # from the top: below the tree's sections there may be one of a body that turns
-                yield f"riser[{k}].{field}", _filled(value, scene, k - count)
+        for k, own in enumerate(tree["riser"]):
+            if value is None or change.kind == "removed" or not value_at(own, field):
+                yield (
+                    f"riser[{k}].{field}",
+                    _filled(value, scene, _resolved_place(scene, own["name"])),
+                )
+
+
+def _resolved_place(scene: Resolved, name: str) -> int:
+    """Return the place of a section of the file among the resolved sections.
+
+    Sections are divided at the surface, and a body that turns with the lower end is one more section.
+    """
+    return max(k for k, section in enumerate(scene.riser) if section.name == name)
 
 
 def _filled(value: Any, scene: Resolved, k: int) -> Any:

@@ -6,6 +6,7 @@ import math
 from typing import NamedTuple
 
 from riserstudy.advice.ablation import Ablation, Changed, Notify, ablate
+from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
@@ -14,7 +15,7 @@ REPEATS = 5  # rounds of timed runs; the median counts
 BUDGET = 5e5  # node-steps of a run; longer scenes are cut
 COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
 DAMAGE = "Fatigue damage is not compared. An effect that leaves the peaks as they are may change the damage."
-COMPARED = ("bending_moment", "effective_tension")  # outputs with limits whose peaks are compared
+COMPARED = ("bending_moment", "effective_tension")  # outputs whose largest values are compared
 MISSING, NOT_MISSED = "recommended", "not needed"
 
 
@@ -78,8 +79,8 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
 
 def _not_compared(scene: Resolved) -> list[str]:
     """Return the criteria of the scene that the advice does not consider."""
-    outputs = dict.fromkeys(limit.output for limit in scene.limits or [])
-    names = [name for name in outputs if name not in COMPARED]
+    names = list(dict.fromkeys(map(_criterion, scene.limits or [])))
+    names = [name for name in names if name not in COMPARED]
     found = [DAMAGE] if scene.fatigue else []
     if scene.disconnect:
         names += [name for name in ("overpull", "lmrp_clearance") if name not in names]
@@ -89,6 +90,14 @@ def _not_compared(scene: Resolved) -> list[str]:
             f"{'it' if len(names) == 1 else 'them'}."
         )
     return found
+
+
+def _criterion(limit: Limit) -> str:
+    """Return the output of a limit; side and place are named where the compared peaks do not cover them."""
+    if limit.output not in COMPARED:
+        return limit.output
+    side = "" if limit.side == "largest" else f"{limit.side} "
+    return f"{side}{limit.output}" + (f" ({limit.place})" if limit.at else "")
 
 
 def _in_doubt(base: Ablation) -> list[str]:
