@@ -224,3 +224,8 @@ class Part:
     def name(self) -> str:
         """Name of the object, "" without a name."""
         return str(self.data.get("Name", ""))
+
+
+def q(value: float, unit: str) -> str:
+    """Return a quantity as text for a scene."""
+    return f"{value:.10g} {unit}"

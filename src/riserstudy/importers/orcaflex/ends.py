@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part, q
 
 PLACE = ("Connection", "ConnectionX", "ConnectionY", "ConnectionZ")
 LEANS = ("ConnectionDeclination", "ConnectionzRelativeTo", "ConnectionReleaseStage")
@@ -99,7 +99,7 @@ def rotation(stiffness: float | None) -> Any:
     """Return the rotation in a scene for the bending stiffness of an end (kN m/deg)."""
     if stiffness is None:
         return "free"
-    return "fixed" if math.isinf(stiffness) else {"stiffness": f"{stiffness:.10g} kN*m/deg"}
+    return "fixed" if math.isinf(stiffness) else {"stiffness": q(stiffness, "kN*m/deg")}
 
 
 def in_series(one: float | None, other: float | None) -> float | None:

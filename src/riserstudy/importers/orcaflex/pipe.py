@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.importers.orcaflex.deck import CHANGE, GUESS, Part
+from riserstudy.importers.orcaflex.deck import CHANGE, GUESS, Part, q
 
 if TYPE_CHECKING:
     from riserstudy.importers.orcaflex.ends import Line
@@ -75,20 +75,20 @@ def wall(kind: Part) -> dict[str, Any]:
         When it has another category.
     """
     outer, inner = kind.number("OD"), kind.number("ID")
-    fields: dict[str, Any] = {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
+    fields: dict[str, Any] = {"outer_diameter": q(outer, "m"), "inner_diameter": q(inner, "m")}
     if kind.text("Category") == "Homogeneous pipe":
-        fields["young_modulus"] = _q(kind.number("E"), "kN/m^2")
+        fields["young_modulus"] = q(kind.number("E"), "kN/m^2")
         for key in ("CoatingThickness", "LiningThickness", "AdditionalEI"):
             kind.idle(key)
         mass: Any = {
-            "derived": _q(mass_of(kind), "kg/m"),
+            "derived": q(mass_of(kind), "kg/m"),
             "from": "MaterialDensity and diameters",
         }
     elif kind.text("Category") == "General":
         if stiff := bending_stiffness(kind):
-            fields["bending_stiffness"] = _q(stiff, "kN*m^2")
-        fields["axial_stiffness"] = _q(kind.number("EA"), "kN")
-        mass = _q(mass_of(kind), "kg/m")
+            fields["bending_stiffness"] = q(stiff, "kN*m^2")
+        fields["axial_stiffness"] = q(kind.number("EA"), "kN")
+        mass = q(mass_of(kind), "kg/m")
     else:
         allowed = (
             f"allowed are General and Homogeneous pipe: the import reads no other type. {CHANGE}"
@@ -110,7 +110,7 @@ def stressed(kind: Part, filled: bool) -> dict[str, Any]:
     if filled and abs(inner - kind.number("ID")) > SAME:
         kind.otherwise["StressID"] = f"{inner:g} m is left out, because the contents fill ID"
         return {}
-    return {"outer_diameter": _q(outer, "m"), "inner_diameter": _q(inner, "m")}
+    return {"outer_diameter": q(outer, "m"), "inner_diameter": q(inner, "m")}
 
 
 def mass_of(kind: Part) -> float:
@@ -125,7 +125,7 @@ def submerged(kind: Part, density: float, gravity: float) -> dict[str, Any]:
     """Return the weight of a line type without contents in water of a density (kg/m3; 0 above water)."""
     weight = (mass_of(kind) - density * disc(kind.number("OD"))) * gravity
     less = "mass per length less the water that OD displaces" if density else "mass, in air"
-    return {"derived": _q(weight, "N/m"), "from": less}
+    return {"derived": q(weight, "N/m"), "from": less}
 
 
 def bending_stiffness(kind: Part) -> float:
@@ -212,7 +212,3 @@ def axial(kind: Part) -> float:
 def disc(diameter: float) -> float:
     """Return the area (m2) of a circle with the given diameter (m)."""
     return 0.25 * math.pi * diameter**2
-
-
-def _q(value: float, unit: str) -> str:
-    return f"{value:.10g} {unit}"

@@ -16,7 +16,7 @@ from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 from riserstudy.errors import InputError, InputErrors
 from riserstudy.importers.orcaflex.chain import Bearings, Roles, roles, write_point_counts
 from riserstudy.importers.orcaflex.constraints import turns_in
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import GROUND, PLACE, rotation, upright
 from riserstudy.importers.orcaflex.left_out import left_out
 from riserstudy.importers.orcaflex.sea import Sea, current_of, sea_of, wave_of
@@ -95,14 +95,14 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
     write_point_counts(deck, cast.nodes[1:-1])
     foot = _foot(deck, cast, sea)
     made = top_of(deck, cast, foot.elevation, sea)
-    bottom: dict[str, Any] = {"hold": "wellhead", "elevation": f"{foot.elevation:.10g} m"}
+    bottom: dict[str, Any] = {"hold": "wellhead", "elevation": q(foot.elevation, "m")}
     tree: dict[str, Any] = {
         "title": f"{cast.riser[0].name}, from {path.name}",
         "gravity": f"{GRAVITY} m/s^2",
         "water": {
-            "density": f"{sea.density:.10g} kg/m^3",
-            "surface": f"{sea.surface:.10g} m",
-            "seabed": f"{sea.seabed:.10g} m",
+            "density": q(sea.density, "kg/m^3"),
+            "surface": q(sea.surface, "m"),
+            "seabed": q(sea.seabed, "m"),
         },
         "riser": sections(deck, cast, foot.elevation, sea),
         "bottom": bottom | {"rotation": foot.rotation},
@@ -159,8 +159,8 @@ def _analysis(general: Part) -> tuple[list[float], dict[str, Any]]:
     stages = general.numbers("StageDuration")
     if not stages:
         return stages, {}
-    every = f"{general.number('TargetLogSampleInterval'):.10g} s"
-    return stages, {"duration": f"{sum(stages):.10g} s", "output": {"interval": every}}
+    every = q(general.number("TargetLogSampleInterval"), "s")
+    return stages, {"duration": q(sum(stages), "s"), "output": {"interval": every}}
 
 
 def as_text(found: Imported, deck: Path) -> str:

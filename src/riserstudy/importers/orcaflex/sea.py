@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part, q
 
 SPECTRA = ("JONSWAP", "ISSC")  # ISSC: a Pierson-Moskowitz spectrum of any height
 AIRY = ("Airy", "Single Airy")
@@ -42,14 +42,14 @@ def current_of(sea: Part) -> dict[str, Any] | None:
     sea.idle("CurrentModel", "Variation scheme")
     rows = sea.figures("CurrentDepth", "CurrentFactor", of=("CurrentRotation",))
     points = [
-        {"depth": _q(depth, "m"), "speed": _q(speed * factor, "m/s")} for depth, factor, _ in rows
+        {"depth": q(depth, "m"), "speed": q(speed * factor, "m/s")} for depth, factor, _ in rows
     ]
     if any(turn for *_, turn in rows):
         for point, (*_, turn) in zip(points, rows, strict=True):
-            point["direction"] = _q(towards + turn, "deg")
+            point["direction"] = q(towards + turn, "deg")
         return {"profile": points, "beyond": "hold"}
     return {"profile": points, "beyond": "hold"} | (
-        {"heading": _q(towards, "deg")} if towards else {}
+        {"heading": q(towards, "deg")} if towards else {}
     )
 
 
@@ -76,8 +76,8 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
         return None
     else:
         wave = {
-            "height": _q(train.number("WaveHeight"), "m"),
-            "period": _q(train.number("WavePeriod"), "s"),
+            "height": q(train.number("WaveHeight"), "m"),
+            "period": q(train.number("WavePeriod"), "s"),
         }
     if kind in STEEP:
         _made_linear(train, kind, sea)
@@ -89,8 +89,8 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
             raise environment.refused("KinematicStretchingMethod", method, allowed)
         wave["above_mean_level"] = STRETCHING[method]
     towards = train.number("WaveDirection")
-    wave |= {"heading": _q(towards, "deg")} if towards else {}
-    return wave | ({"ramp": _q(ramp, "s")} if ramp else {})
+    wave |= {"heading": q(towards, "deg")} if towards else {}
+    return wave | ({"ramp": q(ramp, "s")} if ramp else {})
 
 
 def _made_linear(train: Part, kind: str, sea: Sea) -> None:
@@ -142,15 +142,15 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
     peak: Any = train.optional("WaveTp")
     crossing = train.optional("WaveTz")
     if peak is not None:
-        peak = _q(train.number("WaveTp"), "s")
+        peak = q(train.number("WaveTp"), "s")
     elif crossing is not None:
         period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
-        peak = {"derived": _q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
+        peak = {"derived": q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
     else:
         allowed = "a spectrum needs one of them. Write one into the model"
         raise train.refused("WaveTp", "missing, and WaveTz too", allowed)
     wave: dict[str, Any] = {
-        "significant_height": _q(train.number("WaveHs"), "m"),
+        "significant_height": q(train.number("WaveHs"), "m"),
         "peak_period": peak,
         "peak_enhancement": enhancement,
         "components": train.whole("WaveNumberOfComponents"),
@@ -172,7 +172,3 @@ def peak_over_zero_crossing(enhancement: float) -> float:
     density = np.asarray(jonswap(w, 1.0, gamma=enhancement))
     zeroth, second = (float(np.trapezoid(density * w**n, w)) for n in (0, 2))
     return math.sqrt(second / zeroth)
-
-
-def _q(value: float, unit: str) -> str:
-    return f"{value:.10g} {unit}"

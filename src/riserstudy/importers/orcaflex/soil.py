@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part, q
 
 MODELS, CURVES = "P-yModels", "PyCurves"
 SOFT_CLAY = "API RP 2A soft clay"
@@ -39,7 +39,7 @@ def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, 
             "Remove PyModel from the line and write 'soil:' into the scene"
         )
         raise models[name].refused(CURVES, f"{len(curves)} ranges of depth", allowed)
-    return {"mudline": f"{seabed:.10g} m", "resistance": _soft_clay(curves[0], gravity)}
+    return {"mudline": q(seabed, "m"), "resistance": _soft_clay(curves[0], gravity)}
 
 
 def _soft_clay(curve: Part, gravity: float) -> dict[str, Any]:
@@ -56,10 +56,10 @@ def _soft_clay(curve: Part, gravity: float) -> dict[str, Any]:
         f"below {STRAIGHT:g} times the displacement at half the resistance"
     )
     return {
-        "strength_at_mudline": f"{curve.number('UndrainedShearStrength'):.10g} kN/m^2",
+        "strength_at_mudline": q(curve.number("UndrainedShearStrength"), "kN/m^2"),
         "strength_gradient": "0 N/m^3",
         "submerged_unit_weight": {
-            "derived": f"{density * gravity:.10g} kN/m^3", "from": "EffectiveUnitSoilDensity and gravity",
+            "derived": q(density * gravity, "kN/m^3"), "from": "EffectiveUnitSoilDensity and gravity",
         },
         "strain_at_half_strength": {"derived": 0.01 * strain, "from": "Epsilonc, which is in per cent"},
         "depth_factor": curve.number("J"),

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.chain import Roles, depth
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import Line, in_series
 from riserstudy.importers.orcaflex.pipe import (
     across,
@@ -88,13 +88,13 @@ def _section(deck: Part, cast: Roles, piece: Piece, sea: Sea) -> dict[str, Any]:
     line = piece.line.part
     kind = kind_of(deck, line, piece.kind)
     density = sea.density if piece.high <= sea.surface else 0.0
-    section = {"name": piece.name, "length": _q(piece.high - piece.low, "m"), **wall(kind)}
+    section = {"name": piece.name, "length": q(piece.high - piece.low, "m"), **wall(kind)}
     section["submerged_weight"] = submerged(kind, density, sea.gravity)
     section |= _water(kind)
     if line.optional("ContentsDensity") is not None:
         line.demand("ContentsMethod", "Uniform")
     if (inside := line.given("ContentsDensity")) and kind.number("ID"):
-        section["contents"] = {"density": _q(1000.0 * inside, "kg/m^3")}
+        section["contents"] = {"density": q(1000.0 * inside, "kg/m^3")}
     section |= stressed(kind, "contents" in section)
     if piece.begins and (joint := _joint(deck, cast, piece)):
         section["flex_joint_below"] = joint
@@ -118,7 +118,7 @@ def _joint(deck: Part, cast: Roles, piece: Piece) -> dict[str, Any] | None:
         )
     if stiffness is None or math.isinf(stiffness):
         return None
-    return {"stiffness": _q(stiffness, "kN*m/deg")}
+    return {"stiffness": q(stiffness, "kN*m/deg")}
 
 
 def _water(kind: Part) -> dict[str, Any]:
@@ -129,12 +129,12 @@ def _water(kind: Part) -> dict[str, Any]:
     sliding, extra = along(kind, "Cd"), along(kind, "Ca")
     wide, long = kind.given("NormalDragLiftDiameter"), kind.given("AxialDragLiftDiameter")
     if drag:
-        fields["drag"] = {"coefficient": drag, "diameter": _q(wide or outer, "m")}
+        fields["drag"] = {"coefficient": drag, "diameter": q(wide or outer, "m")}
     if sliding:
-        along_it = {"coefficient": sliding, "diameter": _q(long or outer, "m")}
+        along_it = {"coefficient": sliding, "diameter": q(long or outer, "m")}
         fields["tangential_drag"] = along_it
     if added:
-        fields["added_mass"] = {"coefficient": added, "diameter": _q(outer, "m")}
+        fields["added_mass"] = {"coefficient": added, "diameter": q(outer, "m")}
     if extra:
         kind.otherwise["Ca"] = f"{extra:g} along the line is left out"
     return fields
@@ -183,7 +183,7 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
         fields = _pipe(kind) | {"name": line.name, "tension": "shared"}
         if inside := line.part.given("ContentsDensity"):
             line.part.demand("ContentsMethod", "Uniform")
-            fields["contents"] = _q(1000.0 * inside, "kg/m^3")
+            fields["contents"] = q(1000.0 * inside, "kg/m^3")
         attached.append({"name": fields.pop("name"), **fields})
     section["lines"] = attached
     waters = [_water(kind) for kind in kinds]
@@ -200,7 +200,7 @@ def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: 
     whole = sum(
         float(part["coefficient"]) * float(part["diameter"].split()[0]) ** power for part in parts
     )
-    diameter = _q((whole / first) ** (1.0 / power), "m")
+    diameter = q((whole / first) ** (1.0 / power), "m")
     quantity = "diameters" if power == 1 else "squares of diameters"
     reason = f"{quantity} of pipe and lines, times their coefficients"
     section[name] = {"coefficient": first, "diameter": {"derived": diameter, "from": reason}}
@@ -216,7 +216,7 @@ def _pipe(kind: Part) -> dict[str, Any]:
             allowed = "a line along the riser needs a wall. Correct ID or OD"
             raise kind.refused("ID", found, allowed)
         modulus = kind.number("EA") / area
-        fields["young_modulus"] = {"derived": _q(modulus, "kN/m^2"), "from": "EA and diameters"}
+        fields["young_modulus"] = {"derived": q(modulus, "kN/m^2"), "from": "EA and diameters"}
         second = (kind.number("OD") ** 4 - kind.number("ID") ** 4) * math.pi / 64.0
         kind.otherwise["EI"] = (
             f"the scene has {modulus * second:.4g} kN m^2 for this line, from EA and diameters"
@@ -224,7 +224,3 @@ def _pipe(kind: Part) -> dict[str, Any]:
     for key in ("axial_stiffness", "bending_stiffness"):
         fields.pop(key, None)
     return fields
-
-
-def _q(value: float, unit: str) -> str:
-    return f"{value:.10g} {unit}"

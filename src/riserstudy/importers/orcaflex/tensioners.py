@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.importers.orcaflex.deck import CHANGE, Part
+from riserstudy.importers.orcaflex.deck import CHANGE, Part, q
 from riserstudy.importers.orcaflex.ends import PLACE
 
 ALONG = "ConnectionzRelativeTo"
@@ -76,7 +76,7 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
         found = "links that differ, or are not spaced evenly around the line"
         allowed = "tensioners of a scene are equal ones, spaced evenly on a circle. " + CHANGE
         raise parts[0].refused("Connection", found, allowed)
-    damping = {"damping": _q(first.damping, "kN*s/m")} if first.damping else {}
+    damping = {"damping": q(first.damping, "kN*s/m")} if first.damping else {}
     made = {
         "count": count,
         "mid_stroke": "riser unstretched",
@@ -86,10 +86,10 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
     }
     return made | {
         "arrangement": {
-            "ring_radius": _q(first.ring_radius, "m"),
-            "deck_radius": _q(first.deck[0], "m"),
-            "deck_elevation": _q(first.deck[1], "m"),
-            "first_bearing": _q(pulls[0].deck[2], "deg"),
+            "ring_radius": q(first.ring_radius, "m"),
+            "deck_radius": q(first.deck[0], "m"),
+            "deck_elevation": q(first.deck[1], "m"),
+            "first_bearing": q(pulls[0].deck[2], "deg"),
         },
     }
 
@@ -119,15 +119,15 @@ def constant(parts: list[Part], of: Anchorage) -> Constant | None:
 def _law(law: tuple[tuple[float, float], ...]) -> dict[str, Any]:
     """Return the law for a scene: a straight line or a table."""
     if len(law) == 1:
-        return {"linear": {"tension": _q(law[0][1], "kN"), "stiffness": "0 kN/m"}}
+        return {"linear": {"tension": q(law[0][1], "kN"), "stiffness": "0 kN/m"}}
     if len(law) > 2:
-        rows = [{"reach": _q(reach, "m"), "force": _q(force, "kN")} for reach, force in law]
+        rows = [{"reach": q(reach, "m"), "force": q(force, "kN")} for reach, force in law]
         return {"table": rows, "interpolation": "linear"}
     (low, at_low), (high, at_high) = law
     stiffness = (at_high - at_low) / (high - low)
     tension = at_low - stiffness * low
-    derived = {"derived": _q(tension, "kN"), "from": "stretch of a link, the riser unstretched"}
-    return {"linear": {"tension": derived, "stiffness": _q(stiffness, "kN/m")}}
+    derived = {"derived": q(tension, "kN"), "from": "stretch of a link, the riser unstretched"}
+    return {"linear": {"tension": derived, "stiffness": q(stiffness, "kN/m")}}
 
 
 def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], float, float]:
@@ -214,7 +214,3 @@ def _winch(winch: Part, of: Anchorage) -> Pull:
         allowed = "a winch becomes a constant tension. Use one Specified tension at all stages"
         raise winch.refused("StageMode, StageValue", found, allowed)
     return Pull(deck, ring, ((0.0, next(iter(stages))[1]),), 0.0)
-
-
-def _q(value: float, unit: str) -> str:
-    return f"{value:.10g} {unit}"

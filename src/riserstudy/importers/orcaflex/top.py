@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.chain import Roles, depth
 from riserstudy.importers.orcaflex.constraints import guided_by, slides_in
-from riserstudy.importers.orcaflex.deck import Part
+from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import GROUND, PLACE, Line, rotation, upright
 from riserstudy.importers.orcaflex.pipe import axial, disc, flexural, kind_of, lengths_of, mass_of
 from riserstudy.importers.orcaflex.sea import Sea
@@ -54,8 +54,8 @@ def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
     held = "platform" if node in vessels else "held"
     base = height_of(vessels[node]) if node in vessels else 0.0
     base += sea.seabed if line.upper.to == "Anchored" else 0.0
-    offset = {"offset": _q(line.upper.x, "m")} if line.upper.x else {}
-    tree = {"x": held, "z": held, "elevation": _q(line.upper.z + base, "m")}
+    offset = {"offset": q(line.upper.x, "m")} if line.upper.x else {}
+    tree = {"x": held, "z": held, "elevation": q(line.upper.z + base, "m")}
     tree |= {"rotation": rotation(line.upper.stiffness)} | offset
     return Top(tree, vessels.get(node))
 
@@ -114,11 +114,11 @@ def _guided(
     on, aside = guided_by(guide)
     tree: dict[str, Any] = {"x": "platform" if on in vessels else "held", "z": "free"}
     tree |= {"rotation": rotation(cast.riser[0].upper.stiffness)}
-    tree |= {"offset": _q(aside, "m")} if aside else {}
+    tree |= {"offset": q(aside, "m")} if aside else {}
     above = of._replace(aside=aside)
     with deck.noting():
         if pull := constant(pulling, above):
-            tree["tension"] = _q(pull.force, "kN")
+            tree["tension"] = q(pull.force, "kN")
         else:
             rig = tensioners(pulling, above)
             if rig["arrangement"]["deck_radius"] == "0 m":
@@ -145,8 +145,8 @@ def _jointed(
     on = joint.upper.to
     elevation = joint.upper.z + (height_of(vessels[on]) if on in vessels else 0.0)
     held = "platform" if on in vessels else "held"
-    tree: dict[str, Any] = {"x": held, "z": held, "elevation": _q(elevation, "m")}
-    tree |= {"offset": _q(joint.upper.x, "m")} if joint.upper.x else {}
+    tree: dict[str, Any] = {"x": held, "z": held, "elevation": q(elevation, "m")}
+    tree |= {"offset": q(joint.upper.x, "m")} if joint.upper.x else {}
     with deck.noting():
         tree |= _joint(deck, joint, elevation - of.ring)
         body = _carries(deck, cast, body, sea)
@@ -154,7 +154,7 @@ def _jointed(
         above = of._replace(aside=joint.upper.x)
         pull = constant(pulling, above)
         if pull and abs(pull.height - elevation) < SAME and "telescopic_joint" in tree:
-            tree["telescopic_joint"]["tension"] = _q(pull.force, "kN")
+            tree["telescopic_joint"]["tension"] = q(pull.force, "kN")
         else:
             tree["tensioners"] = tensioners(pulling, above)
     return Top(tree | ({"body": body} if body else {}), vessels.get(on))
@@ -169,7 +169,7 @@ def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
         found = f"{', '.join(sorted(names))}, with different bending stiffnesses"
         allowed = "a telescopic joint of a scene has one bending stiffness. Write equal values"
         raise joint.part.refused("LineType", found, allowed)
-    joint_ = {"length": _q(length, "m"), "bending_stiffness": _q(stiff.pop(), "kN*m^2")}
+    joint_ = {"length": q(length, "m"), "bending_stiffness": q(stiff.pop(), "kN*m^2")}
     return {"rotation": rotation(joint.upper.stiffness), "telescopic_joint": joint_}
 
 
@@ -203,13 +203,13 @@ def _carries(
     made = body or {"name": joint.name, "mass": "0 t"}
     own = float(_plain(made["mass"]).split()[0])
     reason = f"{own:g} t of its own and half of {joint.name!r} with its contents"
-    made["mass"] = {"derived": _q(own + 0.0005 * mass, "t"), "from": reason}
+    made["mass"] = {"derived": q(own + 0.0005 * mass, "t"), "from": reason}
     if "displaced_volume" in made:
         volume = float(str(made["displaced_volume"]).split()[0]) + 0.5 * outside
-        made["displaced_volume"] = {"derived": _q(volume, "m^3"), "from": reason}
+        made["displaced_volume"] = {"derived": q(volume, "m^3"), "from": reason}
     else:
         weight = (own + 0.0005 * mass) * sea.gravity
-        made["submerged_weight"] = {"derived": _q(weight, "kN"), "from": "mass, above the water"}
+        made["submerged_weight"] = {"derived": q(weight, "kN"), "from": "mass, above the water"}
     return made
 
 
@@ -227,27 +227,23 @@ def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
     mass, volume = buoy.number("Mass"), buoy.number("Volume")
     *_, height = buoy.vector("InitialPosition")
     height = height if on == "Free" or not volume else -math.inf
-    body: dict[str, Any] = {"name": buoy.text("Name"), "mass": _q(mass, "t")}
+    body: dict[str, Any] = {"name": buoy.text("Name"), "mass": q(mass, "t")}
     if height >= sea.surface:
-        weight = _q(mass * sea.gravity, "kN")
+        weight = q(mass * sea.gravity, "kN")
         body["submerged_weight"] = {"derived": weight, "from": "its mass: it is above the water"}
         return body
-    body["displaced_volume"] = _q(volume, "m^3")
+    body["displaced_volume"] = q(volume, "m^3")
     area = buoy.numbers("DragArea")
     factor = buoy.numbers("DragForceCoefficient")
     drag = [a * c for a, c in zip(area, factor, strict=False)]
     if any(drag):
         if drag[0] != drag[1]:
             raise buoy.refused("DragArea", f"{area}", ALIKE)
-        body["drag_area"] = {"horizontal": _q(drag[0], "m^2"), "vertical": _q(drag[2], "m^2")}
+        body["drag_area"] = {"horizontal": q(drag[0], "m^2"), "vertical": q(drag[2], "m^2")}
     mass_ = buoy.numbers("HydrodynamicMass")
     added = [m * c for m, c in zip(mass_, buoy.numbers("AddedMassCoefficient"), strict=False)]
     if any(added):
         if added[0] != added[1]:
             raise buoy.refused("HydrodynamicMass", f"{mass_}", ALIKE)
-        body["added_mass"] = {"horizontal": _q(added[0], "t"), "vertical": _q(added[2], "t")}
+        body["added_mass"] = {"horizontal": q(added[0], "t"), "vertical": q(added[2], "t")}
     return body
-
-
-def _q(value: float, unit: str) -> str:
-    return f"{value:.10g} {unit}"

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from riserstudy.importers.orcaflex.deck import EMPTY, Part
+from riserstudy.importers.orcaflex.deck import EMPTY, Part, q
 from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.model.sea import wave_number
 from riserstudy.scene.rao import MOTIONS
@@ -89,7 +89,7 @@ def platform_of(
     x, y, height = vessel.vector("InitialPosition")
     platform: dict[str, Any] = {}
     if x or y:
-        platform["position"] = {"surge": f"{x:.10g} m", "sway": f"{y:.10g} m"}
+        platform["position"] = {"surge": q(x, "m"), "sway": q(y, "m")}
         platform["position"] = {k: v for k, v in platform["position"].items() if v != "0 m"}
     with deck.noting():
         if cruise := _cruise(vessel, stages):
@@ -98,9 +98,9 @@ def platform_of(
         if _answers(vessel) and sea:
             _bow_along_x(vessel)
             origin, response = _operators(deck, vessel, sea, offset)
-            aside = {name: f"{at:.10g} m" for name, at in zip("xy", origin, strict=False) if at}
-            centre = aside | {"elevation": f"{height + origin[2]:.10g} m"}
-            ramp = {"ramp": f"{stages[0]:.10g} s"} if stages else {}
+            aside = {name: q(at, "m") for name, at in zip("xy", origin, strict=False) if at}
+            centre = aside | {"elevation": q(height + origin[2], "m")}
+            ramp = {"ramp": q(stages[0], "s")} if stages else {}
             platform |= {"centre_of_rotation": centre, "response": response | ramp}
     return platform or {"position": {"surge": "0 m"}}
 
@@ -153,8 +153,8 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
         found = ", ".join(f"{angle:g}" for angle in headings)
         raise vessel.refused(STAGES[3], found, "a platform of a scene moves in one direction")
     heading = headings[0]
-    cruise = {"speed": f"{speed:.10g} m/s"} | ({"ramp": f"{ramp:.10g} s"} if ramp else {})
-    return cruise | ({"heading": f"{heading:.10g} deg"} if heading else {})
+    cruise = {"speed": q(speed, "m/s")} | ({"ramp": q(ramp, "s")} if ramp else {})
+    return cruise | ({"heading": q(heading, "deg")} if heading else {})
 
 
 def _operators(
@@ -215,15 +215,15 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
             circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
             later = half_a_turn + sign * crest.lead(math.radians(heading), circular)
             operator: dict[str, Any] = {
-                "heading": f"{heading:.10g} deg",
-                by[0]: f"{period:.10g} {by[1]}",
+                "heading": q(heading, "deg"),
+                by[0]: q(period, by[1]),
             }
             for k, motion in enumerate(MOTIONS):
                 unit = "m/m" if k < 3 else f"{turns}/m"
                 phase = row[2 + 2 * k] + flipped[motion] + later
                 operator |= {
-                    motion: f"{row[1 + 2 * k]:.10g} {unit}",
-                    f"{motion}_phase": f"{phase:.10g} {phases}",
+                    motion: q(row[1 + 2 * k], unit),
+                    f"{motion}_phase": q(phase, phases),
                 }
             operators.append(operator)
     response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
