@@ -12,7 +12,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.dataset.label import history
-from riserstudy.dataset.variables import attributes, cf_unit
+from riserstudy.dataset.variables import attributes
 from riserstudy.digests import engine_digest
 from riserstudy.scene.units import to_si
 from riserstudy.seas.directions import Directions
@@ -23,7 +23,7 @@ from riserstudy.seas.riser_downtime import Downtime, Notify, riser_downtime
 from riserstudy.seas.riser_hours import MODES, OfMode
 from riserstudy.seas.riser_returns import returned
 from riserstudy.seas.synthetic import synthetic
-from riserstudy.study.axes import Numbers
+from riserstudy.study.collect import add_on_axes
 from riserstudy.study.months import MONTHS
 from riserstudy.study.seas_model import SeasModel, SyntheticModel
 from riserstudy.study.seas_study import SeasStudy
@@ -109,8 +109,10 @@ def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:
         coords="minimal",
         compat="override",
     )
-    dataset = _on_axes(flat, study).assign(_sea_states(found, study))
-    for name in dataset.variables:
+    dataset = xr.Dataset(coords={name: flat[name] for name in flat.coords if name != "setting"})
+    add_on_axes(dataset, flat, "setting", study.settings)
+    dataset = dataset.assign(_sea_states(found, study))
+    for name in set(dataset.variables).difference(study.settings.axes):
         dataset[name].attrs = attributes(str(name)) | dataset[name].attrs
     dataset.attrs = _about(study, found, record)
     return dataset
@@ -200,24 +202,6 @@ def _windows(one: OfMode, windows: Sequence[float]) -> dict[str, tuple[str, list
         "wait_p50": ("window", [w.p50 for w in waits]),
         "wait_p90": ("window", [w.p90 for w in waits]),
     }
-
-
-def _on_axes(flat: xr.Dataset, study: SeasStudy) -> xr.Dataset:
-    """A dataset over settings, reshaped to the axes of the study."""
-    grid = study.settings
-    shape = tuple(len(steps) for steps in grid.axes.values())
-    made = xr.Dataset(coords={name: flat[name] for name in flat.coords if name != "setting"})
-    for name, values in flat.data_vars.items():
-        values = values.transpose("setting", ...)
-        cells = values.values.reshape(shape + values.shape[1:])
-        made[name] = ((*grid.axes, *values.dims[1:]), cells)
-    for axis, steps in grid.axes.items():
-        model = grid.model.axes[axis]
-        about = {"long_name": axis.replace("_", " ")} | attributes(axis)
-        about |= {"units": cf_unit(model.unit)} if isinstance(model, Numbers) else {}
-        about["sets"] = json.dumps({str(value): sets for value, sets in steps})
-        made.coords[axis] = (axis, [value for value, _ in steps], about)
-    return made
 
 
 def _sea_states(found: Sequence[Downtime], study: SeasStudy) -> dict[str, Any]:

@@ -62,7 +62,7 @@ def results_of(
 ) -> tuple[list[Result], int]:
     """Results of points in order, and the number of points that had to be simulated.
 
-    At the end, ``tell`` is called with a sentence about this number; ``count`` is called for each completed
+    At the end, ``notify`` is called with a sentence about this number; ``count`` is called for each completed
     point. Absent points: all.
 
     Raises
@@ -138,7 +138,6 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """
     import xarray as xr
 
-    shape = tuple(len(values) for values in study.axes.values())
     keep = study.model.keep
     point_statistics = statistics(results, keep)
     places, runs = by_layout(_on_common_nodes(results), keep)
@@ -161,20 +160,25 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     dataset = xr.Dataset(coords={n: flat[n] for n in (*SHARED, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
         dataset[coordinate].attrs = attributes(str(coordinate))
-    for label, values in flat.data_vars.items():
-        values = values.transpose("point", ...)
-        grid = values.values.reshape(shape + values.shape[1:])
-        dims = (*study.axes, *values.dims[1:])
-        dataset[label] = xr.DataArray(grid, dims=dims, attrs=attributes(str(label)))
-    for axis, steps in study.axes.items():
-        about = _named(axis, study.model.axes[axis], study.paper)
-        about["sets"] = json.dumps({str(value): sets for value, sets in steps})
-        dataset.coords[axis] = xr.DataArray([v for v, _ in steps], dims=axis, attrs=about)
+    add_on_axes(dataset, flat, "point", study)
     _add_sampled(dataset, study)
     dataset.attrs = _about(study, results)
     add_limits(dataset, study, results)
     add_modes(dataset, study)
     return dataset
+
+
+def add_on_axes(dataset: xr.Dataset, flat: xr.Dataset, points: str, study: Study) -> None:
+    """Add the axes of a study, and variables over its points (a dimension of ``flat``) over these axes."""
+    shape = tuple(len(steps) for steps in study.axes.values())
+    for label, values in flat.data_vars.items():
+        values = values.transpose(points, ...)
+        cells = values.values.reshape(shape + values.shape[1:])
+        dataset[label] = ((*study.axes, *values.dims[1:]), cells, attributes(str(label)))
+    for axis, steps in study.axes.items():
+        about = _named(axis, study.model.axes[axis], study.paper)
+        about["sets"] = json.dumps({str(value): sets for value, sets in steps})
+        dataset.coords[axis] = (axis, [value for value, _ in steps], about)
 
 
 def _named(name: str, axis: Any, paper: str) -> dict[str, Any]:

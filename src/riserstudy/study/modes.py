@@ -21,8 +21,7 @@ if TYPE_CHECKING:
 MODES = "riserstudy.simulation.modes"
 # number of stations along the riser for shapes, about the number of nodes of a usual mesh
 STATIONS = 201
-#: variables over ``mode``; shapes also have ``s_relative``
-NAMES = ("natural_frequency", "natural_period", "mode_motion")
+#: variables over ``mode`` and ``s_relative``; others are over ``mode`` alone
 SHAPES = ("mode_shape_x", "mode_shape_y", "mode_shape_z")
 
 
@@ -86,16 +85,20 @@ def add_modes(dataset: xr.Dataset, study: Study) -> None:
     """
     import numpy as np
 
+    from riserstudy.dataset.variables import attributes
+
     count = study.model.modes
     if count is None:
         return
     stored = [store.get(key_of_modes(point.key, count)) for point in study.plan]
     variables = variables_of([None if one is None else one.arrays for one in stored], count)
     shape = tuple(len(steps) for steps in study.axes.values())
-    _lay(dataset, variables, (*study.axes,), shape)
-    dataset.coords["mode"] = ("mode", np.arange(1, count + 1))
-    dataset.coords["s_relative"] = ("s_relative", np.linspace(0.0, 1.0, STATIONS))
-    _describe(dataset)
+    for name, values in variables.items():
+        dims = (*study.axes, "mode", "s_relative")[: len(shape) + values.ndim - 1]
+        dataset[name] = (dims, values.reshape((*shape, *values.shape[1:])), attributes(name))
+    dataset.coords["mode"] = ("mode", np.arange(1, count + 1), attributes("mode"))
+    along = np.linspace(0.0, 1.0, STATIONS)
+    dataset.coords["s_relative"] = ("s_relative", along, attributes("s_relative"))
 
 
 def variables_of(
@@ -116,22 +119,3 @@ def variables_of(
             if arrays is not None and name in arrays:
                 found[name][k, : len(arrays[name])] = arrays[name]
     return found
-
-
-def _lay(
-    dataset: xr.Dataset,
-    variables: dict[str, NDArray[Any]],
-    axes: tuple[str, ...],
-    shape: tuple[int, ...],
-) -> None:
-    for name, values in variables.items():
-        dims = (*axes, "mode", "s_relative")[: len(axes) + values.ndim - 1]
-        dataset[name] = (dims, values.reshape((*shape, *values.shape[1:])))
-
-
-def _describe(dataset: xr.Dataset) -> None:
-    from riserstudy.dataset.variables import attributes
-
-    for name in ("mode", "s_relative", *NAMES, *SHAPES):
-        if name in dataset.variables:
-            dataset[name].attrs = attributes(name)

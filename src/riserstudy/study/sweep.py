@@ -5,7 +5,6 @@ A point that cannot be completed does not stop the others: the dataset has NaN f
 
 from __future__ import annotations
 
-import os
 import re
 import sys
 import time
@@ -25,6 +24,7 @@ from riserstudy.scene.fields import in_si
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.paths import as_name, value_at
 from riserstudy.scene.units import factor
+from riserstudy.simulation.compile import available_cores
 from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
 from riserstudy.study.far_values import far_values
@@ -123,7 +123,7 @@ def sweep(
     for text in far_values(study):
         warnings.warn(text, stacklevel=2)
     with _progress(progress, len({point.key for point in points})) as done:
-        failures = attempt(study, points, cores or _cores(), done)
+        failures = attempt(study, points, cores or available_cores(), done)
     _check_failures(study, points, failures, on_error)
     of = file.tree.get("title") or "a scene"
     return _dataset(study, points, failures).assign_attrs(title=f"{of}: sweep of {', '.join(axes)}")
@@ -255,10 +255,6 @@ def _without_numbers(result: Result) -> Result:
         for name, values in result.arrays.items()
     }
     return Result(arrays, {"warnings": [], "effects": {}})
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
 @contextmanager
