@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
+from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.dataset.variables import attributes
-from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 
 
@@ -42,13 +41,7 @@ def sampled(source: xr.Dataset) -> dict[str, xr.DataArray]:
 def scenes_of(dataset: xr.Dataset) -> Iterator[tuple[dict[str, Any], Resolved]]:
     """The position on the axes and the scene of every point of a simulated dataset."""
     axes = [str(dim) for dim in dataset["point_key"].dims]
-    sets = {axis: json.loads(dataset[axis].attrs["sets"]) for axis in axes}
-    attrs = dataset.attrs
-    held = json.loads(attrs["tables"])
-    base = SceneFile(attrs["scene_file"], json.loads(attrs["scene"]), held=held)
-    for index in np.ndindex(dataset["point_key"].shape):
-        place = {axis: dataset[axis].values[k].item() for axis, k in zip(axes, index, strict=True)}
-        values: dict[str, Any] = {}
-        for axis, value in place.items():
-            values |= sets[axis][str(value)]
-        yield place, base.with_values(values, "dataset").resolved()
+    for place in np.ndindex(dataset["point_key"].shape):
+        index = dict(zip(axes, place, strict=True))
+        values = {axis: dataset[axis].values[k].item() for axis, k in index.items()}
+        yield values, scene_of_point(dataset, index)

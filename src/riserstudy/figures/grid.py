@@ -47,13 +47,17 @@ def along(dataset: xr.Dataset, count: int) -> list[str]:
     return sorted(axes_of(dataset), key=rank, reverse=True)[:count]
 
 
+def evenly_spaced(count: int, most: int) -> NDArray[np.int64]:
+    """At most ``most`` indices of a row with ``count`` items, with both ends."""
+    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
+
+
 def points(dataset: xr.Dataset, over: Sequence[str] = ()) -> list[tuple[str, xr.Dataset]]:
     """A few equally spaced points of the grid, with their names; axes in ``over`` are kept."""
     axes = [axis for axis in axes_of(dataset) if axis not in over]
     places = list(product(*(range(dataset.sizes[axis]) for axis in axes)))
-    chosen = np.unique(np.linspace(0, len(places) - 1, min(MOST, len(places))).round().astype(int))
     selected = []
-    for k in chosen:
+    for k in evenly_spaced(len(places), MOST):
         point = dataset.isel(dict(zip(axes, places[k], strict=True)))
         selected.append((", ".join(called(point[axis]) for axis in axes), point))
     return selected

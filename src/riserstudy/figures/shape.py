@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.errors import InputError
-from riserstudy.figures.grid import key, label, read
+from riserstudy.figures.grid import evenly_spaced, key, label, read
 from riserstudy.figures.style import COLOURS, GREY, headline, panels
 
 SNAPSHOTS = 24
@@ -51,7 +51,7 @@ def _panel(ax: Axes, run: xr.Dataset, name: str) -> None:
     if "time" in run and {name, "z"} <= set(run):
         across, up = read(run[name]).values, read(run["z"]).values
         time, s = run["time"].values, read(run["s"]).values
-        for k in np.unique(np.linspace(0, len(time) - 1, SNAPSHOTS).round().astype(int)):
+        for k in evenly_spaced(len(time), SNAPSHOTS):
             ax.plot(across[k], up[k], color=GREY, linewidth=0.4, alpha=0.7)
         most = int(np.nanargmax(np.nanmax(across, axis=0) - np.nanmin(across, axis=0)))
         there = across[:, most]

@@ -10,7 +10,17 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
-from riserstudy.figures.grid import along, axes_of, key, label, laid_out, places_of, points, read
+from riserstudy.figures.grid import (
+    along,
+    axes_of,
+    evenly_spaced,
+    key,
+    label,
+    laid_out,
+    places_of,
+    points,
+    read,
+)
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, panel_title
 
@@ -64,8 +74,7 @@ def _lines(uses: xr.Dataset) -> Figure:
 def _maps(uses: xr.Dataset) -> Figure:
     across, up = along(uses, 2)
     slices = points(uses, over=[across, up])
-    last = len(slices) - 1
-    chosen = [slices[k] for k in sorted({round(last * j / (SLICES - 1)) for j in range(SLICES)})]
+    chosen = [slices[k] for k in evenly_spaced(len(slices), SLICES)]
     figure, axes = laid_out(2 * len(chosen))
     names = [in_words(str(name)) for name in uses["limit"].values]
     displayed = set()

@@ -10,7 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from riserstudy.errors import InputError
-from riserstudy.figures.grid import called
+from riserstudy.figures.grid import called, evenly_spaced
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
 
@@ -34,8 +34,7 @@ def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         title = str(dataset.attrs.get("title", "dataset"))
         raise InputError(title, "plot", "no workable hours", "allowed is a dataset below seas")
     every = _settings(dataset)
-    last = len(every) - 1
-    drawn = [every[k] for k in sorted({round(last * j / (MOST - 1)) for j in range(MOST)})]
+    drawn = [every[k] for k in evenly_spaced(len(every), MOST)]
     figure, (hours, months, limits, waits) = panels(2, 2, 3.0)
     _hours(hours, drawn)
     _months(months, drawn)

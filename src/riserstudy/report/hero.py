@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.figures.grid import evenly_spaced
 from riserstudy.report.motion import Motion
 from riserstudy.schematic.geometry import Geometry
 
@@ -47,8 +48,8 @@ def _travel(x: Array) -> float:
 
 
 def _drawn(motion: Motion) -> Hero:
-    frames = _some(len(motion.time), FRAMES)
-    nodes = _some(motion.x.shape[1], NODES)
+    frames = evenly_spaced(len(motion.time), FRAMES)
+    nodes = evenly_spaced(motion.x.shape[1], NODES)
     x, z = motion.x[np.ix_(frames, nodes)], motion.z[np.ix_(frames, nodes)]
     rig_x = x[:, -1] if motion.platform is None else motion.platform[0][frames]
     geometry = Geometry(motion.scene)
@@ -86,7 +87,3 @@ def _drawn(motion: Motion) -> Hero:
 <text x="{WIDTH - 6:g}" y="{HEIGHT - 7:g}" text-anchor="end">seabed, {level:.0f} m deep</text>
 </svg>"""
     return Hero(svg, motion.title, float(motion.time[-1] - motion.time[0]), across / up)
-
-
-def _some(count: int, most: int) -> NDArray[np.int64]:
-    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.provenance import scene_of_point
+from riserstudy.figures.grid import evenly_spaced
 from riserstudy.report.wording import unit
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS
-from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.schematic.geometry import Geometry
 from riserstudy.study.models import RunInMotion
@@ -61,11 +61,12 @@ class Motion(NamedTuple):
 def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
     """Return the run of a dataset that a study file selects for the animation."""
     run = dataset.sel(of_run.at)
-    scene = _scene(dataset, of_run.at)
+    index = {axis: dataset.get_index(axis).get_loc(value) for axis, value in of_run.at.items()}
+    scene = scene_of_point(dataset, index)
     time = run["time"].values
     geometry = Geometry(scene)
-    frames = _some(len(time), FRAMES)
-    thin = run.isel(time=frames, s=_some(run.sizes["s"], NODES))
+    frames = evenly_spaced(len(time), FRAMES)
+    thin = run.isel(time=frames, s=evenly_spaced(run.sizes["s"], NODES))
     s = thin["s"].values
     rest = _rest(run, geometry, s)
     x, z = (
@@ -78,7 +79,7 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
         x, z = 0.0 * SPRING + x, foot + SPRING * (z - foot)
         colour = np.repeat(colour, len(SPRING), axis=1)
         rest = (0.0 * SPRING, foot + SPRING * (rest[1] - foot))
-    moments = _some(len(time), MOMENTS)
+    moments = evenly_spaced(len(time), MOMENTS)
     moved = _displaced(scene, time)
     place = None
     if moved is not None or scene.vessel:
@@ -111,23 +112,6 @@ def _displaced(scene: Resolved, time: Array) -> Array | None:
     from riserstudy.model.platform_motion import displacement
 
     return displacement(scene, time)
-
-
-def _some(count: int, most: int) -> NDArray[np.int64]:
-    """Return at most ``most`` indices of a row, including both ends."""
-    return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.int64))
-
-
-def _scene(dataset: xr.Dataset, at: dict[str, Any]) -> Resolved:
-    """Return the scene of the dataset with the values that the place on the axes sets."""
-    attributes = dataset.attrs
-    held = json.loads(attributes["tables"])
-    file = SceneFile(attributes["scene_file"], json.loads(attributes["scene"]), held=held)
-    for axis, value in at.items():
-        sets = json.loads(dataset[axis].attrs["sets"])
-        key = str(dataset[axis].sel({axis: value}).item())
-        file = file.with_values(sets[key], f"in_motion.at.{axis}")
-    return file.resolved()
 
 
 def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
