@@ -4,36 +4,27 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 from riserstudy.database.ask import Answer
+from riserstudy.dataset.table import aligned
 from riserstudy.errors import printable
 
 WIDEST = 60  # most characters of a text on a screen
 
 
-def as_table(answer: Answer, units: Mapping[str, str] | None = None) -> Iterator[str]:
-    """Yield the lines of a table with aligned columns; numbers have six digits."""
+def as_table(answer: Answer, units: Mapping[str, str] | None = None) -> list[str]:
+    """Return the lines of a table with aligned columns; numbers have six digits."""
     heads = [
-        f"{name} ({units[name]})" if units and name in units else name for name in answer.columns
+        f"{name} ({units[name]})" if units and name in units else name or ""
+        for name in answer.columns
     ]
-    heads = [head or "" for head in heads]
-    columns = [
-        [head, *map(_cell, values)]
-        for head, values in zip(heads, zip(*answer.rows, strict=True), strict=False)
-    ] or [[head] for head in heads]
-    widths = [max(map(len, column)) for column in columns]
     right = [
         all(value is None or isinstance(value, int | float) for value in values)
         for values in zip(*answer.rows, strict=True)
-    ] or [False] * len(columns)
-    for cells in zip(*columns, strict=True):
-        aligned = (
-            cell.rjust(width) if to_the_right else cell.ljust(width)
-            for cell, width, to_the_right in zip(cells, widths, right, strict=True)
-        )
-        yield "  ".join(aligned).rstrip()
+    ]
+    return aligned([heads, *([*map(_cell, row)] for row in answer.rows)], right)
 
 
 def _cell(value: Any) -> str:

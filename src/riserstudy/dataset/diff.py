@@ -12,12 +12,13 @@ import csv
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
     import xarray as xr
+    from numpy.typing import NDArray
 
 TABLE = "reproduction.csv"
 COLUMNS = ("simulated", "error", "verdict", "depends_on")
@@ -187,12 +188,24 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
     if a.dtype.kind not in "fiu" or b.dtype.kind not in "fiu":
         same = np.array_equal(a, b)
         return Varied(name, variable, 0.0) if same else Varied(name, variable, 0.0, "other text")
-    a, b = a.astype(float), b.astype(float)
-    a_there, b_there = np.isfinite(a), np.isfinite(b)
-    if not np.array_equal(a_there, b_there):
+    if not np.array_equal(np.isfinite(a), np.isfinite(b)):
         return Varied(name, variable, float("inf"), "defined elsewhere")
-    if not np.array_equal(a[~a_there], b[~b_there], equal_nan=True):
-        return Varied(name, variable, float("inf"), "infinite or undefined, unlike before")
-    a, b = a[a_there], b[b_there]
+    change = relative_change(a, b)
+    why = "infinite or undefined, unlike before" if np.isinf(change) else ""
+    return Varied(name, variable, change, why)
+
+
+def relative_change(old: NDArray[Any], new: NDArray[Any]) -> float:
+    """Largest difference of two arrays of numbers, divided by their largest magnitude.
+
+    It is infinite if a value is infinite or missing in only one of the two.
+    """
+    import numpy as np
+
+    a, b = old.astype(float), new.astype(float)
+    there = np.isfinite(a) & np.isfinite(b)
+    if not np.array_equal(a[~there], b[~there], equal_nan=True):
+        return float("inf")
+    a, b = a[there], b[there]
     scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
-    return Varied(name, variable, float(np.abs(a - b).max() / scale) if scale else 0.0)
+    return float(np.abs(a - b).max() / scale) if scale else 0.0

@@ -6,6 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from riserstudy.dataset.limits import EXCEEDED
+from riserstudy.dataset.table import aligned
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.scene.limits import UNITS
 
@@ -33,15 +34,8 @@ def lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> 
         return []
     ordered = sorted(rows, key=_rank)
     cells = [HEADS, *(_cells(row, system) for row in ordered)]
-    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
     uses = [math.nan, *(_share(row) for row in ordered)]
-    table = [
-        Line(
-            "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip(),
-            use,
-        )
-        for row, use in zip(cells, uses, strict=True)
-    ]
+    table = [Line(text, use) for text, use in zip(aligned(cells), uses, strict=True)]
     return table + [Line(note, math.nan) for row in ordered for note in _notes(row)]
 
 

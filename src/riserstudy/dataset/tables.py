@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.csv_files import write_csv as write_whole
 from riserstudy.dataset.stack_up import stack_up
-from riserstudy.dataset.table import OF_ROW, Cell, Table, heads
+from riserstudy.dataset.table import OF_ROW, Cell, Table, aligned, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
@@ -120,18 +120,10 @@ def in_columns(table: Table) -> list[str]:
     """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
     texts = [[_cell_text(cell) for cell in row] for row in table.rows]
-    widths = [max(map(len, column)) for column in zip(heads, *texts, strict=True)]
     numeric = [
         not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)
     ]
-    numeric = numeric or [False] * len(heads)
-    return [
-        "  ".join(
-            text.rjust(width) if right else text.ljust(width)
-            for text, width, right in zip(row, widths, numeric, strict=True)
-        ).rstrip()
-        for row in [heads, *texts]
-    ]
+    return aligned([heads, *texts], numeric)
 
 
 def write_csv(table: Table, target: Path) -> None:

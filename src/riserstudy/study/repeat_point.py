@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.diff import relative_change
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import labelled, to_dataset
 from riserstudy.dataset.place import own_values, place
@@ -139,11 +140,4 @@ def _change(old: Any, new: Any) -> float:
         return float("inf")
     if old.dtype.kind not in "fiub":  # text is either equal or not
         return 0.0 if np.array_equal(old, new) else float("inf")
-    if not np.array_equal(np.isnan(old), np.isnan(new)):
-        return float("inf")
-    there = np.isfinite(old) & np.isfinite(new)
-    if not np.array_equal(old[~there], new[~there], equal_nan=True):
-        return float("inf")
-    a, b = old[there], new[there]
-    scale = max(np.abs(a).max(initial=0.0), np.abs(b).max(initial=0.0))
-    return float(np.abs(a - b).max() / scale) if scale else 0.0
+    return relative_change(old, new)
