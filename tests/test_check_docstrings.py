@@ -70,13 +70,19 @@ def _checked(name: str) -> str:
 
 
 def test_an_error_of_a_private_function_is_asked_for(faults):
-    assert faults("report", RAISING.format(said="")) == ["area: no InputError under Raises"]
+    assert faults("report", RAISING.format(said="")) == ["area: no sentence 'Raises InputError'"]
 
 
 @pytest.mark.parametrize("error", ["InputError", "RiserStudyError"])
 def test_an_error_is_told_by_its_name_or_its_kind(faults, error):
     section = f"\n\n    Raises\n    ------\n    {error}\n        Always.\n    "
     assert faults("report", RAISING.format(said=section)) == []
+
+
+@pytest.mark.parametrize("error, told", [("InputError", True), ("SimulationError", False)])
+def test_an_error_is_told_in_a_sentence(faults, error, told):
+    said = f" Raises\n    {error} always."
+    assert bool(faults("report", RAISING.format(said=said))) is not told
 
 
 RECORD = """

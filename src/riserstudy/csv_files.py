@@ -38,10 +38,7 @@ def csv_text(header: Sequence[str], rows: Iterable[Sequence[Any]]) -> str:
 def write_csv(target: Path, header: Sequence[str], rows: Iterable[Sequence[Any]]) -> None:
     """Write a CSV file, whole or not at all.
 
-    Raises
-    ------
-    SimulationError
-        When the file cannot be written, for example on a full disk.
+    Raises SimulationError when the file cannot be written, for example on a full disk.
     """
     with whole_file(target) as partial:
         partial.write_text(csv_text(header, rows), "utf-8", newline="")

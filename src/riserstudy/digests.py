@@ -132,12 +132,7 @@ class Arguments(NamedTuple):
 def arguments_of(modules: Iterable[str], function: str) -> Arguments:
     """Return the arguments of the function of that name, read from its source.
 
-    Raises
-    ------
-    LookupError
-        When no module defines it.
-    InputError
-        When the module is not valid Python.
+    Raises LookupError when no module defines it. Raises InputError when the module is not valid Python.
     """
     module = defining(modules, function)
     file = source_of(module) if module else None
@@ -150,10 +145,7 @@ def arguments_of(modules: Iterable[str], function: str) -> Arguments:
 def data_of(file: Path) -> tuple[Path, ...]:
     """Return the files that a source file names in ``DATA_FILES``; they are in its folder.
 
-    Raises
-    ------
-    InputError
-        When such a file does not exist.
+    Raises InputError when such a file does not exist.
     """
     found = tuple(file.parent / name for name in facts(file).data)
     for path in found:
@@ -191,10 +183,7 @@ def _above(module: str) -> str:
 def facts(file: Path) -> Facts:
     """Return the facts about a Python file. Parsing is slow: it is done once for each content.
 
-    Raises
-    ------
-    InputError
-        When the file is not valid Python.
+    Raises InputError when the file is not valid Python.
     """
     content = file.read_bytes()
     name = _hash(content)

@@ -33,13 +33,9 @@ def cache_folder() -> Path:
     """Return the folder of point store and compiled kernels.
 
     It is RISERSTUDY_CACHE, or ``.cache`` of the checkout, or for an installed package the user's own cache.
-    It is never the current folder, because compiled code in the cache is executed.
-
-    Raises
-    ------
-    InputError
-        When another user owns the folder or can write to it. A folder that this function makes is private,
-        independent of the umask.
+    It is never the current folder, because compiled code in the cache is executed. Raises InputError when
+    another user owns the folder or can write to it. A folder that this function makes is private, independent
+    of the umask.
     """
     checkout = PACKAGE.parents[1]
     if moved := os.environ.get("RISERSTUDY_CACHE"):
@@ -64,10 +60,7 @@ def _make_private(folder: Path) -> None:
 def own_part(folder: Path) -> Path:
     """Return a subfolder of the cache whose content is executed; refused if other users can write to it.
 
-    Raises
-    ------
-    InputError
-        As for ``cache_folder``.
+    Raises InputError as for ``cache_folder``.
     """
     with suppress(OSError):
         if cache_folder().stat().st_mode & (S_IXGRP | S_IXOTH):
@@ -174,14 +167,12 @@ def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
 def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
     """Yield the path of a file to write; it replaces the target when it is complete.
 
+    Raises SimulationError when it cannot be written, for example on a full disk, or a source file cannot be
+    read.
+
     Parameters
     ----------
     *errors : errors of the writing library which mean that the file is not complete.
-
-    Raises
-    ------
-    SimulationError
-        When it cannot be written, for example on a full disk, or a source file cannot be read.
     """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     unwritten: tuple[type[Exception], ...] = (OSError, *errors)

@@ -5,7 +5,8 @@
 2. A public function with an array among them must give a shape: ``(n,)``, ``(3, n+1)``, or the shape of
    another array.
 3. A public function that raises an error of the project, itself or by a private function of its file, must
-   have a section ``Raises`` that names the error or one of its base classes.
+   name the error or one of its base classes in its docstring: in a sentence such as "Raises InputError when
+   ...", or in a section ``Raises`` where the documentation of the Python interface shows it.
 4. A field of a kernel's record, a NamedTuple of ``effects`` or ``solve``, must have a unit if it is a number
    and a shape if it is an array, in the comment next to it or for all fields in the docstring of the record,
    because kernels receive records and not single arguments.
@@ -158,11 +159,10 @@ class Raised:
 
     def undocumented(self, function: ast.FunctionDef, docstring: str) -> list[str]:
         """Return the errors that a docstring does not document."""
-        section = docstring.partition("Raises\n------\n")[2]
-        missing = [
-            e for e in sorted(self.by(function, set())) if not self.kinds[e] & words(section)
-        ]
-        return [f"no {error} under Raises" for error in missing]
+        said = {*re.findall(r"\bRaises\s+(\w+)", docstring)}
+        said |= words(docstring.partition("Raises\n------\n")[2])
+        missing = [e for e in sorted(self.by(function, set())) if not self.kinds[e] & said]
+        return [f"no sentence 'Raises {error}'" for error in missing]
 
     def by(self, function: ast.FunctionDef, seen: set[str]) -> set[str]:
         """Return the names of the errors that a function raises."""

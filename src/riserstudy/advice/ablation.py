@@ -123,16 +123,13 @@ def ablate(
 ) -> Ablation:
     """Run every possible change of a scene, on one mesh with one step.
 
+    Raises RiserStudyError when the scene itself cannot be run.
+
     Parameters
     ----------
     repeats : number of timed runs of each change.
     budget : most node-steps of a run.
     left_out : labels of changes that are left out.
-
-    Raises
-    ------
-    RiserStudyError
-        When the scene itself cannot be run.
     """
     own = file.resolved().analysis.step
     file, mesh = fixed(file, budget)

@@ -38,18 +38,12 @@ class Price(NamedTuple):
 def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
     """Run a scene at finer and finer accuracies; the first run, which may compile kernels, is not timed.
 
-    Of a long scene only the first periods are run, and their time is extrapolated.
+    Of a long scene only the first periods are run, and their time is extrapolated. Raises SimulationError
+    when a run cannot be completed. Raises TakesTooLong when a run does not end within ``PATIENCE``.
 
     Parameters
     ----------
     progress : show on a terminal which run is at work; elsewhere print it once a run takes long.
-
-    Raises
-    ------
-    SimulationError
-        When a run cannot be completed.
-    TakesTooLong
-        When a run does not end within ``PATIENCE``.
     """
     for share in REQUESTS:
         with progress_line(progress) as notify:

@@ -23,13 +23,7 @@ if TYPE_CHECKING:
 
 
 def function_of(paper: str, part: str, name: str) -> Callable[..., Any]:
-    """Return the function of a chapter by its name.
-
-    Raises
-    ------
-    LookupError
-        When it does not exist.
-    """
+    """Return the function of a chapter by its name. Raises LookupError when it does not exist."""
     module = defining(chapter_modules(paper, part), name)
     if module is None:
         raise LookupError(f"{paper}: its {part} define no function {name}")

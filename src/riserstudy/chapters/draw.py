@@ -21,12 +21,8 @@ def draw(
 ) -> Figure:
     """Draw figure ``name`` of a paper, by the function of that name in its chapter's figures.
 
-    ``settings`` are further arguments from the study file.
-
-    Raises
-    ------
-    InputError
-        When datasets lack a variable that the function reads; it names figure, dataset and variable.
+    ``settings`` are further arguments from the study file. Raises InputError when datasets lack a variable
+    that the function reads; it names figure, dataset and variable.
     """
     function = function_of(paper, "figures", name)
     try:

@@ -122,10 +122,7 @@ def seas(
 def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
     """Check that a gamma (1), if given, is needed to convert periods of a record.
 
-    Raises
-    ------
-    InputError
-        If it would have no effect.
+    Raises InputError if it would have no effect.
     """
     if gamma is None or ("peak_period" not in record and "zero_crossing_period" in record):
         return

@@ -60,17 +60,14 @@ def check_output(
 ) -> None:
     """Refuse an output that cannot be written, or would replace another file, before any computation.
 
+    Raises InputError when another file must be named.
+
     Parameters
     ----------
     kinds : kinds of files that the command writes, as in ``ENDINGS``.
     reads : files that the command reads.
     force : replace an input, or a file of another kind. Links, folders and devices are never replaced.
     option : option that names the output.
-
-    Raises
-    ------
-    InputError
-        When another file must be named.
     """
     kinds = list(kinds)
     try:

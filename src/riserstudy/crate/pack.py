@@ -17,13 +17,9 @@ FILES = ("README.md", "LICENSE", "CITATION.cff")
 def pack(study: Path, target: Path) -> int:
     """Write a zip that another person can unpack and rerun with ``snakemake``; return its number of files.
 
-    Raises
-    ------
-    InputError
-        When the folder has no results of jobs, one that is not as its job wrote it, or results of a run that
-        did not end, or the zip has another suffix or exists already.
-    SimulationError
-        When the zip cannot be written.
+    Raises InputError when the folder has no results of jobs, one that is not as its job wrote it, or results
+    of a run that did not end, or the zip has another suffix or exists already. Raises SimulationError when
+    the zip cannot be written.
     """
     if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
         found = "is there already" if target.exists() else "is no new .zip in a folder that exists"

@@ -66,10 +66,7 @@ class Reader(sqlite3.Connection):
 def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
     """Open the database for reading only: both the file and the statements are restricted.
 
-    Raises
-    ------
-    InputError
-        When the database does not exist or is damaged.
+    Raises InputError when the database does not exist or is damaged.
     """
     path = Path(database)
     if not path.is_file():
@@ -104,10 +101,8 @@ def _only_reads(action: int, first: str | None, second: str | None, *_: str | No
 def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str = "sql") -> Answer:
     """Return the answer to a statement; ``where`` names the statement in errors.
 
-    Raises
-    ------
-    InputError
-        When it is not a single statement that only reads, or names a table or column that does not exist.
+    Raises InputError when it is not a single statement that only reads, or names a table or column that does
+    not exist.
     """
     allowed = "allowed is one `select ...`; tables and columns stand in docs/results_database.md"
     try:

@@ -49,10 +49,7 @@ class Built(NamedTuple):
 def build(target: Path, sources: Sources) -> Built:
     """Make the database of a results folder, or update it.
 
-    Raises
-    ------
-    SimulationError
-        When the database cannot be written, for example on a full disk.
+    Raises SimulationError when the database cannot be written, for example on a full disk.
     """
     try:
         with _replacing(target) as db:

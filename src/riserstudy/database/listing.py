@@ -46,16 +46,13 @@ def cells(
 ) -> Answer:
     """Return rows of a wide table.
 
+    Raises InputError when a column does not exist, or the condition is invalid.
+
     Parameters
     ----------
     columns : columns to show, in this order; None: axes and the main results.
     where : condition on the columns, in SQL.
     sort : columns to sort by; with a minus before its name, from largest to smallest.
-
-    Raises
-    ------
-    InputError
-        When a column does not exist, or the condition is invalid.
     """
     statement = "select column_name, role from columns where table_name = ? order by position"
     known = dict(ask(db, statement, (table,)).rows)

@@ -35,12 +35,7 @@ def unneeded(database: Path, config: Path) -> Unneeded:
     """Find the points of the store that are not needed.
 
     Needed are the points that a study of the configuration plans, in any tier, and the points that the
-    database, if it exists, lists.
-
-    Raises
-    ------
-    InputError
-        When the configuration is invalid.
+    database, if it exists, lists. Raises InputError when the configuration is invalid.
     """
     keys = planned(config) | _spoken_of(database)
     superfluous = Unneeded()
@@ -69,10 +64,7 @@ def _spoken_of(database: Path) -> Set[str]:
 def planned(config: Path) -> Set[str]:
     """Keys of all points of all configured studies, in every tier.
 
-    Raises
-    ------
-    InputError
-        When a file of the configuration cannot be read.
+    Raises InputError when a file of the configuration cannot be read.
     """
     path = config / "config.yaml"
     tree = read_yaml(path, keep=True)

@@ -80,10 +80,7 @@ class Contents:
 def read_dataset(path: Path) -> Contents:
     """Read a dataset, except arrays over runs whose statistics it contains.
 
-    Raises
-    ------
-    InputError
-        When the file cannot be read.
+    Raises InputError when the file cannot be read.
     """
     try:
         with netCDF4.Dataset(path) as file:

@@ -40,10 +40,7 @@ class File(NamedTuple):
 def described(file: Path, folder: Path) -> File:
     """Return a file with its digest.
 
-    Raises
-    ------
-    InputError
-        When the file cannot be read, or is outside the folder.
+    Raises InputError when the file cannot be read, or is outside the folder.
     """
     try:
         kind = KINDS[file.suffix]

@@ -28,10 +28,7 @@ class Verified(NamedTuple):
 def verify(database: Path) -> Verified:
     """Compare every file with its digest, and every stored point with its seal.
 
-    Raises
-    ------
-    InputError
-        When the database does not exist or cannot be read.
+    Raises InputError when the database does not exist or cannot be read.
     """
     with opened(database) as db:
         db.set_authorizer(None)  # the authorizer would refuse the next statement

@@ -36,10 +36,7 @@ class _Variables(RootModel[dict[str, _About]]):
 def chapter_table(paper: str) -> Table:
     """CF attributes of the variables that a chapter of the folder where one works names, if it names any.
 
-    Raises
-    ------
-    InputError
-        When the file is no table of names with their attributes.
+    Raises InputError when the file is no table of names with their attributes.
     """
     file = variables_of_chapter(paper)
     return _read(file.absolute()) if file.exists() else {}
@@ -54,14 +51,11 @@ def _read(file: Path) -> Table:
 def joined_tables(papers: list[str], known: Table) -> Table:
     """The variables of some chapters.
 
+    Raises InputError when a name has other attributes elsewhere: file and name.
+
     Parameters
     ----------
     known : those that the package names.
-
-    Raises
-    ------
-    InputError
-        When a name has other attributes elsewhere: file and name.
     """
     joined: Table = {}
     for paper in papers:

@@ -91,17 +91,15 @@ def compared(
 ) -> Compared:
     """Every column of a file, paired with the run's values.
 
+    Raises InputError when the file cannot be read, a heading names no variable of the run, or they do not
+    overlap.
+
     Parameters
     ----------
     run : one point of a dataset.
     scene : scene of this point; absent: wall tension is refused.
     called : headings in the terms of a run, by the names of the columns in the file.
     end_a : where OrcaFlex's arc length begins: "top", "bottom", or such as "872 m down".
-
-    Raises
-    ------
-    InputError
-        When the file cannot be read, a heading names no variable of the run, or they do not overlap.
     """
     known = [run[dim].values for dim in ("s", "s_node") if dim in run.dims and run.sizes[dim]]
     length = max((float(values[-1]) for values in known), default=0.0)

@@ -65,10 +65,7 @@ class Changes(NamedTuple):
 def changes(old: Path, new: Path) -> Changes:
     """Differences of two folders of results (of all chapters or of one), two tables or two datasets.
 
-    Raises
-    ------
-    InputError
-        When there is nothing to compare, or a file cannot be read.
+    Raises InputError when there is nothing to compare, or a file cannot be read.
     """
     tables = [_rows(path) for path in (old, new)]
     files = [_datasets(path) for path in (old, new)]
@@ -158,13 +155,7 @@ def _at_common_points(
 
 
 def opened(path: Path) -> xr.Dataset:
-    """A dataset, with times as plain numbers (s).
-
-    Raises
-    ------
-    InputError
-        When it cannot be read.
-    """
+    """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read."""
     import xarray as xr
 
     try:
@@ -196,7 +187,7 @@ def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Vari
 
 
 def relative_change(old: NDArray[Any], new: NDArray[Any]) -> float:
-    """Largest difference of two arrays of numbers, divided by their largest magnitude.
+    """Largest difference of two arrays of the same shape, relative to their largest magnitude.
 
     It is infinite if a value is infinite or missing in only one of the two.
     """

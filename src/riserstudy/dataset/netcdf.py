@@ -18,14 +18,11 @@ if TYPE_CHECKING:
 def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[str, Any]]) -> None:
     """Write a netCDF file completely or not at all.
 
+    Raises SimulationError when it cannot be written, as on a full disk.
+
     Parameters
     ----------
     encoding : encoding of variables by name, as for xarray.
-
-    Raises
-    ------
-    SimulationError
-        When it cannot be written, as on a full disk.
     """
     with written_whole(target) as partial, without("dask"):  # only dask's arrays need its locks
         dataset.to_netcdf(partial, engine="netcdf4", encoding=encoding)
@@ -35,10 +32,7 @@ def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[
 def written_whole(target: Path) -> Iterator[Path]:
     """The path of a temporary file, which replaces the netCDF file when it is complete.
 
-    Raises
-    ------
-    SimulationError
-        When it cannot be written, as on a full disk.
+    Raises SimulationError when it cannot be written, as on a full disk.
     """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     try:

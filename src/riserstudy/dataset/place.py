@@ -15,14 +15,11 @@ if TYPE_CHECKING:
 def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     """Index of a point on each axis; none for a dataset without axes.
 
+    Raises InputError when the dataset has no such axis or value, or an axis has no value in ``at``.
+
     Parameters
     ----------
     at : values by axis, as text; not required for axes with one value.
-
-    Raises
-    ------
-    InputError
-        When the dataset has no such axis or value, or an axis has no value in ``at``.
     """
     axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
     if unknown := [axis for axis in at if axis not in axes]:
@@ -66,10 +63,7 @@ def own_values(run: xr.Dataset) -> xr.Dataset:
 def complete(run: xr.Dataset) -> xr.Dataset:
     """One point of a dataset, or points along an axis, with the variables that these points have.
 
-    Raises
-    ------
-    SimulationError
-        When one of them failed, and has no results.
+    Raises SimulationError when one of them failed, and has no results.
     """
     reasons = run["failure"].values.reshape(-1).tolist() if "failure" in run else []
     if failed := [reason for reason in reasons if reason]:
@@ -86,13 +80,7 @@ def complete(run: xr.Dataset) -> xr.Dataset:
 
 
 def value_of(dataset: xr.Dataset, axis: str, wanted: str) -> int:
-    """Index of the value of an axis that a text names.
-
-    Raises
-    ------
-    InputError
-        When the axis has no such value.
-    """
+    """Index of the value of an axis that a text names. Raises InputError when the axis has no such value."""
     values = dataset[axis].values.tolist()
     matching = [k for k, value in enumerate(values) if _is(value, wanted)]
     if not matching:

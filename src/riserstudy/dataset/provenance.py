@@ -60,15 +60,12 @@ def provenance_of_study(study_file: SceneFile, tables: Mapping[str, str]) -> dic
 def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
     """Scene, tables and engine of a dataset, which is a study or one run.
 
+    Raises InputError when the dataset was not simulated, or the content of these attributes is wrong.
+
     Returns
     -------
     dict
         ``scene`` is a plain tree, ``tables`` text by name, ``origins`` status by path, ``engine`` a digest.
-
-    Raises
-    ------
-    InputError
-        When the dataset was not simulated, or the content of these attributes is wrong.
     """
     attrs = dataset.attrs
     if "provenance" in attrs:
@@ -99,14 +96,11 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
 def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     """The scene file of one point, which holds its tables.
 
+    Raises InputError when the dataset was not simulated, or has no scene of the point.
+
     Parameters
     ----------
     index : index of the point on each axis; empty for a dataset without axes.
-
-    Raises
-    ------
-    InputError
-        When the dataset was not simulated, or has no scene of the point.
     """
     record = read_provenance(dataset)
     sets: dict[str, Any] = {}

@@ -19,10 +19,7 @@ AXIAL = 0.005  # m, distance from the well that counts as zero
 def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
     """Outcome of the disconnect of one run, in kN, m and s.
 
-    Raises
-    ------
-    InputError
-        When the scene has no disconnect, or its run ends before the disconnect.
+    Raises InputError when the scene has no disconnect, or its run ends before the disconnect.
     """
     of, release = dataset.attrs, scene.disconnect
     if release is None:

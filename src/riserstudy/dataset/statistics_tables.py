@@ -42,15 +42,12 @@ OF_SEEDS = {"seeds": ""} | dict.fromkeys(
 def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
     """Statistics of every history of a run, one row per history and place along the riser.
 
+    Raises InputError when no output varies with time after the start, or output intervals are not equal.
+
     Parameters
     ----------
     start : time (s) up to which the sea builds up, and which is excluded.
     exposure : exposure time (s) of the most probable extremes; None: the duration of the record.
-
-    Raises
-    ------
-    InputError
-        When no output varies with time after the start, or output intervals are not equal.
     """
     rows: list[list[Cell]] = []
     sizes = _sizes(run)
@@ -65,12 +62,8 @@ def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
 def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
     """Statistics over an axis of seeds, with the Gumbel distribution of largest and smallest values.
 
-    Times before ``start`` (s) are excluded.
-
-    Raises
-    ------
-    InputError
-        When there is no such axis, or it has too few seeds.
+    Times before ``start`` (s) are excluded. Raises InputError when there is no such axis, or it has too few
+    seeds.
     """
     axes = [str(dim) for dim in grid["point_key"].dims] if "point_key" in grid else []
     if axis not in axes:

@@ -43,10 +43,7 @@ def extremes(dataset: xr.Dataset) -> Table:
 def time_series(dataset: xr.Dataset) -> Table:
     """All histories, one column each; histories along the riser at their stations.
 
-    Raises
-    ------
-    InputError
-        When the run is static.
+    Raises InputError when the run is static.
     """
     if "time" not in dataset:
         raise InputError("dataset", "time", "a static run", "time series need analysis.duration")
@@ -129,10 +126,7 @@ def in_columns(table: Table) -> list[str]:
 def write_csv(table: Table, target: Path) -> None:
     """Write a table as CSV: a line of names with their units, then the rows.
 
-    Raises
-    ------
-    SimulationError
-        When it cannot be written, as on a full disk.
+    Raises SimulationError when it cannot be written, as on a full disk.
     """
     write_whole(target, heads(table), ([_text(cell) for cell in row] for row in table.rows))
 
@@ -152,10 +146,7 @@ def _text(cell: Cell) -> Cell:
 def table_of(kind: str, scene: Resolved | None, dataset: xr.Dataset | None) -> Table:
     """A table by its name: stack-up needs the scene, recoil scene and run, the others the run.
 
-    Raises
-    ------
-    InputError
-        When the scene or the run is missing.
+    Raises InputError when the scene or the run is missing.
     """
     if kind == "stack-up" and scene is not None:
         return stack_up(scene)

@@ -66,10 +66,8 @@ def of_runs(name: str) -> bool:
 def variables() -> dict[str, dict[str, str]]:
     """Names, units and labels of all variables: the package's, and those of chapters where one works.
 
-    Raises
-    ------
-    InputError
-        When the file of a chapter is not valid, or gives a name that has another meaning elsewhere.
+    Raises InputError when the file of a chapter is not valid, or gives a name that has another meaning
+    elsewhere.
     """
     return _in_files(Path.cwd()) | _of_points()
 

@@ -34,12 +34,8 @@ def _cell(value: Cell) -> Cell:
 def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
     """Write tables as sheets of a workbook, by name.
 
-    Raises
-    ------
-    InputError
-        When the library that writes workbooks is not installed, or a table is longer than a sheet.
-    SimulationError
-        When it cannot be written, as on a full disk.
+    Raises InputError when the library that writes workbooks is not installed, or a table is longer than a
+    sheet. Raises SimulationError when it cannot be written, as on a full disk.
     """
     if fault := lacks_library(target):
         raise fault

@@ -39,16 +39,13 @@ class Drift(NamedTuple):
 def drift(hull: Hull, force: float, current: float, times: ArrayLike) -> Drift:
     """Drift from rest, in the direction of current and wind.
 
+    Raises ValueError when force or current have the opposite direction.
+
     Parameters
     ----------
     force : force of wind and waves (N), not below 0.
     current : speed of the water (m/s) in the same direction, not below 0.
     times : times (s), not below 0.
-
-    Raises
-    ------
-    ValueError
-        When force or current have the opposite direction.
     """
     if force < 0.0 or current < 0.0:
         raise ValueError("force and current must be 0 or above and have the same direction")

@@ -50,11 +50,7 @@ def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
 
     In each iteration, the top tension is reduced by the smallest effective tension, until this is zero.
     Tensioners are replaced by a constant tension at the ring, along the telescopic joint if there is one.
-
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found.
+    Raises SimulationError when no equilibrium is found.
     """
     heavy = _with_tolerances(scene, tolerances)
     tension = PLENTY * formula.governing(scene, tolerances).tension
@@ -71,12 +67,8 @@ def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
 def along(scene: Resolved) -> tuple[FloatArray, FloatArray]:
     """Arclength from the bottom (m) and effective tension (N) of a riser at rest, each (nodes of the riser,).
 
-    Stack and conductor below the riser's flex joint are excluded, because they stand on the seabed.
-
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found.
+    Stack and conductor below the riser's flex joint are excluded, because they stand on the seabed. Raises
+    SimulationError when no equilibrium is found.
     """
     elements = scene.analysis.mesh and scene.analysis.mesh.elements
     mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)

@@ -45,6 +45,9 @@ def envelope(
 ) -> Envelope:
     """Offsets between which the limits of each mode are met, for risers at rest with allowances for seas.
 
+    Raises InputError when the scene has no offset that can be changed, or has no current or sea. Raises
+    SimulationError when a run in a sea cannot be completed.
+
     Parameters
     ----------
     reach : largest offset of the search, to both sides of the well (m).
@@ -52,13 +55,6 @@ def envelope(
     seas : irregular seas; none: calm.
     seeds : number of runs for each sea.
     notify : function that receives a description of the next run.
-
-    Raises
-    ------
-    InputError
-        When the scene has no offset that can be changed, or has no current or sea.
-    SimulationError
-        When a run in a sea cannot be completed.
     """
     scene = file.resolved()
     limits = scene.limits or []
@@ -115,10 +111,7 @@ def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[
 def with_current(scene: Resolved, speed: float) -> Resolved:
     """The scene with another surface speed of the current (m/s); a table of speeds is scaled.
 
-    Raises
-    ------
-    InputError
-        When its current has no surface speed that can be changed.
+    Raises InputError when its current has no surface speed that can be changed.
     """
     current = scene.current
     allowed = "Give `current.profile` as a shape with surface_speed, or as points"

@@ -101,13 +101,7 @@ class AtRest:
         self.estimated: dict[float, RunFacts] = {}  # facts with an estimated error, by offset
 
     def extremes(self, offset: float) -> list[dict[str, Any]]:
-        """Extremes of the outputs at an offset (m).
-
-        Raises
-        ------
-        SimulationError
-            When no equilibrium is found.
-        """
+        """Extremes of the outputs at an offset (m). Raises SimulationError when no equilibrium is found."""
         if offset in self.lost:
             raise SimulationError(self.lost[offset])
         if offset not in self.rows:
@@ -122,10 +116,7 @@ class AtRest:
     def error_of(self, output: str, offset: float) -> Error:
         """Estimated error of an output at an offset (m), on the prescribed mesh of the scene.
 
-        Raises
-        ------
-        SimulationError
-            When no equilibrium is found.
+        Raises SimulationError when no equilibrium is found.
         """
         if offset not in self.estimated:
             self.estimated[offset] = run(moved(static(self.scene), offset)).facts
@@ -135,10 +126,7 @@ class AtRest:
 def moved(scene: Resolved, offset: float) -> Resolved:
     """The scene at rest, with the riser's top, the platform and the tensioners at an offset (m).
 
-    Raises
-    ------
-    InputError
-        When the riser's top is not held horizontally, or the solver does not evaluate limits.
+    Raises InputError when the riser's top is not held horizontally, or the solver does not evaluate limits.
     """
     if solver := scene.analysis.solver:
         raise InputError("analysis.solver", solver, "does not evaluate limits", "Leave it out")
@@ -226,10 +214,7 @@ def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
 def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
     """Amount by which a limit is exceeded at an offset (m), in the SI unit of its output; below 0: met.
 
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found at the offset.
+    Raises SimulationError when no equilibrium is found at the offset.
     """
     found = demand_of(at.scene, limit, at.extremes(offset))
     if found is None:
@@ -251,10 +236,7 @@ def _least(over: Callable[[float], float], near: float, tried: list[float]) -> f
 def _edge(over: Callable[[float], float], inside: float, at: AtRest, side: int) -> float:
     """The first offset (m) to a side of ``inside`` at which a limit is reached; infinite if it is not.
 
-    Raises
-    ------
-    SimulationError
-        When an offset before that has no equilibrium.
+    Raises SimulationError when an offset before that has no equilibrium.
     """
     last = inside
     for offset in sorted([*at.rows, *at.lost], key=lambda one: side * one):

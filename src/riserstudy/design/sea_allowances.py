@@ -27,18 +27,12 @@ def allowances(
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
     Runs have the current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
-    Limits on means have no allowance.
+    Limits on means have no allowance. Raises InputError when the scene has no irregular sea, or the riser
+    leaves its offset. Raises SimulationError when a run cannot be completed.
 
     Parameters
     ----------
     notify : function that receives a description of the next run.
-
-    Raises
-    ------
-    InputError
-        When the scene has no irregular sea, or the riser leaves its offset.
-    SimulationError
-        When a run cannot be completed.
     """
     scene = file.resolved()
     _refuse_departures(file.source, scene)
@@ -55,10 +49,7 @@ def allowances(
 def _refuse_departures(source: str, scene: Resolved) -> None:
     """Refuse a scene with a tow or a release, whose effect cannot be separated from that of the sea.
 
-    Raises
-    ------
-    InputError
-        When the scene has one of them.
+    Raises InputError when the scene has one of them.
     """
     if scene.platform and scene.platform.cruise:
         found = "moves the platform away during the runs in a sea"

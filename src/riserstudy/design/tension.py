@@ -94,10 +94,7 @@ def lacks(scene: Resolved) -> list[str]:
 def columns_above(scene: Resolved) -> Columns:
     """Weights and lifts above the ends of sections.
 
-    Raises
-    ------
-    ValueError
-        When the scene does not tell it: what it lacks.
+    Raises ValueError when the scene does not tell it: what it lacks.
     """
     missing, ends = lacks(scene), span(scene)
     if missing or ends is None or scene.water is None or scene.water.surface is None:
@@ -133,10 +130,7 @@ def weight_of_ring(scene: Resolved) -> float:
 def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:
     """T_SRmin (N) at the ends of sections, from the bottom up, (sections + 1,); it is linear between them.
 
-    Raises
-    ------
-    ValueError
-        When the scene does not tell it: what it lacks.
+    Raises ValueError when the scene does not tell it: what it lacks.
     """
     of = columns_above(scene)
     return carrying_tension(of.steel, of.lift, of.mud - of.water, tolerances)
@@ -145,10 +139,7 @@ def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:
 def governing(scene: Resolved, tolerances: Tolerances) -> Governing:
     """The largest T_SRmin of the riser, without the stack and conductor below its flex joint.
 
-    Raises
-    ------
-    ValueError
-        When the scene does not give it: what it lacks.
+    Raises ValueError when the scene does not give it: what it lacks.
     """
     first = scene.lowest_riser_section
     along = needed(scene, tolerances)[first:]

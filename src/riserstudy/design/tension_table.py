@@ -49,12 +49,8 @@ class Rows(NamedTuple):
 def tension_table(scene: Resolved, request: TensionRequest) -> Rows:
     """Minimum tension by formula and engine, the setting, and its window.
 
-    Raises
-    ------
-    ValueError
-        When the scene lacks inputs of the formula.
-    SimulationError
-        When no equilibrium is found.
+    Raises ValueError when the scene lacks inputs of the formula. Raises SimulationError when no equilibrium
+    is found.
     """
     needed, first = formula.needed(scene, request.tolerances), scene.lowest_riser_section
     names = [f"lower end of {section.name}" for section in scene.riser]

@@ -66,6 +66,9 @@ class Flow(NamedTuple):
 def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.Dataset:
     """Lateral modes that a scene's current may excite.
 
+    Raises InputError when the scene has no current, or tows the riser, or coefficients cannot be meant.
+    Raises SimulationError when there is no equilibrium.
+
     Parameters
     ----------
     file : SceneFile
@@ -84,13 +87,6 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
         ``amplitude`` (largest ratio to the diameter along the riser), ``amplitude_limit`` (the same if the
         whole riser were excited in the phase of its flow, the largest of excited places) and ``drag_factor``
         (mean over the excited length). Over both, ``excited`` and ``relative_amplitude``.
-
-    Raises
-    ------
-    InputError
-        When the scene has no current, or tows the riser, or coefficients cannot be meant.
-    SimulationError
-        When there is no equilibrium.
     """
     given = _checked(coefficients or Coefficients())
     scene = file.resolved()
@@ -116,10 +112,7 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
 def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     """The full current, without its ramp, across a riser at rest.
 
-    Raises
-    ------
-    SimulationError
-        When there is no equilibrium.
+    Raises SimulationError when there is no equilibrium.
     """
     mesh, d = mesh_of_modes(scene)
     model, _ = settle(at_rest(scene), mesh, d)

@@ -39,10 +39,8 @@ class Circles(NamedTuple):
 def moves_off(scene: Resolved) -> None:
     """Refuse a scene that does not leave the well.
 
-    Raises
-    ------
-    InputError
-        When there is neither a vessel nor a cruising platform, the scene is static, or outputs begin late.
+    Raises InputError when there is neither a vessel nor a cruising platform, the scene is static, or outputs
+    begin late.
     """
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:

@@ -21,6 +21,8 @@ class Exported(NamedTuple):
 def write_deck(file: SceneFile) -> Exported:
     """Return the OrcaFlex text model of a scene.
 
+    Raises InputError when the deck would describe another riser.
+
     Parameters
     ----------
     file : SceneFile
@@ -30,11 +32,6 @@ def write_deck(file: SceneFile) -> Exported:
     -------
     Exported
         Units are OrcaFlex's SI units: tonne, kN, m, s, kN m/deg.
-
-    Raises
-    ------
-    InputError
-        When the deck would describe another riser.
     """
     scene = file.resolved()
     deck = Deck(file, scene)

@@ -248,10 +248,7 @@ def _operator(row: Any, moving: list[str]) -> list[float]:
 def soil(deck: Deck) -> str | None:
     """Write the soil; return the name of its model, None without soil.
 
-    Raises
-    ------
-    InputError
-        When such a deck cannot describe the soil.
+    Raises InputError when such a deck cannot describe the soil.
     """
     ground = deck.scene.soil
     if ground is None:

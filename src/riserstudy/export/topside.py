@@ -38,15 +38,12 @@ def held(deck: Deck) -> str:
 def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
     """Write the objects that hold and pull the riser's upper end.
 
+    Raises InputError when a deck cannot describe it.
+
     Returns
     -------
     list, float
         Connection of the riser's highest line (name and place in m), and its bending stiffness (kN m/deg).
-
-    Raises
-    ------
-    InputError
-        When a deck cannot describe it.
     """
     of, scene = deck.scene.top, deck.scene
     offset = of.offset or 0.0

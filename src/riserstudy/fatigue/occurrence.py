@@ -61,13 +61,8 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
     """Sea states of a scatter table in long form, with one row for each sea state.
 
     Its header names axes of the study with their units, and one of ``share (%)``, ``time (h)``, which is
-    hours per year, and ``count``: ``hs (m),tp (s),share (%)``.
-
-    Raises
-    ------
-    InputError
-        With row and column: a missing unit or number, no column or several columns of occurrence, or shares
-        above 100 %.
+    hours per year, and ``count``: ``hs (m),tp (s),share (%)``. Raises InputError with row and column: a
+    missing unit or number, no column or several columns of occurrence, or shares above 100 %.
     """
     rows = list(csv.reader(io.StringIO(read_text(path, LARGEST_TABLE))))
     rows = [row for row in rows if any(cell.strip() for cell in row)]
@@ -100,10 +95,8 @@ def _heads(
 ) -> tuple[int, dict[int, tuple[str, float]], list[str]]:
     """Column of the occurrence, axes with their units by column, and axes of irregular seas.
 
-    Raises
-    ------
-    InputError
-        With the heading, if it has no unit, is no axis of the study, is ambiguous, or occurs twice.
+    Raises InputError with the heading, if it has no unit, is no axis of the study, is ambiguous, or occurs
+    twice.
     """
     weight, irregular = None, list[str]()
     factors: dict[int, tuple[str, float]] = {}
@@ -139,11 +132,8 @@ def _heads(
 def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurrence:
     """Sea states of a record, hour by hour, each with its share of all hours that have every quantity.
 
-    Raises
-    ------
-    InputError
-        When no quantity of the record is an axis of the study, a unit does not fit, or no row has every
-        quantity. When an axis has the name of the record's bearings, which are not headings of a scene.
+    Raises InputError when no quantity of the record is an axis of the study, a unit does not fit, no row has
+    every quantity, or an axis has the name of the record's bearings, which are not headings of a scene.
     """
     columns, irregular = {}, []
     for name in map(str, record.data_vars):
@@ -255,7 +245,8 @@ def within(
 ) -> Occurrence:
     """Sea states within the range that a study simulates.
 
-    Angles outside this range are changed by whole turns if they are then within it.
+    Angles outside this range are changed by whole turns if they are then within it. Raises InputError when
+    sea states are outside the range, with axis, share of the time and largest value.
 
     Parameters
     ----------
@@ -263,11 +254,6 @@ def within(
     calm : replace heights, periods and speeds below the smallest simulated value by it; otherwise, and for
         all other quantities, they are refused, like those above.
     units : units of the axes.
-
-    Raises
-    ------
-    InputError
-        When sea states are outside the range, with axis, share of the time and largest value.
     """
     values, notes = dict(of.values), [*of.notes]
     for axis, places in grid.items():

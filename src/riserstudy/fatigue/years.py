@@ -94,13 +94,7 @@ class Years(NamedTuple):
 
 
 def axes_of(study: xr.Dataset) -> list[str]:
-    """Axes of a study; empty for a single run.
-
-    Raises
-    ------
-    InputError
-        When it has no damage.
-    """
+    """Axes of a study; empty for a single run. Raises InputError when it has no damage."""
     if "damage_rate" not in study:
         allowed = "allowed is a study or run of a scene with 'fatigue:', which keeps damage_rate"
         raise InputError(_name(study), "damage_rate", "not there", allowed)
@@ -113,18 +107,14 @@ def over_years(
     """Damage per year of a study's details in the given sea states.
 
     Seeds have equal weights. Between simulated sea states, the fourth root of damage is interpolated
-    linearly; the error is estimated by omission of every second sea state.
+    linearly; the error is estimated by omission of every second sea state. Raises InputError when an axis has
+    no value, or sea states are outside the simulated range.
 
     Parameters
     ----------
     study : a dataset with ``damage_rate`` over axes, detail, wall_angle and s_node.
     at : value of each axis that is neither an axis of seas nor of seeds, as text.
     calm : replace values of seas below the lowest simulated value by it.
-
-    Raises
-    ------
-    InputError
-        When an axis has no value, or sea states are outside the simulated range.
     """
     axes = axes_of(study)
     _check_seas(study, occurs)
@@ -190,10 +180,7 @@ def _paths(study: xr.Dataset, axis: str) -> set[str]:
 def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
     """Check that heights and periods of irregular seas are not used for regular waves.
 
-    Raises
-    ------
-    InputError
-        If they would be.
+    Raises InputError if they would be.
     """
     for axis in occurs.irregular:
         paths = _paths(study, axis) if axis in study.dims else set()

@@ -45,12 +45,7 @@ def save(figure: Figure, *targets: Path) -> None:
     """Write a figure in the formats of the targets' endings, each completely or not at all.
 
     A PNG contains a description in words, which becomes its alternative text; CSV contains the plotted
-    values.
-
-    Raises
-    ------
-    SimulationError
-        When a file cannot be written, as on a full disk.
+    values. Raises SimulationError when a file cannot be written, as on a full disk.
     """
     from riserstudy.figures.drawn import table
 

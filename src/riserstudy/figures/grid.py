@@ -76,10 +76,7 @@ def called(value: xr.DataArray) -> str:
 def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
     """A quantity as one number per point; endings of the name select the extreme over riser and time.
 
-    Raises
-    ------
-    InputError
-        When the dataset has no such quantity.
+    Raises InputError when the dataset has no such quantity.
     """
     if (alone := OF_THE_RISER.get(name)) in dataset:
         return dataset[alone].rename(name).assign_attrs(attributes(str(alone)))
@@ -117,10 +114,7 @@ def absent(dataset: xr.Dataset, name: str) -> InputError:
 def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:
     """The quantities that the dataset has, as histories or as extremes.
 
-    Raises
-    ------
-    InputError
-        When it has none of them.
+    Raises InputError when it has none of them.
     """
     wanted = list(names)
     ends = ("", *ENDINGS, SIZE)

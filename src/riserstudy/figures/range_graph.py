@@ -26,10 +26,7 @@ RED = "#c00000"
 def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Figure:
     """One panel per quantity over arclength: largest and smallest value over time, and static value.
 
-    Raises
-    ------
-    InputError
-        When the run has none of the quantities along the riser.
+    Raises InputError when the run has none of the quantities along the riser.
     """
     along = [name for name in of or present(run, QUANTITIES) if _has(run, name)]
     if missing := [name for name in of or () if name not in along]:

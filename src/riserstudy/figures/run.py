@@ -25,10 +25,7 @@ def _usual(run: xr.Dataset) -> list[str] | None:
 def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
     """One plot of a run, by its kind: ``range``, ``time-series`` or ``shape``.
 
-    Raises
-    ------
-    InputError
-        When the run has none of the requested quantities.
+    Raises InputError when the run has none of the requested quantities.
     """
     title = str(run.attrs.get("title", "")) or "a run"
     if kind == "shape" and of:

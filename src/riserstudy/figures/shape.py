@@ -19,10 +19,8 @@ SIDES = "largest", "smallest"
 def shape(run: xr.Dataset, title: str) -> Figure:
     """Elevation over position, with a panel for each horizontal direction of the run.
 
-    Raises
-    ------
-    InputError
-        When there are no lateral positions: they were not kept, or the riser has only axial motion.
+    Raises InputError when there are no lateral positions: they were not kept, or the riser has only axial
+    motion.
     """
     names = [name for name in "xy" if {name, f"{name}_static"} & set(run)]
     if not names:

@@ -34,10 +34,7 @@ FEW = 60  # number of cells of a panel up to which each has its number
 def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     """Over one axis, a line per limit; over two, the largest utilisation as colours, and the governing limit.
 
-    Raises
-    ------
-    InputError
-        When the dataset has no limits.
+    Raises InputError when the dataset has no limits.
     """
     if "use_of_limit" not in dataset:
         title = str(dataset.attrs.get("title", "dataset"))

@@ -25,10 +25,7 @@ OVER = ("riser_mode", "limit", "month", "year", "window", "sea_state")
 def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     """Workable hours of each setting and mode with their bands, by month, by limit, and the waits.
 
-    Raises
-    ------
-    InputError
-        When the dataset has no workable hours.
+    Raises InputError when the dataset has no workable hours.
     """
     if "workable" not in dataset:
         title = str(dataset.attrs.get("title", "dataset"))

@@ -106,10 +106,8 @@ def false_claims_path(config: Path, paper: str) -> Path:
 def read_false_claims(config: Path, paper: str, printed: PublishedFile) -> list[Falsified]:
     """False claims about a paper; empty without a file.
 
-    Raises
-    ------
-    InputError
-        When the file is invalid, an ID occurs twice, or a claim is not derived from a gradable item.
+    Raises InputError when the file is invalid, an ID occurs twice, or a claim is not derived from a gradable
+    item.
     """
     path = false_claims_path(config, paper)
     if not path.exists():

@@ -57,14 +57,11 @@ def false_rows(
 ) -> Iterator[FalseRow]:
     """A row for every false claim about a paper.
 
+    Raises InputError when variables or values to exchange do not exist; also as ``graded``.
+
     Parameters
     ----------
     printed : results of the paper's published values and claims.
-
-    Raises
-    ------
-    InputError
-        When variables or values to exchange do not exist; also as ``graded``.
     """
     items, verdicts = {item.id: item for item in file.items}, {g.id: g.verdict for g in printed}
     for one in false:
@@ -106,10 +103,7 @@ def falsified(
 ) -> dict[str, xr.Dataset]:
     """Datasets of one check with the variables, axis values and signs of a false claim.
 
-    Raises
-    ------
-    InputError
-        When no dataset has the variables or axes to change.
+    Raises InputError when no dataset has the variables or axes to change.
     """
     changed = dict(datasets)
     variables = [pair for pair in one.exchanged if not set(pair) <= set(item.reads)]

@@ -59,15 +59,12 @@ def judged(
 def answers(found: Found) -> xr.DataArray:
     """Answers to a claim, over the cells of its truth.
 
+    Raises TypeError when the check does not judge a claim.
+
     Returns
     -------
     1 where it is true, 0 where the compared values do not differ, -1 where it is false; NaN where value or
     margin are NaN, since a missing value does not mean "false".
-
-    Raises
-    ------
-    TypeError
-        When the check does not judge a claim.
     """
     if found.true is None:
         raise TypeError("a check that judges no claim has no answers")
@@ -84,10 +81,7 @@ def answers(found: Found) -> xr.DataArray:
 def consistent(found: Found, paper: str, check: str) -> Found:
     """Check the consistency of a result, and return it.
 
-    Raises
-    ------
-    InputError
-        When the result is true with a negative margin, or false with a positive margin.
+    Raises InputError when the result is true with a negative margin, or false with a positive margin.
     """
     if found.true is None or found.margin is None:
         return found
@@ -107,10 +101,7 @@ def consistent(found: Found, paper: str, check: str) -> Found:
 def at_cell(found: Found, cell: Mapping[str, Any], where: str, field: str) -> Found:
     """One cell of a result.
 
-    Raises
-    ------
-    InputError
-        When it has no such axis, or the axis does not have the value.
+    Raises InputError when it has no such axis, or the axis does not have the value.
     """
     for axis, value in cell.items():
         there = found.value if axis in found.value.dims else found.true

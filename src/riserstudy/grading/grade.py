@@ -69,14 +69,8 @@ def graded(
     """One published value or claim, with the grounds of its verdict and all its cases.
 
     ``called``: names of inputs, as in ``riserstudy.grading.names.input_name``. ``others``: published values
-    that the same case must meet.
-
-    Raises
-    ------
-    SimulationError
-        When a check finds no finite number, or no answer, at the base.
-    InputError
-        When a check contradicts itself, or has no result at the base.
+    that the same case must meet. Raises SimulationError when a check finds no finite number, or no answer, at
+    the base. Raises InputError when a check contradicts itself, or has no result at the base.
     """
     printed = (paper, item.id, item.figure, item.kind, item.statement, item.published)
     if item.impossible:
@@ -137,10 +131,7 @@ class Task(NamedTuple):
     def look(self, reads: Mapping[str, str]) -> Found:
         """The result of its check in some datasets.
 
-        Raises
-        ------
-        InputError
-            When the check returns neither a result nor, for a published value, a number.
+        Raises InputError when the check returns neither a result nor, for a published value, a number.
         """
         found = self._found(self.item, reads)
         for other in self.others:
@@ -151,10 +142,7 @@ class Task(NamedTuple):
     def _found(self, item: Item, reads: Mapping[str, str]) -> Found:
         """The result of an item's check; the check of a published value may return a number alone.
 
-        Raises
-        ------
-        InputError
-            When the check returns anything else.
+        Raises InputError when the check returns anything else.
         """
         answer = _answer(item, reads, self.checks, self.datasets)
         if isinstance(answer, Found):

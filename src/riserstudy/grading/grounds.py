@@ -89,12 +89,8 @@ def outcome_of(
 ) -> Outcome:
     """One further case with one or many cells; ``found`` and ``about`` as in ``explained``.
 
-    ``readings``: its results with each interpretation, if there are several.
-
-    Raises
-    ------
-    SimulationError
-        When it has no result in any cell.
+    ``readings``: its results with each interpretation, if there are several. Raises SimulationError when it
+    has no result in any cell.
     """
     low, high = float(value.min()), float(value.max())
     if not bool(found.notnull().any()):

@@ -217,13 +217,7 @@ class PublishedFile(Strict):
         return self
 
     def number(self, of: str) -> float:
-        """The published value with an ID.
-
-        Raises
-        ------
-        Misfit
-            When there is none.
-        """
+        """The published value with an ID. Raises Misfit when there is none."""
         numbers = {item.id: item.published for item in self.items if item.published is not None}
         if of not in numbers:
             raise Misfit("printed", f"no number {of!r}", f"allowed are {', '.join(numbers)}")

@@ -164,13 +164,7 @@ def _value(one: Input) -> Value:
 
 
 def read_claims(path: str | Path) -> ClaimsFile:
-    """A file of published values and claims.
-
-    Raises
-    ------
-    InputError
-        When it cannot be read, or is invalid.
-    """
+    """A file of published values and claims. Raises InputError when it cannot be read, or is invalid."""
     return check(ClaimsFile, read_yaml(Path(path)), path)
 
 

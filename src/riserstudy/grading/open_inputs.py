@@ -26,16 +26,13 @@ Check = Callable[..., Any]
 def claim(value: float, judged_by: float | Condition) -> Found:
     """The result of a check of a claim.
 
+    Raises ValueError when the margin is not one number.
+
     Parameters
     ----------
     value : value to report, in its unit; NaN if there is no result.
     judged_by : a margin, which is above zero if the claim is true; or a condition with a word of size from
         ``more``, ``less`` or ``alike``.
-
-    Raises
-    ------
-    ValueError
-        When the margin is not one number.
     """
     condition = judged_by if isinstance(judged_by, Condition) else plain(xr.DataArray(judged_by))
     if condition.margin.ndim:
@@ -47,19 +44,13 @@ def grade_claims(file: ClaimsFile, checks: Mapping[str, Check]) -> list[Graded]:
     """Verdicts of all published values and claims of a file.
 
     Each check is run with the inputs of the base case, then with every sample of the unspecified inputs:
-    Sobol points, uniform over ranges, and with equal probability over options.
+    Sobol points, uniform over ranges, and with equal probability over options. Raises InputError when a check
+    does not exist, or returns neither. Raises SimulationError when the base case has no result.
 
     Parameters
     ----------
     checks : functions by name. Each takes the inputs as a mapping, and the options of its item by name. For a
         published value it returns a float, for a claim the result of ``claim``.
-
-    Raises
-    ------
-    InputError
-        When a check does not exist, or returns neither.
-    SimulationError
-        When the base case has no result.
     """
     draws = sampled(file)
     found: list[Graded] = []

@@ -22,10 +22,7 @@ from riserstudy.scene.paths import matches
 def printed_inputs(config: Path, paper: str) -> list[PrintedInput]:
     """Inputs that the file of a paper lists; empty without a file or list.
 
-    Raises
-    ------
-    InputError
-        When the file is invalid.
+    Raises InputError when the file is invalid.
     """
     return printed_of(config, paper).inputs if published_path(config, paper).exists() else []
 
@@ -37,12 +34,8 @@ def with_printed(
 
     ``{word: smaller}`` is replaced by the bound of this word.
 
-    ``file``: the paper's published file, if it has been read.
-
-    Raises
-    ------
-    InputError
-        When the paper has no such value, or the table no such word.
+    ``file``: the paper's published file, if it has been read. Raises InputError when the paper has no such
+    value, or the table no such word.
     """
     if any(_names(value, "word") for value in settings.values()):
         words = read_words(config)

@@ -25,10 +25,7 @@ def published_path(config: Path, paper: str) -> Path:
 def printed_of(config: Path, paper: str) -> PublishedFile:
     """The published values and claims of a paper.
 
-    Raises
-    ------
-    InputError
-        When its file is invalid, or names a word that is not in the table of words.
+    Raises InputError when its file is invalid, or names a word that is not in the table of words.
     """
     path = published_path(config, paper)
     file = check(PublishedFile, read_yaml(path, keep=True), path)
@@ -48,12 +45,8 @@ def looked_up(
 ) -> dict[str, Option]:
     """Options with published values and bounds in place of their names; ``words`` reads the table of words.
 
-    Raises
-    ------
-    InputError
-        When the table of words has no such word.
-    ValueError
-        When the paper has no such published value.
+    Raises InputError when the table of words has no such word. Raises ValueError when the paper has no such
+    published value.
     """
     found: dict[str, Option] = {}
     for name, option in options.items():
@@ -68,10 +61,7 @@ def looked_up(
 def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
     """The checked file of a paper.
 
-    Raises
-    ------
-    InputError
-        When it is invalid, or needs a dataset that is not ``known``.
+    Raises InputError when it is invalid, or needs a dataset that is not ``known``.
     """
     path = published_path(config, paper)
     file = printed_of(config, paper)
@@ -87,10 +77,7 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
 def refuse_check(path: Path, paper: str, entry: Checked) -> None:
     """Refuse a check that the paper's chapter does not define, or that has other arguments.
 
-    Raises
-    ------
-    InputError
-        With the file ``path``.
+    Raises InputError with the file ``path``.
     """
     if not entry.check:
         return

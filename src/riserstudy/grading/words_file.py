@@ -50,13 +50,7 @@ class WordsFile(Strict):
         return self
 
     def word(self, name: str) -> Word:
-        """A word by its name.
-
-        Raises
-        ------
-        InputError
-            When it is not in the table.
-        """
+        """A word by its name. Raises InputError when it is not in the table."""
         for first, of in self.words.items():
             if name in (first, *of.also):
                 most = of.at_most is not None
@@ -72,13 +66,7 @@ def words_path(config: Path) -> Path:
 
 
 def read_words(config: Path) -> WordsFile:
-    """The table of words.
-
-    Raises
-    ------
-    InputError
-        When the table is missing or invalid.
-    """
+    """The table of words. Raises InputError when the table is missing or invalid."""
     path = words_path(config)
     if not path.exists():
         allowed = "write no_difference, because and words, as the table of riserstudy has them"

@@ -74,10 +74,7 @@ class Row(NamedTuple):
 def from_wamit(path: Path, length: float) -> Operators:
     """Read the RAOs of a ``.4`` file; ``length`` is the length ULEN of its body (m).
 
-    Raises
-    ------
-    InputError
-        When it is not such a file, contradicts itself, or is incomplete.
+    Raises InputError when it is not such a file, contradicts itself, or is incomplete.
     """
     rows = [*_rows_of_wamit(path)]
     waves = [row for row in rows if math.isfinite(row.period) and row.period > 0.0]
@@ -149,10 +146,7 @@ def _rows_of_wamit(path: Path) -> list[Row]:
 def from_capytaine(path: Path) -> Operators:
     """Read the RAOs of a Capytaine dataset, which must have an ``RAO``.
 
-    Raises
-    ------
-    InputError
-        When it has none, or has several bodies.
+    Raises InputError when it has none, or has several bodies.
     """
     import xarray as xr
 
@@ -211,10 +205,7 @@ def from_capytaine(path: Path) -> Operators:
 def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
     """Return the values of an axis, converted from the unit in its attribute; without one, Capytaine's unit.
 
-    Raises
-    ------
-    InputError
-        When the unit is unknown.
+    Raises InputError when the unit is unknown.
     """
     written = str(axis.attrs.get("units", "")).strip().lower().replace("radian", "rad")
     known = KNOWN[unit]
@@ -257,10 +248,7 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
 def _once_a_turn(path: Path, found: Operators) -> Operators:
     """Return the RAOs without a heading that repeats another after a full turn, as in files to 360 deg.
 
-    Raises
-    ------
-    InputError
-        When the responses at these two headings differ.
+    Raises InputError when the responses at these two headings differ.
     """
     if HEADING not in found.columns:
         return found

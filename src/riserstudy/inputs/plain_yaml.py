@@ -46,10 +46,8 @@ def _reader() -> str:
 def plain_yaml(text: str, source: object) -> Any:
     """Return the plain data of a YAML text; ``source`` names the text in errors.
 
-    Raises
-    ------
-    InputError
-        When the text is not plain YAML: invalid YAML, tags, anchors, duplicate names, or too deep nesting.
+    Raises InputError when the text is not plain YAML: invalid YAML, tags, anchors, duplicate names, or too
+    deep nesting.
     """
     reader = YAML(typ="safe", pure=True)
     reader.allow_duplicate_keys = False

@@ -17,12 +17,8 @@ def read_text(path: Path, most: int) -> str:
     """Return the text of a file of at most ``most`` bytes.
 
     Links are not followed and devices are not opened: a scene from elsewhere must read only the tables that
-    came with it, and must never wait. The checks use the opened file itself, not its path.
-
-    Raises
-    ------
-    InputError
-        When the file is a link, not a regular file, too large, unreadable or not UTF-8.
+    came with it, and must never wait. The checks use the opened file itself, not its path. Raises InputError
+    when the file is a link, not a regular file, too large, unreadable or not UTF-8.
     """
     try:
         if not hasattr(os, "O_NOFOLLOW") and path.is_symlink():

@@ -30,6 +30,8 @@ def begin(
 ) -> tuple[list[str], list[str]]:
     """Prepare a run in the current folder, unless another run is at work there.
 
+    Raises InputError when a leftover file cannot be removed.
+
     Parameters
     ----------
     papers : configured papers.
@@ -40,11 +42,6 @@ def begin(
     Returns
     -------
     Damaged outputs, which must be made again, and messages of one line each.
-
-    Raises
-    ------
-    InputError
-        When a leftover file cannot be removed.
     """
     if at_work and not _is_alone():
         return [], []

@@ -66,10 +66,7 @@ class Fit(NamedTuple):
 def free_values(study: Study) -> list[Free]:
     """Return the calibrated values of a study that have a range.
 
-    Raises
-    ------
-    InputError
-        When the study has none.
+    Raises InputError when the study has none.
     """
     free = []
     for path, value in study.model.set.items():
@@ -149,10 +146,7 @@ def search(
 def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], most: int) -> Fit:
     """Fit the free values of a study to published values.
 
-    Raises
-    ------
-    InputError
-        When the study has no free value, or a number has no published value.
+    Raises InputError when the study has no free value, or a number has no published value.
     """
     free = free_values(study)
     if not items or any(item.published is None for item in items):
@@ -177,10 +171,7 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
 def fit_study(config: Path, study: str, ids: list[str], tier: str, most: int | None) -> Fit:
     """Fit a study, named ``paper/study``, to published values of its paper.
 
-    Raises
-    ------
-    InputError
-        When the study does not exist.
+    Raises InputError when the study does not exist.
     """
     paper, _, name = study.partition("/")
     file = read_studies(config, paper)

@@ -87,10 +87,7 @@ class Configuration:
     ) -> Self:
         """Read config.yaml; overrides replace its values.
 
-        Raises
-        ------
-        InputError
-            When the file cannot be read, or is invalid.
+        Raises InputError when the file cannot be read, or is invalid.
         """
         path = config / "config.yaml"
         settings = read_yaml(path, keep=True)

@@ -16,10 +16,7 @@ if TYPE_CHECKING:
 def from_datasets(config: Path, paper: str, name: str, datasets: dict[str, xr.Dataset]) -> Figure:
     """Draw a figure of a chapter, or a general plot, which suits any grid.
 
-    Raises
-    ------
-    InputError
-        When a dataset lacks a quantity that is drawn; it names figure, dataset and quantity.
+    Raises InputError when a dataset lacks a quantity that is drawn; it names figure, dataset and quantity.
     """
     from riserstudy.chapters.draw import draw
     from riserstudy.figures import draw_plot
@@ -39,11 +36,8 @@ def from_datasets(config: Path, paper: str, name: str, datasets: dict[str, xr.Da
 def from_scene(config: Path, paper: str, name: str) -> Figure:
     """Draw the schematic of a scene.
 
-    Raises
-    ------
-    InputError
-        When the study file places cylinders although the scene arranges them itself or has none, or a remark
-        names a part whose label cannot carry a remark; it names study file and field.
+    Raises InputError when the study file places cylinders although the scene arranges them itself or has
+    none, or a remark names a part whose label cannot carry a remark; it names study file and field.
     """
     from riserstudy.schematic import schematic
     from riserstudy.schematic.geometry import labelled

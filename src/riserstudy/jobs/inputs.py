@@ -19,13 +19,7 @@ def datasets_of(sources: list[Path]) -> dict[str, xr.Dataset]:
 
 
 def text_of(source: Path) -> str:
-    """Return the text of a table.
-
-    Raises
-    ------
-    InputError
-        When the file cannot be read.
-    """
+    """Return the text of a table. Raises InputError when the file cannot be read."""
     try:
         return source.read_text("utf-8")
     except OSError as error:

@@ -22,12 +22,7 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
     """Refuse a plain value of a paper's scene that is not in the paper's list of inputs.
 
     A plain value in a paper's scene claims that the paper prints it. Papers whose file has no ``inputs`` are
-    not checked.
-
-    Raises
-    ------
-    InputError
-        At the first such value.
+    not checked. Raises InputError at the first such value.
     """
     inputs_of = cache(partial(printed_inputs, config))
     for scene in scenes:
@@ -47,14 +42,11 @@ def refuse_unknown_claims(
 ) -> None:
     """Refuse figures that list a number or claim which the file of their paper does not contain.
 
+    Raises InputError at the first such ID.
+
     Parameters
     ----------
     known : IDs by paper.
-
-    Raises
-    ------
-    InputError
-        At the first such ID.
     """
     for paper, file in files.items():
         ids = known.get(paper, set())
@@ -68,10 +60,7 @@ def refuse_unknown_claims(
 def refuse_settings(study: Study) -> None:
     """Refuse a study to be tuned that has its own mesh or step, or that cannot profit from tuning.
 
-    Raises
-    ------
-    InputError
-        With the reason.
+    Raises InputError with the reason.
     """
     from riserstudy.study.tune import check_tunable  # loads solvers
 
@@ -88,11 +77,7 @@ def refuse_seas(seas: SeasStudy) -> None:
     """Refuse a study of the hours of a record with an invalid setting, record or limit on the sea.
 
     A record is checked once: the success is stored under a key of its content and of the code that reads it.
-
-    Raises
-    ------
-    InputError
-        At the first fault.
+    Raises InputError at the first fault.
     """
     from riserstudy.seas.hours import check_limits, sea_limit
     from riserstudy.seas.record import check_windows

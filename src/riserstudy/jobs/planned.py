@@ -24,11 +24,8 @@ def read_plan(tier: str | None, papers: list[str], only: list[tuple[str, str]]) 
 def check_unchanged(digest: str, expected: str) -> None:
     """Refuse to do another thing than was planned.
 
-    Raises
-    ------
-    SimulationError
-        When scene, study, published values, engine or code of the chapter changed since the workflow was
-        planned, so that the digests differ.
+    Raises SimulationError when scene, study, published values, engine or code of the chapter changed since
+    the workflow was planned, so that the digests differ.
     """
     if digest != expected:
         changed = "scene, study or code changed while the workflow was running"

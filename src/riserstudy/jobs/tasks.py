@@ -69,10 +69,7 @@ def job(function: Callable[..., None]) -> Callable[..., None]:
 def compile_kernels(group: Annotated[str | None, typer.Argument()] = None) -> None:
     """Compile a group of kernels before jobs start in parallel; without a group, mark all as compiled.
 
-    Raises
-    ------
-    InputError
-        When the group does not exist.
+    Raises InputError when the group does not exist.
     """
     from riserstudy.simulation.compile import compile_group, join_markers
     from riserstudy.simulation.kernel_groups import GROUPS
@@ -172,12 +169,8 @@ def sea_states(
 ) -> None:
     """Simulate and store the runs of one setting in one heading, in the sea states that it needs.
 
-    The target contains the number of sea states.
-
-    Raises
-    ------
-    SimulationError
-        When the largest number of sea states does not suffice.
+    The target contains the number of sea states. Raises SimulationError when the largest number of sea states
+    does not suffice.
     """
     from riserstudy.folders import write_whole
     from riserstudy.seas.seas_hours import simulate_part
@@ -195,10 +188,7 @@ def hours(
 ) -> None:
     """Write the dataset of the hours of a record.
 
-    Raises
-    ------
-    SimulationError
-        When the largest number of sea states does not suffice.
+    Raises SimulationError when the largest number of sea states does not suffice.
     """
     from riserstudy.seas.seas_hours import seas_hours
 
@@ -313,10 +303,7 @@ def grade(
 def join_tables(target: Path, sources: list[Path]) -> None:
     """Join CSV tables with the same columns into one, in the order given.
 
-    Raises
-    ------
-    InputError
-        When a table cannot be read, or its columns differ.
+    Raises InputError when a table cannot be read, or its columns differ.
     """
     from riserstudy.folders import write_whole
 

@@ -54,10 +54,7 @@ def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
 def flow_of(scene: Resolved) -> Flow | None:
     """The flow of a scene's contents as they drain; None where they do not drain.
 
-    Raises
-    ------
-    SimulationError
-        When all contents drain before the end of the run.
+    Raises SimulationError when all contents drain before the end of the run.
     """
     release, water, end = scene.disconnect, scene.water, scene.analysis.duration
     if release is None or release.drain is None or end is None:

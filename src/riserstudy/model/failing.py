@@ -59,12 +59,8 @@ def without_tension(model: Model, share: float) -> Model:
 def without_bottles(model: Model, volume: float) -> Model:
     """The model in the same state, with a volume (m3) of each cylinder's gas shut off.
 
-    The pressure does not jump; from now on it follows the law of the remaining gas.
-
-    Raises
-    ------
-    SimulationError
-        When no gas would remain.
+    The pressure does not jump; from now on it follows the law of the remaining gas. Raises SimulationError
+    when no gas would remain.
     """
     shape_of(model.programs, model.state)
     reach = model.s.reach.copy()

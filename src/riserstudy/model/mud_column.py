@@ -59,10 +59,7 @@ class Flow(NamedTuple):
 def flow(column: Column, duration: float) -> Flow:
     """The column from its release on, for a duration (s).
 
-    Raises
-    ------
-    SimulationError
-        When all contents drain within the duration.
+    Raises SimulationError when all contents drain within the duration.
     """
     from scipy.integrate import solve_ivp  # loads half of scipy
 

@@ -45,12 +45,8 @@ def operator(
 ) -> NDArray[np.complex128]:
     """R of one motion in waves that travel to a heading (rad), with leading phases positive.
 
-    R has the shape of the frequencies (rad/s), and is per metre of wave amplitude, in m/m or rad/m.
-
-    Raises
-    ------
-    InputError
-        When the operators do not cover the heading.
+    R has the shape of the frequencies (rad/s), and is per metre of wave amplitude, in m/m or rad/m. Raises
+    InputError when the operators do not cover the heading.
     """
     tables = response.by_heading
     if None in tables:
@@ -168,14 +164,11 @@ def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray)
 def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float = 0.0) -> Harmonics:
     """Harmonic motions of the platform in a wave or sea.
 
+    Raises InputError when the operators do not cover a period or the heading of the wave.
+
     Parameters
     ----------
     lag : (components,) phase by which each component is later at the platform than at the origin (rad).
-
-    Raises
-    ------
-    InputError
-        When the operators do not cover a period or the heading of the wave.
     """
     amplitude, frequency, phase = components_of(wave)
     beyond = _beyond(response, frequency)

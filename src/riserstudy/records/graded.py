@@ -218,13 +218,7 @@ class Grounds(Travelling):
 
     @classmethod
     def from_json(cls, text: str | bytes) -> Grounds:
-        """Grounds from such a cell.
-
-        Raises
-        ------
-        ValueError
-            When it is not valid.
-        """
+        """Grounds from such a cell. Raises ValueError when it is not valid."""
         return _GROUNDS.validate_json(text)
 
 

@@ -82,10 +82,7 @@ class Limit(Strict):
     def sections(self, names: Sequence[str]) -> list[str]:
         """Names of the sections that it applies to, of all ``names`` from below.
 
-        Raises
-        ------
-        ValueError
-            When there is no such section, or the last of several is below the first.
+        Raises ValueError when there is no such section, or the last of several is below the first.
         """
         return sections_at(self.at, names)
 
@@ -116,10 +113,7 @@ def place_of(at: str | list[str] | None) -> str:
 def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
     """Names of the sections that belong to a place, of all ``names`` from below.
 
-    Raises
-    ------
-    ValueError
-        When there is no such section, or the last of several is below the first.
+    Raises ValueError when there is no such section, or the last of several is below the first.
     """
     ends = at if isinstance(at, list) else [section_of(at or "")]
     if not at:

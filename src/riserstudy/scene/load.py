@@ -96,10 +96,7 @@ class SceneFile:
     def resolved(self) -> Resolved:
         """The checked scene with all derived quantities, such as weights; computed once and kept.
 
-        Raises
-        ------
-        InputError
-            As ``scene``.
+        Raises InputError as ``scene``.
         """
         return self._resolved
 
@@ -130,10 +127,7 @@ def _copied(tree: Any) -> Any:
 def first_step(path: str, layer: str) -> str:
     """The first name of a path, which is a part of the scene.
 
-    Raises
-    ------
-    InputError
-        When the text is not a path.
+    Raises InputError when the text is not a path.
     """
     try:
         return str(paths.steps(path)[0])
@@ -146,10 +140,7 @@ def first_step(path: str, layer: str) -> str:
 def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
     """A scene file with its origins; checked only to be plain YAML. ``keep`` caches the parsed data.
 
-    Raises
-    ------
-    InputError
-        When the file cannot be read or is not plain YAML, or an origin is malformed.
+    Raises InputError when the file cannot be read or is not plain YAML, or an origin is malformed.
     """
     data = read_yaml(Path(path), keep=keep)
     if not isinstance(data, dict):

@@ -16,10 +16,7 @@ _INDEX = re.compile(r"\[\d+\]")
 def steps(path: str) -> tuple[Step, ...]:
     """Names and indices of a path.
 
-    Raises
-    ------
-    ValueError
-        With the part of the text that is neither a name nor an index.
+    Raises ValueError with the part of the text that is neither a name nor an index.
     """
     found: list[Step] = []
     for part in path.split("."):
@@ -53,10 +50,7 @@ def value_at(tree: Any, path: str) -> Any:
 def put(tree: dict[str, Any], path: str, value: Any) -> None:
     """Put a value at a path; None removes the present value.
 
-    Raises
-    ------
-    LookupError
-        With the step of the path that does not exist.
+    Raises LookupError with the step of the path that does not exist.
     """
     *way, last = steps(path)
     here: Any = tree

@@ -20,10 +20,7 @@ class Resolved(Parts):
 def resolve(scene: Parts) -> Resolved:
     """The scene with all quantities that follow from its parts, which must have passed `check_rules`.
 
-    Raises
-    ------
-    Misfit
-        If a quantity cannot be derived, or its value is impossible.
+    Raises Misfit if a quantity cannot be derived, or its value is impossible.
     """
     resolved = Resolved.model_construct(scene.model_fields_set, **dict(scene))
     for step in (_loaded, _sections, _carried, _timed, _valved, _with_rigid_body):

@@ -74,16 +74,13 @@ def fill_in_tables(
 ) -> dict[str, Any]:
     """The tree in which checked rows replace every ``{file: name.csv}``.
 
+    Raises InputError with table, line and column, if a value cannot be read or is not allowed.
+
     Parameters
     ----------
     tree : plain data of a scene, or of a part of it.
     folder : folder of the scene, to which paths of tables are relative.
     held : texts of the tables by name, if the scene comes from a dataset; no file is then read.
-
-    Raises
-    ------
-    InputError
-        With table, line and column, if a value cannot be read or is not allowed.
     """
     filled = dict(tree)
     for place in PLACES:
@@ -137,10 +134,7 @@ def texts_of_tables(
 ) -> dict[str, str]:
     """Texts of the tables that a tree refers to, by name; ``held`` as in `fill_in_tables`.
 
-    Raises
-    ------
-    InputError
-        When a table cannot be read.
+    Raises InputError when a table cannot be read.
     """
     names = sorted({*names_of_tables(tree)})
     if held is not None:
@@ -185,10 +179,7 @@ def _file(folder: Path, name: object) -> Path:
 def read_table(path: Path, place: Place) -> list[Strict]:
     """Checked rows of a CSV table; reread only if the file has changed, since many points share a table.
 
-    Raises
-    ------
-    InputError
-        When the table cannot be read, or a heading or line is not allowed.
+    Raises InputError when the table cannot be read, or a heading or line is not allowed.
     """
     try:
         stat = path.stat()

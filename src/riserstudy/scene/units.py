@@ -38,11 +38,8 @@ MOST = 1e30  # SI units: above any real value, and its fourth power is still a f
 def to_si(text: str, unit: str) -> float:
     """Value of ``text`` in the SI unit ``unit``.
 
-    Raises
-    ------
-    ValueError
-        When the text is no finite number with a unit of the same dimension; the message states what
-        was found and what is allowed.
+    Raises ValueError when the text is no finite number with a unit of the same dimension; the message states
+    what was found and what is allowed.
     """
     allowed = f"allowed is a number with a unit such as '1 {unit}'"
     plain, offset = text.strip(), 0.0
@@ -91,10 +88,7 @@ def usual_units() -> dict[str, dict[str, float]]:
 def factor(name: str, unit: str) -> float:
     """Conversion factor of a named unit to an SI unit, from pint.
 
-    Raises
-    ------
-    ValueError
-        When pint does not know the unit, or the unit has the wrong dimension.
+    Raises ValueError when pint does not know the unit, or the unit has the wrong dimension.
     """
     import pint
 

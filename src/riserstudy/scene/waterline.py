@@ -21,12 +21,8 @@ def cut(scene: Parts) -> list[Section]:
     """The sections; a section that crosses the surface is divided unless its total weight is given.
 
     A pipe weight that is given together with modules or lines is a submerged weight. For the part above the
-    surface, the weight of the displaced water is added to it.
-
-    Raises
-    ------
-    Misfit
-        If the output of stress names a divided section, or a divided section has no outer diameter.
+    surface, the weight of the displaced water is added to it. Raises Misfit if the output of stress names a
+    divided section, or a divided section has no outer diameter.
     """
     if scene.water is None or scene.water.surface is None or scene.gravity is None:
         return scene.riser

@@ -26,10 +26,8 @@ DOUBTED = 0.02
 def weighed(scene: Parts) -> list[Section]:
     """The sections, each with its weight.
 
-    Raises
-    ------
-    Misfit
-        If a weight is neither given nor computable, in a scene with gravity, water or other weights.
+    Raises Misfit if a weight is neither given nor computable, in a scene with gravity, water or other
+    weights.
     """
     without = [k for k, section in enumerate(scene.riser) if section.submerged_weight is None]
     weightless = scene.gravity is None and scene.water is None
@@ -54,10 +52,7 @@ def weighed(scene: Parts) -> list[Section]:
 def with_attachments(scene: Parts) -> list[Section]:
     """The sections, each with mass and weight of its pipe, modules and lines together.
 
-    Raises
-    ------
-    Misfit
-        If gravity or the weight of a pipe is missing.
+    Raises Misfit if gravity or the weight of a pipe is missing.
     """
     if not any(section.modules or section.lines for section in scene.riser):
         return scene.riser

@@ -121,10 +121,7 @@ def plain(name: str) -> str:
 def head(where: str, text: str) -> Head:
     """The column of a header such as ``hs (ft)``.
 
-    Raises
-    ------
-    InputError
-        When it is ambiguous, or has no unit of its dimension.
+    Raises InputError when it is ambiguous, or has no unit of its dimension.
     """
     match = _HEAD.fullmatch(text)
     name, unit = (match["name"], match["unit"].strip()) if match else (text, "")
@@ -151,14 +148,12 @@ def head(where: str, text: str) -> Head:
 def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
     """Check that 99, 999 and 9999, which often mark missing values, are near the adjacent values.
 
+    Raises InputError at the first possible fill value whose ratio to an adjacent value is not between one
+    half and two.
+
     Parameters
     ----------
     values : (rows,) in the unit of the file; NaN for missing values.
-
-    Raises
-    ------
-    InputError
-        At the first possible fill value whose ratio to an adjacent value is not between one half and two.
     """
     quantity = one.quantity
     if quantity is None or quantity.unit == "deg":

@@ -35,17 +35,13 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     Calm rows, without waves, count as time, but not as sea states. The method is the inverse first-order
     reliability method, with a three-parameter Weibull distribution of heights and a log-normal distribution
     of periods for a given height. The band contains nine in ten contours from years drawn with replacement,
-    separately for each point of the circle of normal variables.
+    separately for each point of the circle of normal variables. Raises InputError when virocon is absent, the
+    record has no peak periods, or fewer than five years are nearly whole.
 
     Parameters
     ----------
     record : record with significant wave heights (m) and peak periods (s).
     years : return period (years).
-
-    Raises
-    ------
-    InputError
-        When virocon is absent, the record has no peak periods, or fewer than five years are nearly whole.
 
     References
     ----------
@@ -114,13 +110,7 @@ def _shorter(alpha: float) -> FloatArray:
 
 
 def _import():  # type: ignore[no-untyped-def]
-    """The library.
-
-    Raises
-    ------
-    InputError
-        When it is absent.
-    """
+    """The library. Raises InputError when it is absent."""
     try:
         import virocon
     except ImportError:

@@ -54,6 +54,9 @@ def cover(
 ) -> Cover:
     """Simulate sea states of a record until responses at others are predicted within an error.
 
+    Raises InputError when the record's sea states are on a line, so that there is no area between them.
+    Raises SimulationError when ``most`` sea states do not suffice.
+
     Parameters
     ----------
     run : function that returns responses (m, k) of sea states (m, 2); NaN where a run fails.
@@ -64,13 +67,6 @@ def cover(
     most : largest number of sea states.
     seed : seed of the draw of sea states for comparison.
     notify : function that receives a description of the next step.
-
-    Raises
-    ------
-    InputError
-        When the record's sea states are on a line, so that there is no area between them.
-    SimulationError
-        When ``most`` sea states do not suffice.
     """
     draw = np.random.default_rng(seed)
     known = first(of)
@@ -108,10 +104,7 @@ def cover(
 def first(of: SeaStates) -> list[int]:
     """The first sea states to simulate: corners of the record, and those farthest from all previous ones.
 
-    Raises
-    ------
-    InputError
-        When the record's sea states are on a line.
+    Raises InputError when the record's sea states are on a line.
     """
     chosen = corners(of.states)
     places = _places(of.states)
@@ -128,10 +121,7 @@ def first(of: SeaStates) -> list[int]:
 def corners(states: FloatArray) -> list[int]:
     """Indices of the sea states, (n, 2), whose convex hull contains all others.
 
-    Raises
-    ------
-    InputError
-        When they are on a line.
+    Raises InputError when they are on a line.
     """
     from scipy.spatial import ConvexHull, QhullError
 

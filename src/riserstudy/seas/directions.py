@@ -66,12 +66,7 @@ class Directions(NamedTuple):
         """The headings between which each row is; the last and the first heading are adjacent.
 
         Waves from a bearing travel to the opposite bearing, and headings increase in the opposite sense of
-        bearings.
-
-        Raises
-        ------
-        InputError
-            When the record has no directions.
+        bearings. Raises InputError when the record has no directions.
         """
         if FROM not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
@@ -91,10 +86,7 @@ class Directions(NamedTuple):
     def scenes(self, file: SceneFile) -> list[SceneFile]:
         """The scene in waves of each heading.
 
-        Raises
-        ------
-        InputError
-            When it has no irregular sea, or cannot have these headings.
+        Raises InputError when it has no irregular sea, or cannot have these headings.
         """
         files = [file.with_values(one, "--sectors") for one in heading_values(file, self.sectors)]
         for one in files:
@@ -104,10 +96,7 @@ class Directions(NamedTuple):
     def middle(self, file: SceneFile, heading: int) -> SceneFile:
         """The scene in waves half-way between a heading and the next.
 
-        Raises
-        ------
-        InputError
-            When it has no irregular sea, or cannot have these headings.
+        Raises InputError when it has no irregular sea, or cannot have these headings.
         """
         values = heading_values(file, 2 * self.sectors)[2 * heading + 1]
         return file.with_values(values, "--sectors")

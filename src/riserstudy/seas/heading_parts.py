@@ -68,10 +68,7 @@ class Part(NamedTuple):
 def headings(file: SceneFile, record: xr.Dataset, directions: Directions | None) -> list[Heading]:
     """The scene in each heading, with its weights in the rows of a record; some may have no rows.
 
-    Raises
-    ------
-    InputError
-        When the scene or the record lacks inputs.
+    Raises InputError when the scene or the record lacks inputs.
     """
     of = sea_states(with_peak_period(record, sea_of(file).peak_enhancement))
     known = of.state_of_row >= 0
@@ -122,12 +119,8 @@ def _half(
 def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notify) -> Part:
     """Simulate sea states of one heading, until the response between them is known within the tolerance.
 
-    Raises
-    ------
-    InputError
-        When the scene lacks inputs, or the sea states are on a line.
-    SimulationError
-        When the largest number of sea states does not suffice.
+    Raises InputError when the scene lacks inputs, or the sea states are on a line. Raises SimulationError
+    when the largest number of sea states does not suffice.
     """
     if not math.isnan(heading.angle):
         notify(f"heading {heading.angle:g} deg: {heading.of.rows.sum()} rows")

@@ -74,20 +74,14 @@ class Hours(NamedTuple):
     def of_windows(self, hours: float) -> Windows:
         """Windows of a length in hours.
 
-        Raises
-        ------
-        InputError
-            When that is no whole number of the record's intervals.
+        Raises InputError when that is no whole number of the record's intervals.
         """
         return windows(self.workable, self.joined, rows_of(hours, self.interval))
 
     def of_waits(self, hours: float) -> list[tuple[str, Wait]]:
         """Waits for a window of a length in hours, for all starts and by month of the start.
 
-        Raises
-        ------
-        InputError
-            When that is no whole number of the record's intervals.
+        Raises InputError when that is no whole number of the record's intervals.
         """
         every = waits(self.workable, self.joined, rows_of(hours, self.interval), self.interval)
         month = month_of(self.time)
@@ -174,10 +168,7 @@ class Hours(NamedTuple):
 def sea_limit(text: str) -> SeaLimit:
     """The limit of a text such as ``hs <= 2.5 m``.
 
-    Raises
-    ------
-    InputError
-        When it names no quantity of the sea, or has no unit.
+    Raises InputError when it names no quantity of the sea, or has no unit.
     """
     allowed = "allowed is such as 'significant_wave_height <= 2.5 m'"
     match = _LIMIT.fullmatch(text)
@@ -194,10 +185,7 @@ def sea_limit(text: str) -> SeaLimit:
 def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
     """Workable hours of a record by limits on the sea.
 
-    Raises
-    ------
-    InputError
-        When the record lacks a quantity that a limit names, or all of its values.
+    Raises InputError when the record lacks a quantity that a limit names, or all of its values.
     """
     known = rows_with_values(record, limits)
     workable = np.all([one.met(record) for one in limits], axis=0)[known]
@@ -205,13 +193,7 @@ def hours(record: xr.Dataset, limits: Sequence[SeaLimit]) -> Hours:
 
 
 def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
-    """Check that a record has the quantities that limits name.
-
-    Raises
-    ------
-    InputError
-        If it does not.
-    """
+    """Check that a record has the quantities that limits name. Raises InputError if it does not."""
     for one in limits:
         if one.quantity.name not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
@@ -223,10 +205,7 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
 def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
     """For each row, whether it has all quantities that limits name, (rows,).
 
-    Raises
-    ------
-    InputError
-        When the record lacks a quantity that a limit names, or no row has all of them.
+    Raises InputError when the record lacks a quantity that a limit names, or no row has all of them.
     """
     check_limits(record, limits)
     every = np.ones(record.sizes["time"], bool)
@@ -241,10 +220,7 @@ def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[
 def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
     """Whether each row meets all limits; a row without a value does not.
 
-    Raises
-    ------
-    InputError
-        When the record lacks a quantity that a limit names.
+    Raises InputError when the record lacks a quantity that a limit names.
     """
     check_limits(record, limits)
     every = np.ones(record.sizes["time"], bool)

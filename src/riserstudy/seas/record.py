@@ -51,6 +51,8 @@ class Gap(NamedTuple):
 def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     """A record of sea states.
 
+    Raises InputError with the file, the row and the column of the first fault.
+
     Parameters
     ----------
     path : Path
@@ -64,11 +66,6 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     xarray.Dataset
         Over ``time``: the quantities of `riserstudy.seas.columns` in the file, in SI units, NaN for missing
         values. The attribute ``interval_hours`` is the most frequent time between rows.
-
-    Raises
-    ------
-    InputError
-        With the file, the row and the column of the first fault.
     """
     import xarray as xr
 
@@ -96,10 +93,7 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
 def write_record(record: xr.Dataset, target: Path) -> None:
     """Write a record as CF netCDF, completely or not at all.
 
-    Raises
-    ------
-    SimulationError
-        When it cannot be written, as on a full disk.
+    Raises SimulationError when it cannot be written, as on a full disk.
     """
     encoding: dict[str, dict[str, Any]] = {
         str(name): {"zlib": True, "complevel": 3} for name in record.data_vars
@@ -135,10 +129,7 @@ def _intervals(time: NDArray[np.datetime64], interval: float) -> NDArray[np.floa
 def check_windows(record: xr.Dataset, windows: Sequence[str]) -> None:
     """Check that lengths of work, such as ``24 h``, are whole numbers of the record's intervals.
 
-    Raises
-    ------
-    InputError
-        If one is not.
+    Raises InputError if one is not.
     """
     for text in windows:
         rows_of(to_si(text, "s") / 3600.0, float(record.attrs["interval_hours"]))
@@ -147,10 +138,7 @@ def check_windows(record: xr.Dataset, windows: Sequence[str]) -> None:
 def rows_of(hours: float, interval: float) -> int:
     """Number of rows of a record (interval: hours between rows) in a length of work (h).
 
-    Raises
-    ------
-    InputError
-        When this is not a whole number.
+    Raises InputError when this is not a whole number.
     """
     rows = hours / interval
     if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
@@ -232,10 +220,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
 def _check_head(path: Path, text: str, separator: str) -> None:
     """Check that no heading occurs twice, and that the first row has no more cells than the header.
 
-    Raises
-    ------
-    InputError
-        Otherwise, because columns would be lost or shifted.
+    Raises InputError otherwise, because columns would be lost or shifted.
     """
     rows = list(islice(csv.reader(io.StringIO(text), delimiter=separator), 2))
     heads = [cell.strip() for cell in rows[0]] if rows else []
@@ -249,10 +234,7 @@ def _check_head(path: Path, text: str, separator: str) -> None:
 def _check_clock(path: Path, pattern: str) -> None:
     """Check that the header of times has a pattern, or states UTC.
 
-    Raises
-    ------
-    InputError
-        If it states another zone, or a unit such as hours.
+    Raises InputError if it states another zone, or a unit such as hours.
     """
     words = re.findall(
         r"[A-Za-z]+", reduce(lambda rest, one: rest.replace(one[0], ""), PATTERNS, pattern)
@@ -331,10 +313,7 @@ def _fills(cells: pd.Series, one: Head) -> str:
 def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64]) -> None:
     """Check that few rows are closer than the usual interval, because each row counts as one interval.
 
-    Raises
-    ------
-    InputError
-        If many are, as in a record that becomes hourly.
+    Raises InputError if many are, as in a record that becomes hourly.
     """
     usual = 3600.0 * interval_hours(frame.index.to_numpy())
     closer = steps < CLOSER * usual
@@ -349,10 +328,7 @@ def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64])
 def _check(path: Path, frame: pd.DataFrame) -> None:
     """Check that times increase, and that every number is possible.
 
-    Raises
-    ------
-    InputError
-        At the first row with a fault.
+    Raises InputError at the first row with a fault.
     """
     if len(frame) < 2:
         raise InputError(path, "time", f"{len(frame)} rows", "allowed are two and more")

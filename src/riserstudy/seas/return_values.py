@@ -123,15 +123,12 @@ def return_values(
 ) -> Table:
     """Results of both methods, one row per return period (years).
 
+    Raises InputError when fewer than five years are nearly complete.
+
     Parameters
     ----------
     interval : time between rows (h).
     unit : unit of the values, for the headings.
-
-    Raises
-    ------
-    InputError
-        When fewer than five years are nearly complete.
     """
     known = np.isfinite(values)
     largest = np.array([np.nanmax(values[of]) for of in whole_years(time, known, interval)])
@@ -149,10 +146,7 @@ def whole_years(
 ) -> list[NDArray[np.bool_]]:
     """Rows (n,) of each nearly complete year (interval: hours between rows).
 
-    Raises
-    ------
-    InputError
-        When there are fewer than five.
+    Raises InputError when there are fewer than five.
     """
     year = time.astype("datetime64[Y]").astype(int) + 1970
     rows = [year == one for one in np.unique(year)]

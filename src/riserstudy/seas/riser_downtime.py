@@ -53,6 +53,9 @@ def riser_downtime(
 ) -> Downtime:
     """Workable hours of a record by the limits of a riser.
 
+    Raises InputError when the scene or the record lacks inputs. Raises SimulationError when ``most`` sea
+    states do not suffice.
+
     Parameters
     ----------
     file : a scene with limits, an irregular sea and a duration.
@@ -64,13 +67,6 @@ def riser_downtime(
         larger.
     most : largest number of simulated sea states for each heading.
     notify : function that receives a description of the next step.
-
-    Raises
-    ------
-    InputError
-        When the scene or the record lacks inputs.
-    SimulationError
-        When ``most`` sea states do not suffice.
     """
     effort = Effort(seeds, error, most, cores)
     check_seeds(seeds)

@@ -40,10 +40,7 @@ class SeaStates(NamedTuple):
 def sea_states(record: xr.Dataset) -> SeaStates:
     """The sea states of a record (`riserstudy.seas.record.read_record`).
 
-    Raises
-    ------
-    InputError
-        When it has no heights and periods.
+    Raises InputError when it has no heights and periods.
     """
     for name in NEEDED:
         if name not in record:

@@ -54,12 +54,8 @@ def effort_of(study: SeasStudy, cores: int) -> Effort:
 def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> int:
     """Simulate and store one setting in one heading, and half-way to the next; returns the number of seas.
 
-    Raises
-    ------
-    InputError
-        When the record lacks what this needs.
-    SimulationError
-        When so many sea states do not suffice.
+    Raises InputError when the record lacks what this needs. Raises SimulationError when so many sea states do
+    not suffice.
     """
     file, sector = study.part(number)
     record = record_of(study)
@@ -78,12 +74,8 @@ def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> 
 def seas_hours(study: SeasStudy, cores: int, notify: Notify) -> xr.Dataset:
     """Workable hours at each setting, the limits that reduce them, and the responses behind them.
 
-    Raises
-    ------
-    InputError
-        When the record lacks what this needs.
-    SimulationError
-        When so many sea states do not suffice.
+    Raises InputError when the record lacks what this needs. Raises SimulationError when so many sea states do
+    not suffice.
     """
     record, effort = record_of(study), effort_of(study, cores)
     limits = [sea_limit(one) for one in study.model.sea_limits]

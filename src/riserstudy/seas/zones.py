@@ -40,15 +40,12 @@ OF_FILE = re.compile(rf"{LOCAL}|(?i:\btimes?\b).{{0,20}}{ABBREVIATIONS}")
 def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, Any]) -> None:
     """Check that no attribute states another time zone than UTC.
 
+    Raises InputError with the attribute that states it.
+
     Parameters
     ----------
     clock : the times; xarray has already applied a numeric offset in their units.
     about : attributes of the file.
-
-    Raises
-    ------
-    InputError
-        With the attribute that states it.
     """
     for source, value in _other_zones(clock, name, about):
         allowed = "convert the times to UTC, or correct the attribute"
@@ -58,10 +55,7 @@ def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, A
 def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
     """Check that a column of zones, identified by its heading, has only UTC.
 
-    Raises
-    ------
-    InputError
-        With the first row that has another zone.
+    Raises InputError with the first row that has another zone.
     """
     if plain(heading) not in ZONES_BY_NAME:
         return

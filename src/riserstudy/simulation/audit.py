@@ -70,12 +70,8 @@ def exchange(facts: RunFacts, coupling: Coupling) -> None:
 def finite(arrays: dict[str, FloatArray]) -> None:
     """Check that all values are finite; arrays have any shape and unit.
 
-    Raises
-    ------
-    StepFailed
-        If a value over time is not finite: an output between long steps may have a gas volume of zero.
-    SimulationError
-        If a static value is not finite.
+    Raises StepFailed if a value over time is not finite: an output between long steps may have a gas volume
+    of zero. Raises SimulationError if a static value is not finite.
     """
     for name, values in arrays.items():
         if not np.isfinite(values).all():

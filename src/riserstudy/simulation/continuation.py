@@ -38,10 +38,7 @@ class Lost(NamedTuple):
 def search(model: Model, mesh: Mesh) -> Equilibrium:
     """Bring a model to static equilibrium from its present shape.
 
-    Raises
-    ------
-    NoEquilibrium
-        With the node and residual of the last attempt.
+    Raises NoEquilibrium with the node and residual of the last attempt.
     """
     tolerance = 1e-10 * float(mesh.l0.sum())
     current = model.has(Current)
@@ -67,15 +64,12 @@ def folded_at(model: Model) -> int | None:
 def by_parts(scene: Resolved, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
     """The equilibrium of a riser with an offset, which is applied in parts; then the current is applied.
 
+    Raises SimulationError when the top has no offset, or parts become too small.
+
     Parameters
     ----------
     elevation : elevation of the ring (m), as in `build`.
     lost : model that has no equilibrium from its initial shape, and the reason.
-
-    Raises
-    ------
-    SimulationError
-        When the top has no offset, or parts become too small.
     """
     if not any(_aside(scene, 1.0)):
         raise _failed(scene, mesh, lost.why, 0.0)

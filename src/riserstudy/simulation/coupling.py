@@ -88,6 +88,8 @@ def march_in_turns(
 ) -> tuple[int, dict[str, Any]]:
     """March both sides from the state of the riser's side; outputs go to ``record``, work to ``sums``.
 
+    Raises SimulationError when the iterations of a turn do not converge.
+
     Parameters
     ----------
     method : method for one turn; the last turn may be shorter.
@@ -96,11 +98,6 @@ def march_in_turns(
     Returns
     -------
     The result of `march`, and facts about the exchange.
-
-    Raises
-    ------
-    SimulationError
-        When the iterations of a turn do not converge.
     """
     riser = sides.riser
     forces_and_tangent(riser.programs, riser.state)

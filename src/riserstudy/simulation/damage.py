@@ -95,10 +95,7 @@ def damage(cycles: Cycles, curve: SNCurve, concentration: float, thickness: floa
 def since(scene: Resolved) -> float:
     """Time from which on cycles are counted (s): after all ramps, and after the build-up of vibrations.
 
-    Raises
-    ------
-    SimulationError
-        When the run ends before this time.
+    Raises SimulationError when the run ends before this time.
     """
     a = scene.analysis
     if a.duration is None or a.output is None:
@@ -126,12 +123,8 @@ class Part(NamedTuple):
 def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
     """Add damage per year along the riser, ``damage_rate``, and each detail's largest value to a run.
 
-    The array is (details, angles, nodes), 1/year, NaN at nodes without the detail.
-
-    Raises
-    ------
-    SimulationError
-        When the run is too short.
+    The array is (details, angles, nodes), 1/year, NaN at nodes without the detail. Raises SimulationError
+    when the run is too short.
     """
     of = scene.fatigue
     if of is None:
@@ -293,10 +286,8 @@ def _components(histories: Arrays) -> tuple[Array, Array | None]:
 def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
     """Check that outputs are frequent enough for the peaks of stress.
 
-    Raises
-    ------
-    SimulationError
-        When outputs miss a tenth of a detail's damage; the message gives the largest output interval.
+    Raises SimulationError when outputs miss a tenth of a detail's damage; the message gives the largest
+    output interval.
     """
     for row in facts.get("fatigue", []):
         if row["error_of_outputs"] > CUT_OFF and scene.analysis.output:

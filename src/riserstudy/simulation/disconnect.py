@@ -30,10 +30,8 @@ ABOVE = 1.0
 def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
     """The model with its lower end released; the facts receive the energy (J) that the release removes.
 
-    Raises
-    ------
-    SimulationError
-        When the riser presses on the stack at the release, and the scene has no contact with the stack.
+    Raises SimulationError when the riser presses on the stack at the release, and the scene has no contact
+    with the stack.
     """
     release = scene.disconnect
     if release is None:

@@ -26,11 +26,7 @@ def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Eq
     """Model at static equilibrium, in ``d`` directions if more than the scene needs.
 
     For a dynamic run, it is the equilibrium at the start of the run; for a static scene, the state at rest.
-
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found.
+    Raises SimulationError when no equilibrium is found.
     """
     scene = scene if scene.analysis.duration else at_rest(scene)
     top = scene.top

@@ -52,12 +52,7 @@ def march_through(
     """March by steps of ``step`` (s), from event to event.
 
     Returns the model at the end, DONE or the reason why the march stopped, and the stored energy that the
-    events removed (J).
-
-    Raises
-    ------
-    SimulationError
-        When an event is not possible in the present state.
+    events removed (J). Raises SimulationError when an event is not possible in the present state.
     """
     taken, since = 0.0, 0.0
     for event in sorted(events_of(scene, mesh, facts), key=lambda event: event.at):

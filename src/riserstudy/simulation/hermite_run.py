@@ -59,12 +59,8 @@ AVERAGE_ACCELERATION = Newmark(beta=0.25, gamma=0.5)
 def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result:
     """One run of a scene as a tensioned beam, with a time step (s; None: static).
 
-    It has histories at all nodes, and envelopes over the outputs.
-
-    Raises
-    ------
-    SimulationError
-        When the beam cannot represent the scene, is unstable, or a step fails.
+    It has histories at all nodes, and envelopes over the outputs. Raises SimulationError when the beam cannot
+    represent the scene, is unstable, or a step fails.
     """
     started = clock.perf_counter()
     beam = beam_of(scene, mesh)
@@ -134,10 +130,7 @@ def _stiffening(scene: Resolved, mesh: Mesh, rest: FloatArray, moving: FloatArra
 def beam_of(scene: Resolved, mesh: Mesh) -> Beam:
     """The beam of a scene on a mesh.
 
-    Raises
-    ------
-    SimulationError
-        When a beam with small slopes cannot represent the scene.
+    Raises SimulationError when a beam with small slopes cannot represent the scene.
     """
     _refuse(scene)
     gravity = scene.gravity or 0.0
@@ -229,10 +222,7 @@ def _sign(heading: float | None) -> float:
 def effects_of(scene: Resolved) -> dict[str, str]:
     """Effects of the beam, with the reason for each.
 
-    Raises
-    ------
-    SimulationError
-        When the scene includes an effect that the beam does not have.
+    Raises SimulationError when the scene includes an effect that the beam does not have.
     """
     model = build(scene, even(scene, max(2, len(scene.riser))), ring_elevation=0.0, d=2)
     called = {effect.name: effect.because for effect in model.effects}

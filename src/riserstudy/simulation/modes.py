@@ -65,12 +65,8 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
     """Frequencies, periods and shapes of the lowest modes, as in ``modes``.
 
     A riser with bending stiffness or tension also has lateral modes, even if nothing in the scene moves it
-    laterally. A bar without either has only axial modes.
-
-    Raises
-    ------
-    SimulationError
-        When there is no equilibrium, or a node that moves has no mass.
+    laterally. A bar without either has only axial modes. Raises SimulationError when there is no equilibrium,
+    or a node that moves has no mass.
     """
     import xarray as xr
 

@@ -27,14 +27,8 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
 
     The coarser runs come first, so the time of the run itself does not include the loading of kernels. Mesh
     and step are doubled one at a time. If both were doubled together, the larger error of one, which
-    decreases, would hide the remaining error of the other.
-
-    Raises
-    ------
-    SimulationError
-        As `run` does.
-    TakesTooLong
-        When the run takes longer than the time limit.
+    decreases, would hide the remaining error of the other. Raises SimulationError as `run` does. Raises
+    TakesTooLong when the run takes longer than the time limit.
     """
     a = scene.analysis
     elements = a.mesh.elements if a.mesh else 1

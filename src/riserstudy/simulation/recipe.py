@@ -49,10 +49,7 @@ class Recipe(NamedTuple):
 def recipe(scene: Resolved) -> Recipe | None:
     """The recipe for a long record; None for other scenes, and with a mesh or a tolerance of 5 % or more.
 
-    Raises
-    ------
-    SimulationError
-        When the piece cannot be completed.
+    Raises SimulationError when the piece cannot be completed.
     """
     if not _long(scene) or scene.analysis.mesh or (scene.analysis.accuracy or 0.0) >= ROUGH:
         return None

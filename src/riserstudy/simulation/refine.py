@@ -58,7 +58,10 @@ def run(
 
     If the scene has a mesh and a time step, they are used, and four coarser runs, with step and mesh doubled
     one at a time, give the estimated error. Otherwise, the one of mesh and step with the larger error is
-    halved until the estimated error of displacement, tension and moment is below the tolerance.
+    halved until the estimated error of displacement, tension and moment is below the tolerance. Raises
+    SimulationError when no equilibrium is found or a step fails: time, node, effect and remedy. Raises
+    PhysicallyUnstable when a string without bending stiffness buckles, for which finer runs do not converge.
+    Raises TakesTooLong when the time limit ends before the first run, or before the run on a prescribed mesh.
 
     Parameters
     ----------
@@ -68,15 +71,6 @@ def run(
     estimated : whether the error of a run with mesh and step in the scene is estimated, which doubles the
         time.
     notify : function that receives the name of the present run, and the share of it that is done.
-
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found or a step fails: time, node, effect and remedy.
-    PhysicallyUnstable
-        When a string without bending stiffness buckles, for which finer runs do not converge.
-    TakesTooLong
-        When the time limit ends before the first run, or before the run on a prescribed mesh.
     """
     from riserstudy.simulation.long_record import refinement_of  # which is built on this file
 
@@ -133,10 +127,8 @@ class Refinement:
     def result(self) -> Result:
         """The finest run, with its estimated error.
 
-        Raises
-        ------
-        SimulationError
-            As `run` does: no equilibrium, a failed step, buckling that no mesh resolves, no time left.
+        Raises SimulationError as `run` does: no equilibrium, a failed step, buckling that no mesh resolves,
+        no time left.
         """
         if not self.ways:  # a massless spring at rest
             return _exact(single(self.scene, self.mesh, self.step))
@@ -164,10 +156,7 @@ class Refinement:
     def _refine(self) -> bool:
         """Run with finer and finer mesh and step; returns whether the tolerance is met.
 
-        Raises
-        ------
-        TakesTooLong
-            When the time limit ends before that.
+        Raises TakesTooLong when the time limit ends before that.
         """
         left = RUNS
         while True:

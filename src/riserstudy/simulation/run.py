@@ -59,20 +59,14 @@ def single(
 ) -> Result:
     """One run with a given mesh and time step (s; None: static), without error estimate.
 
+    Raises SimulationError when no equilibrium is found, or a value is not finite. Raises StepFailed when a
+    step fails: time, node, effect and remedy. Raises TakesTooLong when the watch breaks the march off.
+
     Parameters
     ----------
     everywhere : whether histories are at all nodes, with the data for interpolation between nodes, instead of
         at the requested places.
     watch : reports progress and interrupts the run; absent: no reports and no time limit.
-
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found, or a value is not finite.
-    StepFailed
-        When a step fails: time, node, effect and remedy.
-    TakesTooLong
-        When the watch breaks the march off.
     """
     result = finish(scene, mesh, march(scene, mesh, step, everywhere, watch))
     stations = scene.analysis.output and scene.analysis.output.stations
@@ -92,18 +86,13 @@ def march(
 ) -> Result:
     """A run with a time step (s) as in `single`, without the outputs that `finish` derives afterwards.
 
-    It has the outputs for a comparison with other runs.
+    It has the outputs for a comparison with other runs. Raises SimulationError as `single` does.
 
     Parameters
     ----------
     rest : the scene at rest on the mesh; absent: it is computed.
     extremes : whether extremes of all outputs over all steps are computed; a run that is only compared needs
         those of displacement, tension, moment and flex joint angles.
-
-    Raises
-    ------
-    SimulationError
-        As `single` does.
     """
     if scene.analysis.solver == "hermite":
         from riserstudy.simulation.hermite_run import solve_small_angle  # slow to load
@@ -202,14 +191,8 @@ def in_motion(
 
     The audit is added to the facts. ``whole``: histories at all nodes, else at the nodes for the stations.
     ``judged``: with extremes of all outputs. ``step`` is in s; with ``vessel.coupling``, a whole fraction of
-    the interval is used.
-
-    Raises
-    ------
-    StepFailed
-        When a step fails: time, node, effect and remedy.
-    TakesTooLong
-        When the watch breaks the march off.
+    the interval is used. Raises StepFailed when a step fails: time, node, effect and remedy. Raises
+    TakesTooLong when the watch breaks the march off.
     """
     a = scene.analysis
     if a.duration is None or a.output is None:
@@ -334,10 +317,7 @@ def explicitly(
 ) -> int:
     """March by the explicit method.
 
-    Raises
-    ------
-    SimulationError
-        When the time step (s) exceeds the stability limit.
+    Raises SimulationError when the time step (s) exceeds the stability limit.
     """
     if step > limit:
         raise SimulationError(

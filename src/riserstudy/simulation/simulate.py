@@ -79,10 +79,7 @@ def at_accuracy(file: SceneFile, accuracy: str) -> SceneFile:
 def seconds(patience: float | str | None) -> float:
     """Time limit in seconds, from a number of seconds or text with a unit; infinite if absent.
 
-    Raises
-    ------
-    InputError
-        When it is not a positive time.
+    Raises InputError when it is not a positive time.
     """
     allowed = "allowed is a positive number of seconds, or text such as '10 min'"
     try:

@@ -66,10 +66,7 @@ def _below_mudline(scene: Resolved, k: int) -> bool:
 def end_layers(scene: Resolved) -> tuple[float, float]:
     """Bending layers at the lower and the upper end (m); infinite where an even mesh is sufficient.
 
-    Raises
-    ------
-    SimulationError
-        When no equilibrium is found.
+    Raises SimulationError when no equilibrium is found.
     """
     if not scene.lateral:
         return math.inf, math.inf

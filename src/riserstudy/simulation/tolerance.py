@@ -36,11 +36,7 @@ def check_error(result: Result, scene: Resolved) -> None:
     """Check that no estimated error exceeds the largest value itself: such a result is unknown.
 
     With a prescribed mesh and time step, the result is kept with a warning, and no limit counts as met.
-
-    Raises
-    ------
-    SimulationError
-        With the quantity, its error and the remedy, if the engine chose mesh and step.
+    Raises SimulationError with the quantity, its error and the remedy, if the engine chose mesh and step.
     """
     error = result.facts.get("error_estimate", {})
     if not any(value > 1.0 for value in controlled(error).values()):
@@ -58,14 +54,12 @@ def check_error(result: Result, scene: Resolved) -> None:
 def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> None:
     """Detect buckling of a string without bending stiffness, whose wavelength decreases with each mesh.
 
+    Raises PhysicallyUnstable when the error of a string under compression has not decreased within `PATIENT`
+    runs.
+
     Parameters
     ----------
     excess : largest ratio of error to tolerance (1), of every run so far.
-
-    Raises
-    ------
-    PhysicallyUnstable
-        When the error of a string under compression has not decreased within `PATIENT` runs.
     """
     earlier = excess[:-PATIENT]
     if not earlier or min(excess) <= 0.5 * min(earlier) or "bending_moment" in finer.arrays:

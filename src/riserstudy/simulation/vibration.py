@@ -34,10 +34,7 @@ STEPS, OUTPUTS = 20, 4  # smallest numbers of time steps and outputs in a period
 def since(scene: Resolved) -> float | None:
     """Time from which on a run's vibration is evaluated (s); None without vortex-induced vibration.
 
-    Raises
-    ------
-    SimulationError
-        When a run ends before its ramps.
+    Raises SimulationError when a run ends before its ramps.
     """
     duration = scene.analysis.duration
     if duration is None or not shedding(scene):

@@ -28,10 +28,7 @@ class VibrationRefinement(Refinement):
     def result(self) -> Result:
         """The finest run with its estimated error, and with a warning if chance exceeds the tolerance.
 
-        Raises
-        ------
-        SimulationError
-            As in `Refinement.result`.
+        Raises SimulationError as in `Refinement.result`.
         """
         finest = super().result()
         error = finest.facts["error_estimate"]

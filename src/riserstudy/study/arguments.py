@@ -15,10 +15,7 @@ def refuse_arguments(
 ) -> None:
     """Refuse unknown or missing arguments of a chapter's function, before it runs.
 
-    Raises
-    ------
-    InputError
-        With the file ``path`` and its ``field``.
+    Raises InputError with the file ``path`` and its ``field``.
     """
     needed, taken = arguments_of(chapter_modules(paper, part), function)
     names = {*given}

@@ -63,12 +63,7 @@ def results_of(
     """Results of points in order, and the number of points that had to be simulated.
 
     At the end, ``notify`` is called with a sentence about this number; ``count`` is called for each completed
-    point. Absent points: all.
-
-    Raises
-    ------
-    SimulationError
-        When points cannot be completed.
+    point. Absent points: all. Raises SimulationError when points cannot be completed.
     """
     kept: dict[str, Result] = {}
     shared: dict[Any, Any] = {}
@@ -339,10 +334,7 @@ def _about(study: Study, results: list[Result]) -> dict[str, Any]:
 def write_dataset(dataset: xr.Dataset, target: Path) -> None:
     """Write a netCDF file completely or not at all.
 
-    Raises
-    ------
-    SimulationError
-        When it cannot be written, as on a full disk.
+    Raises SimulationError when it cannot be written, as on a full disk.
     """
     dataset = complete(dataset)
     write_netcdf(dataset, target, _compressed(dataset))

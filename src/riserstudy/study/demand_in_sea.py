@@ -26,10 +26,7 @@ class Demand(NamedTuple):
 def check_seeds(seeds: int) -> None:
     """Check that the number of seeds is one, or sufficient for a distribution.
 
-    Raises
-    ------
-    InputError
-        If it is neither.
+    Raises InputError if it is neither.
     """
     if seeds != 1 and seeds < FEWEST_SEEDS:
         allowed = f"allowed are 1, whose extremes are used directly, and {FEWEST_SEEDS} or more"

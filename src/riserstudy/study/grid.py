@@ -81,10 +81,7 @@ class Grid:
     def points(self, first: int = 0, stride: int = 1) -> Iterator[Point]:
         """All points with the last axis varying fastest; or every ``stride``-th point from ``first`` on.
 
-        Raises
-        ------
-        InputError
-            When a point's scene is invalid.
+        Raises InputError when a point's scene is invalid.
         """
         part = lru_cache(REMEMBERED)(self._part)
         axes_of = {

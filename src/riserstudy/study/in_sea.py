@@ -19,10 +19,7 @@ class Sea(NamedTuple):
 def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
     """The scene in another sea, with other phases.
 
-    Raises
-    ------
-    InputError
-        When the scene has no irregular sea, or no time.
+    Raises InputError when the scene has no irregular sea, or no time.
     """
     return file.with_values(values_of(file, sea) | phases_of(file, seed), "sea")
 
@@ -30,10 +27,7 @@ def in_sea(file: SceneFile, sea: Sea, seed: int) -> SceneFile:
 def values_of(file: SceneFile, sea: Sea) -> dict[str, Any]:
     """Values that put a scene into another sea, by path of the scene.
 
-    Raises
-    ------
-    InputError
-        When the scene has no irregular sea, or no time.
+    Raises InputError when the scene has no irregular sea, or no time.
     """
     values: dict[str, Any] = {}
     for path in _paths(file):
@@ -45,10 +39,7 @@ def values_of(file: SceneFile, sea: Sea) -> dict[str, Any]:
 def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
     """Values that give the sea of a scene other phases, by path of the scene.
 
-    Raises
-    ------
-    InputError
-        When the scene has no irregular sea, or no time.
+    Raises InputError when the scene has no irregular sea, or no time.
     """
     return {f"{path}.seed": seed for path in _paths(file)}
 
@@ -56,10 +47,7 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
 def heading_paths(file: SceneFile) -> list[str]:
     """Paths of the headings of a scene's irregular sea.
 
-    Raises
-    ------
-    InputError
-        When there is none, or the scene has no time.
+    Raises InputError when there is none, or the scene has no time.
     """
     return [
         f"{path.removesuffix('.wave')}.heading" if "." in path else f"{path}.heading"
@@ -70,10 +58,7 @@ def heading_paths(file: SceneFile) -> list[str]:
 def heading_values(file: SceneFile, sectors: int) -> list[dict[str, Any]]:
     """Values that set the heading of a scene's sea to the middle of each sector, the first along x.
 
-    Raises
-    ------
-    InputError
-        When the scene has no irregular sea, or no time.
+    Raises InputError when the scene has no irregular sea, or no time.
     """
     headings = [f"{k * 360.0 / sectors:.10g} deg" for k in range(sectors)]
     return [dict.fromkeys(heading_paths(file), heading) for heading in headings]
@@ -82,10 +67,7 @@ def heading_values(file: SceneFile, sectors: int) -> list[dict[str, Any]]:
 def sea_of(file: SceneFile) -> Storm:
     """The irregular sea of a scene; the platform's sea, if it has one.
 
-    Raises
-    ------
-    InputError
-        When there is none, or the scene has no time.
+    Raises InputError when there is none, or the scene has no time.
     """
     return next(iter(_seas(file).values()))
 
@@ -95,13 +77,7 @@ def _paths(file: SceneFile) -> list[str]:
 
 
 def _seas(file: SceneFile) -> dict[str, Storm]:
-    """Irregular seas of a scene, by path.
-
-    Raises
-    ------
-    InputError
-        When there is none, or the scene is static.
-    """
+    """Irregular seas of a scene, by path. Raises InputError when there is none, or the scene is static."""
     scene = file.resolved()
     response = scene.platform and scene.platform.response
     there = {"platform.response.wave": response and response.wave, "wave": scene.wave}

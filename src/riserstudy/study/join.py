@@ -60,16 +60,13 @@ def write_study(
 ) -> None:
     """Simulate the missing points of a study, and write its dataset.
 
+    Raises SimulationError when points cannot be completed, or the dataset cannot be written.
+
     Parameters
     ----------
     settings : tuned settings of the study, if it has them.
     notify : function that receives a sentence with the number of simulated points.
     count : function that is called for each completed point; absent: none.
-
-    Raises
-    ------
-    SimulationError
-        When points cannot be completed, or the dataset cannot be written.
     """
     tuned = with_setting(study, settings.setting) if settings and settings.setting else None
 

@@ -39,12 +39,8 @@ def limited(study: Study) -> bool:
 def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None:
     """Add utilisation, demand and verdict of each limit over the axes and ``limit``, if the study has limits.
 
-    Allowables that differ between points are a variable, and are not in the attribute.
-
-    Raises
-    ------
-    InputError
-        When points have different limits; only allowables may differ.
+    Allowables that differ between points are a variable, and are not in the attribute. Raises InputError when
+    points have different limits; only allowables may differ.
     """
     if not limited(study):
         return

@@ -65,10 +65,7 @@ def models_of(paper: str) -> dict[str, type[MeasuredModel]]:
 def measured_models(path: Path, paper: str, trees: dict[str, Any]) -> dict[str, MeasuredModel]:
     """The entries below ``measured`` in the study file ``path``, checked by the models of its chapter.
 
-    Raises
-    ------
-    InputError
-        When the chapter lacks the model or the function, or an entry is invalid.
+    Raises InputError when the chapter lacks the model or the function, or an entry is invalid.
     """
     models = models_of(paper) if trees else {}
     measured = {}

@@ -46,10 +46,7 @@ def lacks_modes(study: Study, point: Point) -> bool:
 def make_modes(study: Study, point: Point, file: SceneFile) -> None:
     """Compute the modes of a point and store them.
 
-    Raises
-    ------
-    SimulationError
-        When the scene has no equilibrium, or a node that moves has no mass.
+    Raises SimulationError when the scene has no equilibrium, or a node that moves has no mass.
     """
     count = study.model.modes or 0
     store.put(key_of_modes(point.key, count), modes_result(file, count), file)

@@ -13,10 +13,7 @@ TEMPLATE = Path(__file__).with_name("template")
 def new_study(folder: Path) -> None:
     """Write a Snakefile, a configuration, an example of a scene and a study, and schemas for editors.
 
-    Raises
-    ------
-    InputError
-        When the folder is not empty, or cannot be made.
+    Raises InputError when the folder is not empty, or cannot be made.
     """
     from riserstudy.study.schemas import schema_files
 

@@ -54,14 +54,11 @@ class Pack(NamedTuple):
 def write_pack(folder: Path, points: Mapping[str, bytes], born: str | None = None) -> Path:
     """Write points, in their stored form, to a new pack.
 
+    Raises OSError when it cannot be written; no file remains then.
+
     Parameters
     ----------
     born : time at the begin of its name, from the pack that it replaces; absent: now.
-
-    Raises
-    ------
-    OSError
-        When it cannot be written; no file remains then.
     """
     import numpy as np
 

@@ -39,10 +39,7 @@ class QuickTuner(Tuner):
     def place(self, index: Index) -> Place:
         """A point, and a reference run by the fourth-order method with the refined run's segments halved.
 
-        Raises
-        ------
-        SimulationError
-            When the run cannot be completed.
+        Raises SimulationError when the run cannot be completed.
         """
         self.notify(f"a request and a finer run at {self.study.place(index)}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
@@ -59,10 +56,7 @@ class QuickTuner(Tuner):
     def least_work(self, places: list[Place]) -> Setting:
         """The setting of least work among every second mesh and step, along the border of those that suffice.
 
-        Raises
-        ------
-        SimulationError
-            When no setting needs less work than runs with a tolerance.
+        Raises SimulationError when no setting needs less work than runs with a tolerance.
         """
         scenes = [place.file.resolved() for place in places]
         best, least = None, sum(place.work_of_request for place in places)
@@ -107,12 +101,8 @@ def _halvable(elements: float) -> int:
 def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tuned:
     """A setting for a small study, with its error and cost.
 
-    Raises
-    ------
-    InputError
-        When there is nothing to tune.
-    SimulationError
-        When the point cannot be run, or no setting suffices with less work than runs with a tolerance.
+    Raises InputError when there is nothing to tune. Raises SimulationError when the point cannot be run, or
+    no setting suffices with less work than runs with a tolerance.
     """
     check_tunable(study, 1)
     tuner = QuickTuner(study, None, notify)

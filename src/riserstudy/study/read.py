@@ -23,10 +23,7 @@ from riserstudy.study.study import Study, scene_file
 def read_studies(config: Path, paper: str) -> StudyFile:
     """The checked study file of a paper.
 
-    Raises
-    ------
-    InputError
-        When the file is invalid, or requires code that does not exist.
+    Raises InputError when the file is invalid, or requires code that does not exist.
     """
     path = config / "studies" / f"{paper}.yaml"
     file = check(StudyFile, _with_models(read_yaml(path, keep=True), path, paper), path)

@@ -16,12 +16,8 @@ _PARTS = re.compile(r"\s*([-+0-9.eE]+)\s*(.*)")
 def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[str, Any]]:
     """Overrides for ``count`` scrambled Sobol points over all assumptions together.
 
-    A range is sampled uniformly, and options with equal probability.
-
-    Raises
-    ------
-    InputError
-        When there is no assumption to vary, or the ends of a range have different units.
+    A range is sampled uniformly, and options with equal probability. Raises InputError when there is no
+    assumption to vary, or the ends of a range have different units.
     """
     if not assumptions:
         raise InputError(
@@ -58,10 +54,7 @@ def sobol(dimensions: int, count: int, seed: int) -> list[list[float]]:
 def value_at(path: str, origin: Origin, x: float) -> Any:
     """Value of an assumption, with its unit, at position 0 <= x < 1 of its range or options.
 
-    Raises
-    ------
-    InputError
-        When the ends of the range have different units.
+    Raises InputError when the ends of the range have different units.
     """
     if origin.options:
         return origin.options[min(int(x * len(origin.options)), len(origin.options) - 1)]

@@ -83,10 +83,7 @@ class SeasStudy:
     def check(self) -> None:
         """Check, before any job, that each setting has the inputs for workable hours.
 
-        Raises
-        ------
-        InputError
-            If a setting lacks them.
+        Raises InputError if a setting lacks them.
         """
         for point in self.parts.plan:
             file = self.parts.grid.file(point.index)

@@ -81,13 +81,7 @@ def write_settings(settings: Settings, target: Path) -> None:
 
 
 def read_settings(path: Path) -> Settings:
-    """Settings from their file.
-
-    Raises
-    ------
-    InputError
-        When the file is missing or damaged.
-    """
+    """Settings from their file. Raises InputError when the file is missing or damaged."""
     try:
         return from_plain(json.loads(path.read_text("utf-8")))
     except (OSError, ValueError, TypeError, KeyError):
@@ -133,17 +127,13 @@ def fill_tuned(
     """Simulate points that the store lacks, with the tuned setting, or with the tolerance where it fails.
 
     The tuned setting does not suffice for a point that cannot be completed, or whose estimated error exceeds
-    the tolerance. For a point without an estimate, the nearest point with an estimate decides.
+    the tolerance. For a point without an estimate, the nearest point with an estimate decides. Raises
+    SimulationError when a point cannot be completed with the tolerance either.
 
     Parameters
     ----------
     both : points with the tolerance and with the tuned setting, in pairs.
     count : function that is called for each completed point; absent: none.
-
-    Raises
-    ------
-    SimulationError
-        When a point cannot be completed with the tolerance either.
     """
     pairs = list(both)
     total = len({one.key for _, one in pairs})
@@ -209,18 +199,13 @@ def dataset_tuned(
     """Dataset of a tuned study, and its results.
 
     For each point, it has whether the point was run with the tolerance (``by_request``), and whether its
-    error was estimated.
+    error was estimated. Raises SimulationError when points cannot be completed.
 
     Parameters
     ----------
     tuned : the study with its setting; None without a setting.
     notify : function that receives a sentence with the number of simulated points; ``count`` is called for
         each completed point.
-
-    Raises
-    ------
-    SimulationError
-        When points cannot be completed.
     """
     if tuned is None:
         results, _ = results_of(study, processes, notify, count)

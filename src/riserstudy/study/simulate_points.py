@@ -55,15 +55,12 @@ Count = Callable[[int, int], None]
 def fill(study: Study, points: Iterable[Point], processes: int, count: Count | None = None) -> int:
     """Simulate the points that the store lacks; returns their number.
 
+    Raises SimulationError when points cannot be completed; for each cause, the message has the number of
+    points and the first one.
+
     Parameters
     ----------
     count : function that is called for each completed point; absent: none.
-
-    Raises
-    ------
-    SimulationError
-        When points cannot be completed; for each cause, the message has the number of points and the first
-        one.
     """
     every = list(points)
     total = len({point.key for point in every})

@@ -89,12 +89,8 @@ def _file(key: str) -> Path:
 def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None = None) -> None:
     """Store the arrays of a point for some quantities (None: all), completely or not at all.
 
-    Arrays that were stored earlier, for another study, are kept.
-
-    Raises
-    ------
-    SimulationError
-        When the point cannot be stored, as in a read-only cache or on a full disk.
+    Arrays that were stored earlier, for another study, are kept. Raises SimulationError when the point cannot
+    be stored, as in a read-only cache or on a full disk.
     """
     import numpy as np
 
@@ -293,10 +289,7 @@ def everything() -> Iterator[Held]:
 def remove(going: Iterable[Held]) -> None:
     """Remove items from the store; a pack is rewritten without them.
 
-    Raises
-    ------
-    OSError
-        When a pack cannot be rewritten; it is then not changed.
+    Raises OSError when a pack cannot be rewritten; it is then not changed.
     """
     packs, out_of = dict(_packs().all()), defaultdict(set)
     for held in going:

@@ -132,13 +132,7 @@ class Study:
 
     @cached_property
     def grid(self) -> Grid:
-        """The scenes of all points.
-
-        Raises
-        ------
-        InputError
-            When there are too many.
-        """
+        """The scenes of all points. Raises InputError when there are too many."""
         axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         if (points := math.prod(map(len, axes))) > MOST_VALUES:
             raise InputError(

@@ -140,10 +140,7 @@ def _check_failures(
 def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) -> xr.Dataset:
     """Results of points, and the reasons why some have none.
 
-    Raises
-    ------
-    SimulationError
-        When points are no longer in the store.
+    Raises SimulationError when points are no longer in the store.
     """
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
@@ -175,13 +172,7 @@ def as_study(
     keep: list[str] | None,
     modes: int | None = None,
 ) -> Sweep:
-    """A grid over a scene as a study; axes as in `sweep`.
-
-    Raises
-    ------
-    InputError
-        When an axis is invalid.
-    """
+    """A grid over a scene as a study; axes as in `sweep`. Raises InputError when an axis is invalid."""
     if not axes:
         raise InputError("sweep", "axes", "none", "name at least one path with its values")
     made = dict(_axis(file, path, values) for path, values in axes.items())

@@ -75,10 +75,8 @@ class Tuned:
 def check_tunable(study: Study, count: int) -> None:
     """Refuse a study for which tuning is not useful.
 
-    Raises
-    ------
-    InputError
-        When its runs are static, its axes or solver prescribe the tuned settings, or it has few points.
+    Raises InputError when its runs are static, its axes or solver prescribe the tuned settings, or it has few
+    points.
     """
     where, analysis = study.where, study.base.tree.get("analysis") or {}
     if not isinstance(analysis, dict) or analysis.get("duration") is None:
@@ -105,17 +103,13 @@ def tune(
 ) -> Tuned:
     """The cheapest setting that meets a tolerance at a few points, and at other points for the check.
 
+    Raises InputError when there is nothing to tune, or the tolerance is invalid. Raises SimulationError when
+    a reference run fails, or no setting suffices.
+
     Parameters
     ----------
     accuracy : tolerance, such as "1 %"; None: the tolerance of the study, or the default.
     count : number of points for tuning; half of this number, at least four, are used for the check.
-
-    Raises
-    ------
-    InputError
-        When there is nothing to tune, or the tolerance is invalid.
-    SimulationError
-        When a reference run fails, or no setting suffices.
     """
     check_tunable(study, count)
     tuner = Tuner(study, accuracy, notify)
@@ -164,10 +158,7 @@ class Tuner:
     def place(self, index: Index) -> Place:
         """A point with its reference run.
 
-        Raises
-        ------
-        SimulationError
-            When this run cannot be completed, or is not accurate enough.
+        Raises SimulationError when this run cannot be completed, or is not accurate enough.
         """
         at = self.study.place(index)
         where = f"{self.study.where}: at {at}"
@@ -239,10 +230,7 @@ class Tuner:
     def least_work(self, places: list[Place]) -> Setting:
         """The setting of least work that suffices at all points.
 
-        Raises
-        ------
-        SimulationError
-            When no setting suffices.
+        Raises SimulationError when no setting suffices.
         """
         scenes = [place.file.resolved() for place in places]
         own = self.own
@@ -320,12 +308,8 @@ class Tuner:
 def _finer(scene: Resolved, mesh: Mesh, requested: Result) -> Result:
     """A fourth-order run with segments a quarter as long as in a run with the tolerance, and half its step.
 
-    With events, the run with the tolerance already uses this method; the step is then a quarter.
-
-    Raises
-    ------
-    SimulationError
-        When it cannot be completed.
+    With events, the run with the tolerance already uses this method; the step is then a quarter. Raises
+    SimulationError when it cannot be completed.
     """
     if not massless(scene):
         mesh = mesh.halved().halved()

@@ -76,13 +76,7 @@ class External(NamedTuple):
 
 
 def heading_of(path: Path, text: str) -> Heading:
-    """The content of a heading in the terms of a run.
-
-    Raises
-    ------
-    InputError
-        When the text is no such heading.
-    """
+    """The content of a heading in the terms of a run. Raises InputError when the text is no such heading."""
     found = _HEADING.fullmatch(text.strip())
     if not found:
         raise InputError(path, text, "is no heading with a unit", EXAMPLE)
@@ -95,10 +89,7 @@ def heading_of(path: Path, text: str) -> Heading:
 def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) -> FloatArray:
     """Numbers converted to the unit of a variable of a dataset, in the same shape.
 
-    Raises
-    ------
-    InputError
-        When the unit is not known, or has another dimension.
+    Raises InputError when the unit is not known, or has another dimension.
     """
     si = SI.get(stored, stored)
     if unit in (si, stored):
@@ -116,10 +107,7 @@ def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) ->
 def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
     """Check times (s) or places (m), (n,), and return them.
 
-    Raises
-    ------
-    InputError
-        When a value is missing, or they do not increase.
+    Raises InputError when a value is missing, or they do not increase.
     """
     missing = np.flatnonzero(~np.isfinite(along))
     if len(missing):
@@ -137,10 +125,7 @@ def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
 def only_once(path: Path, columns: list[Column]) -> list[Column]:
     """Check columns, and return them.
 
-    Raises
-    ------
-    InputError
-        When two columns are the same variable at the same place.
+    Raises InputError when two columns are the same variable at the same place.
     """
     seen: dict[tuple[str, float | None, int | None], str] = {}
     for column in columns:

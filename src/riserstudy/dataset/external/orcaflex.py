@@ -65,10 +65,7 @@ class EndA(NamedTuple):
 def end_a(text: str, length: float) -> EndA:
     """End A from the text of an option, for a riser of a length (m).
 
-    Raises
-    ------
-    InputError
-        When the text is neither an end nor a place with a direction.
+    Raises InputError when the text is neither an end nor a place with a direction.
     """
     if text in ("top", "bottom"):
         return EndA(length, -1) if text == "top" else EndA(0.0, 1)
@@ -89,15 +86,12 @@ def heading_of(
 ) -> Heading | None:
     """Content of a heading in OrcaFlex's terms; None if it is not in these terms.
 
+    Raises InputError when its definition differs from that of a run, or its place is not given.
+
     Parameters
     ----------
     above : lines above the headings, which may contain the variable of a range graph.
     length : length of the riser (m).
-
-    Raises
-    ------
-    InputError
-        When its definition differs from that of a run, or its place is not given.
     """
     statistic = STATISTICS.get(re.sub(r"[^a-z]+", " ", title.lower()).strip())
     texts = above if statistic else [title]

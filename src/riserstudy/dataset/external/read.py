@@ -23,17 +23,14 @@ def read_external(
 ) -> External:
     """Read a file.
 
+    Raises InputError when the file cannot be read, or a heading is not known.
+
     Parameters
     ----------
     called : headings in the terms of a run, by the names of the columns in the file; if given, all other
         columns are ignored.
     end_a : origin of OrcaFlex's arc length, see ``orcaflex.end_a``.
     length : length of the riser (m).
-
-    Raises
-    ------
-    InputError
-        When the file cannot be read, or a heading is not known.
     """
     if path.suffix.lower() in ENDINGS:
         return _series(path, called)

@@ -44,13 +44,7 @@ class Text(NamedTuple):
 
 
 def read_table(path: Path) -> Text:
-    """Read a table.
-
-    Raises
-    ------
-    InputError
-        When the file is not a table of numbers below headings.
-    """
+    """Read a table. Raises InputError when the file is not a table of numbers below headings."""
     lines = read_text(path, MOST_BYTES).splitlines()
     name, mark = _mark(lines)
     rows = [(k, [cell.strip() for cell in row]) for k, row in _rows(path, lines, mark) if any(row)]

@@ -40,10 +40,7 @@ class Bearings(NamedTuple):
 def roles(deck: Part, on: Bearings) -> Roles:
     """Return the lines of a deck by their role.
 
-    Raises
-    ------
-    InputError
-        When no line is a riser, or more than one may be.
+    Raises InputError when no line is a riser, or more than one may be.
     """
     parts = deck.parts("Lines")
     lines: list[Line] = []

@@ -11,10 +11,7 @@ from riserstudy.importers.orcaflex.ends import rotation
 def slides_in(constraint: Part, ring: str) -> None:
     """Check that a constraint is a telescopic joint: in the ring, free only along z, without stiffness.
 
-    Raises
-    ------
-    InputError
-        When it is something else.
+    Raises InputError when it is something else.
     """
     if constraint.text("InFrameConnection") != ring:
         found = f"connected to {constraint.text('InFrameConnection')!r}"
@@ -32,10 +29,7 @@ def slides_in(constraint: Part, ring: str) -> None:
 def guided_by(constraint: Part) -> tuple[str, float]:
     """Return the parent of a constraint that leaves an end free vertically, and its x in the parent (m).
 
-    Raises
-    ------
-    InputError
-        Where it moves otherwise.
+    Raises InputError where it moves otherwise.
     """
     if _freedoms(constraint) != [2]:
         allowed = "allowed is z alone: the upper end of a riser below a vessel moves vertically"
@@ -52,10 +46,7 @@ def guided_by(constraint: Part) -> tuple[str, float]:
 def turns_in(constraint: Part) -> tuple[str, float, Any]:
     """Return the parent of a constraint that is a flex joint, its height above it (m), and its rotation.
 
-    Raises
-    ------
-    InputError
-        Where it moves otherwise.
+    Raises InputError where it moves otherwise.
     """
     if _freedoms(constraint) != [3, 4]:
         allowed = "allowed are Rx and Ry alone: this constraint becomes the lower flex joint"

@@ -49,13 +49,7 @@ class Line(NamedTuple):
 
 
 def line_of(part: Part) -> Line:
-    """Return a line with its ends.
-
-    Raises
-    ------
-    InputError
-        When it does not have two ends with stiffnesses.
-    """
+    """Return a line with its ends. Raises InputError when it does not have two ends with stiffnesses."""
     rows = part.table(*PLACE, of=LEANS, idle=ROUND_Z)
     stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",), idle=("ConnectionDamping",))
     if len(rows) != 2 or len(stiff) != 2:

@@ -21,10 +21,7 @@ SAME = 1e-6  # m
 def lengths_of(line: Part) -> list[tuple[str, float]]:
     """Return line types and lengths (m) of the sections of a line, from its end A.
 
-    Raises
-    ------
-    InputError
-        When there are none, or a length is invalid.
+    Raises InputError when there are none, or a length is invalid.
     """
     if line.has("LineType", "Length"):
         segments = ("TargetSegmentLength", "NumberOfSegments")
@@ -44,13 +41,7 @@ def lengths_of(line: Part) -> list[tuple[str, float]]:
 
 
 def kind_of(deck: Part, line: Part, name: str) -> Part:
-    """Return a line type by its name.
-
-    Raises
-    ------
-    InputError
-        Where there is none.
-    """
+    """Return a line type by its name. Raises InputError where there is none."""
     types = deck.named("LineTypes")
     if name not in types:
         found = f"no line type {name!r}"
@@ -69,10 +60,7 @@ def greatest_diameter(deck: Part, way: list[Line]) -> float:
 def wall(kind: Part) -> dict[str, Any]:
     """Return diameters, stiffness and mass of a line type as fields of a section.
 
-    Raises
-    ------
-    InputError
-        When it has another category.
+    Raises InputError when it has another category.
     """
     outer, inner = kind.number("OD"), kind.number("ID")
     fields: dict[str, Any] = {"outer_diameter": q(outer, "m"), "inner_diameter": q(inner, "m")}
@@ -131,10 +119,7 @@ def submerged(kind: Part, density: float, gravity: float) -> dict[str, Any]:
 def bending_stiffness(kind: Part) -> float:
     """Return the bending stiffness of a general line type (kN m2), equal in both directions.
 
-    Raises
-    ------
-    InputError
-        Where there is none.
+    Raises InputError where there is none.
     """
     stiff = across(kind, "EI")
     if stiff is None:
@@ -143,13 +128,7 @@ def bending_stiffness(kind: Part) -> float:
 
 
 def flexural(kind: Part) -> float:
-    """Return the bending stiffness of any line type (kN m2).
-
-    Raises
-    ------
-    InputError
-        Where there is none.
-    """
+    """Return the bending stiffness of any line type (kN m2). Raises InputError where there is none."""
     if kind.data.get("Category") != "Homogeneous pipe":
         return bending_stiffness(kind)
     second = math.pi / 64.0 * (kind.number("OD") ** 4 - kind.number("ID") ** 4)
@@ -159,10 +138,7 @@ def flexural(kind: Part) -> float:
 def across(kind: Part, name: str) -> float | None:
     """Return a property across the line (EI in kN m2), equal in both directions; None if not given.
 
-    Raises
-    ------
-    InputError
-        When it is given twice, differs between the directions, or is not a number.
+    Raises InputError when it is given twice, differs between the directions, or is not a number.
     """
     kind.alike(f"{name}x", f"{name}y")
     whole = kind.optional(name)
@@ -181,10 +157,7 @@ def across(kind: Part, name: str) -> float | None:
 def along(kind: Part, name: str) -> float:
     """Return a coefficient (1) along the line; 0 if the deck does not give it.
 
-    Raises
-    ------
-    InputError
-        When it is given twice, or is not a number.
+    Raises InputError when it is given twice, or is not a number.
     """
     whole = kind.optional(name)
     third = whole[2] if isinstance(whole, list) and len(whole) > 2 else None

@@ -54,10 +54,8 @@ class Foot(NamedTuple):
 def read_deck(path: Path) -> Imported:
     """Read the text model of a vertical riser.
 
-    Raises
-    ------
-    InputError
-        When it is not such a model, or a scene cannot describe it; the error lists all causes together.
+    Raises InputError when it is not such a model, or a scene cannot describe it; the error lists all causes
+    together.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", MantissaNoDotYAML1_1Warning)  # OrcaFlex writes 250e3

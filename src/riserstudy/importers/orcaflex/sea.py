@@ -56,10 +56,7 @@ def current_of(sea: Part) -> dict[str, Any] | None:
 def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] | None:
     """Return the wave or sea, which grows over a ramp (s); None without one.
 
-    Raises
-    ------
-    InputError
-        When a scene cannot describe it.
+    Raises InputError when a scene cannot describe it.
     """
     trains = environment.parts("WaveTrains")
     if not trains:

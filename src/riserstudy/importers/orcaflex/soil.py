@@ -19,10 +19,7 @@ STRAIGHT = (
 def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, Any] | None:
     """Return the soil around a line below the seabed (m); None if the line has none.
 
-    Raises
-    ------
-    InputError
-        When a scene cannot describe it: sand, tables, several ranges of depth, a missing model.
+    Raises InputError when a scene cannot describe it: sand, tables, several ranges of depth, a missing model.
     """
     name = line.optional("PyModel")
     if name in (None, "(none)"):

@@ -40,10 +40,7 @@ class Pull(NamedTuple):
 def fastened(part: Part) -> list[str]:
     """Return the objects that a link or winch is attached to.
 
-    Raises
-    ------
-    InputError
-        When it does not have two ends.
+    Raises InputError when it does not have two ends.
     """
     rows = part.table(*PLACE, of=(ALONG,))
     if len(rows) < 2:
@@ -54,10 +51,7 @@ def fastened(part: Part) -> list[str]:
 def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
     """Return the tensioners of a scene from links or winches.
 
-    Raises
-    ------
-    InputError
-        When they are not equal, or not evenly arranged.
+    Raises InputError when they are not equal, or not evenly arranged.
     """
     pulls = []
     for part in parts:

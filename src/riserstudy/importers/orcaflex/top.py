@@ -32,10 +32,7 @@ class Top(NamedTuple):
 def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
     """Return the upper end of a riser whose lower end has the elevation ``bottom`` (m).
 
-    Raises
-    ------
-    InputError
-        When a scene cannot describe its support.
+    Raises InputError when a scene cannot describe its support.
     """
     line, node = cast.riser[0], cast.nodes[0]
     vessels = deck.named("Vessels")

@@ -61,10 +61,7 @@ class Crest(NamedTuple):
     def check(self, symmetry: str | None) -> None:
         """Refuse symmetric RAOs whose phases at mirrored headings would need another shift.
 
-        Raises
-        ------
-        InputError
-            When the RAOs have such a symmetry.
+        Raises InputError when the RAOs have such a symmetry.
         """
         if (symmetry and self.y) or (symmetry == "sides and ends" and self.x):
             found = f"{-self.x:g}, {-self.y:g} m from the upper end of the riser"

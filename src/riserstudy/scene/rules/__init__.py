@@ -66,13 +66,7 @@ def misfits(scene: Parts) -> Iterator[Misfit]:
 
 
 def check_rules(scene: Parts) -> None:
-    """Check that the parts of a scene fit together.
-
-    Raises
-    ------
-    Misfit
-        The first fault.
-    """
+    """Check that the parts of a scene fit together. Raises Misfit with the first fault."""
     fault = next(misfits(scene), None)
     if fault:
         raise fault
