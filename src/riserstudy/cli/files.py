@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from riserstudy.cli.shared import SceneArgument, SetOption, scene_of, wrote
+from riserstudy.cli.shared import SceneArgument, SetOption, quantity, scene_of, wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 from riserstudy.folders import whole_file
@@ -117,7 +117,6 @@ def export_deck(
 def _import_operators(source: Path, output: Path, length: str | None, force: bool) -> None:
     """Write the table of RAOs from a file of WAMIT or Capytaine."""
     from riserstudy.importers import rao_files
-    from riserstudy.scene.units import to_si
 
     if not source.is_file():
         raise InputError(source, "", "no such file", "allowed is a file that exists")
@@ -130,12 +129,10 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
             "--length", "", "missing: WAMIT multiplies rotations by this length", allowed
         )
     else:
-        try:
-            ulen = to_si(length, "m")
-        except ValueError as error:
-            raise InputError("--length", length, str(error), "allowed is a length: 1 m") from None
+        allowed = "allowed is a length: 1 m"
+        ulen = quantity("--length", length, "m", allowed)
         if not ulen > 0.0:
-            raise InputError("--length", length, "not above 0", "allowed is a length: 1 m")
+            raise InputError("--length", length, "not above 0", allowed)
         operators = rao_files.from_wamit(source, ulen)
     rao_files.write_table(operators, output)
     for line in operators.left_out:

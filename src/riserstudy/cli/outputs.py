@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-import sys
+import math
+from collections.abc import Iterator
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -16,8 +17,10 @@ from riserstudy.cli.shared import (
     SetOption,
     UnitsOption,
     compile_kernels,
+    notify,
     place_of,
     print_warnings,
+    quantity,
     scene_of,
     wrote,
 )
@@ -26,7 +29,11 @@ from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
-    import xarray as xr
+    from riserstudy.scene.resolve import Resolved
+
+SUCH_AS = "allowed is such as 3 h"
+SHORT = 10.0  # ratio of exposure time to record from which on there is a warning
+IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer miss peaks
 
 
 class PlotKind(StrEnum):
@@ -184,82 +191,50 @@ def statistics(
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.diff import opened
     from riserstudy.dataset.place import complete, place
+    from riserstudy.dataset.provenance import scene_of_point
 
     of_run = opened(dataset)
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
         allowed = "with --over, extremes are those of the whole duration: leave --exposure out"
         raise InputError("--exposure", exposure, "given with --over", allowed)
-    begin = _seconds("--start", start)
-    within = None if exposure is None else _seconds("--exposure", exposure)
+    begin = quantity("--start", start, "s", SUCH_AS)
+    within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)
     if exposure and not (within or 0.0) > 0.0:
-        raise InputError("--exposure", exposure, "no duration", "allowed is such as 3 h")
+        raise InputError("--exposure", exposure, "no duration", SUCH_AS)
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
         made = statistics_tables.over_seeds(complete(of_run.isel(index)), over, begin)
-        index |= {over: 0}
+        index, record = index | {over: 0}, math.inf
     else:
         index = place(of_run, place_of(at))
         run = complete(of_run.isel(index))
         made = statistics_tables.of_a_run(run, begin, within)
-        _warn_of_short_record(float(run["time"][-1]) - begin, within)
-    _warn_of_ramps(of_run, index, begin)
-    _warn_of_coarse_outputs(of_run, index)
+        record = float(run["time"][-1]) - begin
+    for text in _warnings(scene_of_point(of_run, index), begin, record, within):
+        notify(f"warning: {text}")
     tables.write_csv(tables.in_units(made, units), output)
     wrote(output)
 
 
-def _seconds(option: str, text: str) -> float:
-    """The time (s) that an option gives."""
-    from riserstudy.scene.units import to_si
-
-    try:
-        return to_si(text, "s")
-    except ValueError as fault:
-        raise InputError(option, text, str(fault), "allowed is such as 3 h") from None
-
-
-SHORT = 10.0  # ratio of exposure time to record from which on there is a warning
-
-
-def _warn_of_short_record(record: float, exposure: float | None) -> None:
-    """Warn that extremes for a long exposure time are based on a short record."""
-    if exposure and exposure > SHORT * record:
-        print(
-            f"riserstudy: warning: extremes of {exposure:g} s are estimated from a record of {record:g} s, "
-            f"{exposure / record:.0f} times shorter; simulate longer, or more seeds",
-            file=sys.stderr,
-        )
-
-
-def _warn_of_ramps(dataset: xr.Dataset, index: dict[str, int], begin: float) -> None:
-    """Warn that the record includes ramps, which makes standard deviations too small."""
-    from riserstudy.dataset.provenance import scene_of_point
-
-    scene = scene_of_point(dataset, index)
-    output = scene.analysis.output
-    if max(begin, (output and output.start) or 0.0) < scene.built_up * (1.0 - 1e-9):
-        print(
-            f"riserstudy: warning: ramps end at {scene.built_up:.4g} s, and the statistics include earlier "
-            f"times; leave these out by --start '{scene.built_up:.4g} s'",
-            file=sys.stderr,
-        )
-
-
-IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer miss peaks
-
-
-def _warn_of_coarse_outputs(dataset: xr.Dataset, index: dict[str, int]) -> None:
-    """Warn that outputs miss peaks, which makes extremes too small and periods too long."""
-    from riserstudy.dataset.provenance import scene_of_point
-
-    scene = scene_of_point(dataset, index)
+def _warnings(
+    scene: Resolved, begin: float, record: float, exposure: float | None
+) -> Iterator[str]:
+    """Reasons why statistics of a record (s) from a time (s) on may be wrong."""
     output, shortest = scene.analysis.output, scene.shortest_period
+    if exposure and exposure > SHORT * record:
+        yield (
+            f"extremes of {exposure:g} s are estimated from a record of {record:g} s, "
+            f"{exposure / record:.0f} times shorter; simulate longer, or more seeds"
+        )
+    if max(begin, (output and output.start) or 0.0) < scene.built_up * (1.0 - 1e-9):
+        yield (
+            f"ramps end at {scene.built_up:.4g} s, and the statistics include earlier "
+            f"times; leave these out by --start '{scene.built_up:.4g} s'"
+        )
     if output and shortest and output.interval > shortest / IN_A_PERIOD * (1.0 + 1e-9):
-        print(
-            f"riserstudy: warning: outputs {output.interval:g} s apart miss peaks: extremes are too small, "
-            "and periods too long; run the scene with analysis.output.interval of at most "
-            f"{shortest / IN_A_PERIOD:.3g} s",
-            file=sys.stderr,
+        yield (
+            f"outputs {output.interval:g} s apart miss peaks: extremes are too small, and periods too long; "
+            f"run the scene with analysis.output.interval of at most {shortest / IN_A_PERIOD:.3g} s"
         )

@@ -212,14 +212,15 @@ def wrote(*paths: Path) -> None:
         print(f"written: {path}")
 
 
-def quantity(option: str, text: str, unit: str) -> float:
-    """The value of an option in SI."""
+def quantity(option: str, text: str, unit: str, allowed: str = "") -> float:
+    """The value of an option in SI; ``allowed`` states what to write instead of a wrong one."""
     from riserstudy.scene.units import to_si
 
     try:
         return to_si(text, unit)
     except ValueError as fault:
-        raise InputError(option, text, str(fault), f"allowed is a value in {unit}") from None
+        allowed = allowed or f"allowed is a value in {unit}"
+        raise InputError(option, text, str(fault), allowed) from None
 
 
 def recipe_lines(scene: Resolved) -> list[str]:
@@ -248,4 +249,4 @@ def place_of(at: list[str] | None) -> dict[str, str]:
 def print_warnings(dataset: Any) -> None:
     """Print the warnings of a run."""
     for warning in json.loads(dataset.attrs["warnings"]):
-        print(f"riserstudy: warning: {warning}", file=sys.stderr)
+        notify(f"warning: {warning}")

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from functools import cached_property
 from pathlib import Path
-from typing import Any, Self
+from typing import Any, Self, TypeVar
 
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
@@ -29,6 +30,8 @@ from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 from riserstudy.study.seas_study import SeasStudy
 from riserstudy.study.study import Study, scene_file
+
+T = TypeVar("T")
 
 
 class Configuration:
@@ -122,24 +125,19 @@ class Configuration:
 
     @cached_property
     def _studies(self) -> dict[tuple[str, str], Study]:
-        accuracy = self.settings.tiers[self.tier].accuracy
-        return {
-            (paper, name): Study(
-                paper, name, model, self.config, self.tier, accuracy, file.readings
-            )
-            for paper, file in self.files.items()
-            for name, model in file.studies.items()
-        }
+        return self._planned(Study, "studies")
 
     @cached_property
     def _seas(self) -> dict[tuple[str, str], SeasStudy]:
+        return self._planned(SeasStudy, "seas")
+
+    def _planned(self, kind: Callable[..., T], section: str) -> dict[tuple[str, str], T]:
+        """Studies of the tier, from a section of the study files."""
         accuracy = self.settings.tiers[self.tier].accuracy
         return {
-            (paper, name): SeasStudy(
-                paper, name, model, self.config, self.tier, accuracy, file.readings
-            )
+            (paper, name): kind(paper, name, model, self.config, self.tier, accuracy, file.readings)
             for paper, file in self.files.items()
-            for name, model in file.seas.items()
+            for name, model in getattr(file, section).items()
         }
 
     @property

@@ -1,16 +1,20 @@
-"""What the workflow planned, read once more by a job, which does that or nothing."""
+"""What a job reads, the plan of the workflow among it, and what it tells about its progress."""
 
 from __future__ import annotations
 
+import time
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from riserstudy.errors import SimulationError
+from riserstudy.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
+    import xarray as xr
+
     from riserstudy.jobs.workplan import Workplan
 
 CONFIG = Path("config")  # in the folder where Snakemake runs
+OFTEN = 0.5  # s between two lines about points
 
 
 def read_plan(tier: str | None, papers: list[str], only: list[tuple[str, str]]) -> Workplan:
@@ -30,3 +34,32 @@ def check_unchanged(digest: str, expected: str) -> None:
     if digest != expected:
         changed = "scene, study or code changed while the workflow was running"
         raise SimulationError(f"{changed}; run it again")
+
+
+def datasets_of(sources: list[Path]) -> dict[str, xr.Dataset]:
+    """Return the datasets of files by their names."""
+    import xarray as xr
+
+    return {source.stem: xr.load_dataset(source, engine="netcdf4") for source in sources}
+
+
+def text_of(source: Path) -> str:
+    """Return the text of a table. Raises InputError when the file cannot be read."""
+    try:
+        return source.read_text("utf-8")
+    except OSError as error:
+        raise InputError(source, "", str(error.strerror), "run its job again") from None
+
+
+class PointsDone:
+    """Prints ``12 of 40 points``, not more often than anybody looks."""
+
+    def __init__(self) -> None:
+        self._last_notice = 0.0
+
+    def __call__(self, done: int, total: int) -> None:
+        """Print how many are done, of how many."""
+        now = time.monotonic()
+        if done == total or now - self._last_notice > OFTEN:
+            self._last_notice = now
+            print(f"{done} of {total} points", flush=True)

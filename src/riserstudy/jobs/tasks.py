@@ -18,8 +18,14 @@ import typer
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, printable
 from riserstudy.jobs import processes
-from riserstudy.jobs.inputs import datasets_of, text_of
-from riserstudy.jobs.planned import CONFIG, check_unchanged, read_plan
+from riserstudy.jobs.planned import (
+    CONFIG,
+    PointsDone,
+    check_unchanged,
+    datasets_of,
+    read_plan,
+    text_of,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -112,7 +118,6 @@ def shard(
     The target contains the number of points of the shard.
     """
     from riserstudy.folders import write_whole
-    from riserstudy.jobs.points_done import PointsDone
     from riserstudy.study.settings import fill_tuned, read_settings, with_setting
     from riserstudy.study.simulate_points import fill
 
@@ -145,7 +150,6 @@ def simulate(
     settings: Tuned = None,
 ) -> None:
     """Simulate the points of a study that the store lacks, and write its dataset."""
-    from riserstudy.jobs.points_done import PointsDone
     from riserstudy.study.join import write_study
     from riserstudy.study.settings import read_settings
 
