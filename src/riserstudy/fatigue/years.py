@@ -70,9 +70,8 @@ class Years(NamedTuple):
     governing: int
     seas: list[Sea]  # in order of decreasing damage
     axes: list[tuple[str, str]]  # axes of the sea states, with their units
-    error_runs: (
-        float  # estimated relative error of runs, each by its damage; NaN where none is known
-    )
+    # estimated relative error of runs, each by its damage; NaN where none is known
+    error_runs: float
     notes: tuple[str, ...]
 
     @property

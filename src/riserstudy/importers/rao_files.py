@@ -30,9 +30,8 @@ if TYPE_CHECKING:
     import xarray as xr
 
 FloatArray = NDArray[np.float64]
-ROUNDED = (
-    2e-3  # share by which modulus and phase may differ from real and imaginary part, as printed
-)
+# share by which modulus and phase may differ from real and imaginary part, as printed
+ROUNDED = 2e-3
 SAME = 1e-4  # largest difference of headings that count as equal (deg)
 HEADING = "heading (deg)"
 FREQUENCIES = {

@@ -24,9 +24,8 @@ from numpy.typing import NDArray
 FloatArray = NDArray[np.float64]
 # share of a segment over which a jump at an end of the riser, or beyond the end, is spread
 EDGE = 1e-6
-SHARES = 0.5 - 0.5 * np.cos(
-    np.linspace(0.0, np.pi, 33)
-)  # of the way over a jump, close at its ends
+# of the way over a jump, close at its ends
+SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 33))
 
 
 def spread(

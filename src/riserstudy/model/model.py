@@ -31,10 +31,8 @@ class Unknowns(NamedTuple):
     l0: NDArray[np.float64]  # (n,) unstretched lengths of the segments (m)
     directions: int
     moments: int
-    share: tuple[float, float] = (
-        OWN,
-        OTHER,
-    )  # of a segment's mass that its nodes carry, see `State`
+    # of a segment's mass that its nodes carry, see `State`
+    share: tuple[float, float] = (OWN, OTHER)
     cylinders: int = 0  # number of tensioner cylinders
     probes: Sequence[str] = ()  # names of the values that effects report, without the cylinders'
     loose: int = 0  # number of nodes that do not belong to the riser

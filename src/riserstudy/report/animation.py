@@ -27,18 +27,13 @@ ABOVE, BELOW = (0.53, 1.0, 0.7), 0.42
 FARTHER = 1.45  # factor on the distance of the camera in space, where labels need room
 RISER_ASPECT = 0.95  # width over height of the side view, for the calculation of its scale
 NICE = np.array([1.0, 2.0, 5.0])
-WIDE, SLIM = (
-    0.6,
-    0.06,
-)  # breadth of the view in space over its height: at most, for the wider; at least
+# breadth of the view in space over its height: at most, for the wider; at least
+WIDE, SLIM = 0.6, 0.06
 FONT = {"family": "Source Sans 3, Segoe UI, Helvetica Neue, Arial, sans-serif", "size": 12}
 IN_SPACE = {"family": "Arial", "size": 13}  # one name: views in space accept no list of fonts
 EYE = {"x": 0.85, "y": -1.25, "z": 0.25}  # position of the camera of a view in space
-DIVERGING = [
-    [0.0, "#2166ac"],
-    [0.5, "#b9c0c7"],
-    [1.0, "#b2182b"],
-]  # the middle is visible on white, too
+# the middle is visible on white, too
+DIVERGING = [[0.0, "#2166ac"], [0.5, "#b9c0c7"], [1.0, "#b2182b"]]
 PAUSE = 60  # between frames while playing (ms)
 
 Trace = dict[str, Any]

@@ -19,16 +19,12 @@ if TYPE_CHECKING:
     import xarray as xr
 
 Array = NDArray[np.float64]
-FRAMES, NODES, MOMENTS = (
-    101,
-    61,
-    301,
-)  # most times and nodes of the riser, and most times of the histories, that are shown
+# most times and nodes of the riser, and most times of the histories, that are shown
+FRAMES, NODES, MOMENTS = 101, 61, 301
 MOST_HISTORIES = 3
 DEGREES = 180.0 / np.pi
-SPRING = np.array(
-    [0.0, *np.linspace(0.98, 1.0, 40)]
-)  # positions along a riser that is one spring, most of them near its top
+# positions along a riser that is one spring, most of them near its top
+SPRING = np.array([0.0, *np.linspace(0.98, 1.0, 40)])
 UPRIGHT = 20.0  # distance from ring to platform if the scene gives upright cylinders no length (m)
 
 

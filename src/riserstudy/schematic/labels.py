@@ -20,9 +20,8 @@ GAP = 0.4 * LINE  # between labels
 CHARACTERS = 31  # most characters of a line
 UNBROKEN = "\u00a0"  # space without a line break
 REACH = 0.16  # distance from the drawing to its labels (inches)
-AWAY = (
-    0.8 * LINE
-)  # above or below an end, so that no leader lies on the water or the ground (inches)
+# above or below an end, so that no leader lies on the water or the ground (inches)
+AWAY = 0.8 * LINE
 
 
 class Label(NamedTuple):

@@ -168,9 +168,8 @@ def body(view: View, geometry: Geometry, body_of: Body, place: Point, below: boo
     size = 0.26 * view.symbol
     x, z = place
     if view.whole and below and geometry.seabed is not None and geometry.seabed < z:
-        size = min(
-            size, max(0.5 * (z - geometry.seabed), LEAST * view.inch)
-        )  # hangs freely, as in reality
+        # hangs freely, as in reality
+        size = min(size, max(0.5 * (z - geometry.seabed), LEAST * view.inch))
     middle = z - 0.5 * size if below else z
     view.box((x, middle - 0.5 * size), 1.3 * size, size, facecolor="#c9ced3")
     density = scene.water.density if scene.water else 0.0

@@ -33,9 +33,8 @@ from riserstudy.seas.year_bands import BAND
 FloatArray = NDArray[np.float64]
 HISTORIES = 40  # number of drawn histories of the record
 REFITS = 10  # number of refits of each history
-OF_SCALE = (
-    math.sqrt(6.0) / math.pi
-)  # standard error of a Gumbel scale, times the root of the number of seeds
+# standard error of a Gumbel scale, times the root of the number of seeds
+OF_SCALE = math.sqrt(6.0) / math.pi
 REDUCED = -math.log(-math.log(NOT_EXCEEDED))  # reduced variate of demands
 COLUMNS = [
     *("limit", "return period", "by years", "years from", "years to"),

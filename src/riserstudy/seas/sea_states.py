@@ -23,9 +23,8 @@ class SeaStates(NamedTuple):
 
     states: FloatArray  # (n, 2): significant height (m), peak period (s)
     rows: NDArray[np.int64]  # (n,) number of selected rows that have it
-    state_of_row: NDArray[
-        np.int64
-    ]  # (rows,) index of the sea state; -1 for rows without height or period, or not selected
+    # (rows,) index of the sea state; -1 for rows without height or period, or not selected
+    state_of_row: NDArray[np.int64]
 
     def among(self, rows: NDArray[np.bool_], besides: Sequence[int] = ()) -> SeaStates:
         """The sea states of some rows of the record, (rows,), and others by their indices, without rows."""

@@ -28,9 +28,8 @@ class Statistics(NamedTuple):
     s: Array  # (n,) places (m)
     square: Array  # (n,) mean square of the displacement about its linear trend in time (m2)
     means: Array  # (k, n) mean displacements (m)
-    frequency: (
-        float | None
-    )  # where the vibration is largest (Hz); None where outputs do not show it
+    # where the vibration is largest (Hz); None where outputs do not show it
+    frequency: float | None
     moment_square: Array | None  # (n,) mean square of the bending moment (N2 m2)
     tension: Array | None  # (n,) mean tension (N)
     tension_square: Array | None  # (n,) mean square of the tension (N2)

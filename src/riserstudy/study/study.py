@@ -23,10 +23,8 @@ from riserstudy.study.grid import Grid, Index, Point
 from riserstudy.study.models import StudyModel, TuneAt, meets
 from riserstudy.study.store import canonical
 
-TUNED_AT, FEW = (
-    12,
-    1000,
-)  # number of points for tuning; number of points of a study below which one point is used
+# number of points for tuning; number of points of a study below which one point is used
+TUNED_AT, FEW = 12, 1000
 ALL_OF = 16  # number of values of an axis up to which every value is examined for its kernels
 
 

@@ -44,9 +44,8 @@ Labelled = Mapping[str, Mapping[str, Any]]
 #: a number with its unit
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d].*?)\s*")
 EVERY = 5.0  # interval of progress lines (s)
-KEPT = frozenset(
-    (*SHARED, "mesh_corner")
-)  # arrays that say where and when, of points without numbers too
+# arrays that say where and when, of points without numbers too
+KEPT = frozenset((*SHARED, "mesh_corner"))
 
 
 @dataclass(frozen=True)

@@ -235,9 +235,8 @@ class Tuner:
         scenes = [place.file.resolved() for place in places]
         own = self.own
         best: Setting | None = None
-        least = sum(
-            place.work_of_request for place in places
-        )  # a setting with more work is not useful
+        # a setting with more work is not useful
+        least = sum(place.work_of_request for place in places)
         if own and (work := self._suffices(own, places)) < least:
             best, least = own, work
         # twice as fine as the finest request

@@ -11,9 +11,8 @@ from riserstudy.importers.orcaflex.deck import Part, q
 
 MODELS, CURVES = "P-yModels", "PyCurves"
 SOFT_CLAY = "API RP 2A soft clay"
-STRAIGHT = (
-    0.1  # of the displacement at half the resistance: Matlock's curve begins infinitely stiff
-)
+# of the displacement at half the resistance: Matlock's curve begins infinitely stiff
+STRAIGHT = 0.1
 
 
 def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, Any] | None:

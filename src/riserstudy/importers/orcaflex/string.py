@@ -21,9 +21,8 @@ from riserstudy.importers.orcaflex.pipe import (
 )
 from riserstudy.importers.orcaflex.sea import Sea
 
-SLACK = (
-    1e-3  # share of its length by which a line along the riser may be longer or shorter than that
-)
+# share of its length by which a line along the riser may be longer or shorter than that
+SLACK = 1e-3
 DECIMALS = 9  # of elevations: a rounding error must not become a short section
 
 
