@@ -17,10 +17,7 @@ if TYPE_CHECKING:
 
 
 def derive(
-    paper: str,
-    name: str,
-    datasets: dict[str, xr.Dataset],
-    settings: dict[str, Any] | None = None,
+    paper: str, name: str, datasets: dict[str, xr.Dataset], settings: dict[str, Any] | None = None
 ) -> xr.Dataset:
     """Make derived dataset ``name`` of a paper, by the function of that name in its chapter's ``derived``.
 

@@ -57,10 +57,7 @@ NAMES: dict[Any, str] = {
 }  # names of commands that differ from names of functions
 
 app = typer.Typer(
-    name="riserstudy",
-    no_args_is_help=True,
-    add_completion=False,
-    pretty_exceptions_enable=False,
+    name="riserstudy", no_args_is_help=True, add_completion=False, pretty_exceptions_enable=False
 )
 
 
@@ -73,8 +70,7 @@ def _version(requested: bool) -> None:
 @app.callback()
 def about(
     version: Annotated[
-        bool,
-        typer.Option("--version", is_eager=True, callback=_version, help="print the version"),
+        bool, typer.Option("--version", is_eager=True, callback=_version, help="print the version")
     ] = False,
 ) -> None:
     """Simulate deepwater drilling risers and check them against limits."""

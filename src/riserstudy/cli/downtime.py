@@ -124,8 +124,7 @@ ErrorOption = Annotated[
     ),
 ]
 MostOption = Annotated[
-    int | None,
-    typer.Option(min=20, help="largest number of sea states to simulate; default: 400"),
+    int | None, typer.Option(min=20, help="largest number of sea states to simulate; default: 400")
 ]
 CoresOption = Annotated[
     int | None, typer.Option(min=1, help="number of processes; default: number of cores")

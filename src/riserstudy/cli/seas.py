@@ -22,8 +22,7 @@ if TYPE_CHECKING:
 USUAL_GAMMA = 3.3
 
 RecordArgument = Annotated[
-    Path | None,
-    typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv"),
+    Path | None, typer.Argument(help="record of sea states: CSV or netCDF", metavar="RECORD.csv")
 ]
 SyntheticOption = Annotated[
     int | None,

@@ -72,9 +72,7 @@ ReturnOption = Annotated[
 
 UnitsOption = Annotated[
     UnitSystem,
-    typer.Option(
-        help="units of the output: SI (si), kN and MPa (field), or feet and kips (us)",
-    ),
+    typer.Option(help="units of the output: SI (si), kN and MPa (field), or feet and kips (us)"),
 ]
 
 

@@ -52,11 +52,7 @@ class Writes:
 
 
 def check_output(
-    output: Path,
-    kinds: Iterable[str],
-    reads: Iterable[Path],
-    force: bool,
-    option: str = "--output",
+    output: Path, kinds: Iterable[str], reads: Iterable[Path], force: bool, option: str = "--output"
 ) -> None:
     """Refuse an output that cannot be written, or would replace another file, before any computation.
 

@@ -25,7 +25,7 @@ SAME = 1e-6
 WALL, EFFECTIVE = "wall_tension", "effective_tension"
 #: quantities that other programs define differently from a run
 OTHERWISE = {
-    "end_force": "it is the effective tension at that end: write `effective_tension at 0 m`",
+    "end_force": "it is the effective tension at that end: write `effective_tension at 0 m`"
 }
 
 

@@ -11,12 +11,7 @@ import numpy as np
 
 from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.provenance import scene_of_point
-from riserstudy.dataset.statistics import (
-    FEWEST_SEEDS,
-    NOT_EXCEEDED,
-    gumbel,
-    record_statistics,
-)
+from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel, record_statistics
 from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
 

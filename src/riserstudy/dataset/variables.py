@@ -18,10 +18,7 @@ ENDINGS = {
     "_absmax": "largest size of ",
     "_static": "static ",
 }
-OVER_TIME = {
-    "_deviation": "standard deviation of ",
-    "_spectrum": "spectral density of ",
-}
+OVER_TIME = {"_deviation": "standard deviation of ", "_spectrum": "spectral density of "}
 
 
 DIMENSIONS = (

@@ -8,12 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.design import tension as formula
-from riserstudy.design.tension import (
-    Tolerances,
-    carrying_tension,
-    columns_above,
-    weight_of_ring,
-)
+from riserstudy.design.tension import Tolerances, carrying_tension, columns_above, weight_of_ring
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.pressures import mud_above_the_riser

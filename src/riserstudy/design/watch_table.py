@@ -164,10 +164,7 @@ def _row(name: str, first: float, error: float, way: Way, times: Times) -> list[
         return [name, None, None, None, None, "not reached within the run"]
     cells: list[Cell] = [name, first, way.at(first)]
     note, doubt = [], 0.0
-    for colour, before in (
-        ("red", times.disconnect),
-        ("yellow", times.disconnect + times.prepare),
-    ):
+    for colour, before in (("red", times.disconnect), ("yellow", times.disconnect + times.prepare)):
         latest = first - before
         cells.append(way.at(latest) if latest > 0.0 else None)
         if latest <= 0.0:

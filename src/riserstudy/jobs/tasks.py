@@ -163,13 +163,7 @@ def simulate(
 
 @job
 def sea_states(
-    paper: str,
-    study: str,
-    part: int,
-    target: Path,
-    tier: Tier,
-    threads: Threads,
-    expect: Expect,
+    paper: str, study: str, part: int, target: Path, tier: Tier, threads: Threads, expect: Expect
 ) -> None:
     """Simulate and store the runs of one setting in one heading, in the sea states that it needs.
 

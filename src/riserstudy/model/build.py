@@ -32,10 +32,7 @@ TAUT = 1e-6  # strain of a hanging riser in the initial shape
 
 
 def build(
-    scene: Resolved,
-    mesh: Mesh,
-    ring_elevation: float | None = None,
-    d: int | None = None,
+    scene: Resolved, mesh: Mesh, ring_elevation: float | None = None, d: int | None = None
 ) -> Model:
     """Model of a scene on a mesh.
 

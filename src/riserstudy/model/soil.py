@@ -9,13 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.effects.soil import (
-    LinearSoil,
-    SoftClay,
-    TabulatedSprings,
-    py_of_clay,
-    py_of_table,
-)
+from riserstudy.effects.soil import LinearSoil, SoftClay, TabulatedSprings, py_of_clay, py_of_table
 from riserstudy.effects.soil_damping import SoilDamping
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh

@@ -97,11 +97,7 @@ def floating(scene: Resolved, d: int, node: int, probe: Report) -> Iterator[Effe
 
 
 def _thrusters(
-    of: scenes.Vessel,
-    law: scenes.Thrusters,
-    vessel: Vessel,
-    d: int,
-    probe: Report,
+    of: scenes.Vessel, law: scenes.Thrusters, vessel: Vessel, d: int, probe: Report
 ) -> Iterator[Effect]:
     """Effects of thrust in the horizontal plane, and of the moment about the vertical axis."""
     across = law.sway.gain if law.sway else 0.0

@@ -145,8 +145,7 @@ class RunFacts(TypedDict, total=False):
         float, Column("root mean square of the vibration, over time and riser", "m", **_VIBRATES)
     ]
     vibration_rms_max: Annotated[
-        float,
-        Column("largest root mean square of the vibration along the riser", "m", **_VIBRATES),
+        float, Column("largest root mean square of the vibration along the riser", "m", **_VIBRATES)
     ]
     vibration_rms_max_s: Annotated[
         float,

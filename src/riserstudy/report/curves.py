@@ -22,10 +22,7 @@ FEWEST = 3  # fewest cases of a curve
 
 
 def curves(
-    db: sqlite3.Connection,
-    config: Path,
-    claims: list[Claim],
-    datasets: Mapping[Any, xr.Dataset],
+    db: sqlite3.Connection, config: Path, claims: list[Claim], datasets: Mapping[Any, xr.Dataset]
 ) -> dict[str, Curve]:
     """Return the curve of every number and claim that depends on unspecified inputs, by its anchor.
 
@@ -70,10 +67,7 @@ def _samples(dataset: xr.Dataset | None) -> Samples:
 
 
 def _cases(
-    db: sqlite3.Connection,
-    claim: Claim,
-    samples: Samples,
-    called: Mapping[str, str],
+    db: sqlite3.Connection, claim: Claim, samples: Samples, called: Mapping[str, str]
 ) -> Cases | None:
     rows = db.execute(
         "select place, met, same, margin, judged, base from margins where paper = ? and id = ?",

@@ -15,10 +15,7 @@ PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
     "calibrated": ("is met with a calibrated input", "are met with a calibrated input"),
     "holds": ("holds", "hold"),
-    "depends": (
-        "depends on inputs that the papers omit",
-        "depend on inputs that the papers omit",
-    ),
+    "depends": ("depends on inputs that the papers omit", "depend on inputs that the papers omit"),
     "fails": ("fails", "fail"),
     "not comparable": (
         "is defined differently in the paper",

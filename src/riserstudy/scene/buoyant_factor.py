@@ -12,11 +12,7 @@ from riserstudy.scene.riser import Section
 
 #: for each interpretation, functions of the factor: the share of the dry weight that remains along the riser,
 #: and the share of the dry weight that the tension ratio multiplies
-READINGS = {
-    "R1": lambda b: (1.0 - b, 1.0 - b),
-    "R2": lambda b: (b, b),
-    "R3": lambda b: (b, 1.0),
-}
+READINGS = {"R1": lambda b: (1.0 - b, 1.0 - b), "R2": lambda b: (b, b), "R3": lambda b: (b, 1.0)}
 
 
 class Buoyancy(Strict):

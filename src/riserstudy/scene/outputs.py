@@ -147,8 +147,7 @@ QUANTITIES: dict[str, Quantity] = {
         "vessel.sway with a platform", _with_platform(_of_vessel("sway"))
     ),
     "low_frequency_speed_y": Quantity(
-        f"vessel.sway with a platform, and {_OUT}",
-        _with_platform(_of_vessel("sway", spatial=True)),
+        f"vessel.sway with a platform, and {_OUT}", _with_platform(_of_vessel("sway", spatial=True))
     ),
     "thrust_x": Quantity("vessel.thrusters", _of_vessel("thrusters")),
     "thrust_y": Quantity(

@@ -206,10 +206,7 @@ def _note(geometry: Geometry, labels: list[Label], dashed: bool) -> str:
     before = f", before {loads if current else 'waves act'} on it" if current or waves else ""
     named = ", ".join(map(in_words, parts_left_out(scene)))
     missing = f" Not shown: {named}." if named else ""
-    meanings = {
-        ASSUMED: "assumed; derived values have no mark",
-        CALIBRATED: "calibrated",
-    }
+    meanings = {ASSUMED: "assumed; derived values have no mark", CALIBRATED: "calibrated"}
     marks = "".join(
         f" {mark}: {meaning}."
         for mark, meaning in meanings.items()

@@ -79,12 +79,7 @@ def sides_of(scene: Resolved, model: Model, steps: int) -> Sides:
 
 
 def march_in_turns(
-    sides: Sides,
-    coupling: Coupling,
-    method: Method,
-    duration: float,
-    record: Frozen,
-    sums: Sums,
+    sides: Sides, coupling: Coupling, method: Method, duration: float, record: Frozen, sums: Sums
 ) -> tuple[int, dict[str, Any]]:
     """March both sides from the state of the riser's side; outputs go to ``record``, work to ``sums``.
 

@@ -178,12 +178,7 @@ def _of_block(
 
 
 def _at(
-    here: list[Part],
-    of: Fatigue,
-    sides: _Sides,
-    node: int,
-    angle: int,
-    which: slice = slice(None),
+    here: list[Part], of: Fatigue, sides: _Sides, node: int, angle: int, which: slice = slice(None)
 ) -> Array:
     """Damage (1) of all details at a place, by some of the outputs; NaN for details that are not there.
 

@@ -13,11 +13,7 @@ from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.ends import Top
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.continuation import Lost, by_parts, search
-from riserstudy.solve.statics import (
-    Equilibrium,
-    NoEquilibrium,
-    unstable_directions,
-)
+from riserstudy.solve.statics import Equilibrium, NoEquilibrium, unstable_directions
 
 BUCKLING = 20  # smallest number of segments for the check of buckling
 

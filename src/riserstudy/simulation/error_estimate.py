@@ -12,13 +12,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.scene.limits import ANGLES
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
-from riserstudy.simulation.vibration_statistics import (
-    NONE,
-    Statistics,
-    apart,
-    of_plain,
-    statistics,
-)
+from riserstudy.simulation.vibration_statistics import NONE, Statistics, apart, of_plain, statistics
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]

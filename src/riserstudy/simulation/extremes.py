@@ -111,12 +111,7 @@ def places(scene: Resolved, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]
 
 
 def _along(
-    name: str,
-    where: str,
-    nodes: slice,
-    arrays: Arrays,
-    histories: Arrays,
-    later: NDArray[np.bool_],
+    name: str, where: str, nodes: slice, arrays: Arrays, histories: Arrays, later: NDArray[np.bool_]
 ) -> dict[str, Any] | None:
     moving = name + "_max" in arrays
     ends = ("_max", "_min") if moving else ("_static", "_static")

@@ -57,11 +57,7 @@ def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
     elif is_long(scene):
         times, seconds = BY_PIECE * times, facts["refinements"][-1]["solve_seconds"]
     return Forecast(
-        times * seconds,
-        facts["elements"],
-        facts["step"],
-        piece,
-        facts.get("error_estimate", {}),
+        times * seconds, facts["elements"], facts["step"], piece, facts.get("error_estimate", {})
     )
 
 

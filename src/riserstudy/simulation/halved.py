@@ -19,10 +19,7 @@ class Halved:
     """
 
     def __init__(
-        self,
-        change: dict[str, float],
-        before: Halved | None,
-        floor: dict[str, float] | None = None,
+        self, change: dict[str, float], before: Halved | None, floor: dict[str, float] | None = None
     ) -> None:
         self.change = change
         worst = max(controlled(change), key=lambda name: change[name], default="")

@@ -29,12 +29,7 @@ from riserstudy.simulation.failure import why
 from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.phase_of_drift import lost_phase
 from riserstudy.simulation.rest import Rest
-from riserstudy.simulation.section_forces import (
-    derived,
-    envelopes_of,
-    section_of,
-    shear_of,
-)
+from riserstudy.simulation.section_forces import derived, envelopes_of, section_of, shear_of
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
 from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
@@ -258,21 +253,12 @@ def _by_method(
         from riserstudy.simulation.stable_step import explicit_limit  # slow to load
 
         facts["stable_step"] = explicit_limit(scene, model)
-        return (
-            model,
-            explicitly(model, step, facts["stable_step"], a.duration, record, sums),
-            0.0,
-        )
+        return (model, explicitly(model, step, facts["stable_step"], a.duration, record, sums), 0.0)
     return march_through(scene, model, mesh, step, record, sums, facts)
 
 
 def _seen(
-    scene: Resolved,
-    model: Model,
-    mesh: Mesh,
-    record: Frozen,
-    rest: outputs.AtRest,
-    judged: bool,
+    scene: Resolved, model: Model, mesh: Mesh, record: Frozen, rest: outputs.AtRest, judged: bool
 ) -> Seen:
     """Values at all time steps, and their peaks; empty if not all steps were recorded.
 

@@ -137,12 +137,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     point_statistics = statistics(results, keep)
     places, runs = by_layout(_on_common_nodes(results), keep)
     flat = xr.concat(
-        runs,
-        "point",
-        join="outer",
-        combine_attrs="drop",
-        coords="minimal",
-        compat="override",
+        runs, "point", join="outer", combine_attrs="drop", coords="minimal", compat="override"
     )
     order = np.argsort([k for of in places for k in of])
     # without variables, there is no dimension `point`

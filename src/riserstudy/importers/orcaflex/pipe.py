@@ -68,10 +68,7 @@ def wall(kind: Part) -> dict[str, Any]:
         fields["young_modulus"] = q(kind.number("E"), "kN/m^2")
         for key in ("CoatingThickness", "LiningThickness", "AdditionalEI"):
             kind.idle(key)
-        mass: Any = {
-            "derived": q(mass_of(kind), "kg/m"),
-            "from": "MaterialDensity and diameters",
-        }
+        mass: Any = {"derived": q(mass_of(kind), "kg/m"), "from": "MaterialDensity and diameters"}
     elif kind.text("Category") == "General":
         if stiff := bending_stiffness(kind):
             fields["bending_stiffness"] = q(stiff, "kN*m^2")

@@ -84,7 +84,7 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
             "deck_radius": q(first.deck[0], "m"),
             "deck_elevation": q(first.deck[1], "m"),
             "first_bearing": q(pulls[0].deck[2], "deg"),
-        },
+        }
     }
 
 

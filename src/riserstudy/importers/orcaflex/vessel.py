@@ -211,17 +211,11 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
                 continue
             circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
             later = half_a_turn + sign * crest.lead(math.radians(heading), circular)
-            operator: dict[str, Any] = {
-                "heading": q(heading, "deg"),
-                by[0]: q(period, by[1]),
-            }
+            operator: dict[str, Any] = {"heading": q(heading, "deg"), by[0]: q(period, by[1])}
             for k, motion in enumerate(MOTIONS):
                 unit = "m/m" if k < 3 else f"{turns}/m"
                 phase = row[2 + 2 * k] + flipped[motion] + later
-                operator |= {
-                    motion: q(row[1 + 2 * k], unit),
-                    f"{motion}_phase": q(phase, phases),
-                }
+                operator |= {motion: q(row[1 + 2 * k], unit), f"{motion}_phase": q(phase, phases)}
             operators.append(operator)
     response: dict[str, Any] = {"operators": operators, "phases": lead, "headings": "towards"}
     return response | ({"symmetry": symmetry} if symmetry else {})
