@@ -20,4 +20,16 @@ def warnings_of(scene: Resolved) -> list[str]:
         *without_inertia(scene),
         *sudden_wave(scene),
         *rao.doubts(scene),
+        *_raised_stations(scene),
+    ]
+
+
+def _raised_stations(scene: Resolved) -> list[str]:
+    """A warning that stations have other arclengths in the results, because a body turns with the end."""
+    body, output = scene.bottom.body, scene.analysis.output
+    if body is None or not body.reach or not (output and output.stations):
+        return []
+    return [
+        "bottom.body.centre_below: arclengths in results count from the body's centre of percussion, "
+        f"{body.reach:.4g} m below the riser's lower end; a station at 0 m has s = {body.reach:.4g} m"
     ]

@@ -5,6 +5,8 @@ Each step takes a scene and returns one. Quantities that follow from several par
 
 from __future__ import annotations
 
+from typing import Any
+
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.forcing import Translation
@@ -115,4 +117,10 @@ def _with_rigid_body(scene: Resolved) -> Resolved:
     if body is None or not body.reach:
         return scene
     rigid = scene.riser[0].rigid(body.name, body.reach)
-    return scene.model_copy(update={"riser": [rigid, *scene.riser]})
+    changed: dict[str, Any] = {"riser": [rigid, *scene.riser]}
+    a = scene.analysis
+    if a.output and a.output.stations:
+        # stations count from the lower end of the riser, which is above the body
+        raised = {"stations": [body.reach + s for s in a.output.stations]}
+        changed["analysis"] = a.model_copy(update={"output": a.output.model_copy(update=raised)})
+    return scene.model_copy(update=changed)
