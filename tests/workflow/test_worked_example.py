@@ -1,5 +1,6 @@
 """The worked example, executed: its commands in a copy of its folder, and what its page prints."""
 
+import json
 import os
 import re
 import shutil
@@ -8,6 +9,8 @@ import sys
 from pathlib import Path
 
 import pytest
+
+from riserstudy import load_scene, simulate
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "examples/drilling_riser"
@@ -66,6 +69,31 @@ def test_the_stack_up_of_the_page_is_what_the_tension_loses(copy):
     value = {(row[0], row[1]): float(row[3]) for row in rows[1:]}
     lost = value["effective_tension", "upper end of pup joint"] - value["lower_end_tension", ""]
     assert 1e3 * float(last[-1]) == pytest.approx(lost, rel=1e-6)
+
+
+MEAN, UPPER = "drilling: mean lfj_angle", "drilling: largest ufj_angle"
+HALF = {"current.profile": {"file": "half_current.csv"}}
+
+
+@pytest.mark.parametrize(
+    "current, exceeded",
+    [
+        ({}, {-30: [UPPER], -20: [], -10: [], 0: [MEAN], 10: [MEAN], 30: [MEAN]}),
+        (HALF, {-30: [MEAN], -20: [], -10: [], 0: [], 10: [MEAN], 30: [MEAN]}),
+    ],
+)
+def test_the_offsets_of_the_page_exceed_the_limits_that_it_names(current, exceeded):
+    still = {"analysis.duration": None, "analysis.output": None, "platform.response": None}
+    for offset, named in exceeded.items():
+        place = {"platform.position.surge": f"{offset} m"}
+        scene = load_scene(FOLDER / "config/scenes/riser.yaml", **still, **current, **place)
+        rows = json.loads(simulate(scene).attrs["limits"])
+        found = [label(row) for row in rows if row["verdict"] != "within"]
+        assert found == named, offset
+
+
+def label(row):
+    return f"{row['mode']}: {row['side']} {row['output']}"
 
 
 def test_the_snakefile_is_that_of_new_folders():
