@@ -95,6 +95,7 @@ def factor(name: str, unit: str) -> float:
     for unclear, (meaning, remedy) in UNCLEAR.items():
         if found := re.search(unclear, name):
             raise Misfit("", f"has the unit {found.group()!r}, which means {meaning}", remedy)
+    name = BARREL.sub("oil_barrel", name)
     try:
         given, wanted = _registry().parse_units(name), _registry().parse_units(unit)
         same = _angle_power(given._units) == _angle_power(wanted._units)
@@ -118,12 +119,10 @@ HINTS = {
     ("lbf", "kg"): " (for a mass write lb)",
     ("lb", "N"): " (for a force write lbf)",
 }
-#: units of drilling and soils that pint does not have, or has with another meaning: a barrel of 31.5 gallons
-OILFIELD = (
-    "ppg = pound / US_liquid_gallon",
-    "psf = force_pound / foot ** 2",
-    "barrel = 42 * US_liquid_gallon = bbl",
-)
+#: units of drilling and soils that pint does not have
+OILFIELD = ("ppg = pound / US_liquid_gallon", "psf = force_pound / foot ** 2")
+#: names of a barrel of 42 US gallons; to pint alone it has 31.5 gallons
+BARREL = re.compile(r"\b(bbls?|barrels?)\b")
 #: names that are easily taken for another unit: their meaning, and the remedy
 UNCLEAR = {
     r"\bmt\b": ("a thousandth of a tonne", "write t or kg"),
