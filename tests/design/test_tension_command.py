@@ -63,6 +63,22 @@ def test_half_of_a_window_is_refused(commands, words):
     assert words[0] in said
 
 
+@pytest.mark.parametrize(
+    "words",
+    [
+        *(["--fleet-angle", angle] for angle in ("-5 deg", "90 deg", "100 deg", "180 deg")),
+        ["--dynamic-limit", "-6 MN", "--share", 0.9],
+        ["--dynamic-limit", "0 kN", "--share", 0.9],
+        ["--overpull", "-200 kN"],
+    ],
+)
+def test_a_tension_or_an_angle_below_zero_is_refused(commands, words):
+    """Before, a fleet angle of 100 deg gave a tension setting of -57 MN."""
+    code, out, said = commands("tension", RISER, "--failed", 0, *ASKED, *words)
+    assert (code, out) == (2, "")
+    assert words[0] in said
+
+
 def test_a_riser_without_an_lmrp_has_no_lift_off(commands):
     words = [*ASKED, *WINDOW, "--set", "bottom.body=null"]
     code, out, _ = commands("tension", RISER, "--failed", 0, *words)

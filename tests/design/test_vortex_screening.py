@@ -158,3 +158,15 @@ def test_the_command_prints_a_table_and_draws(tmp_path, capsys):
     (half,) = (line for line in capsys.readouterr().out.splitlines() if "Strouhal" in line)
     frequencies = [[float(word) for word in line.split()[4:7:2]] for line in (shed, half)]
     np.testing.assert_allclose(frequencies[0], 2.0 * np.array(frequencies[1]), rtol=0.01)
+
+
+@pytest.mark.parametrize("share", [1e-3, 1e-7, 1e-9, 1e-12, 1e-300])
+def test_the_amplitude_of_a_mode_along_the_flow_vanishes(share):
+    """In space a mode has a component across the flow that may be tiny; its amplitude is then zero."""
+    z = np.linspace(5.0, LENGTH - 5.0, 30)
+    ones = np.ones_like(z)
+    flow = Flow(z, 10.0 * ones, 0.5 * ones, DIAMETER * ones, 1.1 * ones)
+    shape = np.sin(np.pi * z / LENGTH)
+    whole = amplitude_of(flow, shape, ones > 0.0, 0.2, 1.2)
+    part = amplitude_of(flow, shape, ones > 0.0, 0.2, 1.2, share * shape)
+    assert 0.0 <= part < 2.0 * share * whole

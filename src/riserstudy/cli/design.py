@@ -16,6 +16,7 @@ from riserstudy.cli.shared import (
     check_targets,
     compile_as_needed,
     notify,
+    positive,
     quantity,
     require_limits,
     save_figure,
@@ -27,7 +28,11 @@ from riserstudy.cli.targets import ForceOption
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import xarray as xr
+
+    from riserstudy.scene.limits import Limit
 
 TensionRatioOption = Annotated[
     float,
@@ -114,8 +119,11 @@ def tension(
         raise InputError(alone, "", "given alone", "Give both --dynamic-limit and --share")
     _check_rig(units, failed, weight, buoyancy)
     angle = quantity("--fleet-angle", fleet_angle, "rad")
-    pulled = None if overpull is None else quantity("--overpull", overpull, "N")
-    limit = None if dynamic_limit is None else quantity("--dynamic-limit", dynamic_limit, "N")
+    if not 0.0 <= angle < 0.5 * math.pi:
+        allowed = "allowed is from 0 deg to less than 90 deg"
+        raise InputError("--fleet-angle", fleet_angle, "no angle of a line that pulls up", allowed)
+    pulled = None if overpull is None else positive("--overpull", overpull, "N")
+    limit = None if dynamic_limit is None else positive("--dynamic-limit", dynamic_limit, "N")
     from riserstudy.design import tension as formula
     from riserstudy.design.tension import Rig, Tolerances
 
@@ -174,8 +182,8 @@ def operability(
 
     file = scene_of(scene, settings)
     require_limits(file)
-    added, far = _allowances(allowance), quantity("--reach", reach, "m")
-    riser = file.resolved()
+    riser, far = file.resolved(), positive("--reach", reach, "m")
+    added = _allowances(allowance, riser.limits or [])
     compile_as_needed()
     from riserstudy.design.operability import offsets
 
@@ -226,7 +234,7 @@ def envelope(
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
     require_limits(file)
-    far = _positive("--reach", reach, "m")
+    far = positive("--reach", reach, "m")
     speeds = [quantity("--current", one, "m/s") for one in current]
     pairs = [_sea(one) for one in sea or []]
     compile_as_needed()
@@ -330,27 +338,29 @@ def _sea(text: str) -> tuple[float, float]:
     if len(parts) != 2:
         allowed = "allowed is a height and a period: '4 m, 10 s'"
         raise InputError("--sea", text, f"{len(parts)} values", allowed)
-    return _positive("--sea", parts[0], "m"), _positive("--sea", parts[1], "s")
+    return positive("--sea", parts[0], "m"), positive("--sea", parts[1], "s")
 
 
-def _positive(option: str, text: str, unit: str) -> float:
-    value = quantity(option, text, unit)
-    if not (value > 0.0 and math.isfinite(value)):
-        raise InputError(option, text, "not above 0", f"allowed is a positive value in {unit}")
-    return value
-
-
-def _allowances(given: list[str] | None) -> dict[str, float]:
-    """Allowances in SI, by output."""
+def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, float]:
+    """Allowances in SI, by output; each output must have a limit that its allowance is added to."""
     from riserstudy.scene.limits import UNITS
 
-    added = {}
+    added: dict[str, float] = {}
+    used = {limit.output for limit in limits if limit.side != "mean"}
     for one in given or []:
         name, equals, text = (part.strip() for part in one.partition("="))
         if not equals or name not in UNITS:
             allowed = "allowed is OUTPUT=VALUE, of " + ", ".join(UNITS)
             raise InputError("--allowance", one, "no output that has limits", allowed)
+        if name in added:
+            raise InputError("--allowance", one, "given twice", "give each output once")
+        if name not in used:
+            found = "no largest or smallest value of this output is limited in the scene"
+            raise InputError("--allowance", one, found, f"allowed are {', '.join(sorted(used))}")
         added[name] = quantity("--allowance", text, UNITS[name])
+        if added[name] < 0.0:
+            allowed = "allowed is the size of the effect, also for a smallest value"
+            raise InputError("--allowance", one, "below 0", allowed)
     return added
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import sys
 from collections.abc import Iterable
 from contextlib import suppress
@@ -221,6 +222,14 @@ def quantity(option: str, text: str, unit: str, allowed: str = "") -> float:
         raise InputError(option, text, str(fault), allowed) from None
 
 
+def positive(option: str, text: str, unit: str) -> float:
+    """The value of an option in SI, above zero."""
+    value = quantity(option, text, unit)
+    if not (value > 0.0 and math.isfinite(value)):
+        raise InputError(option, text, "not above 0", f"allowed is a positive value in {unit}")
+    return value
+
+
 def recipe_lines(scene: Resolved) -> list[str]:
     """The recipe for long records in words; empty for other scenes."""
     from riserstudy.simulation.recipe import recipe
@@ -241,7 +250,11 @@ def place_of(at: list[str] | None) -> dict[str, str]:
     given = [one.partition("=") for one in at or []]
     if bad := [name for name, equals, _ in given if not equals]:
         raise InputError("--at", bad[0], "no AXIS=VALUE", "allowed is heave_amplitude=5")
-    return {name.strip(): value.strip() for name, _, value in given}
+    places = {name.strip(): value.strip() for name, _, value in given}
+    if len(places) < len(given):
+        found = ", ".join(at or [])
+        raise InputError("--at", found, "one axis is given twice", "give each axis once")
+    return places
 
 
 def print_warnings(dataset: Any) -> None:

@@ -194,7 +194,7 @@ def amplitude_of(
 
     Returns
     -------
-    0 if no place is excited, infinite without drag.
+    0 if no place is excited, or if the amplitude is below 1e-8 diameters; infinite without drag.
     """
     from scipy.optimize import brentq
 
@@ -214,7 +214,10 @@ def amplitude_of(
     largest = LARGEST * float(flow.diameter.max())
     if gained(largest) > 0.0:
         return math.inf
-    return float(brentq(gained, 1e-9 * largest, largest, xtol=1e-12 * largest))
+    least = 1e-9 * largest
+    if gained(least) <= 0.0:
+        return 0.0
+    return float(brentq(gained, least, largest, xtol=1e-12 * largest))
 
 
 def _shapes(flow: Flow, found: xr.Dataset) -> tuple[FloatArray, FloatArray]:
