@@ -141,6 +141,13 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
             "one of largest",
         ),
         ({"output": "x", "largest": "0 m", "mode": "drilling"}, "no utilisation"),
+        ({"output": "x", "smallest": "-4 m", "mode": "drilling"}, "a smallest value of x"),
+        ({"output": "lfj_angle", "smallest": "1 deg", "mode": "drilling"}, "a smallest value"),
+        ({"output": "lfj_angle", "mean": "-1 deg", "mode": "drilling"}, "a value below 0"),
+        (
+            {"output": "x", "largest": "-4 m", "mode": "drilling"},
+            "a value below 0 of x, a magnitude",
+        ),
     ],
 )
 def test_a_limit_that_cannot_be_meant_is_refused(limit, said):
@@ -161,6 +168,10 @@ def test_a_limit_that_cannot_be_meant_is_refused(limit, said):
         ("smallest", -1.0, 0.0, float("inf")),
         ("smallest", -3.0, -4.0, 0.75),
         ("smallest", 3.0, -4.0, 0.0),
+        ("mean", 3.0, 4.0, 0.75),
+        ("mean", 3.0, -4.0, float("inf")),
+        ("mean", -5.0, -4.0, 0.8),
+        ("mean", -2.0, -4.0, 2.0),
     ],
 )
 def test_use_is_above_one_where_a_limit_is_exceeded(side, demand, allowable, share):

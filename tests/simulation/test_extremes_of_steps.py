@@ -8,7 +8,7 @@ import pytest
 from random_rigs import moving, rig, written
 
 from riserstudy.dataset.label import to_dataset
-from riserstudy.dataset.limits import SIGNED
+from riserstudy.scene.limits import SIGNED
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 

@@ -7,14 +7,12 @@ from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 from riserstudy.scene.limit_inputs import lacks
-from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, UNITS, Limit
+from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.pressures import not_in_tension
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
-#: outputs whose sign is a convention
-SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
 #: outputs whose error is estimated but not limited by a tolerance: by key of the error, its name and outputs
 UNBOUNDED = {"angle": ("angle", ANGLES), "shear": ("shear force", ("shear_force",))}
 #: estimated errors of other outputs, which a tolerance limits, but a prescribed mesh does not
@@ -237,7 +235,7 @@ def use(side: str, demand: float, allowable: float) -> float:
         if demand <= 0.0:
             return 1.0 if demand == allowable else math.inf
         return allowable / demand
-    if allowable < 0.0 and side == "largest":  # demand must be below a negative value
+    if allowable < 0.0 and side != "smallest":  # demand must be below a negative value
         return math.inf if demand >= 0.0 else allowable / demand
     return max(0.0, demand / allowable)
 

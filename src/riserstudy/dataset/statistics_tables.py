@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel, record_statistics
 from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.scene.limits import SIGNED
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -13,12 +13,12 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from riserstudy.dataset.extremes import largest_size, statistic_of
-from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import key_below, panels
+from riserstudy.scene.limits import SIGNED
 
 #: dimensions that are not axes of the grid
 WITHIN_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")

@@ -9,7 +9,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import (
@@ -27,6 +26,7 @@ from riserstudy.figures.grid import (
 )
 from riserstudy.figures.range_graph import RED
 from riserstudy.figures.style import panel_title
+from riserstudy.scene.limits import SIGNED
 from riserstudy.study.plots import EXTREMES
 
 PANELS = 4

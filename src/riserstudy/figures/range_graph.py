@@ -11,12 +11,12 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import ENDINGS, SIZE, absent, key, label, present, read
 from riserstudy.figures.style import COLOURS, headline, panels
+from riserstudy.scene.limits import SIGNED
 
 QUANTITIES = ("effective_tension", "bending_moment", "von_mises_stress", "x", "y")
 PANELS = 4

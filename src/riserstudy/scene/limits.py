@@ -15,6 +15,8 @@ from riserstudy.scene.units import to_si
 #: outputs that may have a limit, with the SI unit that the text of the limit is converted to
 UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit}
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
+#: outputs whose sign is a convention: their limits apply to the magnitude
+SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
 #: outputs that have a value at every place along the riser
 ALONG = tuple(name for name in UNITS if QUANTITIES[name].along)
 #: outputs of which a limit without a place covers only the riser: stack and conductor are of other steel and
@@ -28,7 +30,8 @@ ABOVE = ", above water"  # suffix to the name of a section, for its part above t
 class Limit(Strict):
     """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
-    For outputs whose sign is a convention, such as moments and angles, the limit applies to the magnitude.
+    For outputs whose sign is a convention (moments, shear forces, angles, x and y), the limit applies to the
+    magnitude, so the engine refuses a smallest allowed value and a negative value for them.
     ``at``: a section of the riser; ``lower end of`` or ``upper end of`` a section; or the lowest and the
     highest of several consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole
     riser. For tension and stress, the default excludes the stack and the conductor below the flex joint. A
@@ -68,6 +71,10 @@ class Limit(Strict):
                 f"of {self.output} at one place",
                 f"allowed is a place such as 'at: {ENDS[0]}' and the name of a section",
             )
+        if self.output in SIGNED and (self.smallest is not None or self.allowable < 0.0):
+            found = "a smallest value" if self.smallest is not None else "a value below 0"
+            remedy = "write largest or mean, and a positive value"
+            raise Misfit(self.side, f"{found} of {self.output}, a magnitude", remedy)
         if self.allowable == 0.0 and self.side != "smallest":
             raise Misfit(
                 self.side, "an allowable of 0 gives no utilisation", "allowed is any other value"

@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import SIGNED, sections_of
+from riserstudy.dataset.limits import sections_of
 from riserstudy.dataset.place_of_crossing import place_of_crossing
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.limits import ALONG, Limit
+from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.extremes import places, until_release

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from riserstudy.dataset.limits import SIGNED
 from riserstudy.dataset.variables import ENDINGS, of_points
 from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.limits import SIGNED
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.study.axes import Samples
