@@ -90,6 +90,16 @@ class Disconnect(Strict):
     drain: Drain | None = None
     stack: Stack | None = None
 
+    @property
+    def times(self) -> dict[str, float]:
+        """Times from which on the parts of the disconnect act (s), by their paths in the scene."""
+        valve, times = self.recoil_valve, {"disconnect.at": self.at}
+        if valve and valve.delay is not None:
+            times["disconnect.recoil_valve.delay"] = self.at + valve.delay
+        if valve and valve.isolation:
+            times["disconnect.recoil_valve.isolation.after"] = self.at + valve.isolation.after
+        return times
+
     def timed(self, period: float, phase: float) -> Disconnect:
         """The release at the time of its phase, in heave of a period (s) with an initial phase (rad)."""
         turn = ((self.phase or 0.0) - phase) / (2.0 * math.pi)

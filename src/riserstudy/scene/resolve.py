@@ -89,9 +89,10 @@ def _timed(scene: Resolved) -> Resolved:
         found, also = "needs platform.heave with a single harmonic", ("platform.heave",)
         raise Misfit(path, found, "give it, or give the time instead", also)
     timed = release.timed(heave.period, heave.phase or 0.0)
-    if not timed.at < (scene.analysis.duration or 0.0):
-        found, remedy = f"is at {timed.at:g} s", "must be before the end of analysis.duration"
-        raise Misfit(path, found, remedy, ("analysis.duration", "platform.heave"))
+    for part, at in ({path: timed.at} | timed.times).items():
+        if not at < (scene.analysis.duration or 0.0):
+            found, remedy = f"is at {at:g} s", "must be before the end of analysis.duration"
+            raise Misfit(part, found, remedy, ("analysis.duration", "platform.heave"))
     return scene.model_copy(update={"disconnect": timed})
 
 

@@ -46,6 +46,9 @@ class Drag(Strict):
                 "has elevations that decrease",
                 "elevations must not decrease from point to point",
             )
+        if any(a == c for (a, _), (c, _) in zip(self.table, self.table[2:], strict=False)):
+            found, remedy = "has three points at one elevation", "two points define a jump"
+            raise Misfit("coefficient", found, remedy)
         return self
 
     @property

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
@@ -90,7 +91,7 @@ class WindDrift(Strict):
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]
-    latitude: Annotated[u.Angle, POSITIVE]
+    latitude: Annotated[u.Angle, Field(gt=0.0, le=0.5 * math.pi)]
     surface_factor: Positive
     depth_factor: Annotated[u.Time, POSITIVE]
     component: Literal["along the wind", "across the wind", "magnitude", "both"]

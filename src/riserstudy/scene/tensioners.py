@@ -154,6 +154,15 @@ class Arrangement(Strict):
         return [first + spacing * c for c in range(count)]
 
 
+def fault_of_numbers(numbers: list[int], count: int) -> tuple[str, str] | None:
+    """The value found and the allowed values, if numbers are not those of different cylinders."""
+    if any(c >= count for c in numbers):
+        return f"{numbers} of {count} cylinders", "cylinders are numbered from 0"
+    if twice := [c for c in numbers if numbers.count(c) > 1]:
+        return f"{twice[0]} occurs twice", "name each cylinder once"
+    return None
+
+
 class Failing(Strict):
     """Cylinders (the first is 0) that exert no force from a time of the run on, such as broken lines."""
 
@@ -193,19 +202,15 @@ class Tensioners(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.failing and max(self.failing.cylinders) >= self.count:
-            raise Misfit(
-                "failing.cylinders",
-                f"{self.failing.cylinders} of {self.count}",
-                "cylinders are numbered from 0",
-            )
-        wrong = [c for c in self.failed or [] if c >= self.count]
-        if wrong or len(set(self.failed or [])) == self.count:
-            raise Misfit(
-                "failed",
-                f"{self.failed} of {self.count} cylinders",
-                "cylinders are numbered from 0",
-            )
+        failed, failing = self.failed or [], self.failing.cylinders if self.failing else []
+        for path, numbers in (("failed", failed), ("failing.cylinders", failing)):
+            if fault := fault_of_numbers(numbers, self.count):
+                raise Misfit(path, *fault)
+        if len(failed) == self.count:
+            raise Misfit("failed", f"{failed} of {self.count} cylinders", "one must work at least")
+        if both := [c for c in failing if c in failed]:
+            found = f"{both[0]} is in 'failed', too"
+            raise Misfit("failing.cylinders", found, "allowed are cylinders that work until then")
         laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
         if laws.count(None) != len(laws) - 1:
             raise ValueError("needs one of gas, two_chamber_gas, linear, table and carried")

@@ -51,6 +51,10 @@ def cut(scene: Parts) -> list[Section]:
                 )
             displaced = scene.water.density * 0.25 * math.pi * section.outer_diameter**2
             above["submerged_weight"] = section.submerged_weight + displaced * scene.gravity
+        if section.name + ABOVE in [other.name for other in scene.riser]:
+            found = f"{section.name!r} reaches through the water's surface, where it is divided"
+            remedy = f"name no other section {section.name + ABOVE!r}"
+            raise Misfit(f"{section.line}.name", found, remedy, ("riser", "water.surface"))
         upper = _part(section, section.name + ABOVE, ends[1] - surface)
         lower = _part(section, section.name, surface - ends[0])
         sections += [lower, upper.model_copy(update=above)]

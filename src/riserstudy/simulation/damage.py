@@ -131,7 +131,12 @@ def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
         return
     start = since(scene)
     first = int(np.searchsorted(arrays["time"], start))
-    time = float(arrays["time"][-1] - arrays["time"][first])
+    time = float(arrays["time"][-1] - arrays["time"][min(first, len(arrays["time"]) - 1)])
+    if not time > 0.0:
+        raise SimulationError(
+            f"fatigue: cycles are counted from {start:.4g} s, and fewer than two outputs follow. "
+            "Give a longer analysis.duration"
+        )
     histories = {name: arrays[name][first:] for name in USED if name in arrays}
     sides = _Sides(scene, mesh, histories, of.angles)
     every = [*parts(scene, mesh, of)]

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.alike import alike
+from riserstudy.scene.tensioners import fault_of_numbers
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -45,9 +46,8 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
         found = "needs tensioners with gas or two_chamber_gas, not linearised"
         yield Misfit(path, found, "give the tensioners their gas, or leave it out", also)
         return
-    if valve.failed and max(valve.failed) >= rig.count:
-        found = f"{valve.failed} of {rig.count} cylinders"
-        yield Misfit(f"{path}.failed", found, "cylinders are numbered from 0", also)
+    if fault := fault_of_numbers(valve.failed or [], rig.count):
+        yield Misfit(f"{path}.failed", *fault, also)
     if valve.isolation and not valve.isolation.volume < gas.volume:
         found = f"{valve.isolation.volume:g} m^3 is not less than a cylinder's gas volume"
         yield Misfit(
@@ -81,16 +81,17 @@ def _drains(scene: Parts) -> Iterator[Misfit]:
 
 def events(scene: Parts) -> Iterator[Misfit]:
     """Events must be before the end of the run, and require an integrator that can stop at them."""
-    a, rig = scene.analysis, scene.top.tensioners
-    if rig and rig.failing and a.duration is None:
-        found, remedy = "needs analysis.duration", "add it: a static scene has no events"
-        yield Misfit("top.tensioners.failing", found, remedy, ("analysis.duration",))
+    a = scene.analysis
+    for path, at in _times(scene).items():
+        if a.duration is None:
+            found, remedy = "needs analysis.duration", "add it: a static scene has no events"
+            yield Misfit(path.rpartition(".")[0], found, remedy, ("analysis.duration",))
+        elif not at < a.duration:
+            found, remedy = f"is at {at:g} s", "must be before the end of analysis.duration"
+            yield Misfit(path, found, remedy, ("analysis.duration",))
     if not scene.events:
         return
     path = next(path for path, there in _sudden(scene).items() if there)
-    if a.duration is None or not scene.events[-1] < a.duration:
-        found, remedy = f"at {scene.events[-1]:g} s", "must be before the end of analysis.duration"
-        yield Misfit(path, found, remedy, ("analysis.duration",))
     if a.method == "explicit" or a.solver:
         found, also = (
             "needs an implicit method of lumped masses",
@@ -100,6 +101,17 @@ def events(scene: Parts) -> Iterator[Misfit]:
     if scene.vessel and scene.vessel.coupling:
         found = "is not possible with vessel.coupling"
         yield Misfit(path, found, "leave coupling out", ("vessel.coupling",))
+
+
+def _times(scene: Parts) -> dict[str, float]:
+    """Times from which on events act (s), by their paths in the scene."""
+    loss, rig = scene.top.tension_loss, scene.top.tensioners
+    times = dict(scene.disconnect.times) if scene.disconnect else {}
+    if loss:
+        times["top.tension_loss.at"] = loss.at
+    if rig and rig.failing:
+        times["top.tensioners.failing.at"] = rig.failing.at
+    return times
 
 
 def _sudden(scene: Parts) -> dict[str, object]:

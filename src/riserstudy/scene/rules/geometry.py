@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.alike import alike
 from riserstudy.scene.geometry import ROUNDED, length_of, span
+from riserstudy.scene.limits import ENDS as ENDS_OF_SECTIONS
 from riserstudy.scene.soil import TabulatedSoil
 
 if TYPE_CHECKING:
@@ -33,7 +34,12 @@ ENDS = ("bottom.elevation", "top.elevation")
 
 
 def names(scene: Parts) -> Iterator[Misfit]:
-    """Names of sections must be different."""
+    """Names of sections must be different, and none may look like the end of another section."""
+    for k, section in enumerate(scene.riser):
+        if not section.name.strip() or section.name.startswith(ENDS_OF_SECTIONS):
+            found = f"{section.name!r} does not name a section"
+            remedy = "give a name that is not empty and does not start with 'lower end of '"
+            yield Misfit(f"riser[{k}].name", found, f"{remedy} or 'upper end of '")
     for name, count in Counter(section.name for section in scene.riser).items():
         if count > 1:
             found = f"{count} sections are named {name!r}"
