@@ -67,6 +67,7 @@ def results(
     words = names or []
     with opened(folder / NAME) as db:
         _check_csv(csv, db, folder, force)
+        _note_changes(db, folder)
         table = listing.table_of(db, words[0]) if len(words) == 1 else None
         if table is None and (where or columns or sort):
             found = f"no study {' '.join(words)!r}" if words else "no study"
@@ -93,6 +94,7 @@ def sql(
 
     with opened(folder / NAME) as db:
         _check_csv(csv, db, folder, force)
+        _note_changes(db, folder)
         answer = ask(db, statement)
     _show(answer, csv, as_json)
 
@@ -104,6 +106,15 @@ def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bo
     if csv is not None:
         files = [folder / str(path) for (path,) in ask(db, "select path from files").rows]
         check_output(csv, ("table",), [folder / NAME, *files], force, "--csv")
+
+
+def _note_changes(db: sqlite3.Connection, folder: Path) -> None:
+    """Print a note if results changed after the database was built."""
+    from riserstudy.database.ask import NAME
+    from riserstudy.database.outdated import outdated
+
+    if note := outdated(db, folder / NAME):
+        print(f"riserstudy: note: {note}", file=sys.stderr)
 
 
 def _show(

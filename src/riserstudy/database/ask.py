@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import sqlite3
 import time as clock
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -144,7 +145,7 @@ def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
 
 
 def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE) -> pd.DataFrame:
-    """Run an SQL query on the results database.
+    """Run an SQL query on the results database. A warning states if results changed after it was built.
 
     Parameters
     ----------
@@ -167,6 +168,10 @@ def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE)
     """
     import pandas as pd
 
+    from riserstudy.database.outdated import outdated
+
     with opened(database) as db:
+        if note := outdated(db, Path(database)):
+            warnings.warn(note, stacklevel=2)
         answer = ask(db, sql, values)
     return pd.DataFrame(answer.rows, columns=pd.Index(answer.columns))
