@@ -14,6 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from riserstudy.dataset.netcdf import refuse_damaged
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -155,10 +156,11 @@ def _at_common_points(
 
 
 def opened(path: Path) -> xr.Dataset:
-    """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read."""
+    """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read, or is damaged."""
     import xarray as xr
 
     try:
+        refuse_damaged(path)
         return xr.load_dataset(path, engine="netcdf4", decode_times=False)
     except (OSError, ValueError, RuntimeError):
         scene = path.suffix in (".yaml", ".yml")

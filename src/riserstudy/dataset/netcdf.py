@@ -1,18 +1,29 @@
-"""Write a dataset as netCDF, completely or not at all."""
+"""Write a dataset as netCDF, completely or not at all, with a digest by which damage is found.
+
+The digest is a line after the end of the netCDF content, which libraries do not read. netCDF has no digest of
+its own for small arrays, so a wrong bit would be a wrong number. A file that another program changed has lost
+its last line, and counts as that program's file.
+"""
 
 from __future__ import annotations
 
+import hashlib
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, BinaryIO
 
 from riserstudy.dataset.without import without
-from riserstudy.errors import SimulationError
+from riserstudy.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
     import xarray as xr
+
+#: the last line of a dataset, before its SHA-256
+MARK = b"\nriserstudy: sha256 of all bytes before this line: "
+LINE = len(MARK) + 2 * hashlib.sha256().digest_size + 1
+BLOCK = 1 << 20  # bytes
 
 
 def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[str, Any]]) -> None:
@@ -38,6 +49,7 @@ def written_whole(target: Path) -> Iterator[Path]:
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         yield partial
+        _append_digest(partial)
         partial.replace(target)
     except (OSError, RuntimeError) as error:  # the netCDF library raises RuntimeError
         reason, remedy = _reason(error, partial), "see whether the disk is full"
@@ -47,6 +59,35 @@ def written_whole(target: Path) -> Iterator[Path]:
     finally:
         with suppress(OSError):  # if the folder cannot be written, the first error is reported
             partial.unlink(missing_ok=True)
+
+
+def refuse_damaged(path: Path) -> None:
+    """Check a dataset against the digest at its end, if it has one. Raises InputError when it is damaged."""
+    if not path.is_file():  # a folder or a pipe, which the library refuses
+        return
+    with path.open("rb") as stream:
+        size = stream.seek(0, os.SEEK_END) - LINE
+        stream.seek(max(size, 0))
+        line = stream.read()
+        if line.startswith(MARK) and line[len(MARK) :].strip() != _digest(stream, size):
+            raise InputError(path, "", "damaged", "make it again")
+
+
+def _append_digest(path: Path) -> None:
+    with path.open("r+b") as stream:
+        digest = _digest(stream, stream.seek(0, os.SEEK_END))
+        stream.seek(0, os.SEEK_END)
+        stream.write(MARK + digest + b"\n")
+
+
+def _digest(stream: BinaryIO, size: int) -> bytes:
+    """Digest of the first bytes of a file."""
+    total = hashlib.sha256()
+    stream.seek(0)
+    while size and (block := stream.read(min(size, BLOCK))):
+        total.update(block)
+        size -= len(block)
+    return total.hexdigest().encode()
 
 
 def _reason(error: Exception, partial: Path) -> str:

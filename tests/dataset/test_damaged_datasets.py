@@ -1,0 +1,69 @@
+"""A dataset with a wrong bit is refused by every command that reads one, and never gives another number."""
+
+import random
+
+import netCDF4
+import pytest
+from random_rigs import moving, written
+
+from riserstudy.dataset.diff import opened
+from riserstudy.dataset.label import to_dataset
+from riserstudy.dataset.netcdf import LINE, MARK
+from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.refine import run
+from riserstudy.study.collect import write_dataset
+
+BITS = 60  # flipped per rig
+
+
+@pytest.fixture(scope="module", params=range(4))
+def dataset(request, tmp_path_factory):
+    """The run of a rig on inclined cylinders, in plane or space, as `run` writes it."""
+    tree = moving(request.param, spatial=bool(request.param % 2))
+    file = SceneFile("rig.yaml", written(tree))
+    path = tmp_path_factory.mktemp("rig") / "run.nc"
+    write_dataset(to_dataset(run(file.resolved(), estimated=False), file, {}), path)
+    return request.param, path
+
+
+def test_a_flipped_bit_is_refused_or_of_no_account(dataset, tmp_path):
+    seed, path = dataset
+    draw, whole, right = random.Random(seed), path.read_bytes(), opened(path)
+    copy, refused = tmp_path / "copy.nc", 0
+    for place in draw.sample(range(len(whole)), BITS):
+        spoilt = bytearray(whole)
+        spoilt[place] ^= 1 << draw.randrange(8)
+        copy.write_bytes(spoilt)
+        try:
+            assert opened(copy).identical(right), place
+        except InputError:
+            refused += 1
+    assert refused >= BITS - 5  # a bit of the mark itself changes no number
+
+
+@pytest.mark.parametrize("words", [("statistics", "-o", "x.csv"), ("table", "-o", "x.csv")])
+def test_commands_name_the_damaged_file(dataset, commands, tmp_path, monkeypatch, words):
+    seed, path = dataset
+    monkeypatch.chdir(tmp_path)
+    spoilt = bytearray(path.read_bytes())
+    spoilt[random.Random(seed).randrange(len(spoilt) - LINE)] ^= 4
+    (tmp_path / "spoilt.nc").write_bytes(spoilt)
+    code, _, said = commands(words[0], "spoilt.nc", *words[1:])
+    assert code == 2
+    assert "spoilt.nc: damaged; make it again" in said
+    assert not (tmp_path / "x.csv").exists()
+
+
+def test_the_library_and_other_programs_read_and_change_it(dataset, tmp_path):
+    """They do not see the line at the end; where they change the file, it is theirs."""
+    _, path = dataset
+    copy = tmp_path / "copy.nc"
+    copy.write_bytes(path.read_bytes())
+    assert copy.read_bytes()[-LINE:].startswith(MARK)
+    with netCDF4.Dataset(copy, "a") as file:
+        file.setncattr("title", "edited by somebody")
+    assert opened(copy).attrs["title"] == "edited by somebody"
+    former = tmp_path / "former.nc"  # by an older version, without the line
+    former.write_bytes(path.read_bytes()[:-LINE])
+    assert opened(former).identical(opened(path))
