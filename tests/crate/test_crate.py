@@ -5,6 +5,7 @@ import json
 import os
 import random
 import subprocess
+import sys
 import zipfile
 from pathlib import Path
 from urllib.parse import unquote
@@ -173,14 +174,65 @@ def test_results_of_a_run_that_did_not_end_are_not_packed(study, commands, tmp_p
     assert not (tmp_path / "study.zip").exists()
 
 
-def test_an_input_that_was_edited_after_the_last_run_is_told(study, commands, tmp_path):
+def run_crate(folder, archive, environment):
+    """The command in a process of its own, which reads all files again: exit status and messages."""
+    main = "from riserstudy.cli import main; raise SystemExit(main())"
+    words = [sys.executable, "-c", main, "crate", str(archive), "--study", str(folder)]
+    done = subprocess.run(words, env=environment, capture_output=True, text=True)
+    return done.returncode, done.stderr
+
+
+@pytest.mark.parametrize("date", [0.0, 4e9])
+def test_an_edit_that_changes_nothing_is_not_told_whatever_its_date(study, tmp_path, date):
     folder = tmp_path / "copy"
     subprocess.run(["cp", "-a", study[0], folder], check=True)
-    scene = next((folder / "config/scenes").glob("*.yaml"))
+    scene = folder / "config/scenes/riser.yaml"
     scene.write_text(scene.read_text() + "# a note\n")
-    code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
+    os.utime(scene, (date, date))
+    assert run_crate(folder, tmp_path / "study.zip", study[1]) == (0, "")
+
+
+@pytest.mark.parametrize("date", [0.0, 4e9])
+@pytest.mark.parametrize(
+    "name, old, new",
+    [
+        ("scenes/riser.yaml", "mass: 700", "mass: 701"),
+        ("scenes/current.csv", "0, 0.2", "0, 0.3"),
+        ("studies/example.yaml", "[1, 2]", "[1, 3]"),
+        ("studies/example.yaml", "  heave:", "  swell:"),
+    ],
+)
+def test_results_from_before_an_edit_are_told_whatever_its_date(
+    study, tmp_path, date, name, old, new
+):
+    folder = tmp_path / "copy"
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    file = folder / "config" / name
+    text = file.read_text()
+    assert old in text
+    file.write_text(text.replace(old, new))
+    os.utime(file, (date, date))
+    code, said = run_crate(folder, tmp_path / "study.zip", study[1])
     assert code == 0
-    assert f"note: {scene}: edited after the last run" in said
+    assert f"note: {folder}/results/example/heave.nc and " in said
+    assert "made before an edit" in said
+
+
+def test_results_of_which_a_run_made_only_some_are_not_packed(study, tmp_path):
+    """A run of one file, or one that was killed, leaves figures and database of the former datasets."""
+    folder, environment = tmp_path / "copy", study[1]
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    scene = folder / "config/scenes/riser.yaml"
+    scene.write_text(scene.read_text().replace("mass: 700", "mass: 720"))
+    status, said = snakemake(folder, environment, "results/example/heave.nc")
+    assert status == 0, said
+    code, said = run_crate(folder, tmp_path / "study.zip", environment)
+    assert code == 2
+    assert "was made from former results" in said
+    assert not (tmp_path / "study.zip").exists()
+    status, said = snakemake(folder, environment)
+    assert status == 0, said
+    assert run_crate(folder, tmp_path / "study.zip", environment) == (0, "")
 
 
 @pytest.mark.parametrize("name", ["there.zip", "study.tar", "nowhere/study.zip", "notes"])

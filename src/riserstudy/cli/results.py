@@ -209,21 +209,42 @@ def crate(
 ) -> None:
     """Pack a study, its results and their description as a run crate, which anyone can rerun.
 
-    The command refuses results that are damaged, were edited, or belong to a run that was interrupted or
-    failed. A note states which inputs were edited after the last run of the study.
+    The command refuses results that are damaged or were edited, and results of a run that was interrupted,
+    failed or made only some files. A note states which results were made before an edit of their inputs.
     """
-    from riserstudy.crate.pack import edited_since, pack
+    from riserstudy.crate.pack import pack
 
+    former = _outdated(study) if (study / "results").is_dir() else []
     count = pack(study, output)
-    if edited := edited_since(study):
-        more = f" and {len(edited) - 1} more" if len(edited) > 1 else ""
+    if former:
+        more = f" and {len(former) - 1} more" if len(former) > 1 else ""
         print(
-            f"riserstudy: note: {edited[0]}{more}: edited after the last run; if the edit changes results, "
-            "run the study, and pack it again",
+            f"riserstudy: note: {study / former[0]}{more}: made before an edit of scene, study, published "
+            "values or code; run the study, and pack it again",
             file=sys.stderr,
         )
     wrote(output)
     print(f"{count} files; unpack it and run `snakemake --cores all` there to rerun the study")
+
+
+def _outdated(study: Path) -> list[str]:
+    """Return the results that a run would make again; a separate process plans it, in the study's folder."""
+    import os
+    import subprocess
+
+    path = os.pathsep.join(str(Path(place).absolute()) for place in sys.path if place)
+    # -P: no module of the folder replaces one of Python or of this package
+    done = subprocess.run(
+        [sys.executable, "-P", "-m", "riserstudy.jobs.outdated"],
+        cwd=study,
+        env=os.environ | {"PYTHONPATH": path},
+        stdout=subprocess.PIPE,
+        text=True,
+        encoding="utf-8",
+    )
+    if done.returncode:  # it has printed the reason
+        raise typer.Exit(done.returncode)
+    return [line for line in done.stdout.splitlines() if line]
 
 
 def diff(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import zipfile
+from collections.abc import Mapping
 from pathlib import Path
 
 from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
-from riserstudy.crate.records import recorded
+from riserstudy.crate.records import Made, recorded
 from riserstudy.errors import InputError
 from riserstudy.folders import SEALS, fits_seal, whole_file
 
@@ -18,8 +19,8 @@ def pack(study: Path, target: Path) -> int:
     """Write a zip that another person can unpack and rerun with ``snakemake``; return its number of files.
 
     Raises InputError when the folder has no results of jobs, one that is not as its job wrote it, or results
-    of a run that did not end, or the zip has another suffix or exists already. Raises SimulationError when
-    the zip cannot be written.
+    of a run that did not end or made only some files, or the zip has another suffix or exists already. Raises
+    SimulationError when the zip cannot be written.
     """
     if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
         found = "is there already" if target.exists() else "is no new .zip in a folder that exists"
@@ -36,6 +37,11 @@ def pack(study: Path, target: Path) -> int:
     if absent := _absent(study):
         found = "is absent: the last run was interrupted or failed, or the file was deleted"
         raise InputError(absent[0], "", found, "run the study again, which makes it anew")
+    if former := _of_former_results(study):
+        found = (
+            "was made from former results: the last run was interrupted, or made only some files"
+        )
+        raise InputError(former[0], "", found, "run the study again, which makes it anew")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
@@ -64,7 +70,22 @@ def _absent(study: Path) -> list[Path]:
     )
 
 
-def edited_since(study: Path) -> list[Path]:
-    """Inputs of a study that are younger than all its results."""
-    last = max((study / name).stat().st_mtime for name in outputs_of(study))
-    return [path for path in inputs_of(study) if path.stat().st_mtime > last]
+def _of_former_results(study: Path) -> list[Path]:
+    """Return the results that were made from results which another job has replaced since."""
+    made, outputs = recorded(study), {*outputs_of(study)}
+    return [
+        study / out
+        for out in sorted(outputs & {*made})
+        if any(_is_replaced(study, name, made[out], made) for name in made[out].inputs)
+    ]
+
+
+def _is_replaced(study: Path, name: str, reader: Made, made: Mapping[str, Made]) -> bool:
+    """Return whether a result differs from the one that a job read; large ones have only a time."""
+    if not name.startswith("results/") or name not in made:
+        return False
+    checksum = reader.checksums.get(name)
+    if checksum is None:
+        return made[name].ended > reader.began
+    seal = study / "results" / SEALS / Path(name).relative_to("results")
+    return seal.is_file() and seal.read_text("utf-8").split()[0] != checksum.rpartition(":")[2]

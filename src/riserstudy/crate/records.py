@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from base64 import urlsafe_b64decode
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import NamedTuple
@@ -13,12 +13,17 @@ LONG = "@"  # prefix of the parts of a record name that is too long for a file s
 
 
 class Made(NamedTuple):
-    """The job that made a file: its rule, start and end, and the files that it read."""
+    """The job that made a file: its rule, start and end, the files that it read, and its parameters.
+
+    ``checksums`` are those of the files read, without large ones, as ``sha256:...``.
+    """
 
     rule: str
     began: datetime
     ended: datetime
     inputs: tuple[str, ...]
+    checksums: Mapping[str, str]
+    params: tuple[str, ...]
 
 
 def recorded(study: Path) -> dict[str, Made]:
@@ -37,6 +42,8 @@ def _records(folder: Path) -> Iterator[tuple[str, Made]]:
             began, ended = (
                 datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime")
             )
-            yield name, Made(str(record["rule"]), began, ended, (*map(str, record["input"]),))
+            inputs, params = ((*map(str, record[key]),) for key in ("input", "params"))
+            checksums = dict(record.get("input_checksums") or {})
+            yield name, Made(str(record["rule"]), began, ended, inputs, checksums, params)
         except (ValueError, KeyError, TypeError):  # truncated, or of another version
             continue
