@@ -68,7 +68,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
         one = _with_error(one, facts, scene.analysis.mesh is not None)
-        if limit.output == "effective_tension":
+        if limit.output in ("effective_tension", "overpull"):
             one = _with_mud_above(one, not_in_tension(scene))
         if unknown and one.verdict == WITHIN:
             why = f"an estimated error below the result itself: {unknown}"

@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.dataset.limits import taken_by
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.scene.pressures import not_in_tension
 from riserstudy.scene.resolve import Resolved
 
 if TYPE_CHECKING:
@@ -30,7 +32,7 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
         raise InputError("disconnect.at", f"{release.at:g} s", "not within the run", allowed)
     overpull = float(of["overpull"])
     rows: list[list[Cell]] = [
-        ["overpull", overpull / 1e3, "kN", release.at, "" if overpull >= 0.0 else "on the stack"],
+        ["overpull", overpull / 1e3, "kN", release.at, _seat(overpull, not_in_tension(scene))],
         ["largest lift", of["lift_max"], "m", None, ""],
         _clearance(of),
         ["re-contact", None, "", of.get("recontact_time"), _contact(of)],
@@ -49,6 +51,13 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
 def disconnects(dataset: xr.Dataset) -> bool:
     """Whether a run has a disconnect to report."""
     return "lift_max" in dataset.attrs
+
+
+def _seat(overpull: float, mud: float) -> str:
+    """Whether the LMRP rests on the stack, and the weight of the mud (N) that an overpull leaves out."""
+    on = ["on the stack"] if overpull < 0.0 else []
+    left_out = [f"{taken_by(mud)}, not subtracted"] if mud > 0.0 else []
+    return "; ".join(on + left_out)
 
 
 def _free(of: dict[str, Any]) -> bool:

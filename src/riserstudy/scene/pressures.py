@@ -71,10 +71,10 @@ def not_in_tension(scene: Parts) -> float:
     """Weight (N) of the mud above the riser's upper end that the tension of a run does not account for.
 
     With tensioners or a telescopic joint, the tension of a run is their pull, and this weight is not
-    subtracted. Otherwise, and in a scene with a disconnect, the result is 0.
+    subtracted. Otherwise the result is 0. After a disconnect with draining contents, it is an upper bound.
     """
     pulled = scene.top.tensioners or scene.top.telescopic_joint
-    return mud_above_the_riser(scene) if pulled and not scene.disconnect else 0.0
+    return mud_above_the_riser(scene) if pulled else 0.0
 
 
 def not_in_demand(scene: Parts, limit: Limit) -> float:
