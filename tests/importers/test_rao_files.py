@@ -180,6 +180,16 @@ def test_rotations_of_wamit_need_its_length(tmp_path, capsys):
     assert "WAMIT multiplies rotations by this length" in capsys.readouterr().err
 
 
+def test_a_length_that_only_wamit_needs_is_refused_elsewhere(tmp_path, capsys):
+    deck = tmp_path / "deck.yml"
+    deck.write_text("General: {}\n")
+    for source in (capytaine(tmp_path / "semi.nc"), deck):
+        with pytest.raises(SystemExit):
+            imported(source, "--length", "1 m")
+        assert "--length: 1 m: changes nothing" in capsys.readouterr().err
+        assert not source.with_suffix(".csv").exists()
+
+
 def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
     xr.Dataset({"added_mass": 1.0}).to_netcdf(tmp_path / "bare.nc")
     with pytest.raises(InputError, match=r"post_pro\.rao"):

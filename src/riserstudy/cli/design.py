@@ -167,8 +167,8 @@ def operability(
     allowance: Annotated[
         list[str] | None,
         typer.Option(
-            help="effect of waves that is added to the static value of an output, such as "
-            "lfj_angle='0.5 deg'; may be repeated",
+            help="effect of waves that is added to the static value of an output (subtracted for a "
+            "smallest value), such as lfj_angle='0.5 deg'; may be repeated",
             metavar="OUTPUT=VALUE",
         ),
     ] = None,
@@ -290,9 +290,9 @@ def viv(
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
     The screening uses only the modes about the static equilibrium and reduced velocities, without a
-    simulation over time. It computes the amplitude of each mode as if that mode vibrated alone. At this
-    amplitude, lift supplies as much power as drag removes. The Strouhal number changes neither the lock-in
-    regions nor the amplitudes.
+    simulation over time. It computes the amplitude of each mode as if that mode vibrated alone, as a ratio
+    to the diameter. At this amplitude, lift supplies as much power as drag removes. The Strouhal number
+    changes neither the lock-in regions nor the amplitudes.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

@@ -14,6 +14,8 @@ from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 from riserstudy.folders import whole_file
 
+ONLY_WAMIT = "allowed only with a .4 file of WAMIT; omit it"
+
 
 def draw(
     scene: SceneArgument,
@@ -70,6 +72,8 @@ def import_deck(
     if deck.suffix in (".4", ".nc"):
         _import_operators(deck, output, length, force)
         return
+    if length is not None:
+        raise InputError("--length", length, "changes nothing", ONLY_WAMIT)
     from riserstudy.importers.orcaflex import as_text, read_deck
 
     deck_scene = read_deck(deck)
@@ -122,6 +126,8 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
         raise InputError(source, "", "no such file", "allowed is a file that exists")
     check_output(output, ("table of operators",), [source], force)
     if source.suffix == ".nc":
+        if length is not None:
+            raise InputError("--length", length, "changes nothing", ONLY_WAMIT)
         operators = rao_files.from_capytaine(source)
     elif length is None:
         allowed = "give ULEN of the .gdf file, for example --length '1 m'"

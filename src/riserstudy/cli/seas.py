@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import CsvOption, ReturnOption, check_targets, show, wrote
+from riserstudy.cli.shared import ReturnOption, check_targets, show, wrote
 from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
 
@@ -56,6 +56,11 @@ ContourOption = Annotated[
         metavar="YEARS",
     ),
 ]
+ContourCsvOption = Annotated[
+    Path | None,
+    typer.Option("--csv", help="with --contour: write the contour to this file", metavar="OUT.csv"),
+    Writes("table"),
+]
 OutputOption = Annotated[
     Path | None,
     typer.Option("-o", "--output", help="write the record to this file (netCDF)", metavar="OUT.nc"),
@@ -74,7 +79,7 @@ def seas(
     near: NearOption = None,
     period: ReturnOption = None,
     contour: ContourOption = None,
-    csv: CsvOption = None,
+    csv: ContourCsvOption = None,
     output: OutputOption = None,
     force: ForceOption = False,
 ) -> None:

@@ -127,3 +127,18 @@ def test_what_is_not_said_is_not_guessed(tmp_path, headings, end, said):
     with pytest.raises(InputError) as refused:
         compared(run(), path, end_a=end)
     assert said in str(refused.value)
+
+
+@pytest.mark.parametrize("axis, heading", [(TIME, "time (s)"), (S, "s (m)")])
+def test_a_place_of_end_a_that_no_heading_needs_is_refused(tmp_path, axis, heading):
+    name = "effective_tension at 100 m (kN)" if heading == "time (s)" else "effective_tension (kN)"
+    path = write(tmp_path / "own.csv", [heading, name], axis, axis, mark=",")
+    with pytest.raises(InputError, match="--end-a"):
+        compared(run(), path, end_a="top")
+
+
+def test_columns_named_by_the_user_have_no_end_a(tmp_path):
+    path = write(tmp_path / "r.txt", ["Arc length (m)", "Te (kN)"], S, S)
+    called = {"Arc length (m)": "s (m)", "Te (kN)": "effective_tension_max (kN)"}
+    with pytest.raises(InputError, match="--end-a"):
+        compared(run(), path, called=called, end_a="top")

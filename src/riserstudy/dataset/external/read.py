@@ -15,6 +15,7 @@ from riserstudy.dataset.external.text import Text, read_table
 from riserstudy.errors import InputError
 
 AXES = {"time": "s", "s": "m"}  # possible first columns, with their SI units
+NO_END_A = "allowed only with a file in OrcaFlex's terms, whose arc length starts at end A; omit it"
 AXIS = "begin with `time (s)` or `s (m)`, or name the variable with --column"
 
 
@@ -33,6 +34,8 @@ def read_external(
     length : length of the riser (m).
     """
     if path.suffix.lower() in ENDINGS:
+        if end_a is not None:
+            raise InputError("--end-a", end_a, "changes nothing", NO_END_A)
         return _series(path, called)
     table = read_table(path)
     if repeated := {title for title in table.headings if table.headings.count(title) > 1}:
@@ -74,6 +77,10 @@ def _table(
     title, *titles = table.headings
     axis, unit, foreign = _axis(path, title, called)
     end = orcaflex.end_a(end_a, length) if end_a is not None else None
+    named = [] if called else titles
+    theirs = (orcaflex.heading_of(path, name, table.above, end, length) for name in named)
+    if end_a is not None and not foreign and not any(theirs):
+        raise InputError("--end-a", end_a, "changes nothing", NO_END_A)
     along = own.in_si(path, title, table.columns[0], unit, AXES[axis])
     values, notes = table.columns[1:], [*table.notes]
     if foreign and axis == "s":
