@@ -112,3 +112,18 @@ def test_nothing_that_shapes_physics_has_a_default_value():
     below(Scene, seen)
     assert len(seen) > 20
     assert {name: value for m in seen for name, value in defaults(m) if value is not None} == {}
+
+
+@pytest.mark.parametrize("name", ["current.txt", 5, "current", "C:\\current.csv"])
+def test_a_table_that_is_no_csv_file_is_named_with_scene_and_field(tmp_path, name):
+    """Before, the message named the folder instead of the scene, and no field."""
+    tree = json.loads(json.dumps(read_scene(SCENES / "bench/s2.yaml").tree))
+    tree["water"] = {"density": "1025 kg/m^3", "surface": "533 m", "seabed": "0 m"}
+    tree["current"] = {"profile": {"file": name}}
+    (tmp_path / "scene.yaml").write_text(json.dumps(tree))
+    with pytest.raises(InputError) as error:
+        load_scene(tmp_path / "scene.yaml")
+    assert (error.value.where, error.value.field) == (
+        str(tmp_path / "scene.yaml"),
+        "current.profile.file",
+    )

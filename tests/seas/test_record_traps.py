@@ -115,6 +115,22 @@ def test_columns_are_neither_lost_nor_moved(tmp_path, text, said):
         read_record(tmp_path / "sea.csv")
 
 
+@pytest.mark.parametrize("text", ["", "\n", "\r\n\r\n", "  \n"])
+def test_a_record_without_text_is_refused(tmp_path, text):
+    (tmp_path / "sea.csv").write_text(text)
+    with pytest.raises(InputError, match="allowed is a"):
+        read_record(tmp_path / "sea.csv")
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+@pytest.mark.parametrize("separator", [",", ";", "\t"])
+def test_lines_may_end_as_on_any_system(tmp_path, end, separator):
+    lines = ["time,hs (m),tp (s)", *(f"2001-01-01 {k:02}:00,{k + 1},{k + 5}" for k in range(9))]
+    text = end.join(line.replace(",", separator) for line in lines) + end
+    (tmp_path / "sea.csv").write_bytes(text.encode())
+    assert read_record(tmp_path / "sea.csv")[HEIGHTS].values.tolist() == [*range(1, 10)]
+
+
 @pytest.mark.parametrize("seed", range(8))
 def test_rows_closer_than_others_are_refused_and_make_no_longer_windows(tmp_path, seed):
     """A record of three hours that becomes hourly: an hour is no three of them."""

@@ -91,6 +91,9 @@ class SceneFile:
         try:
             return check(Scene, fill_in_tables(self.tree, folder, self.held), self.source)
         except InputError as error:
+            if error.where == str(folder):  # the name of a table
+                named = InputError(self.source, error.field, error.found, error.allowed)
+                raise attribute_error(named, self.layers, {}) from None
             raise self._attributed(error) from None
 
     def resolved(self) -> Resolved:

@@ -147,7 +147,8 @@ def _rows_of(
 ) -> list[Strict]:
     """Rows of a table by its name in the scene."""
     if held is None:
-        return read_table(_file(folder, name), place)
+        field = ".".join((*place.way, place.name, "file"))
+        return read_table(_file(folder, name, field), place)
     return _rows(_lines(str(name), _held(name, held)), str(name), place)
 
 
@@ -165,14 +166,14 @@ def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, A
     return {**tree, step: _with(tree[step], tuple(further), value) if further else value}
 
 
-def _file(folder: Path, name: object) -> Path:
+def _file(folder: Path, name: object, field: str = "file") -> Path:
     """File of a table. Only tables are read, so a foreign scene cannot reveal other files of a machine."""
     if not isinstance(name, str) or not name.endswith(".csv"):
         allowed = "allowed is the path of a .csv file, relative to the scene"
-        raise InputError(folder, "file", repr(name), allowed)
+        raise InputError(folder, field, repr(name), allowed)
     if "\\" in name or PureWindowsPath(name).drive:
         allowed = "use / between folders and no drive letter, so every system finds the file"
-        raise InputError(folder, "file", repr(name), allowed)
+        raise InputError(folder, field, repr(name), allowed)
     return folder / name
 
 

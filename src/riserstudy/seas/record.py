@@ -171,7 +171,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
     import pandas as pd
 
     text = read_text(path, LARGEST_FILE)
-    first = text.partition("\n")[0]
+    first = (text.splitlines() or [""])[0]
     separator = max(";,\t", key=first.count)
     _check_head(path, text, separator)
     try:
@@ -182,6 +182,10 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
             keep_default_na=False,
             skipinitialspace=True,
         )
+    except pd.errors.EmptyDataError:
+        raise InputError(
+            path, "", "no text", "allowed is a header and a line for each time"
+        ) from None
     except pd.errors.ParserError as error:
         found = str(error).strip().rpartition(": ")[2] or str(error)
         raise InputError(path, "", found, "allowed is a cell for each column") from None
@@ -222,7 +226,8 @@ def _check_head(path: Path, text: str, separator: str) -> None:
 
     Raises InputError otherwise, because columns would be lost or shifted.
     """
-    rows = list(islice(csv.reader(io.StringIO(text), delimiter=separator), 2))
+    lines = io.StringIO(text, newline=None)  # also ends lines at "\r" alone
+    rows = list(islice(csv.reader(lines, delimiter=separator), 2))
     heads = [cell.strip() for cell in rows[0]] if rows else []
     if twice := next((cell for cell in heads if heads.count(cell) > 1), ""):
         raise InputError(path, twice, "two columns", "allowed is one")
