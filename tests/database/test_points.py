@@ -55,6 +55,14 @@ def test_points_of_different_grids_stand_over_all_their_nodes_and_times(here):
     assert np.isnan(found["x_max"].isel(point=1).values[foreign]).all()
 
 
+def test_every_variable_of_selected_points_has_a_name_and_a_unit(here):
+    points = [int(keys(study)["point"][0]) for study in ("plain/meshes", "plain/surge")]
+    for chosen in (points, points[:1]):
+        for name, of in dataset_of(chosen).variables.items():
+            assert "long_name" in of.attrs, name
+            assert ("units" in of.attrs) == (of.dtype.kind in "fiu"), name
+
+
 def test_a_point_asked_for_twice_comes_twice(here):
     point = int(keys("plain/surge")["point"][1])
     found = dataset_of([point, point])

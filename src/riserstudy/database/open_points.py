@@ -152,4 +152,8 @@ def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr
             places = np.unravel_index(positions, [dataset.sizes[axis] for axis in axes])
             at = {axis: xr.DataArray(k, dims="point") for axis, k in zip(axes, places, strict=True)}
             part = dataset.isel(at).load()
-    return part.assign_coords(point=points, study=("point", [study] * len(points)))
+    number = {"units": "1", "long_name": "number of the point in the results database"}
+    name = {"long_name": "study of the point"}
+    return part.assign_coords(
+        point=("point", points, number), study=("point", [study] * len(points), name)
+    )

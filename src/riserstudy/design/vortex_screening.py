@@ -252,6 +252,7 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
     """The dataset of modes whose reduced velocity is within the bounds at any place."""
     import xarray as xr
 
+    from riserstudy.dataset.complete import complete
     from riserstudy.dataset.describe import label_variables
 
     size, across = _shapes(flow, found)
@@ -300,7 +301,8 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
         {"mode": [row["mode"] for row in rows], "z": flow.z},
     )
     label_variables(dataset, ABOUT | ALONG)
-    dataset.attrs = {"title": file.tree.get("title", ""), "source": file.source}
+    dataset = complete(dataset)
+    dataset.attrs |= {"title": file.tree.get("title", ""), "source": file.source}
     dataset.attrs |= {f"assumed_{k}": v for k, v in given._asdict().items() if v is not None}
     return dataset
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.complete import complete
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
 from riserstudy.model.mesh import Mesh, prescribed
@@ -56,8 +57,8 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
     if count < 1:
         raise InputError("modes", "count", str(count), "allowed is 1 or more")
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    dataset = modes_of(file.resolved(), count)
-    dataset.attrs = {"title": file.tree.get("title", ""), "source": file.source}
+    dataset = complete(modes_of(file.resolved(), count))
+    dataset.attrs |= {"title": file.tree.get("title", ""), "source": file.source}
     return dataset
 
 
@@ -103,7 +104,7 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
                 np.where(frequency > 0.0, 2.0 * math.pi / np.abs(frequency), np.nan),
                 {"units": "s", "long_name": "natural period"},
             ),
-            "motion": ("mode", motion),
+            "motion": ("mode", motion, {"long_name": "direction in which a mode moves most"}),
             **data,
         },
         {"mode": np.arange(1, len(frequency) + 1), "s": mesh.s},
