@@ -29,10 +29,12 @@ def draw(
         figure: Figure = function(**datasets, **(settings or {}))
     except (KeyError, AttributeError) as error:
         variable = _looked_up(error)
-        lacking = [one for one, dataset in datasets.items() if not _has(dataset, variable)]
+        names = {one: {*of.variables, *of.dims} for one, of in datasets.items()}
+        lacking = [one for one in names if variable not in names[one]]
         if variable is None or not lacking:
             raise
-        has = "; ".join(f"{one} has {_variables(datasets[one])}" for one in lacking)
+        there = [(one, sorted(map(str, datasets[one].data_vars))) for one in lacking]
+        has = "; ".join(f"{one} has {', '.join(variables)}" for one, variables in there)
         found = f"the figure draws {variable!r}, which is not in {' or '.join(lacking)}"
         raise InputError(f"{paper}, figure {name}", "", found, has) from error
     return figure
@@ -45,11 +47,3 @@ def _looked_up(error: KeyError | AttributeError) -> str | None:
     modules = [str(frame.f_globals.get("__name__")) for frame, _ in walk_tb(error.__traceback__)]
     quoted = _QUOTED.search(str(error))  # libraries quote the missing name
     return quoted[1] if quoted and modules[-1].startswith("xarray.") else None
-
-
-def _has(dataset: xr.Dataset, name: str | None) -> bool:
-    return name in dataset.variables or name in dataset.dims
-
-
-def _variables(dataset: xr.Dataset) -> str:
-    return ", ".join(sorted(map(str, dataset.data_vars)))

@@ -34,18 +34,14 @@ def lines(rows: list[dict[str, Any]], system: UnitSystem = UnitSystem.FIELD) -> 
         return []
     ordered = sorted(rows, key=_rank)
     cells = [HEADS, *(_cells(row, system) for row in ordered)]
-    uses = [math.nan, *(_share(row) for row in ordered)]
-    table = [Line(text, use) for text, use in zip(aligned(cells), uses, strict=True)]
+    uses = [math.nan if row["demand"] is None else float(row["utilisation"]) for row in ordered]
+    table = [Line(text, use) for text, use in zip(aligned(cells), [math.nan, *uses], strict=True)]
     return table + [Line(note, math.nan) for row in ordered for note in _notes(row)]
 
 
 def _name(row: dict[str, Any]) -> str:
     place = f" at {row['at']}" if row["at"] else ""
     return f"{row['mode']}: {row['side']} {row['output']}{place}"
-
-
-def _share(row: dict[str, Any]) -> float:
-    return math.nan if row["demand"] is None else float(row["utilisation"])
 
 
 def _rank(row: dict[str, Any]) -> tuple[bool, bool, float]:

@@ -60,10 +60,6 @@ def _seat(overpull: float, mud: float) -> str:
     return "; ".join(on + left_out)
 
 
-def _free(of: dict[str, Any]) -> bool:
-    return "recontact_time" not in of
-
-
 def _clearance(of: dict[str, Any]) -> list[Cell]:
     if "clearance_min" not in of:
         return [
@@ -79,7 +75,7 @@ def _clearance(of: dict[str, Any]) -> list[Cell]:
 
 def _contact(of: dict[str, Any]) -> str:
     aside = _aside(of.get("recontact_aside"))
-    return "no" if _free(of) else "yes" + (f", up to {aside}" if aside else "")
+    return "no" if "recontact_time" not in of else "yes" + (f", up to {aside}" if aside else "")
 
 
 def _aside(distance: float | None) -> str:

@@ -35,18 +35,14 @@ def sea(view: View, geometry: Geometry) -> None:
         text = f"mean water level, {metres(surface)}{geometry.mark('water.surface')}"
         view.name(text, (right, surface), WATER, whole=True)
     if seabed is not None and low < seabed:
-        word = "mudline" if geometry.scene.soil else "seabed"
+        soil = geometry.scene.soil
+        word, level = ("mudline", "soil.mudline") if soil else ("seabed", "water.seabed")
         view.ax.axhspan(low, seabed, color="#efe7da", zorder=0.0)
         view.line([left, right], [seabed, seabed], color="#7a6a4f", linewidth=0.9, zorder=1.0)
-        text = f"{word}, {metres(seabed)}{geometry.mark(_level_of(word))}"
+        text = f"{word}, {metres(seabed)}{geometry.mark(level)}"
         view.name(text, (right, seabed), whole=True)
     wave(view, geometry)
     current(view, geometry)
-
-
-def _level_of(word: str) -> str:
-    """Return the path of the level of the ground."""
-    return "soil.mudline" if word == "mudline" else "water.seabed"
 
 
 def wave(view: View, geometry: Geometry) -> None:

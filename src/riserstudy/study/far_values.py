@@ -42,12 +42,8 @@ def _far(study: Study, axis: Numbers) -> Iterator[str]:
         values = {text: abs(in_si(path, text)[0] or 0.0) / abs(scene) for text in written}
         ratios = {text: ratio for text, ratio in values.items() if ratio}
         own = any(math.isclose(ratio, 1.0) for ratio in ratios.values())
-        if not own and _leaps([1.0, *ratios.values()]):
+        leaps = pairwise(sorted([1.0, *ratios.values()]))
+        if not own and any(high >= FAR * (1.0 - ROUNDING) * low for low, high in leaps):
             worst = max(ratios, key=lambda text: abs(math.log(ratios[text])))
             times = float(f"{ratios[worst]:.3g}")
             yield f"{worst} is {times:g} times the scene's {there} at {path}"
-
-
-def _leaps(values: list[float]) -> bool:
-    """Whether two successive values, in order of size, are far apart."""
-    return any(b >= FAR * (1.0 - ROUNDING) * a for a, b in pairwise(sorted(values)))

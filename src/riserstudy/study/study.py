@@ -89,6 +89,11 @@ class Study:
                 axes[name] = list(axis.items())
         return axes
 
+    @property
+    def _sets(self) -> list[list[dict[str, Any]]]:
+        """For each axis, the values that each of its values sets."""
+        return [[sets for _, sets in steps] for steps in self.axes.values()]
+
     def place(self, index: Index) -> str:
         """A point by its value on each axis, with the unit: ``offset = 10 m, current = half``."""
         words = []
@@ -131,7 +136,7 @@ class Study:
     @cached_property
     def grid(self) -> Grid:
         """The scenes of all points. Raises InputError when there are too many."""
-        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
+        axes = self._sets
         if (points := math.prod(map(len, axes))) > MOST_VALUES:
             raise InputError(
                 self.where, "axes", f"{points} points", f"allowed are at most {MOST_VALUES}"
@@ -175,23 +180,20 @@ class Study:
     @property
     def tables(self) -> dict[str, str]:
         """Texts of the tables that its scenes refer to, by name."""
-        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
-        return texts_of_tables([self.base.tree, axes], Path(self.base.source).parent)
+        return texts_of_tables([self.base.tree, self._sets], Path(self.base.source).parent)
 
     @property
     def plan_digest(self) -> str:
         """Digest of scene, axes, their tables, and the code that checks them."""
-        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         code = [engine_digest(), digest(dependencies(Grid.__module__))]
-        about = [code, canonical(self.base.tree), canonical(axes), self._contents_of_tables]
+        about = [code, canonical(self.base.tree), canonical(self._sets), self._contents_of_tables]
         return hashlib.sha256(json.dumps(about).encode()).hexdigest()[:32]
 
     @property
     def _contents_of_tables(self) -> dict[str, str]:
         """Digests of the tables that its scenes refer to, by name."""
-        axes = [[sets for _, sets in steps] for steps in self.axes.values()]
         folder = Path(self.base.source).parent
-        names = sorted({*names_of_tables([self.base.tree, axes])})
+        names = sorted({*names_of_tables([self.base.tree, self._sets])})
         return {name: _content(folder / name) for name in names}
 
     def shard(self, number: int, shards: int) -> list[Point]:
