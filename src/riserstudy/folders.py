@@ -144,9 +144,7 @@ def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
 def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
     """Write a file under a temporary name in the same folder, then rename it; it gets usual permissions.
 
-    Parameters
-    ----------
-    synced : whether the content must be on the disk before the file is renamed.
+    ``synced``: whether the content must be on the disk before the file is renamed.
     """
     name = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
     handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)  # minus the umask
@@ -167,12 +165,8 @@ def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
 def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
     """Yield the path of a file to write; it replaces the target when it is complete.
 
-    Raises SimulationError when it cannot be written, for example on a full disk, or a source file cannot be
-    read.
-
-    Parameters
-    ----------
-    *errors : errors of the writing library which mean that the file is not complete.
+    ``*errors``: errors of the writing library which mean that the file is not complete. Raises
+    SimulationError when it cannot be written, for example on a full disk, or a source file cannot be read.
     """
     partial = target.with_name(f".{target.name}.{os.getpid()}")
     unwritten: tuple[type[Exception], ...] = (OSError, *errors)

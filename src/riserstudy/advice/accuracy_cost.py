@@ -38,12 +38,9 @@ class Price(NamedTuple):
 def prices(file: SceneFile, progress: bool = False) -> Iterator[Price]:
     """Run a scene at finer and finer accuracies; the first run, which may compile kernels, is not timed.
 
-    Of a long scene only the first periods are run, and their time is extrapolated. Raises SimulationError
-    when a run cannot be completed. Raises TakesTooLong when a run does not end within ``PATIENCE``.
-
-    Parameters
-    ----------
-    progress : show on a terminal which run is at work; elsewhere print it once a run takes long.
+    Of a long scene only the first periods are run, and their time is extrapolated. ``progress``: show on a
+    terminal which run is at work; elsewhere print it once a run takes long. Raises SimulationError when a run
+    cannot be completed. Raises TakesTooLong when a run does not end within ``PATIENCE``.
     """
     for share in REQUESTS:
         with progress_line(progress) as notify:

@@ -39,11 +39,7 @@ class Advice(NamedTuple):
 def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     """Change every effect of a scene in turn.
 
-    Raises SimulationError when the scene itself cannot be run.
-
-    Parameters
-    ----------
-    notify : receives the name of the next run.
+    ``notify``: receives the name of the next run. Raises SimulationError when the scene itself cannot be run.
     """
     limits = accuracy_of(file.resolved())
     base = ablate(file, REPEATS, BUDGET, notify)

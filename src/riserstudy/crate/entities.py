@@ -39,12 +39,7 @@ def ref(*names: str) -> list[Entity]:
 
 
 def file_entity(file: Path, name: str) -> Entity:
-    """Describe a file: size, SHA-256, date and format.
-
-    Parameters
-    ----------
-    name : path from the root of the crate.
-    """
+    """Describe a file: size, SHA-256, date and format. ``name``: path from the root of the crate."""
     stat = file.stat()
     with file.open("rb") as stream:
         digest = hashlib.file_digest(stream, "sha256").hexdigest()

@@ -68,9 +68,7 @@ def outputs_of(study: Path) -> list[str]:
 def write_crate(study: Path) -> Path | None:
     """Write the description of a study's results into their folder.
 
-    Parameters
-    ----------
-    study : folder of the study, with config and results.
+    ``study``: folder of the study, with config and results.
 
     Returns
     -------
@@ -88,9 +86,7 @@ def write_crate(study: Path) -> Path | None:
 def crate_text(study: Path, root: Path) -> str | None:
     """Return the description of a study as JSON-LD; None if no job has left a record.
 
-    Parameters
-    ----------
-    root : root of the crate: the folder of the study, or of its results.
+    ``root``: root of the crate: the folder of the study, or of its results.
     """
     outputs, made = outputs_of(study), recorded(study)
     known = {name: made[name] for name in outputs if name in made}

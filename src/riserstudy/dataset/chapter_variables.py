@@ -51,11 +51,8 @@ def _read(file: Path) -> Table:
 def joined_tables(papers: list[str], known: Table) -> Table:
     """The variables of some chapters.
 
-    Raises InputError when a name has other attributes elsewhere: file and name.
-
-    Parameters
-    ----------
-    known : those that the package names.
+    ``known``: those that the package names. Raises InputError when a name has other attributes elsewhere:
+    file and name.
     """
     joined: Table = {}
     for paper in papers:

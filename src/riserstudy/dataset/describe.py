@@ -23,12 +23,7 @@ def described(dataset: xr.Dataset, paper: str, title: str) -> xr.Dataset:
 
 
 def label_variables(dataset: xr.Dataset, about: Mapping[str, tuple[str, str]]) -> None:
-    """Give variables their units and long names.
-
-    Parameters
-    ----------
-    about : (units, long name) by variable.
-    """
+    """Give variables their units and long names. ``about``: (units, long name) by variable."""
     for name, (unit, words) in about.items():
         dataset[name].attrs = {"units": unit, "long_name": words}
 

@@ -66,9 +66,7 @@ def without_repeats(
 ) -> Iterator[Statistic]:
     """Statistics of variables, without those of a history that an envelope over all steps also gives.
 
-    Parameters
-    ----------
-    coordinates : coordinates of the dimensions of a run, each (n,).
+    ``coordinates``: coordinates of the dimensions of a run, each (n,).
     """
     names = {variable.name for variable in variables}
     for variable in variables:
@@ -105,9 +103,7 @@ def _timed(of: Statistic, runs: xr.Dataset) -> Statistic:
 def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict[str, Any]:
     """Statistics of several groups of runs as variables over (point, statistic), with this coordinate.
 
-    Parameters
-    ----------
-    parts : indices of the runs of each group, and their statistics.
+    ``parts``: indices of the runs of each group, and their statistics.
     """
     count = sum(len(places) for places, _ in parts)
     labels = dict.fromkeys(
@@ -131,9 +127,7 @@ def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict
 def from_arrays(labels: Sequence[str], held: Mapping[str, NDArray[Any]]) -> Iterator[Statistic]:
     """Statistics from the variables of a dataset.
 
-    Parameters
-    ----------
-    held : variables by their kinds, (n, k) for n cells and k labels.
+    ``held``: variables by their kinds, (n, k) for n cells and k labels.
     """
     for k, label in enumerate(labels):
         quantity, statistic = label.split(" ")

@@ -28,11 +28,7 @@ def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float,
     The search covers a quarter of the record in both directions. Series are interpolated to equally spaced
     times, at the smallest interval of theirs, but at most two million. A periodic series fits equally well
     one period later; of equally good lags, the one nearest to zero is returned. Both results are NaN if a
-    series does not vary.
-
-    Parameters
-    ----------
-    along : times (s), (n,), rising. ours, theirs : (n,).
+    series does not vary. ``along``: times (s), (n,), rising. ``ours``, ``theirs``: (n,).
     """
     if not np.ptp(ours) or not np.ptp(theirs):
         return math.nan, math.nan

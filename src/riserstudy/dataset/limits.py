@@ -52,11 +52,8 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
 
     An output whose error exceeds its value does not meet any limit. A tolerance does not limit the error of
     angles and shear, and a prescribed mesh does not limit any error. An output therefore meets a limit only
-    if it meets the limit with its estimated error added.
-
-    Parameters
-    ----------
-    facts : facts of the run: its extremes, one row per output and place, and its estimated errors.
+    if it meets the limit with its estimated error added. ``facts``: facts of the run: its extremes, one row
+    per output and place, and its estimated errors.
     """
     rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
@@ -93,9 +90,7 @@ class Error(NamedTuple):
 def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     """Estimated error of an output if no tolerance limits it; else, or if it is not known, zero.
 
-    Parameters
-    ----------
-    own_mesh : whether the scene prescribes its mesh, so no error is limited.
+    ``own_mesh``: whether the scene prescribes its mesh, so no error is limited.
     """
     estimated = facts.get("error_estimate", {})
     if name := _unbounded(output):
@@ -199,9 +194,7 @@ def demand_of(
 ) -> tuple[float, float | None, float | None] | None:
     """Value, place (m) and time (s) of the largest utilisation of a limit; None if no row has it.
 
-    Parameters
-    ----------
-    rows : extremes of a run, one row per output and place.
+    ``rows``: extremes of a run, one row per output and place.
     """
     names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
     places = limit.places(names)

@@ -29,11 +29,8 @@ BLOCK = 1 << 20  # bytes
 def write_netcdf(dataset: xr.Dataset, target: Path, encoding: Mapping[str, dict[str, Any]]) -> None:
     """Write a netCDF file completely or not at all.
 
-    Raises SimulationError when it cannot be written, as on a full disk.
-
-    Parameters
-    ----------
-    encoding : encoding of variables by name, as for xarray.
+    ``encoding``: encoding of variables by name, as for xarray. Raises SimulationError when it cannot be
+    written, as on a full disk.
     """
     with written_whole(target) as partial, without("dask"):  # only dask's arrays need its locks
         dataset.to_netcdf(partial, engine="netcdf4", encoding=encoding)

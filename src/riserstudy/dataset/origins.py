@@ -21,10 +21,8 @@ FIRST = ("calibrated", "assumed", "derived", "chosen")
 def origins_of(dataset: xr.Dataset) -> dict[str, str]:
     """Origins of all values that any point of a dataset depends on, by path.
 
-    Parameters
-    ----------
-    dataset : a simulated dataset, whose axes list the values that they set; or a derived dataset, whose
-        attributes contain all origins.
+    ``dataset``: a simulated dataset, whose axes list the values that they set; or a derived dataset, whose
+    attributes contain all origins.
     """
     origins: dict[str, str] = json.loads(dataset.attrs.get("origins", "{}"))
     if "parents" in dataset.attrs or "point_key" not in dataset:

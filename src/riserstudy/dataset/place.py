@@ -15,11 +15,8 @@ if TYPE_CHECKING:
 def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     """Index of a point on each axis; none for a dataset without axes.
 
-    Raises InputError when the dataset has no such axis or value, or an axis has no value in ``at``.
-
-    Parameters
-    ----------
-    at : values by axis, as text; not required for axes with one value.
+    ``at``: values by axis, as text; not required for axes with one value. Raises InputError when the dataset
+    has no such axis or value, or an axis has no value in ``at``.
     """
     axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
     if unknown := [axis for axis in at if axis not in axes]:

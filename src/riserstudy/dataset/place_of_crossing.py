@@ -13,11 +13,7 @@ def place_of_crossing(
 
     The curve ends with its last value: missing values after it belong to a shorter run. The place is not
     known, and the result is NaN, if there is no value at all, or if a missing value could have reached the
-    level first.
-
-    Parameters
-    ----------
-    curve, place : (n,); the level is in the unit of the curve.
+    level first. ``curve``, ``place``: (n,); the level is in the unit of the curve.
     """
     over = np.flatnonzero(curve >= level)
     present = np.flatnonzero(~np.isnan(curve))

@@ -96,11 +96,8 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
 def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     """The scene file of one point, which holds its tables.
 
-    Raises InputError when the dataset was not simulated, or has no scene of the point.
-
-    Parameters
-    ----------
-    index : index of the point on each axis; empty for a dataset without axes.
+    ``index``: index of the point on each axis; empty for a dataset without axes. Raises InputError when the
+    dataset was not simulated, or has no scene of the point.
     """
     record = read_provenance(dataset)
     sets: dict[str, Any] = {}

@@ -47,11 +47,8 @@ def stack_up(scene: Resolved) -> Table:
     contents, the weight in the scene includes the fluid in its bore. Weights are those of pipe, modules and
     lines together; above the water, they are weights in air. ``uplift`` is the difference of dry weight and
     submerged weight with an empty bore. The lift of modules is a net lift, beyond their own weight. A
-    telescopic joint above the ring hangs on the deck and is not included.
-
-    Parameters
-    ----------
-    scene : the riser; masses in kg, lengths in m.
+    telescopic joint above the ring hangs on the deck and is not included. ``scene``: the riser; masses in kg,
+    lengths in m.
     """
     pieces = _pieces(scene)
     hook: list[float | None] = []

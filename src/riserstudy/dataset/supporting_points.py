@@ -32,9 +32,7 @@ def axes_of(dataset: xr.Dataset) -> Axes:
 def supporting_studies(name: str, dataset: xr.Dataset) -> dict[str, Axes]:
     """Axes of the simulated studies that a dataset is derived from, or of itself if it is simulated; by name.
 
-    Parameters
-    ----------
-    name : name of the dataset.
+    ``name``: name of the dataset.
     """
     return _studies(name, parent(dataset))
 

@@ -27,12 +27,9 @@ def allowances(
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
     Runs have the current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
-    Limits on means have no allowance. Raises InputError when the scene has no irregular sea, or the riser
-    leaves its offset. Raises SimulationError when a run cannot be completed.
-
-    Parameters
-    ----------
-    notify : function that receives a description of the next run.
+    Limits on means have no allowance. ``notify``: function that receives a description of the next run.
+    Raises InputError when the scene has no irregular sea, or the riser leaves its offset. Raises
+    SimulationError when a run cannot be completed.
     """
     scene = file.resolved()
     _refuse_departures(file.source, scene)

@@ -113,9 +113,7 @@ def _cruised(scene: Resolved, time: float) -> float:
 def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[str]) -> Circles:
     """Red and yellow circle of each limit of some modes, and of each mode as a whole.
 
-    Parameters
-    ----------
-    dataset : run of the scene.
+    ``dataset``: run of the scene.
     """
     way = way_of(scene, dataset)
     reached = json.loads(dataset.attrs["limits_reached"])

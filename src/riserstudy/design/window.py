@@ -75,11 +75,8 @@ def window_of(
 ) -> Window:
     """The window of a scene's setting, by the formula.
 
+    ``overpull``: required effective tension between LMRP and stack (N); None: the LMRP is not lifted off.
     Raises ValueError when the scene does not give it: what it lacks.
-
-    Parameters
-    ----------
-    overpull : required effective tension between LMRP and stack (N); None: the LMRP is not lifted off.
     """
     needed = tension.governing(scene, tolerances).tension
     lifted = None if overpull is None else lift_off(scene, overpull)
@@ -89,12 +86,8 @@ def window_of(
 def lift_off(scene: Resolved, overpull: float, weighed: float | None = None) -> float:
     """Vertical tension (N) that lifts the LMRP off with an overpull (N).
 
-    Raises ValueError when the scene does not give it: what it lacks.
-
-    Parameters
-    ----------
-    weighed : vertical tension (N) at which the tension at the riser's lower end is zero, with the given
-        weights; absent: by the formula.
+    ``weighed``: vertical tension (N) at which the tension at the riser's lower end is zero, with the given
+    weights; absent: by the formula. Raises ValueError when the scene does not give it: what it lacks.
     """
     if missing := lift_off_lacks(scene):
         raise ValueError("not evaluated: " + ", ".join(missing))

@@ -21,12 +21,8 @@ class Exported(NamedTuple):
 def write_deck(file: SceneFile) -> Exported:
     """Return the OrcaFlex text model of a scene.
 
-    Raises InputError when the deck would describe another riser.
-
-    Parameters
-    ----------
-    file : SceneFile
-        Scene of a riser that is held at its lower end.
+    ``file``: scene of a riser that is held at its lower end. Raises InputError when the deck would
+    describe another riser.
 
     Returns
     -------

@@ -31,12 +31,9 @@ def shares(years: Years, without: Years) -> list[Share]:
     """Share of vibration in the damage of each detail that both studies have.
 
     Damage is compared at one place of the riser and its wall; without vibration, the largest damage may be
-    elsewhere. Raises InputError when the studies cannot be compared: vibration in the second one, or none in
-    the first one, no common detail, or other places around the wall.
-
-    Parameters
-    ----------
-    without : damage in the same sea states and currents; its places along the riser may differ.
+    elsewhere. ``without``: damage in the same sea states and currents; its places along the riser may differ.
+    Raises InputError when the studies cannot be compared: vibration in the second one, or none in the first
+    one, no common detail, or other places around the wall.
     """
     _check(years, without)
     at_rest = {of.detail: k for k, of in enumerate(without.worst)}

@@ -14,9 +14,7 @@ CELL = 0.42  # inches
 def calendar(shares: Table, title: str) -> Figure:
     """Months by years, each with its share of workable hours (%).
 
-    Parameters
-    ----------
-    shares : table from `riserstudy.seas.hours.Hours.by_month`.
+    ``shares``: table from `riserstudy.seas.hours.Hours.by_month`.
     """
     months = shares.columns[1:13]
     values = np.array(

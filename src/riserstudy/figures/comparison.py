@@ -17,9 +17,7 @@ MOST = 6  # largest number of panels
 def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
     """Both over time, or along the riser, in the reader's units.
 
-    Parameters
-    ----------
-    title : title of the run. other : name of the table.
+    ``title``: title of the run. ``other``: name of the table.
     """
     chosen = pairs[:MOST]
     figure, axes = panels(len(chosen), 1, 2.2, sharex=True)

@@ -15,9 +15,7 @@ LABELLED = 20  # largest number of modes with labels
 def vortex_frequencies(found: xr.Dataset, title: str) -> Figure:
     """Shedding frequency and modes over elevation, and the largest amplitude of each mode.
 
-    Parameters
-    ----------
-    found : from `riserstudy.design.vortex_screening.screening`.
+    ``found``: from `riserstudy.design.vortex_screening.screening`.
     """
     figure, (left, right) = panels(1, 2, 5.0, sharey=True)
     z = found["z"].values

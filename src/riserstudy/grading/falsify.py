@@ -57,11 +57,8 @@ def false_rows(
 ) -> Iterator[FalseRow]:
     """A row for every false claim about a paper.
 
-    Raises InputError when variables or values to exchange do not exist; also as ``graded``.
-
-    Parameters
-    ----------
-    printed : results of the paper's published values and claims.
+    ``printed``: results of the paper's published values and claims. Raises InputError when variables or
+    values to exchange do not exist; also as ``graded``.
     """
     items, verdicts = {item.id: item for item in file.items}, {g.id: g.verdict for g in printed}
     for one in false:

@@ -44,13 +44,10 @@ def grade_claims(file: ClaimsFile, checks: Mapping[str, Check]) -> list[Graded]:
     """Verdicts of all published values and claims of a file.
 
     Each check is run with the inputs of the base case, then with every sample of the unspecified inputs:
-    Sobol points, uniform over ranges, and with equal probability over options. Raises InputError when a check
-    does not exist, or returns neither. Raises SimulationError when the base case has no result.
-
-    Parameters
-    ----------
-    checks : functions by name. Each takes the inputs as a mapping, and the options of its item by name. For a
-        published value it returns a float, for a claim the result of ``claim``.
+    Sobol points, uniform over ranges, and with equal probability over options. ``checks``: functions by name.
+    Each takes the inputs as a mapping, and the options of its item by name. For a published value it returns
+    a float, for a claim the result of ``claim``. Raises InputError when a check does not exist, or returns
+    neither. Raises SimulationError when the base case has no result.
     """
     draws = sampled(file)
     found: list[Graded] = []

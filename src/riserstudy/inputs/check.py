@@ -16,9 +16,7 @@ TYPES = frozenset(("bool", "float", "int", "str"))  # as pydantic names them, am
 def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
     """Validate data against a pydantic model; the first error becomes an InputError.
 
-    Parameters
-    ----------
-    field : place of the data in the source; empty: the data are the whole source.
+    ``field``: place of the data in the source; empty: the data are the whole source.
     """
     try:
         return model.model_validate(tree)

@@ -58,12 +58,7 @@ class LogHandler(LogHandlerBase):
         return not self.common_settings.dryrun
 
     def emit(self, record: LogRecord) -> None:
-        """Process a log record, and print failures.
-
-        Parameters
-        ----------
-        record : log record with an ``event`` and its data.
-        """
+        """Process a log record, and print failures. ``record``: log record with an ``event`` and its data."""
         event = getattr(record, "event", None)
         if self.common_settings.dryrun:
             return

@@ -42,11 +42,7 @@ def refuse_unknown_claims(
 ) -> None:
     """Refuse figures that list a number or claim which the file of their paper does not contain.
 
-    Raises InputError at the first such ID.
-
-    Parameters
-    ----------
-    known : IDs by paper.
+    ``known``: IDs by paper. Raises InputError at the first such ID.
     """
     for paper, file in files.items():
         ids = known.get(paper, set())

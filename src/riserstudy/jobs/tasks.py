@@ -45,9 +45,7 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, no_args_
 def run(arguments: Sequence[str]) -> int:
     """Run a job; return its exit status. A job that fails prints one line on stderr.
 
-    Parameters
-    ----------
-    arguments : name of the job and its arguments.
+    ``arguments``: name of the job and its arguments.
     """
     try:
         return int(app(args=[*arguments], prog_name="riserstudy.jobs", standalone_mode=False) or 0)

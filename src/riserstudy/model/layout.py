@@ -108,9 +108,7 @@ def lower_end(scene: Resolved, length: float) -> float:
 def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int) -> Layout:
     """Layout of a scene on a mesh in ``d`` directions.
 
-    Parameters
-    ----------
-    ring_elevation : elevation of the riser's top from an earlier static solution (m); None without one.
+    ``ring_elevation``: elevation of the riser's top from an earlier static solution (m); None without one.
     """
     sections = [stiffness(section) for section in scene.riser]
     bends = d > 1 and all(section.bending > 0 for section in sections)

@@ -164,11 +164,8 @@ def _uncovered(response: Response, amplitude: FloatArray, frequency: FloatArray)
 def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float = 0.0) -> Harmonics:
     """Harmonic motions of the platform in a wave or sea.
 
+    ``lag``: (components,) phase by which each component is later at the platform than at the origin (rad).
     Raises InputError when the operators do not cover a period or the heading of the wave.
-
-    Parameters
-    ----------
-    lag : (components,) phase by which each component is later at the platform than at the origin (rad).
     """
     amplitude, frequency, phase = components_of(wave)
     beyond = _beyond(response, frequency)

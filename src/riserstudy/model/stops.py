@@ -67,11 +67,7 @@ def beyond_its_barrels(joint: TelescopicJoint, length: FloatArray) -> list[str]:
 
     At the joint's length, the barrels overlap. Fully compressed, the joint is as long as the longer barrel,
     which is more than half of its length. Fully extended, it is as long as both barrels together, which is
-    less than twice its length.
-
-    Parameters
-    ----------
-    length : length of the joint, any shape (m).
+    less than twice its length. ``length``: length of the joint, any shape (m).
     """
     stop, sentences = joint.stop, []
     shortest, longest = float(length.min()), float(length.max())

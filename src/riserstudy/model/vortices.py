@@ -48,9 +48,7 @@ def vortex_forces(of: Layout) -> Iterator[Effect]:
 def _record(of: Layout, each: list[Shed], first: int) -> tuple[Any, ...]:
     """Fields of the record of one of the forces, from the inputs of the sections.
 
-    Parameters
-    ----------
-    first : row of the force's phases among the internal variables.
+    ``first``: row of the force's phases among the internal variables.
     """
     scales = [0.5 * of.density * one[0] * one[2].diameter if one else 0.0 for one in each]
     scale = of.per_segment(lambda k: scales[k]) * of.mesh.l0

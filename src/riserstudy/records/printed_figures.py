@@ -14,11 +14,8 @@ def number_of(name: str) -> int | None:
 def figures_in(text: str) -> frozenset[int]:
     """Numbers of the published figures that contain a value or claim.
 
+    ``text``: figures, ranges of figures and other places, separated by commas: ``4a, 6 to 8, section 6.2``.
     Raises ValueError when a part begins like a figure but is not one.
-
-    Parameters
-    ----------
-    text : figures, ranges of figures and other places, separated by commas: ``4a, 6 to 8, section 6.2``.
     """
     return frozenset(number for part in text.split(",") for number in _numbers(part.strip()))
 

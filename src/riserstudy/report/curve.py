@@ -126,11 +126,8 @@ def _caption(cases: Cases, step: int) -> str:
 def options_of(values: NDArray[np.generic]) -> list[Option]:
     """Return the options of an input, or thirds of its range.
 
-    Of too many options it returns the most frequent ones, and one row for all others.
-
-    Parameters
-    ----------
-    values : value of the input in each case.
+    Of too many options it returns the most frequent ones, and one row for all others. ``values``: value of
+    the input in each case.
     """
     texts = np.array([str(value) for value in values.tolist()])
     names, counts = np.unique(texts, return_counts=True)

@@ -42,9 +42,7 @@ def without_points(
 ) -> WithoutPoints:
     """Grade verdicts again without the cases that use points with too large errors.
 
-    Parameters
-    ----------
-    off : numbers of the points with too large errors, by simulated study.
+    ``off``: numbers of the points with too large errors, by simulated study.
     """
     dropped = Dropped({study: places(db, study, points) for study, points in off.items()})
     of = WithoutPoints([], [], [])

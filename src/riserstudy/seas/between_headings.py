@@ -48,9 +48,7 @@ class Middle(NamedTuple):
 def states_between(of: SeaStates, inside: NDArray[np.bool_]) -> FloatArray:
     """Sea states to compare half-way between two headings, (n, 2).
 
-    Parameters
-    ----------
-    inside : (rows,) true for rows of the record between the two headings.
+    ``inside``: (rows,) true for rows of the record between the two headings.
     """
     there = of.among(inside)
     highest = int(there.states[:, 0].argmax())

@@ -148,12 +148,8 @@ def head(where: str, text: str) -> Head:
 def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
     """Check that 99, 999 and 9999, which often mark missing values, are near the adjacent values.
 
-    Raises InputError at the first possible fill value whose ratio to an adjacent value is not between one
-    half and two.
-
-    Parameters
-    ----------
-    values : (rows,) in the unit of the file; NaN for missing values.
+    ``values``: (rows,) in the unit of the file; NaN for missing values. Raises InputError at the first
+    possible fill value whose ratio to an adjacent value is not between one half and two.
     """
     quantity = one.quantity
     if quantity is None or quantity.unit == "deg":

@@ -99,18 +99,14 @@ class Hours(NamedTuple):
     def mean_year(self, persistence: float = PERSISTENCE) -> Band:
         """The band of a mean year, from nearly complete years.
 
-        Parameters
-        ----------
-        persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+        ``persistence``: Hurst exponent of their shares; 0.5: years do not depend on one another.
         """
         return band(whole(self.years), persistence)
 
     def next_years(self, count: int, persistence: float = PERSISTENCE) -> Band:
         """The band of ``count`` future years, from nearly complete years.
 
-        Parameters
-        ----------
-        persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+        ``persistence``: Hurst exponent of their shares; 0.5: years do not depend on one another.
         """
         return band_of_next(whole(self.years), count, persistence)
 

@@ -64,12 +64,9 @@ class Place(NamedTuple):
 def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     """Columns of a record by time, and notes on conversions and omissions.
 
-    Raises InputError when the file cannot be read, or has no times; when it has several places and ``near``
-    is absent; when a direction is ambiguous: where waves come from, or travel to.
-
-    Parameters
-    ----------
-    near : place; the nearest place of a file with several is read; absent: the file has one place.
+    ``near``: place; the nearest place of a file with several is read; absent: the file has one place. Raises
+    InputError when the file cannot be read, or has no times; when it has several places and ``near`` is
+    absent; when a direction is ambiguous: where waves come from, or travel to.
     """
     import pandas as pd
     import xarray as xr

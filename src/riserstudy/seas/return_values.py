@@ -39,9 +39,7 @@ class ReturnValue(NamedTuple):
 def of_years(largest: FloatArray, years: float, seed: int = 0) -> ReturnValue:
     """Return value from the largest value of each year, (n,): exceeded with a probability of 1 / years.
 
-    Parameters
-    ----------
-    years : return period, above 1.
+    ``years``: return period, above 1.
 
     References
     ----------

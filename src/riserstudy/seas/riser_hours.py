@@ -114,10 +114,8 @@ def response_of(
 def by_rows(parts: Sequence[tuple[SeaStates, FloatArray, Response]]) -> tuple[Flags, Response]:
     """Flags of known rows of the record, (rows,), and the response in these, (known, limits).
 
-    Parameters
-    ----------
-    parts : for each heading, its sea states, its weights in the rows, (rows,), and its response; in each row,
-        the weights sum to one.
+    ``parts``: for each heading, its sea states, its weights in the rows, (rows,), and its response; in each
+    row, the weights sum to one.
     """
     rows = len(parts[0][1])
     known = np.any([weight > 0.0 for _, weight, _ in parts], axis=0)

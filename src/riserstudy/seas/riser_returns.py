@@ -68,12 +68,8 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
     A band contains nine in ten fits to samples that are drawn from the fit of each history. The uncertainty
     of the response changes all rows of a history together, by a normal distribution whose 90 % range is the
     band of the response. The uncertainty of the scale from interval to interval has the same effect. Means
-    have no such extremes and are excluded. Raises InputError when fewer than five years are nearly complete,
-    or the response is from one seed.
-
-    Parameters
-    ----------
-    periods : return periods (years), above 1.
+    have no such extremes and are excluded. ``periods``: return periods (years), above 1. Raises InputError
+    when fewer than five years are nearly complete, or the response is from one seed.
     """
     if of.seeds < FEWEST_SEEDS:
         few = f"{of.seeds}: how extremes vary from run to run is not known"

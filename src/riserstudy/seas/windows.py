@@ -39,9 +39,7 @@ class Wait(NamedTuple):
 def stretches(workable: Flags, joined: Flags) -> NDArray[np.int64]:
     """First row and row after the last of each period of workable rows, (k, 2).
 
-    Parameters
-    ----------
-    joined : (n - 1,) whether a row and the next are one interval apart.
+    ``joined``: (n - 1,) whether a row and the next are one interval apart.
     """
     before = np.concatenate([[False], workable[:-1] & joined])
     after = np.concatenate([workable[1:] & joined, [False]])

@@ -48,9 +48,7 @@ def band(years: Sequence[Year], persistence: float = PERSISTENCE) -> Band:
 def band_of_next(years: Sequence[Year], count: int, persistence: float = PERSISTENCE) -> Band:
     """The band of the mean of ``count`` years after the last year of record.
 
-    Parameters
-    ----------
-    persistence : Hurst exponent of their shares; 0.5: years do not depend on one another.
+    ``persistence``: Hurst exponent of their shares; 0.5: years do not depend on one another.
 
     References
     ----------

@@ -60,10 +60,8 @@ events.register(COMPILE, _progress)
 def follow(report: Report | None) -> None:
     """Report the first kernel that this process compiles, and then every few seconds of compiling.
 
-    Parameters
-    ----------
-    report : function of the name of a kernel (empty at the beginning), the number of compiled kernels, and
-        the compile time so far (s). None: nothing is reported.
+    ``report``: function of the name of a kernel (empty at the beginning), the number of compiled kernels, and
+    the compile time so far (s). None: nothing is reported.
     """
     _progress.follow(report)
 

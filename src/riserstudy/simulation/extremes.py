@@ -33,11 +33,8 @@ def extremes(
     Values along the riser are from the envelopes at the nodes, which include every time step. Their times are
     times of outputs, and absent if no output is near the extreme. Means begin after all ramps, if the run
     continues after them. A static run has no times, and its values are also the means. In space, the mean of
-    an angle is the magnitude of the mean rotation; in a plane it has a sign.
-
-    Parameters
-    ----------
-    histories : histories along the riser, (time, n + 1), in addition to those in ``arrays``.
+    an angle is the magnitude of the mean rotation; in a plane it has a sign. ``histories``: histories along
+    the riser, (time, n + 1), in addition to those in ``arrays``.
     """
     rows = []
     time = arrays.get("time", np.zeros(0))

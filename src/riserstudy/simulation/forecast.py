@@ -37,12 +37,8 @@ class Forecast(NamedTuple):
 def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
     """Estimated time of a run, from its first piece; None if the run is short or has events or a vessel.
 
-    Raises SimulationError when the piece cannot be completed. Raises TakesTooLong when the watch interrupts
-    it.
-
-    Parameters
-    ----------
-    watch : reports progress and interrupts the run; absent: no reports and no time limit.
+    ``watch``: reports progress and interrupts the run; absent: no reports and no time limit. Raises
+    SimulationError when the piece cannot be completed. Raises TakesTooLong when the watch interrupts it.
     """
     a = scene.analysis
     piece = longest_ramp(scene) + PERIODS * period(scene)

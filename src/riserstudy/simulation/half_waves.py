@@ -23,9 +23,7 @@ MOST = 250  # largest number of half waves along a riser that the first mesh res
 def half_wave(scene: Resolved, mesh: Mesh, tension: FloatArray) -> dict[int, float]:
     """Shortest half wave (m) of the fastest vortices in each section, by index of the section.
 
-    Parameters
-    ----------
-    tension : (n,) tension of the segments of a riser at rest (N).
+    ``tension``: (n,) tension of the segments of a riser at rest (N).
 
     Returns
     -------

@@ -18,11 +18,8 @@ def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[
     """Warnings about a vessel, or a surge or sway by points, that moves along the waves of the scene.
 
     Motions in waves keep the phase of the platform's initial position, but loads on the riser have the phase
-    of the riser's present position.
-
-    Parameters
-    ----------
-    arrays : outputs of the run, of which low-frequency surge and sway are used, (time,) each (m).
+    of the riser's present position. ``arrays``: outputs of the run, of which low-frequency surge and sway are
+    used, (time,) each (m).
     """
     wave, platform = scene.wave, scene.platform
     if wave is None or platform is None or scene.water is None or scene.gravity is None:

@@ -15,9 +15,7 @@ FIRST_ORDER = 2.0  # factor by which each halving reduces an error of first orde
 def missed_accuracy(facts: RunFacts, runs: int) -> str:
     """The warning that the tolerance was not met within a number of runs.
 
-    Parameters
-    ----------
-    facts : facts of the finest run, with ``ended_by`` if the refinement did not end by the number of runs.
+    ``facts``: facts of the finest run, with ``ended_by`` if the refinement did not end by the number of runs.
     """
     why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
     errors = f"estimated errors are {in_words(facts['error_estimate'])}"

@@ -26,9 +26,7 @@ def riser_foot(scene: Resolved, mesh: Mesh) -> int:
 def shear_of(arrays: Arrays) -> Section:
     """Inputs of a record for shear alone at every time step; empty for a scene without bending.
 
-    Parameters
-    ----------
-    arrays : of the scene at rest on the mesh.
+    ``arrays``: of the scene at rest on the mesh.
     """
     if "bending_moment_static" not in arrays:
         return NO_SECTION
@@ -38,9 +36,7 @@ def shear_of(arrays: Arrays) -> Section:
 def section_of(scene: Resolved, mesh: Mesh, arrays: Arrays) -> Section:
     """Inputs of a record for shear and wall stress at every time step; empty if there is neither.
 
-    Parameters
-    ----------
-    arrays : of the scene at rest on the mesh.
+    ``arrays``: of the scene at rest on the mesh.
     """
     plain = shear_of(arrays)
     filled = [k for k, section in enumerate(scene.riser) if section.contents][::-1]
@@ -100,10 +96,7 @@ def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
     """Shear force (N) at the nodes, (..., n + 1), from the slope of the moment (N m).
 
     At joints and between sections, where shear may jump, it is the value with the larger magnitude.
-
-    Parameters
-    ----------
-    moment : (..., n + 1), or in space its components (..., 3, n + 1); the result is then the magnitude.
+    ``moment``: (..., n + 1), or in space its components (..., 3, n + 1); the result is then the magnitude.
 
     References
     ----------
@@ -127,9 +120,7 @@ def derived(
 ) -> tuple[Arrays, Arrays]:
     """Shear, wall stress and lower-end tension: at rest, and over time if all nodes have histories.
 
-    Parameters
-    ----------
-    bent : components of the moment at rest, (3, n + 1), N m; None in a plane.
+    ``bent``: components of the moment at rest, (3, n + 1), N m; None in a plane.
 
     Returns
     -------

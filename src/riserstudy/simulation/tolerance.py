@@ -54,12 +54,8 @@ def check_error(result: Result, scene: Resolved) -> None:
 def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> None:
     """Detect buckling of a string without bending stiffness, whose wavelength decreases with each mesh.
 
-    Raises PhysicallyUnstable when the error of a string under compression has not decreased within `PATIENT`
-    runs.
-
-    Parameters
-    ----------
-    excess : largest ratio of error to tolerance (1), of every run so far.
+    ``excess``: largest ratio of error to tolerance (1), of every run so far. Raises PhysicallyUnstable when
+    the error of a string under compression has not decreased within `PATIENT` runs.
     """
     earlier = excess[:-PATIENT]
     if not earlier or min(excess) <= 0.5 * min(earlier) or "bending_moment" in finer.arrays:

@@ -169,10 +169,7 @@ def sampling_of_angles(histories: dict[str, Array]) -> dict[str, float]:
 
     It is the largest of the errors of means, of scatter about them, and of the largest values. For the
     largest values, the scatter between quarters of the run is taken as the scatter between runs.
-
-    Parameters
-    ----------
-    histories : histories by name, (times,), rad, over the evaluated time.
+    ``histories``: histories by name, (times,), rad, over the evaluated time.
     """
     scale = max((float(np.abs(angle).max()) for angle in histories.values()), default=0.0)
     if scale == 0.0:

@@ -98,11 +98,8 @@ def along_the_riser(
 ) -> FloatArray:
     """Von Mises stress (Pa) at the nodes, (..., n + 1), NaN where a section lacks inputs for it.
 
-    Where two sections meet, it is the larger stress.
-
-    Parameters
-    ----------
-    elevation, tension, moment : values at the nodes (m, N, N m), (..., n + 1).
+    Where two sections meet, it is the larger stress. ``elevation``, ``tension``, ``moment``: values at the
+    nodes (m, N, N m), (..., n + 1).
     """
     inside, outside = pressures(scene, mesh, elevation)
     stresses = np.full(elevation.shape, np.nan)

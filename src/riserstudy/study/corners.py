@@ -19,9 +19,7 @@ TRIES = 50  # attempts per point, after which a small grid has no further point
 def corners(study: Study, count: int, seed: int) -> list[Index]:
     """Points at corners and the middle of axes of numbers, and at all labels and ends of samples in turn.
 
-    Parameters
-    ----------
-    count : largest number of points; the result has fewer if there are no more.
+    ``count``: largest number of points; the result has fewer if there are no more.
     """
     return list(dict.fromkeys(islice(_turns(study, seed), TRIES * count)))[:count]
 

@@ -15,9 +15,7 @@ BENDS = PLACES | MOMENTS | {"mesh_flexibility"}
 def needed(shapes: Mapping[str, Sequence[int]], keep: Collection[str] | None) -> frozenset[str]:
     """Names of the arrays of a run from which the quantities ``keep`` are computed; None: all.
 
-    Parameters
-    ----------
-    shapes : shapes of the arrays of the run by name; ``time``, ``s`` and ``s_node`` are required.
+    ``shapes``: shapes of the arrays of the run by name; ``time``, ``s`` and ``s_node`` are required.
     """
     if keep is None:
         return frozenset(shapes)

@@ -54,11 +54,8 @@ class Pack(NamedTuple):
 def write_pack(folder: Path, points: Mapping[str, bytes], born: str | None = None) -> Path:
     """Write points, in their stored form, to a new pack.
 
-    Raises OSError when it cannot be written; no file remains then.
-
-    Parameters
-    ----------
-    born : time at the begin of its name, from the pack that it replaces; absent: now.
+    ``born``: time at the begin of its name, from the pack that it replaces; absent: now. Raises OSError when
+    it cannot be written; no file remains then.
     """
     import numpy as np
 

@@ -36,11 +36,8 @@ def forks() -> bool:
 def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:
     """Results of a task for each item, in order.
 
+    ``task``: a function of a module, or a ``partial`` of one; closures are not possible on every system.
     Raises SimulationError when a process is killed.
-
-    Parameters
-    ----------
-    task : a function of a module, or a ``partial`` of one; closures are not possible on every system.
     """
     count = min(processes, len(items))
     if count <= 1:

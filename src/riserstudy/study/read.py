@@ -85,9 +85,7 @@ def default_figures(
 ) -> dict[str, FigureModel]:
     """Figures of a study file without ``figures``: every plot that fits each of its grids.
 
-    Parameters
-    ----------
-    moving : function that states whether a study's runs are dynamic.
+    ``moving``: function that states whether a study's runs are dynamic.
     """
     limited = {name for name, model in studies.items() if model.limits}
     return {

@@ -51,12 +51,8 @@ class Rerun:
 def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     """Rerun one point of a simulated dataset, or the single run of a dataset without axes.
 
-    Raises InputError when the dataset was not simulated, or has no such point. Raises SimulationError when
-    the run cannot be completed.
-
-    Parameters
-    ----------
-    at : values by axis, as text; not required for axes with one value.
+    ``at``: values by axis, as text; not required for axes with one value. Raises InputError when the dataset
+    was not simulated, or has no such point. Raises SimulationError when the run cannot be completed.
     """
     import xarray as xr
 

@@ -49,9 +49,7 @@ def config_schema() -> dict[str, Any]:
 def schemas(papers: Iterable[str] = ()) -> dict[str, Callable[[], dict[str, Any]]]:
     """Functions that return each schema as plain data, by the kind of file.
 
-    Parameters
-    ----------
-    papers : papers whose chapters may have models of measured datasets.
+    ``papers``: papers whose chapters may have models of measured datasets.
     """
     study = partial(study_schema, papers)
     return {"scene": scene_schema, "study": study, "config": config_schema}

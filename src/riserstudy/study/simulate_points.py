@@ -55,12 +55,8 @@ Count = Callable[[int, int], None]
 def fill(study: Study, points: Iterable[Point], processes: int, count: Count | None = None) -> int:
     """Simulate the points that the store lacks; returns their number.
 
-    Raises SimulationError when points cannot be completed; for each cause, the message has the number of
-    points and the first one.
-
-    Parameters
-    ----------
-    count : function that is called for each completed point; absent: none.
+    ``count``: function that is called for each completed point; absent: none. Raises SimulationError when
+    points cannot be completed; for each cause, the message has the number of points and the first one.
     """
     every = list(points)
     total = len({point.key for point in every})
@@ -87,10 +83,8 @@ def attempt(
 ) -> dict[str, SimulationError]:
     """Simulate the points that the store lacks; returns the reasons why points cannot be completed, by key.
 
-    Parameters
-    ----------
-    notify : function that receives the number of additional completed points; the first call has the stored
-        ones.
+    ``notify``: function that receives the number of additional completed points; the first call has the
+    stored ones.
     """
     each_once = {point.key: point for point in points}
     stored = partial(store.get, keep=study.model.keep)

@@ -22,12 +22,8 @@ from riserstudy.study.tune import Tuned
 def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -> None:
     """Write tuned settings into a study's ``set``, and the record of tuning into its ``tuned``.
 
-    Raises InputError when the file may not be written. Raises SimulationError when it cannot be written, as
-    on a full disk. The file is then not changed.
-
-    Parameters
-    ----------
-    about : fields of ``tuned`` to write.
+    ``about``: fields of ``tuned`` to write. Raises InputError when the file may not be written. Raises
+    SimulationError when it cannot be written, as on a full disk. The file is then not changed.
     """
     yaml = _yaml()
     tree = yaml.load(read_text(path, MOST_BYTES))

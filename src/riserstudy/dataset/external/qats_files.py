@@ -34,11 +34,8 @@ class Series(NamedTuple):
 def read_series(path: Path, titles: list[str]) -> list[Series]:
     """Series of a file, selected by their names in it.
 
-    Raises InputError when QATS is not installed, the file cannot be read, or it has no such series.
-
-    Parameters
-    ----------
-    titles : names of the series. Groups of a series precede its name, separated by a slash.
+    ``titles``: names of the series. Groups of a series precede its name, separated by a slash. Raises
+    InputError when QATS is not installed, the file cannot be read, or it has no such series.
     """
     try:
         from qats.io.registry import find_reader

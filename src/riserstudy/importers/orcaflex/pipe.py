@@ -85,9 +85,7 @@ def wall(kind: Part) -> dict[str, Any]:
 def stressed(kind: Part, filled: bool) -> dict[str, Any]:
     """Return the diameters of the load-bearing wall, if a line type gives them besides OD and ID.
 
-    Parameters
-    ----------
-    filled : whether contents fill ID, which is then the inner diameter.
+    ``filled``: whether contents fill ID, which is then the inner diameter.
     """
     if not (kind.given("StressOD") and kind.given("StressID")):
         return {}
