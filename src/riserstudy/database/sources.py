@@ -14,17 +14,11 @@ KINDS = {".nc": "dataset", ".png": "figure", ".pdf": "figure", ".csv": "table"}
 
 @dataclass(frozen=True)
 class Sources:
-    """Sources of the contents of the database.
+    """Sources of the contents of the database."""
 
-    Attributes
-    ----------
-    config : folder with study files and published values.
-    papers : papers in their order.
-    files : datasets and figures, each in the folder named like its paper, and the tables over all papers.
-    """
-
-    config: Path
-    papers: list[str]
+    config: Path  # folder with study files and published values
+    papers: list[str]  # papers in their order
+    # datasets and figures, each in the folder named like its paper, and the tables over all papers
     files: list[Path]
 
 

@@ -32,16 +32,10 @@ SAME = 1e-6  # share of the riser's length within which two places are equal
 
 
 class Added(NamedTuple):
-    """The difference of effective and wall tension, and notes on its computation.
+    """The difference of effective and wall tension, and notes on its computation."""
 
-    Attributes
-    ----------
-    force : p_o A_o - p_i A_i (N), in the requested shape; NaN where two walls meet.
-    notes : a line each.
-    """
-
-    force: FloatArray
-    notes: list[str]
+    force: FloatArray  # p_o A_o - p_i A_i (N), in the requested shape; NaN where two walls meet
+    notes: list[str]  # a line each
 
 
 class Walls:

@@ -20,19 +20,15 @@ WORDS = ("yes", "no", "on", "off", "true", "false", "null", "infinity")
 
 @dataclass
 class Deck:
-    """A deck, and the paths of the scene that it contains.
-
-    Attributes
-    ----------
-    objects : lists of objects by their name in a deck, and General and Environment.
-    carried : paths of the scene that the deck contains, without indices.
-    otherwise : paths of the scene that the deck contains in another form, and this form.
-    """
+    """A deck, and the paths of the scene that it contains."""
 
     file: SceneFile
     scene: Resolved
+    # lists of objects by their name in a deck, and General and Environment
     objects: dict[str, Any] = field(default_factory=dict)
+    # paths of the scene that the deck contains, without indices
     carried: set[str] = field(default_factory=set)
+    # paths of the scene that the deck contains in another form, and this form
     otherwise: dict[str, str] = field(default_factory=dict)
 
     def add(self, of: str, entry: dict[str, Any]) -> None:

@@ -26,17 +26,13 @@ SHUFFLES, SURE, SEED = 200, 0.95, 0
 
 
 class Deciding(NamedTuple):
-    """Deciding inputs, the most important first, and the variance that each or all of them explain.
-
-    Attributes
-    ----------
-    explained : share of the variance that the inputs of samples explain together, 0 if none exceeds chance;
-        None for a grid, and if the outcome does not vary.
-    total_effects : total effect of each input of a grid; empty for samples.
-    """
+    """Deciding inputs, the most important first, and the variance that each or all of them explain."""
 
     names: list[str]
+    # share of the variance that the inputs of samples explain together, 0 if none exceeds chance; None for a
+    # grid, and if the outcome does not vary
     explained: float | None = None
+    # total effect of each input of a grid; empty for samples
     total_effects: Mapping[str, float] = {}
 
 

@@ -95,20 +95,13 @@ class Meaning(Travelling):
 
 @dataclass(frozen=True)
 class Influence(Travelling):
-    """A deciding input.
+    """A deciding input."""
 
-    Attributes
-    ----------
-    input : its path in a scene, or the name of its axis or interpretations.
-    name : its name in a paper's file, or its standard name.
-    total_effect : share of the variance that remains when all other inputs are known, for a grid; else None.
-    by_option : share of the samples that meet it for each option, in the notation of scenes; empty for
-        ranges.
-    """
-
-    input: str
-    name: str
+    input: str  # its path in a scene, or the name of its axis or interpretations
+    name: str  # its name in a paper's file, or its standard name
+    # share of the variance that remains when all other inputs are known, for a grid; else None
     total_effect: float | None = None
+    # share of the samples that meet it for each option, in the notation of scenes; empty for ranges
     by_option: dict[str, float] = field(default_factory=dict)
 
 

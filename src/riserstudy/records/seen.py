@@ -21,15 +21,10 @@ class Peak(NamedTuple):
 
 @dataclass
 class Seen:
-    """Values at all time steps of a run; empty if only its outputs are known.
+    """Values at all time steps of a run; empty if only its outputs are known."""
 
-    Attributes
-    ----------
-    steps : time (s) and outputs with one value per time, (steps,) or (steps, cylinders), by name.
-    peaks : peaks of these values, by name.
-    rotations : rotations of flex joints in space, at the outputs, (time, 3) rad, by name.
-    """
-
+    # time (s) and outputs with one value per time, (steps,) or (steps, cylinders), by name
     steps: dict[str, NDArray[np.float64]] = field(default_factory=dict)
-    peaks: dict[str, Peak] = field(default_factory=dict)
+    peaks: dict[str, Peak] = field(default_factory=dict)  # peaks of these values, by name
+    # rotations of flex joints in space, at the outputs, (time, 3) rad, by name
     rotations: dict[str, NDArray[np.float64]] = field(default_factory=dict)

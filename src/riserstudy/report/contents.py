@@ -44,20 +44,13 @@ FilesOfFigures = dict[tuple[str, str], tuple[str, str, str]]
 
 @dataclass(frozen=True)
 class Sources:
-    """Files from which the report is made.
+    """Files from which the report is made."""
 
-    Attributes
-    ----------
-    config : folder with the study files.
-    papers : papers in the order of the report.
-    database : results database; it contains the paths of figures and datasets relative to its folder.
-    compiled : marker that contains the time of the first compilation.
-    """
-
-    config: Path
-    papers: list[str]
+    config: Path  # folder with the study files
+    papers: list[str]  # papers in the order of the report
+    # results database; it contains the paths of figures and datasets relative to its folder
     database: Path
-    compiled: Path
+    compiled: Path  # marker that contains the time of the first compilation
 
     @property
     def folder(self) -> Path:

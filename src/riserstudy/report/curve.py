@@ -34,24 +34,15 @@ SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 
 
 class Cases(NamedTuple):
-    """Judged cases: margin, finding and assumed inputs of each.
+    """Judged cases: margin, finding and assumed inputs of each."""
 
-    Attributes
-    ----------
-    margin : (n,), -1 to 1.
-    met : (n,), whether the claim is met.
-    same : (n,), whether the compared values do not differ.
-    inputs : (n,) texts or numbers, by the name of the input in words; the most important input first.
-    base : margin of the base case; None if unknown.
-    hidden : number of further inputs that vary.
-    """
-
-    margin: NDArray[np.float64]
-    met: NDArray[np.bool_]
-    same: NDArray[np.bool_]
+    margin: NDArray[np.float64]  # (n,), -1 to 1
+    met: NDArray[np.bool_]  # (n,), whether the claim is met
+    same: NDArray[np.bool_]  # (n,), whether the compared values do not differ
+    # (n,) texts or numbers, by the name of the input in words; the most important input first
     inputs: Mapping[str, NDArray[np.generic]]
-    base: float | None
-    hidden: int = 0
+    base: float | None  # margin of the base case; None if unknown
+    hidden: int = 0  # number of further inputs that vary
 
 
 class Option(NamedTuple):

@@ -17,21 +17,15 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity of runs.
+    """A quantity of runs."""
 
-    Attributes
-    ----------
-    needs : fields of the scene that the quantity requires. Absent: every scene has the quantity.
-    is_in : whether a scene has these fields.
-    limit_unit : SI unit that the text of a limit is converted to. Absent: the quantity has no limits.
-    along : whether the quantity has a value at every place along the riser.
-    is_array : whether runs return it over the riser or time; if not, runs return one number.
-    """
-
+    # fields of the scene that the quantity requires. Absent: every scene has the quantity
     needs: str = ""
-    is_in: Callable[[Parts], bool] = lambda _: True
+    is_in: Callable[[Parts], bool] = lambda _: True  # whether a scene has these fields
+    # SI unit that the text of a limit is converted to. Absent: the quantity has no limits
     limit_unit: str = ""
-    along: bool = False
+    along: bool = False  # whether the quantity has a value at every place along the riser
+    # whether runs return it over the riser or time; if not, runs return one number
     is_array: bool = True
 
 

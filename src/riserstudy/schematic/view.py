@@ -19,19 +19,14 @@ THIN = 1.0  # narrowest line of a part (points)
 
 @dataclass
 class View:
-    """Axes that show a window of the scene.
-
-    Attributes
-    ----------
-    whole : whether this is the whole view, which labels the long parts; other views label their end.
-    inch : metres of the scene per inch of the figure.
-    ends : for the whole view: the views that show its ends magnified.
-    """
+    """Axes that show a window of the scene."""
 
     ax: Axes
+    # whether this is the whole view, which labels the long parts; other views label their end
     whole: bool
-    inch: float
+    inch: float  # metres of the scene per inch of the figure
     labels: Labels = field(default_factory=Labels)
+    # for the whole view: the views that show its ends magnified
     ends: list[View] = field(default_factory=list)
 
     @property

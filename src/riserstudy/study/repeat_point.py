@@ -31,20 +31,14 @@ NOT_COMPARED = ("point_key", "by_request", "failure")
 
 @dataclass(frozen=True)
 class Rerun:
-    """A point that was rerun.
+    """A point that was rerun."""
 
-    Attributes
-    ----------
-    place : its values on the axes.
-    engines : digests of the engine that made the dataset, and of the present engine.
-    changes : largest change of each variable, divided by its largest magnitude; infinite if only one has a
-        value.
-    run : the complete labelled run, as from ``simulate``, with variables that the dataset does not keep.
-    """
-
-    place: dict[str, Any]
+    place: dict[str, Any]  # its values on the axes
+    # digests of the engine that made the dataset, and of the present engine
     engines: tuple[str, str]
+    # largest change of each variable, divided by its largest magnitude; infinite if only one has a value
     changes: dict[str, float]
+    # the complete labelled run, as from ``simulate``, with variables that the dataset does not keep
     run: xr.Dataset
 
 

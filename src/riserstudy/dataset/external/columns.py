@@ -31,19 +31,13 @@ EXAMPLE = "write, for example, `effective_tension at 300 m (kN)`"
 
 
 class Heading(NamedTuple):
-    """Content of a heading: variable, arclength from the bottom (m) or None, unit.
-
-    Attributes
-    ----------
-    size : whether the column is the magnitude of a quantity that has a sign in a run.
-    cylinder : index of the tensioner cylinder, from 0, or None.
-    """
+    """Content of a heading: variable, arclength from the bottom (m) or None, unit."""
 
     name: str
     place: float | None
     unit: str
-    size: bool = False
-    cylinder: int | None = None
+    size: bool = False  # whether the column is the magnitude of a quantity that has a sign in a run
+    cylinder: int | None = None  # index of the tensioner cylinder, from 0, or None
 
 
 class Column(NamedTuple):
@@ -62,17 +56,11 @@ class Column(NamedTuple):
 
 
 class External(NamedTuple):
-    """The content of another file.
+    """The content of another file."""
 
-    Attributes
-    ----------
-    axis : "time" or "s".
-    notes : notes on how it was read, a line each.
-    """
-
-    axis: str
+    axis: str  # "time" or "s"
     columns: list[Column]
-    notes: list[str]
+    notes: list[str]  # notes on how it was read, a line each
 
 
 def heading_of(path: Path, text: str) -> Heading:

@@ -28,19 +28,12 @@ _UNIT = re.compile(r"\([^()]*\)|\[[^][]*\]|")
 
 
 class Text(NamedTuple):
-    """A table of text.
+    """A table of text."""
 
-    Attributes
-    ----------
-    above : lines above the headings.
-    headings : (k,). columns : k arrays (n,), NaN for an empty cell.
-    notes : notes on how it was read.
-    """
-
-    above: list[str]
-    headings: list[str]
-    columns: list[FloatArray]
-    notes: list[str]
+    above: list[str]  # lines above the headings
+    headings: list[str]  # (k,)
+    columns: list[FloatArray]  # k arrays (n,), NaN for an empty cell
+    notes: list[str]  # notes on how it was read
 
 
 def read_table(path: Path) -> Text:
