@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import UNITS, numbers
 
-from riserstudy.scene.units import ATMOSPHERE, factor, to_si, usual_units
+from riserstudy.scene.units import ATMOSPHERE, _registry, factor, to_si, usual_units
 
 
 @pytest.mark.parametrize(
@@ -36,6 +36,11 @@ from riserstudy.scene.units import ATMOSPHERE, factor, to_si, usual_units
 )
 def test_a_paper_s_unit_becomes_si(text, unit, value):
     assert to_si(text, unit) == pytest.approx(value, rel=1e-6)
+
+
+def test_oilfield_units_replace_pint_s_without_a_warning(caplog):
+    _registry.__wrapped__()
+    assert not caplog.records
 
 
 @pytest.mark.parametrize(

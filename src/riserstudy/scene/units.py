@@ -137,7 +137,7 @@ PLAIN = ("degree", "radian", "percent", "permille", "ppm")
 def _registry() -> pint.UnitRegistry[float]:
     import pint
 
-    registry: pint.UnitRegistry[float] = pint.UnitRegistry()
+    registry: pint.UnitRegistry[float] = pint.UnitRegistry(on_redefinition="ignore")
     for definition in OILFIELD:
         registry.define(definition)
     return registry
