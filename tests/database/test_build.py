@@ -13,6 +13,7 @@ import workspace
 from compare import wrong
 
 from riserstudy.database import build as building
+from riserstudy.database.write_study import remove_unused
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.study.collect import write_dataset
 
@@ -234,6 +235,15 @@ def test_a_study_takes_its_points_and_their_results_along(mine):
         assert its > 0
         assert db.execute(asked).fetchone() == (every - its,)
         assert db.execute("pragma foreign_key_check").fetchall() == []
+
+
+def test_a_set_that_no_point_has_goes_even_if_some_points_have_none(mine):
+    with closing(sqlite3.connect(workspace.DATABASE)) as db:
+        kept = db.execute("select * from effect_sets").fetchall()
+        db.execute("insert into effect_sets values (99, 'draining', 1, '')")
+        db.execute("update points set effect_set = null where point = 1")
+        remove_unused(db)
+        assert db.execute("select * from effect_sets").fetchall() == kept
 
 
 @pytest.mark.parametrize(

@@ -176,19 +176,12 @@ def remove_study(db: sqlite3.Connection, study: str) -> None:
 
 def remove_unused(db: sqlite3.Connection) -> None:
     """Delete rows to which no row refers any longer."""
-    db.execute(
-        "delete from parameter_sets where parameter_set not in (select parameter_set from point_sets)"
-    )
-    db.execute(
-        "delete from parameter_values where value_id not in (select value_id from study_parameters"
-        " union select value_id from parameter_sets)"
-    )
-    db.execute(
-        "delete from paths where path_id not in (select distinct path_id from parameter_values)"
-    )
-    db.execute(
-        "delete from effect_sets where effect_set not in (select distinct effect_set from points)"
-    )
-    db.execute(
-        "delete from quantities where quantity_id not in (select distinct quantity_id from result_values)"
-    )
+    for table, key, *users in (
+        ("parameter_sets", "parameter_set", "point_sets"),
+        ("parameter_values", "value_id", "study_parameters", "parameter_sets"),
+        ("paths", "path_id", "parameter_values"),
+        ("effect_sets", "effect_set", "points"),
+        ("quantities", "quantity_id", "result_values"),
+    ):
+        used = "".join(f" except select {key} from {user}" for user in users)
+        db.execute(f"delete from {table} where {key} in (select {key} from {table}{used})")
