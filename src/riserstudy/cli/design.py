@@ -87,6 +87,13 @@ OverpullOption = Annotated[
         metavar="FORCE",
     ),
 ]
+ReachOption = Annotated[
+    str,
+    typer.Option(
+        help="largest offset to search, to either side of the well, such as '100 m'",
+        metavar="LENGTH",
+    ),
+]
 
 
 def tension(
@@ -157,13 +164,7 @@ def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
 
 def operability(
     scene: SceneArgument,
-    reach: Annotated[
-        str,
-        typer.Option(
-            help="largest offset to search, to either side of the well, such as '100 m'",
-            metavar="LENGTH",
-        ),
-    ],
+    reach: ReachOption,
     allowance: Annotated[
         list[str] | None,
         typer.Option(
@@ -196,13 +197,7 @@ def operability(
 
 def envelope(
     scene: SceneArgument,
-    reach: Annotated[
-        str,
-        typer.Option(
-            help="largest offset to search, to either side of the well, such as '100 m'",
-            metavar="LENGTH",
-        ),
-    ],
+    reach: ReachOption,
     current: Annotated[
         list[str],
         typer.Option(

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -18,6 +17,7 @@ from riserstudy.cli.shared import (
     SetOption,
     UnitsOption,
     check_targets,
+    compile_kernels,
     notify,
     quantity,
     save_figure,
@@ -173,6 +173,8 @@ def downtime(
     record until the interpolation of the response between them meets the tolerance --error. Further simulated
     sea states check the result.
     """
+    from riserstudy.seas.hours import sea_limit
+
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {
         "-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary,
@@ -183,16 +185,24 @@ def downtime(
     if vary and (output or plot or period or window):
         allowed = "leave out --output, --plot, --return-period and --window; --csv is possible"
         raise InputError("downtime", "--vary", vary[0], allowed)
-    limits = _limits(limit or [])
+    limits = [sea_limit(text) for text in limit or []]
     lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
     if not scene:
         return of_the_sea(sea, limits, lengths, years, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)
-    simulated = partial(
-        riser_downtime, sea=sea, limits=limits, directions=directions,
-        seeds=seeds or SEEDS, error=error or ERROR, most=most or MOST, cores=cores,
-    )  # fmt: skip
+
+    def simulated(file: Any) -> Downtime:
+        from riserstudy.seas.riser_downtime import riser_downtime
+        from riserstudy.simulation.compile import available_cores
+
+        compile_kernels(file.resolved())
+        return riser_downtime(
+            file, sea, limits, directions=directions,
+            seeds=seeds or SEEDS, error=error or ERROR, most=most or MOST,
+            cores=cores or available_cores(), notify=notify,
+        )  # fmt: skip
+
     if vary:
         return show(varied(scene, settings or [], vary, simulated, years), csv)
     made = simulated(scene_of(scene, settings))
@@ -200,13 +210,6 @@ def downtime(
     if period:
         _show_returns(made, period, units)
     _write(made, output, plot)
-
-
-def _limits(texts: list[str]) -> list[SeaLimit]:
-    """Limits of the sea, such as ``hs <= 2.5 m``."""
-    from riserstudy.seas.hours import sea_limit
-
-    return [sea_limit(text) for text in texts]
 
 
 def _read(record: Path) -> xr.Dataset:
@@ -318,46 +321,13 @@ def varied(
     )
 
 
-def riser_downtime(
-    file: Any,
-    sea: xr.Dataset,
-    limits: list[Any],
-    directions: Directions | None,
-    seeds: int,
-    error: float,
-    most: int,
-    cores: int | None,
-) -> Downtime:
-    """Simulate sea states, with progress on stderr."""
-    from riserstudy.cli.shared import compile_kernels
-    from riserstudy.seas.riser_downtime import riser_downtime as made
-    from riserstudy.simulation.compile import available_cores
-
-    compile_kernels(file.resolved())
-    return made(
-        file,
-        sea,
-        limits,
-        directions=directions,
-        seeds=seeds,
-        error=error,
-        most=most,
-        cores=cores or available_cores(),
-        notify=notify,
-    )
-
-
 def _directions(sectors: int | None, x_towards: str | None) -> Directions | None:
     """Conversion of directions to headings; None if they are not used."""
     from riserstudy.seas.directions import Directions
 
     if (sectors is None) != (x_towards is None):
-        raise InputError(
-            "downtime",
-            "--sectors",
-            "given alone",
-            "give both --sectors and --x-towards, or neither",
-        )
+        allowed = "give both --sectors and --x-towards, or neither"
+        raise InputError("downtime", "--sectors", "given alone", allowed)
     if sectors is None or x_towards is None:
         return None
     return Directions(sectors, quantity("--x-towards", x_towards, "rad"))

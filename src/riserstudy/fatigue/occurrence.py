@@ -120,12 +120,8 @@ def _heads(
             irregular += [axis] if name in OF_SEAS else []
             factors[k] = axis, _factor(path, text, unit, study[axis].attrs.get("units", ""))
     if weight is None:
-        raise InputError(
-            path,
-            "",
-            "does not state how often sea states occur",
-            "add share (%), time (h) or count",
-        )
+        allowed = "add share (%), time (h) or count"
+        raise InputError(path, "", "does not state how often sea states occur", allowed)
     return weight, factors, irregular
 
 

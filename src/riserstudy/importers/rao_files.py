@@ -86,12 +86,8 @@ def from_wamit(path: Path, length: float) -> Operators:
     ]
     values = {(r.heading, r.period, r.mode): r.value for r in waves if r.mode <= 6}
     if not values:
-        raise InputError(
-            path,
-            "",
-            "no RAOs of a platform motion",
-            "the file needs the modes 1 to 6 at periods above 0",
-        )
+        allowed = "the file needs the modes 1 to 6 at periods above 0"
+        raise InputError(path, "", "no RAOs of a platform motion", allowed)
     if len(values) < sum(row.mode <= 6 for row in waves):
         raise InputError(path, "", "two lines for one wave and mode", "delete one of them")
     headings = sorted({heading for heading, _, _ in values})
@@ -230,12 +226,8 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
     """Return the motion of each degree of freedom, else None; names may have the body's name as a prefix."""
     bodies = {name.rpartition("__")[0] for name in names}
     if len(bodies) > 1:
-        raise InputError(
-            path,
-            "radiating_dof",
-            f"{len(bodies)} bodies",
-            "allowed is one body: select the degrees of freedom of the platform",
-        )
+        allowed = "allowed is one body: select the degrees of freedom of the platform"
+        raise InputError(path, "radiating_dof", f"{len(bodies)} bodies", allowed)
     short = {name: name.rpartition("__")[2].lower() for name in names}
     if not set(short.values()) & set(MOTIONS):
         raise InputError(

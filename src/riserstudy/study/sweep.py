@@ -176,12 +176,8 @@ def as_study(
         raise InputError("sweep", "axes", "none", "name at least one path with its values")
     made = dict(_axis(file, path, values) for path, values in axes.items())
     if len(made) < len(axes):
-        raise InputError(
-            "sweep",
-            "axes",
-            "two axes would have one name",
-            "name the values of one of them by labels",
-        )
+        allowed = "name the values of one of them by labels"
+        raise InputError("sweep", "axes", "two axes would have one name", allowed)
     fields = {
         "scene": "scene.yaml",
         "caption": file.tree.get("title", ""),

@@ -130,12 +130,8 @@ def _numbers(
     for line, row in rows:
         if len(row) < width or any(row[width:]):
             cells = max((k + 1 for k, cell in enumerate(row) if cell), default=0)
-            raise InputError(
-                path,
-                f"line {line}",
-                f"{cells} cells, {width} headings",
-                "write a cell for each heading",
-            )
+            allowed = "write a cell for each heading"
+            raise InputError(path, f"line {line}", f"{cells} cells, {width} headings", allowed)
         for cell, title in zip(row, titles, strict=False):
             value = _value(cell, decimal)
             if value is None or abs(value) > MOST:
