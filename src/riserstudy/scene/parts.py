@@ -18,7 +18,7 @@ from riserstudy.scene.fatigue import Fatigue
 from riserstudy.scene.forcing import Current, Platform, TimeSeries
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.riser import RigidBody, Section
-from riserstudy.scene.sea import IrregularSea, RegularWave
+from riserstudy.scene.sea import IrregularSea, RegularWave, Swell
 from riserstudy.scene.soil import Soil
 from riserstudy.scene.vessel import Vessel
 from riserstudy.scene.water import Water
@@ -97,6 +97,15 @@ class Parts(Strict):
         periods = [motion.period for _, motion in platform.harmonics]
         swell = platform.response and platform.response.wave
         periods += [wave.shortest_period for wave in (self.wave, swell) if wave]
+        return min(periods, default=None)
+
+    @property
+    def shortest_regular_period(self) -> float | None:
+        """Shortest period of harmonic motions and regular waves (s); None without them."""
+        platform = self.platform or Platform()
+        periods = [motion.period for _, motion in platform.harmonics if motion.amplitude]
+        swell = platform.response and platform.response.wave
+        periods += [wave.period for wave in (self.wave, swell) if isinstance(wave, Swell)]
         return min(periods, default=None)
 
     @property

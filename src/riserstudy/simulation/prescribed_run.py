@@ -58,6 +58,26 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     return result
 
 
+def refuse_unseen_periods(scene: Resolved) -> None:
+    """Refuse a prescribed time step of at least half the period of a regular motion or wave.
+
+    Steps, also those of coarser runs, can then fall on the zeros of the motion alone. Neither the result nor
+    its estimated error contains the motion.
+
+    Raises
+    ------
+    SimulationError
+        With the step, the period and the remedy.
+    """
+    step, shortest = scene.analysis.step, scene.shortest_regular_period
+    if scene.analysis.duration and step and shortest and 2.0 * step >= shortest:
+        raise SimulationError(
+            f"analysis.step: {step:g} s is at least half of {shortest:g} s, the shortest period of platform "
+            "and waves: steps can fall on the zeros of the motion alone; give a shorter step, or omit mesh "
+            "and step, and the program chooses them"
+        )
+
+
 def _in_soil(scene: Resolved, elements: int, result: Result, watch: Watch) -> dict[str, float]:
     """Relative difference of a run from runs on meshes that resolve the bending of the conductor in soil.
 

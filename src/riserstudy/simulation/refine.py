@@ -16,7 +16,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.outputs import keep_stations
-from riserstudy.simulation.prescribed_run import run_prescribed
+from riserstudy.simulation.prescribed_run import refuse_unseen_periods, run_prescribed
 from riserstudy.simulation.refinement_warnings import (
     missed_accuracy,
     slow_convergence,
@@ -74,6 +74,7 @@ def run(
     """
     from riserstudy.simulation.long_record import refinement_of  # which is built on this file
 
+    refuse_unseen_periods(scene)
     watch = Watch(patience, notify)
     result = (
         refinement_of(scene, watch).result()
