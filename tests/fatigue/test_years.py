@@ -312,3 +312,13 @@ def test_the_command_prints_tables_and_writes_files(tmp_path, commands, monkeypa
     code, _, fault = commands("fatigue", "study.nc")
     assert code == 2
     assert "--scatter" in fault
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_lines_of_a_table_may_end_as_on_any_system(tmp_path, end):
+    """Lines that end with a carriage return alone ended in a traceback."""
+    rows = ["hs (m),tp (s),share (%)", "1,8,60", "3,9.5,30", "6,11,10"]
+    path = tmp_path / "scatter.csv"
+    path.write_bytes((end.join(rows) + end).encode())
+    expected = 0.6 * rate(1.0, 8.0) + 0.3 * rate(3.0, 9.5) + 0.1 * rate(6.0, 11.0)
+    assert summed(study(), path).worst[0].rate == pytest.approx(expected, rel=1e-12)

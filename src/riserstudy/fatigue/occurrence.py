@@ -64,7 +64,7 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
     hours per year, and ``count``: ``hs (m),tp (s),share (%)``. Raises InputError with row and column: a
     missing unit or number, no column or several columns of occurrence, or shares above 100 %.
     """
-    rows = list(csv.reader(io.StringIO(read_text(path, LARGEST_TABLE))))
+    rows = list(csv.reader(io.StringIO(read_text(path, LARGEST_TABLE), newline=None)))
     rows = [row for row in rows if any(cell.strip() for cell in row)]
     if len(rows) < 2:
         raise InputError(path, "", "no rows", "allowed is a header and a row for each sea state")

@@ -13,6 +13,7 @@ from riserstudy.grading.printed import printed_inputs, unprinted
 from riserstudy.grading.published import published_path
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.far_values import far_values
+from riserstudy.study.idle_values import idle_values
 from riserstudy.study.models import StudyFile
 from riserstudy.study.seas_study import SeasStudy
 from riserstudy.study.study import Study
@@ -97,4 +98,4 @@ def refuse_seas(seas: SeasStudy) -> None:
 
 def warnings(studies: Iterable[Study]) -> list[str]:
     """What is unusual in studies, and may be a slip."""
-    return [text for study in studies for text in far_values(study)]
+    return [text for study in studies for text in (*far_values(study), *idle_values(study))]

@@ -29,6 +29,7 @@ from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
 from riserstudy.study.far_values import far_values
 from riserstudy.study.grid import Point
+from riserstudy.study.idle_values import idle_values
 from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
@@ -119,7 +120,7 @@ def sweep(
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = as_study(file, axes, None if keep is None else list(keep), modes)
     points = study.plan
-    for text in far_values(study):
+    for text in (*far_values(study), *idle_values(study)):
         warnings.warn(text, stacklevel=2)
     with _progress(progress, len({point.key for point in points})) as done:
         failures = attempt(study, points, cores or available_cores(), done)

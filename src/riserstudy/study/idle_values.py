@@ -1,0 +1,54 @@
+"""Axes and outputs to keep that have no effect on the results of a study, typically by an error of name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import product
+
+from riserstudy.dataset.variables import ENDINGS
+from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.study.study import Study
+
+
+def idle_values(study: Study) -> list[str]:
+    """A warning for each axis whose values change no run, and for each output to keep that no run has.
+
+    Axes of limits change no run, but verdicts; they get no warning. Outputs are compared with the scenes at
+    the first point and at the points that differ from it on one axis.
+    """
+    return [*_idle_axes(study), *_absent_outputs(study)]
+
+
+def _idle_axes(study: Study) -> Iterator[str]:
+    lengths = [len(axis) for axis in study.grid.axes]
+    indices = product(*map(range, lengths))
+    keys = {index: point.key for index, point in zip(indices, study.plan, strict=True)}
+    for place, (name, steps) in enumerate(study.axes.items()):
+        limits = any(path.startswith("limits") for _, sets in steps for path in sets)
+        first = {index: (*index[:place], 0, *index[place + 1 :]) for index in keys}
+        idle = all(key == keys[first[index]] for index, key in keys.items())
+        if idle and lengths[place] > 1 and not limits:
+            yield f"{study.where}: axes.{name}: its values change no run; check its paths and labels"
+
+
+def _absent_outputs(study: Study) -> Iterator[str]:
+    left = {name: _quantity(name) for name in study.model.keep or []}
+    left = {name: of for name, of in left.items() if of}
+    first = (0,) * len(study.grid.axes)
+    every = {first: None} | {
+        (*first[:a], k, *first[a + 1 :]): None
+        for a, axis in enumerate(study.grid.axes)
+        for k in range(len(axis))
+    }
+    for index in every:
+        if not left:
+            return
+        scene = study.grid.file(index).resolved()
+        left = {name: of for name, of in left.items() if not QUANTITIES[of].is_in(scene)}
+    for name, of in left.items():
+        yield f"{study.where}: keep: no run has {name!r}, which needs {QUANTITIES[of].needs}"
+
+
+def _quantity(name: str) -> str:
+    """The quantity of runs that a variable belongs to; "" for others, such as values of all points."""
+    return next((of for end in ("", *ENDINGS) if (of := name.removesuffix(end)) in QUANTITIES), "")
