@@ -208,6 +208,7 @@ REFUSED = {
     "dynamics without output": (SURGE, "analysis.output", None, "analysis", "both duration and output"),
     "time that runs back": (SURGE, "analysis.duration", "-1 s", "analysis.duration", "greater than 0"),
     "output after the end": (SURGE, "analysis.output.start", "200 s", "analysis", "after the end"),
+    "one output": (SURGE, "analysis.output.interval", "2000 s", "analysis", "no output after"),
     "too much output": (SURGE, "analysis.output.interval", "1 ns", "analysis", "outputs"),
     "a station beyond the riser": (
         SURGE, "analysis.output.stations", ["9 km"],

@@ -125,6 +125,12 @@ class Analysis(Strict):
                 f"output.start {start:g} s is after the end of the run",
                 f"allowed is up to {duration:g} s",
             )
+        if output.interval > duration:
+            raise Misfit(
+                "",
+                f"output.interval {output.interval:g} s gives no output after the start of the run",
+                f"allowed is up to the duration, {duration:g} s",
+            )
         if (duration - start) / output.interval > MOST_OUTPUTS:
             raise Misfit(
                 "",
