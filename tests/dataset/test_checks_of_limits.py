@@ -278,6 +278,7 @@ def test_a_mean_over_time_leaves_out_what_grows(ramp):
     later = at["time"] >= (ramp if ramp < 80.0 else 0.0)
     assert row["demand"] == pytest.approx(abs(float(at.where(later).mean())), rel=1e-6, abs=1e-9)
     assert any("when ramps are over" in text for text in as_lines([row])) == (ramp < 80.0)
+    assert any("includes ramps" in text for text in as_lines([row])) == (ramp > 80.0)
 
 
 @pytest.mark.parametrize("seed", range(8))

@@ -169,8 +169,8 @@ def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str)
 
 def takes(scene: Resolved, limit: Limit) -> str:
     """Sections that a limit applies to, if its name does not show them, and the side used between them."""
-    if limit.side == "mean" and 0.0 < scene.built_up < (scene.analysis.duration or 0.0):
-        return f"from {scene.built_up:g} s on, when ramps are over"
+    if limit.side == "mean" and (times := _times_of_mean(scene, limit)):
+        return times
     if limit.output == "stroke":
         return "from the static state"
     if limit.output == "joint_stroke":
@@ -187,6 +187,18 @@ def takes(scene: Resolved, limit: Limit) -> str:
     if limit.output == "von_mises_stress":
         parts.append("where walls meet, the larger")
     return "; ".join(parts)
+
+
+def _times_of_mean(scene: Resolved, limit: Limit) -> str:
+    """Times that a mean is taken over, if these are not the whole run or include ramps."""
+    duration, output = scene.analysis.duration or 0.0, scene.analysis.output
+    start = (output.start if output else None) or 0.0
+    end = min(duration, scene.lower_joint_until) if limit.output == "lfj_angle" else duration
+    if start < scene.built_up < end:
+        return f"from {scene.built_up:g} s on, when ramps are over"
+    if duration and scene.built_up >= end and scene.built_up > start:
+        return f"includes ramps, which end at {scene.built_up:g} s"
+    return f"from {start:g} s on" if start else ""
 
 
 def demand_of(
