@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
-from riserstudy.scene.pressures import not_in_tension
+from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
@@ -19,7 +19,9 @@ UNBOUNDED = {"angle": ("angle", ANGLES), "shear": ("shear force", ("shear_force"
 BOUNDED = {
     "bending_moment": ("moment",),
     "effective_tension": ("tension",),
+    "lower_end_tension": ("tension",),
     "von_mises_stress": ("moment", "tension"),
+    "largest_stress": ("moment", "tension"),
     "x": ("displacement",),
     "y": ("displacement",),
 }
@@ -65,8 +67,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
         origin = file.origins.get(f"limits[{k}].{limit.side}") or file.origins.get(f"limits[{k}]")
         one = _one(scene, limit, rows, origin.status if origin else plain)
         one = _with_error(one, facts, scene.analysis.mesh is not None)
-        if limit.output in ("effective_tension", "overpull"):
-            one = _with_mud_above(one, not_in_tension(scene))
+        one = _with_mud_above(one, not_in_demand(scene, limit))
         if unknown and one.verdict == WITHIN:
             why = f"an estimated error below the result itself: {unknown}"
             one = one._replace(verdict=UNKNOWN, missing=why)
@@ -102,7 +103,9 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     names = BOUNDED.get(output, ()) if own_mesh else ()
     share = max((estimated.get(name, 0.0) for name in names), default=0.0)
     words = f"an error of {output}, {100.0 * share:.2g} % as estimated"
-    return Error(_absolute(share, (output,), facts), share, words)
+    # the error of a tension is relative to the largest one anywhere
+    of = "effective_tension" if output == "lower_end_tension" else output
+    return Error(_absolute(share, (of,), facts), share, words)
 
 
 def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) -> float:
@@ -139,7 +142,7 @@ def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Check
 
 def _with_mud_above(one: Checked, mud: float) -> Checked:
     """The limit of a smallest tension, not met if the mud above the riser (N) exceeds the margin."""
-    if one.verdict != WITHIN or one.demand is None or one.side != "smallest":
+    if not mud or one.verdict != WITHIN or one.demand is None:
         return one
     if use(one.side, one.demand - mud, one.allowable) <= 1.0:
         return one

@@ -24,6 +24,8 @@ if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
 FloatArray = NDArray[np.float64]
+#: outputs that are effective tensions, from which a run does not subtract mud above the riser
+TENSIONS = ("effective_tension", "lower_end_tension", "overpull")
 
 
 def pressures(
@@ -79,5 +81,5 @@ def not_in_tension(scene: Parts) -> float:
 
 def not_in_demand(scene: Parts, limit: Limit) -> float:
     """That weight (N) where a limit is a smallest tension: what must be left for it to be met; else 0."""
-    smallest_tension = limit.output == "effective_tension" and limit.side == "smallest"
+    smallest_tension = limit.output in TENSIONS and limit.side == "smallest"
     return not_in_tension(scene) if smallest_tension else 0.0
