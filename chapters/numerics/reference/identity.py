@@ -11,7 +11,7 @@ from riserstudy.study.store import COUNTS, canonical
 
 #: Version of the physics. Increase it when the exact solution of a scene changes (a law, a load, a meaning of
 #: a field), not when the numerical method does. Then no stored solution is used until it is recomputed.
-PHYSICS = 1
+PHYSICS = 2
 
 #: fields of ``analysis`` that define how a scene is solved, and do not change the exact solution
 HOW = frozenset({"mesh", "step", "method", "solver", "accuracy"})

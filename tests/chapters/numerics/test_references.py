@@ -42,6 +42,8 @@ SCENES = {
     "vibrating": ("hard/vortices.yaml", {"analysis.duration": "20 s"}),
 }
 METHOD = {"analysis.method": {"rho_inf": 0.8}}
+SURE = 3.0  # ratio of an error to its estimate above which the physics may be others
+NOTICED = 1e-4  # relative change by other physics that is noticed
 
 
 def case(name, **sets):
@@ -242,6 +244,28 @@ def test_the_report_names_solutions_that_a_rerun_does_not_find(folder):
     assert references({"stability": same})[0].endswith("1 of 1.")
     assert references({"stability": away})[0].endswith("0 of 1; not: stability, planar.")
     assert references({"effects": same.drop_vars("recomputed")}) == []
+
+
+@pytest.mark.parametrize("number", [1, 4])
+def test_kept_solutions_are_those_of_the_present_physics(number):
+    """Where a law or the meaning of a field changes, runs of today leave the kept solutions.
+
+    They then differ by more than their estimated errors, and `PHYSICS` must be increased.
+    """
+    off = {}
+    for one in wanted()["random_scenes"]:
+        scene = whole(one.file.resolved())
+        kept = store.read(CONFIG, "random_scenes", one.case, scene)
+        if kept.result is None or not one.case.endswith(f" {number}"):
+            continue
+        found = run(scene)
+        allowed = {
+            name: SURE * error + kept.error.get(name, 0.0) + NOTICED
+            for name, error in found.facts["error_estimate"].items()
+        }
+        by = {name: error - allowed[name] for name, error in errors(found, kept.result).items()}
+        off |= {f"{one.case}, {name}": error for name, error in by.items() if error > 0.0}
+    assert off == {}
 
 
 @pytest.mark.slow
