@@ -82,6 +82,7 @@ def changes(effects: xr.Dataset) -> Table:
                 continue
             time = float(one["time_change"])
             signed = f"{100 * time:+.0f} %" if time == time else ""
+            signed = "0 %" if signed in ("+0 %", "-0 %") else signed.replace("-", "−")
             cells = [
                 Cell(str(scene)),
                 Cell(str(change)),
