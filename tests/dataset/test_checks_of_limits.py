@@ -74,7 +74,7 @@ def test_a_limit_says_which_sections_it_takes_and_what_where_they_meet(rows):
     whole, one, *_, stress = rows
     assert whole["takes"] == "lower to upper"
     assert one["takes"] == ""
-    assert stress["takes"].endswith("where walls meet, the larger")
+    assert stress["takes"].endswith("where two sections meet, the larger stress")
     said = as_lines(rows)
     assert "connected: smallest effective_tension: lower to upper" in said
     assert any(text.startswith("drilling: largest effective_tension at lower ") for text in said)

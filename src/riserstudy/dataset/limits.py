@@ -188,7 +188,7 @@ def takes(scene: Resolved, limit: Limit) -> str:
     if below and not limit.at:
         parts.append("without stack and conductor below the flex joint")
     if limit.output == "von_mises_stress":
-        parts.append("where walls meet, the larger")
+        parts.append("where two sections meet, the larger stress")
     return "; ".join(parts)
 
 
