@@ -15,6 +15,7 @@ import typer
 from riserstudy.cli.targets import Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
+from riserstudy.records.numerals import percent
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -237,7 +238,7 @@ def recipe_lines(scene: Resolved) -> list[str]:
     found = recipe(scene)
     if found is None:
         return []
-    errors = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in found.error.items())
+    errors = ", ".join(f"{name} {percent(value)}" for name, value in found.error.items())
     return [
         f"recipe for long records: {found.words}",
         f"  takes about {found.seconds:.2g} s with its error estimate; estimated error on the first "

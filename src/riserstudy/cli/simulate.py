@@ -29,6 +29,7 @@ from riserstudy.cli.shared import (
 )
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
+from riserstudy.records.numerals import percent
 
 WORTH_TELLING = 10.0  # estimated time of a run (s) from which on it is announced
 WORTH_A_RECIPE = 60.0  # estimated time of a run (s) from which on a cheaper run is proposed
@@ -159,7 +160,7 @@ def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
 
 def _summary(dataset: Any) -> str:
     estimate = json.loads(dataset.attrs.get("error_estimate", "{}"))
-    errors = ", ".join(f"{name} {100 * value:.2g} %" for name, value in estimate.items())
+    errors = ", ".join(f"{name} {percent(value)}" for name, value in estimate.items())
     step = f", step {dataset.attrs['step']:.4g} s" if "step" in dataset.attrs else ""
     return (
         f"{dataset.attrs['elements']} segments{step}; estimated error: {errors or 'none given'}; "

@@ -6,6 +6,7 @@ import math
 from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
+from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
@@ -60,7 +61,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
     errors = {k: v for k, v in estimated.items() if k not in UNBOUNDED and v > 1.0}
-    unknown = ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in errors.items())
+    unknown = ", ".join(f"{name} {percent(value)}" for name, value in errors.items())
     plain = "published" if scene.paper else "given"
     each = []
     for k, limit in enumerate(scene.limits or []):
@@ -98,11 +99,11 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
         noun, outputs = UNBOUNDED[name]
         share = estimated.get(name, 0.0)
         size = _absolute(share, outputs, facts)
-        text = f"{math.degrees(size):.2g} deg" if name == "angle" else f"{size:.2g} N"
+        text = f"{math.degrees(size):.2g} deg" if name == "angle" else newtons(size)
         return Error(size, share, f"an error of the {noun}, {text} as estimated")
     names = BOUNDED.get(output, ()) if own_mesh else ()
     share = max((estimated.get(name, 0.0) for name in names), default=0.0)
-    words = f"an error of {output}, {100.0 * share:.2g} % as estimated"
+    words = f"an error of {output}, {percent(share)} as estimated"
     # the error of a tension is relative to the largest one anywhere
     of = "effective_tension" if output == "lower_end_tension" else output
     return Error(_absolute(share, (of,), facts), share, words)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.records.numerals import newtons
 from riserstudy.scene.ends import TelescopicJoint
 from riserstudy.scene.tensioners import Tensioners
 
@@ -90,13 +91,15 @@ def _forces_in_words(
     if not force.any():
         return []
     if time is None:
-        return [f"{stop}: touches its stop in static equilibrium, with {force.max():.3g} N{each}"]
+        return [
+            f"{stop}: touches its stop in static equilibrium, with {newtons(force.max())}{each}"
+        ]
     first = float(time[force.any(axis=1).argmax()])
     after = f", from t = {time[0]:.6g} s on" if time[0] > 0.0 else ""
     touch = f"{stop}: touches its stop, first at t = {first:.6g} s"
     if all_steps:
-        return [f"{touch}, with at most {force.max():.3g} N{each}{after}"]
+        return [f"{touch}, with at most {newtons(force.max())}{each}{after}"]
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
     return [
-        f"{touch} or earlier, with at least {force.max():.3g} N{each}, as seen in outputs{apart}{after}"
+        f"{touch} or earlier, with at least {newtons(force.max())}{each}, as seen in outputs{apart}{after}"
     ]

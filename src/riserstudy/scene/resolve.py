@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.records.numerals import newtons
 from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.forcing import Translation
 from riserstudy.scene.parts import Parts
@@ -103,9 +104,9 @@ def _valved(scene: Resolved) -> Resolved:
         return scene
     left = 1.0 - release.valve.hold * scene.hanging[0] / scene.top.tension
     if not left > 0.0:
-        hanging = f"{release.valve.hold:g} of the {scene.hanging[0]:.4g} N that hang"
+        hanging = f"{release.valve.hold:g} of the {newtons(scene.hanging[0])} that hang"
         found = f"{hanging} is not less than top.tension"
-        allowed = f"allowed is less than {scene.top.tension:.4g} N"
+        allowed = f"allowed is less than {newtons(scene.top.tension)}"
         raise Misfit("disconnect.valve.hold", found, allowed, ("top.tension",))
     share = (1.0 - (release.valve.failed or 0.0)) * left
     loss = TensionLoss.model_construct(share=share, at=release.at, over=release.valve.over)

@@ -12,6 +12,7 @@ import math
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.records.numerals import plain
 from riserstudy.scene.geometry import levels
 from riserstudy.scene.modules_and_lines import attached
 
@@ -94,17 +95,17 @@ def doubts(scene: Parts) -> list[str]:
         dry = (scene.gravity or 0.0) * (section.mass or 0.0)
         most = dry - (scene.gravity or 0.0) * (0.0 if _dips(scene, k) else _displaced(scene, k))
         if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
-            weight = f"{section.submerged_weight:.4g} N/m"
+            weight = f"{plain(section.submerged_weight or 0.0, 4)} N/m"
             sentences.append(
                 f"{section.line}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
-                f"the water that its outer diameter displaces, {most:.4g} N/m; contents are added to it: "
-                "leave out what is inside"
+                f"the water that its outer diameter displaces, {plain(most, 4)} N/m; contents are added "
+                "to it: leave out what is inside"
             )
         if _dry(scene, k) and (section.submerged_weight or 0.0) < dry - DOUBTED * dry:
             sentences.append(
                 f"{section.line}.submerged_weight: {section.name!r} is above the water and weighs "
-                f"{section.submerged_weight:.4g} N/m, which is less than its mass times gravity, "
-                f"{dry:.4g} N/m; give its weight in air"
+                f"{plain(section.submerged_weight or 0.0, 4)} N/m, which is less than its mass times "
+                f"gravity, {plain(dry, 4)} N/m; give its weight in air"
             )
     return sentences
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError, StepFailed
+from riserstudy.records.numerals import newtons, percent, plain
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.equilibrium import rounding
@@ -45,7 +46,7 @@ def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float
     facts["halved_steps"] = int(sums.count[HALVED])
     if abs(residual) > UNEXPLAINED * scale:
         facts["warnings"].append(
-            f"energy: the balance does not account for {100 * abs(residual) / scale:.2g} % of the energy "
+            f"energy: the balance does not account for {percent(abs(residual) / scale)} of the energy "
             "exchanged; use a finer mesh and a shorter time step"
         )
 
@@ -62,8 +63,8 @@ def exchange(facts: RunFacts, coupling: Coupling) -> None:
         share = abs(made) / max(audit["exchanged"], 1e-300)
         facts["warnings"].append(
             f"vessel.coupling: the staggered exchange of forces every {coupling.interval:g} s added "
-            f"{made:.3g} J of spurious energy, {100 * share:.2g} % of the energy exchanged; the estimated "
-            "error does not include the error of this interval"
+            f"{plain(made / 1e3)} kJ of spurious energy, {percent(share)} of the energy exchanged; the "
+            "estimated error does not include the error of this interval"
         )
 
 
@@ -102,7 +103,7 @@ def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> 
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
     if facts["directions"] < 3 and along[k] < -rounding(scene):
         facts["warnings"].append(
-            f"effective tension decreases to {along[k]:.3g} N at s = {arrays['s_node'][k]:.4g} m: a riser "
+            f"effective tension decreases to {newtons(along[k])} at s = {arrays['s_node'][k]:.4g} m: a riser "
             "may go slack or buckle there, which this run does not simulate, because it excludes "
             + ("lateral motion" if facts["directions"] == 1 else "motion out of its plane")
         )

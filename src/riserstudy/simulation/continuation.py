@@ -11,6 +11,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.build import build
 from riserstudy.model.mesh import Mesh, lowest_leaning
 from riserstudy.model.model import Model
+from riserstudy.records.numerals import newtons
 from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.statics import Equilibrium, NoEquilibrium, find_equilibrium
 
@@ -152,6 +153,6 @@ def _failed(scene: Resolved, mesh: Mesh, failure: NoEquilibrium, reached: float)
             f"mesh; {remedy}"
         )
     return SimulationError(
-        f"no static equilibrium found{causes}: the residual at {where} is {failure.residual:.3g} N; "
+        f"no static equilibrium found{causes}: the residual at {where} is {newtons(failure.residual)}; "
         f"{remedy}"
     )

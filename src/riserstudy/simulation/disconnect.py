@@ -12,6 +12,7 @@ from riserstudy.model.disconnect import fading, released, stack_contact
 from riserstudy.model.draining import draining, flow_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.records.numerals import newtons
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation import outputs
 from riserstudy.solve.evaluate import energies, forces_and_tangent
@@ -39,8 +40,9 @@ def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
     pull = _overpull(model)
     if release.stack is None and pull < -STILL * float(abs(model.s.segment).max()):
         raise SimulationError(
-            f"disconnect: at {release.at:g} s the riser presses on the stack with {-pull:.4g} N, and would "
-            "fall once disconnected; raise top.tension, disconnect at another time, or give disconnect.stack"
+            f"disconnect: at {release.at:g} s the riser presses on the stack with {newtons(-pull)}, and "
+            "would fall once disconnected; raise top.tension, disconnect at another time, or give "
+            "disconnect.stack"
         )
     if pull < -STILL * float(abs(model.s.segment).max()):
         facts["warnings"].append(

@@ -10,6 +10,7 @@ from riserstudy.effects.registry import ROLES
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.model.stops import MEET
+from riserstudy.records.numerals import newtons, plain
 from riserstudy.solve.evaluate import force_of, shape_of
 from riserstudy.solve.program import assemble
 from riserstudy.solve.sums import EVALUATIONS, Sums
@@ -29,7 +30,7 @@ def suspect(model: Model, node: int) -> str:
         force_of(assemble([(call, record)], model.state), model.state)
         size = float(np.abs(state.force[:, node]).max() + np.abs(state.pull).sum())
         if not size <= worst:
-            worst, name = size, f"{effect.name} ({size:.3g} N)"
+            worst, name = size, f"{effect.name} ({newtons(size)})"
         if not np.isfinite(size):
             return f"{effect.name} (undefined)"
     return name
@@ -41,7 +42,7 @@ def why(model: Model, mesh: Mesh, sums: Sums) -> str:
     how = "Newton's iteration did not converge even after halving the step"
     if sums.count[EVALUATIONS]:
         how = "velocities grow without bound"
-    last = f"was {size:.3g} m" if math.isfinite(size) else "was undefined"
+    last = f"was {plain(size)} m" if math.isfinite(size) else "was undefined"
     short = collapsed(model, mesh)  # before the forces of one effect alone
     return (
         f"the run stopped at t = {time:.6g} s at node {int(node)} (s = {mesh.s[int(node)]:.4g} m): {how}; "

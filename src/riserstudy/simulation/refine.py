@@ -12,6 +12,7 @@ from typing import Any
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.numerals import percent
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
@@ -203,7 +204,9 @@ class Refinement:
         if self.spent and not self._unknown:
             error = self.error
             worst = max(self.target, key=lambda name: error[name] / self.target[name])
-            off = f"error of {worst} {100 * error[worst]:.2g} %, tolerance {100 * self.target[worst]:.2g} %"
+            off = (
+                f"error of {worst} {percent(error[worst])}, tolerance {percent(self.target[worst])}"
+            )
             on += f"; {off}, about {duration(self._left())} to go"
         self.watch.begin(on)
 

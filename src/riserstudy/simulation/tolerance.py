@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError
+from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import rounding
 from riserstudy.simulation.error_estimate import controlled
@@ -63,7 +64,7 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
     facts = finer.facts
     if facts["directions"] > 1 and facts["smallest_tension"] < -rounding(scene):
         raise PhysicallyUnstable(
-            f"effective tension decreases to {facts['smallest_tension']:.3g} N at s = "
+            f"effective tension decreases to {newtons(facts['smallest_tension'])} at s = "
             f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
             f"any wavelength: its peaks did not converge in {len(excess)} runs on finer meshes; give every "
             "section bending stiffness, or give analysis.mesh and step"
@@ -72,4 +73,4 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
 
 def in_words(error: dict[str, float]) -> str:
     """Relative errors (1) by quantity, as text in per cent."""
-    return ", ".join(f"{name} {100 * value:.2g} %" for name, value in error.items())
+    return ", ".join(f"{name} {percent(value)}" for name, value in error.items())

@@ -18,6 +18,7 @@ from typing import Any
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.numerals import percent
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
@@ -318,7 +319,7 @@ def _finer(scene: Resolved, mesh: Mesh, requested: Result) -> Result:
 
 
 def _percent(error: dict[str, float]) -> str:
-    return ", ".join(f"{name} {100.0 * value:.2g} %" for name, value in error.items())
+    return ", ".join(f"{name} {percent(value)}" for name, value in error.items())
 
 
 def work_of(spent: Mapping[str, Any]) -> float:

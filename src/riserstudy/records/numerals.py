@@ -1,0 +1,26 @@
+"""Numbers in messages: few digits, and never an exponent."""
+
+from __future__ import annotations
+
+import math
+from decimal import Decimal
+
+
+def plain(value: float, digits: int = 3) -> str:
+    """Return a number with few significant digits and without an exponent: ``39900``, ``0.00002``."""
+    if not math.isfinite(value):
+        return f"{value:g}"
+    return f"{Decimal(f'{value:.{digits}g}'):f}"
+
+
+def percent(share: float) -> str:
+    """Return a share (1) in per cent: two significant digits, and no decimals from 10 % on."""
+    size = 100.0 * share
+    if 0.0 < abs(size) < 1e-4:
+        return "< 0.0001 %"
+    return f"{size:.0f} %" if abs(size) >= 10.0 else f"{plain(size, 2)} %"
+
+
+def newtons(force: float) -> str:
+    """Return a force (N) in N, and from 1000 N on in kN."""
+    return f"{plain(force)} N" if abs(force) < 1e3 else f"{plain(force / 1e3)} kN"
