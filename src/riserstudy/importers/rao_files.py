@@ -129,7 +129,7 @@ def _rows_of_wamit(path: Path) -> list[Row]:
             allowed = "allowed are period, heading, mode, modulus, phase, real and imaginary part"
             raise InputError(path, f"line {number}", f"{len(cells)} numbers", allowed)
         value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
-        if abs(value - polar) > ROUNDED * abs(value) + 1e-6:
+        if not abs(value - polar) <= ROUNDED * abs(value) + 1e-6:
             found = f"modulus and phase give {polar:.4g}, real and imaginary part {value:.4g}"
             raise InputError(
                 path, f"line {number}", found, "both must be the same; check the columns"
