@@ -43,6 +43,18 @@ def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
     assert not {"without wave", "with drag", "with surge", "with wave"} & labels
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_each_motion_of_a_platform_can_be_taken_out(seed):
+    tree = moving(seed, spatial=True)
+    for name in ("roll", "pitch", "yaw"):
+        tree["platform"][name] = {"amplitude": 0.02, "period": 9.0, "ramp": 9.0}
+    motions = {"surge", "sway", "heave", "roll", "pitch", "yaw"}
+    file = SceneFile("rig.yaml", written(tree))
+    left = {change.label: set(other.tree["platform"]) & motions for change, other in fitting(file)}
+    for name in motions:
+        assert left[f"without {name}"] == motions - {name}
+
+
 def test_without_what_moves_it_the_riser_rests():
     base = ablate(SHORT, 1, 1e6)
     found = {one.change.label: one for one in base.changed}

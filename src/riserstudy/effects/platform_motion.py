@@ -178,9 +178,11 @@ register(
         "platform",
         (
             taken_out("surge", "platform.surge", "dynamics"),
+            taken_out("sway", "platform.sway", "dynamics"),
             taken_out("heave", "platform.heave", "dynamics"),
             taken_out("roll", "platform.roll", "dynamics"),
             taken_out("pitch", "platform.pitch", "dynamics"),
+            taken_out("yaw", "platform.yaw", "dynamics"),
             taken_out("cruise", "platform.cruise", "dynamics"),
             taken_out("platform response", "platform.response"),
         ),
