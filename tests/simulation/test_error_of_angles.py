@@ -132,7 +132,7 @@ def check_limits_near_angles(facts, file_with, word):
     assert error > 0.0
     for name, size in sizes.items():
         for margin, verdict in ((-0.5, "exceeded"), (0.5, "not evaluated"), (1.5, "within")):
-            largest = f"{size + margin * error!r} rad"
+            largest = f"{max(size + margin * error, 0.5 * size)!r} rad"
             file = file_with({"output": name, "mode": "drilling", "largest": largest})
             (row,) = checked(file, file.resolved(), facts)
             assert row.verdict == verdict
