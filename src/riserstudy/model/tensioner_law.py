@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.records.numerals import newtons
 from riserstudy.scene.tensioners import Gas, TableRow, Tensioners, TwoChamberGas
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ def pushes(force: FloatArray, time: FloatArray | None = None) -> list[str]:
     if time is not None:
         when = f"at t = {time[np.unravel_index(force.argmin(), force.shape)[0]]:.6g} s"
     return [
-        f"tensioners: a cylinder pushes, with at most {-least / 1e3:.4g} kN {when}: check that its law holds "
+        f"tensioners: a cylinder pushes, with at most {newtons(-least)} {when}: check that its law holds "
         "there, since a cylinder on wires or with a slender rod cannot push"
     ]
 
