@@ -7,7 +7,7 @@ check of its parts together and a hash remain.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from itertools import islice, product
@@ -77,6 +77,12 @@ class Grid:
         """Indices of the first and the last point."""
         lengths = [len(axis) for axis in self.axes]
         return tuple(0 for _ in lengths), tuple(length - 1 for length in lengths)
+
+    def near_first(self, steps: Sequence[Iterable[int]]) -> list[Index]:
+        """The first point, and the points that differ from it on one axis by the indices for that axis."""
+        first = self.ends[0]
+        moved = ((*first[:a], k, *first[a + 1 :]) for a, of in enumerate(steps) for k in of)
+        return list(dict.fromkeys((first, *moved)))
 
     def points(self, first: int = 0, stride: int = 1) -> Iterator[Point]:
         """All points with the last axis varying fastest; or every ``stride``-th point from ``first`` on.

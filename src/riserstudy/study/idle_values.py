@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import product
+
+import numpy as np
 
 from riserstudy.dataset.variables import ENDINGS
 from riserstudy.scene.outputs import QUANTITIES
@@ -20,27 +21,19 @@ def idle_values(study: Study) -> list[str]:
 
 
 def _idle_axes(study: Study) -> Iterator[str]:
-    lengths = [len(axis) for axis in study.grid.axes]
-    indices = product(*map(range, lengths))
-    keys = {index: point.key for index, point in zip(indices, study.plan, strict=True)}
+    shape = [len(axis) for axis in study.grid.axes]
+    keys = np.array([point.key.encode() for point in study.plan]).reshape(shape)
     for place, (name, steps) in enumerate(study.axes.items()):
         limits = any(path.startswith("limits") for _, sets in steps for path in sets)
-        first = {index: (*index[:place], 0, *index[place + 1 :]) for index in keys}
-        idle = all(key == keys[first[index]] for index, key in keys.items())
-        if idle and lengths[place] > 1 and not limits:
+        idle = bool((keys == keys.take([0], axis=place)).all())
+        if idle and shape[place] > 1 and not limits:
             yield f"{study.where}: axes.{name}: its values change no run; check its paths and labels"
 
 
 def _absent_outputs(study: Study) -> Iterator[str]:
     left = {name: _quantity(name) for name in study.model.keep or []}
     left = {name: of for name, of in left.items() if of}
-    first = (0,) * len(study.grid.axes)
-    every = {first: None} | {
-        (*first[:a], k, *first[a + 1 :]): None
-        for a, axis in enumerate(study.grid.axes)
-        for k in range(len(axis))
-    }
-    for index in every:
+    for index in study.grid.near_first([range(len(axis)) for axis in study.grid.axes]):
         if not left:
             return
         scene = study.grid.file(index).resolved()

@@ -159,10 +159,8 @@ class Study:
 
         def find_groups() -> list[str]:
             lengths = [len(axis) for axis in self.grid.axes]
-            ends = [{0, *(range(n) if n <= ALL_OF else (n - 1,))} for n in lengths]
-            first = (0,) * len(lengths)
-            places = {(*first[:a], k, *first[a + 1 :]) for a, end in enumerate(ends) for k in end}
-            scenes = [self.grid.file(place).resolved() for place in places or {first}]
+            ends = [range(n) if n <= ALL_OF else (n - 1,) for n in lengths]
+            scenes = [self.grid.file(place).resolved() for place in self.grid.near_first(ends)]
             kinds = [group_of, *([group_of_modes] if self.model.modes else [])]
             return sorted({group(scene) for group in kinds for scene in scenes})
 
