@@ -1,5 +1,8 @@
 """Before a run: what is damaged does not count as there, what a killed run left is out of the way."""
 
+import base64
+import hashlib
+import json
 import os
 import random
 import subprocess
@@ -167,3 +170,49 @@ def test_a_folder_that_cannot_be_written_is_told(results):
     with pytest.raises(InputError, match="can be written"):
         start(results[1:])
     results[0].parent.chmod(0o700)
+
+
+def record(out, read, began, ended, checksum):
+    """Write what Snakemake records of a job that made a file from another one."""
+    name = base64.urlsafe_b64encode(str(out).encode()).decode()
+    sums = {str(read): f"sha256:{checksum}"} if checksum else {}
+    about = {"rule": "figure", "starttime": began, "endtime": ended, "input": [str(read)]}
+    text = json.dumps(about | {"params": [], "input_checksums": sums})
+    (begin.SNAKEMAKE / "metadata").mkdir(parents=True, exist_ok=True)
+    (begin.SNAKEMAKE / "metadata" / name).write_text(text)
+
+
+@pytest.mark.parametrize("seed", range(8))
+@pytest.mark.parametrize("large", [False, True])
+def test_results_of_former_results_are_made_again_whatever_their_file_times(results, seed, large):
+    """Snakemake compares file times; of large files it records no checksum, but when jobs began and ended."""
+    rng = random.Random(seed)
+    data, figure, table = results
+    before = hashlib.sha256(data.read_bytes()).hexdigest()
+    record(data, "config/scenes/riser.yaml", 0.0, 10.0, None)
+    record(figure, data, 20.0, 30.0, None if large else before)
+    record(table, figure, 40.0, 50.0, None if large else "0" * 64)  # of a figure that is replaced
+    record(figure, data, 20.0, 60.0 if large else 30.0, None if large else before)
+    for file in results:  # a copy of the folder, or a wrong clock
+        os.utime(file, (0.0, rng.uniform(0.0, 1e9)))
+    (found,), (line,) = start(results)
+    assert found == str(table)
+    assert line == f"{table} is made from former results; it is made again when needed"
+    data.write_bytes(rng.randbytes(3000))
+    seals.seal(data)
+    record(data, "config/scenes/riser.yaml", 70.0, 80.0, None)
+    for file in results:
+        os.utime(file, (0.0, rng.uniform(0.0, 1e9)))
+    found, lines = start(results)
+    assert sorted(found) == sorted(map(str, (figure, table)))
+    assert len(lines) == 2
+    assert start(results, at_work=False)[0] == found
+
+
+@pytest.mark.parametrize("content", [b"", b"\xff", b"0"])
+def test_a_damaged_seal_of_an_input_stops_nothing(results, content):
+    data, figure, _ = results
+    record(data, "config/scenes/riser.yaml", 0.0, 10.0, None)
+    record(figure, data, 20.0, 30.0, hashlib.sha256(data.read_bytes()).hexdigest())
+    (seals.SEALS / data.relative_to("results")).write_bytes(content)
+    assert str(data) in start(results)[0]

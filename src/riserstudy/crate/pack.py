@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import zipfile
-from collections.abc import Mapping
 from pathlib import Path
 
+from riserstudy.crate.former import of_former_results
 from riserstudy.crate.metadata import NAME, crate_text, inputs_of, outputs_of
-from riserstudy.crate.records import Made, recorded
+from riserstudy.crate.records import recorded
 from riserstudy.errors import InputError
 from riserstudy.folders import SEALS, fits_seal, whole_file
 
@@ -37,11 +37,11 @@ def pack(study: Path, target: Path) -> int:
     if absent := _absent(study):
         found = "is absent: the last run was interrupted or failed, or the file was deleted"
         raise InputError(absent[0], "", found, "run the study again, which makes it anew")
-    if former := _of_former_results(study):
+    if former := of_former_results(study):
         found = (
             "was made from former results: the last run was interrupted, or made only some files"
         )
-        raise InputError(former[0], "", found, "run the study again, which makes it anew")
+        raise InputError(study / former[0], "", found, "run the study again, which makes it anew")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
@@ -68,24 +68,3 @@ def _absent(study: Path) -> list[Path]:
     return sorted(
         path for path in of_jobs | {results / seal for seal in seals} if not path.exists()
     )
-
-
-def _of_former_results(study: Path) -> list[Path]:
-    """Return the results that were made from results which another job has replaced since."""
-    made, outputs = recorded(study), {*outputs_of(study)}
-    return [
-        study / out
-        for out in sorted(outputs & {*made})
-        if any(_is_replaced(study, name, made[out], made) for name in made[out].inputs)
-    ]
-
-
-def _is_replaced(study: Path, name: str, reader: Made, made: Mapping[str, Made]) -> bool:
-    """Return whether a result differs from the one that a job read; large ones have only a time."""
-    if not name.startswith("results/") or name not in made:
-        return False
-    checksum = reader.checksums.get(name)
-    if checksum is None:
-        return made[name].ended > reader.began
-    seal = study / "results" / SEALS / Path(name).relative_to("results")
-    return seal.is_file() and seal.read_text("utf-8").split()[0] != checksum.rpartition(":")[2]

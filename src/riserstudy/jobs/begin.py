@@ -12,6 +12,7 @@ from pathlib import Path
 
 from filelock import FileLock, Timeout
 
+from riserstudy.crate.former import of_former_results
 from riserstudy.errors import InputError
 from riserstudy.folders import is_partial
 from riserstudy.jobs import mend, seals
@@ -41,14 +42,17 @@ def begin(
 
     Returns
     -------
-    Damaged outputs, which must be made again, and messages of one line each.
+    Outputs that must be made again, since they are damaged or were made from results that another job has
+    replaced since, and messages of one line each.
     """
     if at_work and not _is_alone():
         return [], []
     wanted = frozenset(outputs)
     damaged = seals.damaged(sorted(wanted))
     lines = _listed(damaged, "not as written; it is made again when needed")
-    anew = [file.as_posix() for file in damaged]
+    former = [Path(file) for file in of_former_results(Path()) if file in wanted]
+    lines += _listed(former, "made from former results; it is made again when needed")
+    anew = [file.as_posix() for file in (*damaged, *former)]
     records = mend.unreadable(SNAKEMAKE)
     if not at_work:
         return anew, lines + _listed(
