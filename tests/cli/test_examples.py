@@ -29,6 +29,15 @@ def test_the_help_has_five_groups():
     ]
 
 
+@pytest.mark.parametrize("name", COMMANDS)
+def test_the_help_shows_every_word_of_its_text(name, monkeypatch, capsys):
+    """Names of extras are in square brackets: ``pip install "riserstudy[formats]"``."""
+    monkeypatch.setattr("sys.argv", ["riserstudy", name, "--help"])
+    main()
+    shown = "".join(capsys.readouterr().out.split())
+    assert "".join(COMMANDS[name].help.split()) in shown
+
+
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_an_example_is_a_command_line_that_is_understood(name):
     """All its options exist, and all that it needs are there."""

@@ -11,6 +11,7 @@ import sys
 from typing import Annotated, Any
 
 import typer
+from typer.core import TyperCommand
 
 import riserstudy
 from riserstudy.blas import use_one_thread
@@ -76,10 +77,24 @@ def about(
     """Simulate deepwater drilling risers and check them against limits."""
 
 
+class Command(TyperCommand):
+    """A command whose help shows square brackets, which rich otherwise takes for markup and omits."""
+
+    def format_help(self, ctx: Any, formatter: Any) -> None:
+        """Write the help."""
+        from rich.markup import escape
+
+        text = self.help
+        self.help = escape(text or "")
+        super().format_help(ctx, formatter)
+        self.help = text
+
+
 for group, commands in GROUPS.items():
     for command in commands:
         name = NAMES.get(command, command.__name__)
-        app.command(name, rich_help_panel=group, epilog=f"Example: {EXAMPLES[name]}")(command)
+        example = f"Example: {EXAMPLES[name]}"
+        app.command(name, cls=Command, rich_help_panel=group, epilog=example)(command)
 
 
 def main() -> None:
