@@ -8,6 +8,7 @@ from page_notebook import run_notebook
 
 from riserstudy import load_scene, simulate, sweep
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.simulation.run_cost import duration
 from riserstudy.study import simulate_points, store
 from riserstudy.study.far_values import far_values
 from riserstudy.study.sweep import Lines, as_study
@@ -149,6 +150,26 @@ def test_progress_says_how_much_is_left(monkeypatch, capsys):
     assert lines[1] == "sweep: 52 of 120 points, about 34 s to go"
     assert lines[-1] == "sweep: 120 of 120 points"
     assert len(lines) < 10
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_times_in_messages_have_no_exponents(seed, monkeypatch, capsys):
+    """Estimates from a millisecond to a week, in seconds, minutes or hours; within 6 % of the time."""
+    rng = np.random.default_rng(seed)
+    for told in 10.0 ** rng.uniform(-3.0, 5.8, 200):
+        for digits in (2, 3):
+            number, unit = duration(told, digits).split()
+            assert "e" not in number
+            given = float(number) * {"s": 1.0, "min": 60.0, "h": 3600.0}[unit]
+            assert given == pytest.approx(told, rel=0.055)
+    now = [0.0]
+    monkeypatch.setattr("riserstudy.study.sweep.time.monotonic", lambda: now[0])
+    progress = Lines(1000)
+    progress(0)
+    for _ in range(30):
+        now[0] += rng.uniform(5.0, 500.0)
+        progress(1)
+    assert "e+" not in capsys.readouterr().err
 
 
 def test_nothing_is_told_where_all_is_stored_or_nobody_asks(capsys):

@@ -37,6 +37,7 @@ def cost(
     check_targets(file.files, force, plot=plot)
     compile_kernels(file.resolved())
     from riserstudy.advice import accuracy_cost as requests
+    from riserstudy.simulation.run_cost import duration
 
     prices: list[requests.Price] = []
     for price in requests.prices(file, progress=True):
@@ -46,7 +47,7 @@ def cost(
         step = f"{price.step:7.3g} s" if price.step else "   none  "
         requested = "default" if price.requested is None else f"{100 * price.requested:.3g} %"
         shares = f"{requested:>9}  {100 * price.estimated:7.2g} %"
-        print(f"{shares}  {price.elements:8d}  {step}  {price.seconds:.3g} s", flush=True)
+        print(f"{shares}  {price.elements:8d}  {step}  {duration(price.seconds, 3)}", flush=True)
     for line in recipe_lines(file.resolved()):
         print(line)
     if plot is not None:

@@ -234,6 +234,7 @@ def positive(option: str, text: str, unit: str) -> float:
 def recipe_lines(scene: Resolved) -> list[str]:
     """The recipe for long records in words; empty for other scenes."""
     from riserstudy.simulation.recipe import recipe
+    from riserstudy.simulation.run_cost import duration
 
     found = recipe(scene)
     if found is None:
@@ -241,7 +242,7 @@ def recipe_lines(scene: Resolved) -> list[str]:
     errors = ", ".join(f"{name} {percent(value)}" for name, value in found.error.items())
     return [
         f"recipe for long records: {found.words}",
-        f"  takes about {found.seconds:.2g} s with its error estimate; estimated error on the first "
+        f"  takes about {duration(found.seconds)} with its error estimate; estimated error on the first "
         f"{found.piece:.4g} s: {errors or 'none given'}",
     ]
 

@@ -124,6 +124,7 @@ def announce(file: Any) -> None:
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
     from riserstudy.simulation.progress_line import progress_line
+    from riserstudy.simulation.run_cost import duration
     from riserstudy.simulation.time_limit import Watch
 
     for warning in sudden_wave(file.resolved()):
@@ -131,9 +132,8 @@ def announce(file: Any) -> None:
     with progress_line(True) as show_progress:
         price = forecast(file.resolved(), Watch(notify=show_progress))
     if price and price.seconds > WORTH_TELLING:
-        minutes = f"{price.seconds / 60.0:.2g} min" if price.seconds > 90.0 else ""
         notify(
-            f"takes about {minutes or f'{price.seconds:.2g} s'}: by its first {price.piece:.4g} s, "
+            f"takes about {duration(price.seconds)}: by its first {price.piece:.4g} s, "
             f"{price.elements} segments and a step of {price.step:.3g} s will do"
         )
         for line in recipe_lines(file.resolved()) if price.seconds > WORTH_A_RECIPE else []:
@@ -159,12 +159,14 @@ def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
 
 
 def _summary(dataset: Any) -> str:
+    from riserstudy.simulation.run_cost import duration
+
     estimate = json.loads(dataset.attrs.get("error_estimate", "{}"))
     errors = ", ".join(f"{name} {percent(value)}" for name, value in estimate.items())
     step = f", step {dataset.attrs['step']:.4g} s" if "step" in dataset.attrs else ""
     return (
         f"{dataset.attrs['elements']} segments{step}; estimated error: {errors or 'none given'}; "
-        f"{dataset.attrs['wall_seconds']:.3g} s"
+        f"{duration(dataset.attrs['wall_seconds'], 3)}"
     )
 
 

@@ -18,6 +18,7 @@ from riserstudy.seas.mesh_of_seas import MeshOfSeas, checked, mesh_of_seas, on_m
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.sea_states import SeaStates, sea_states
+from riserstudy.simulation.run_cost import duration
 from riserstudy.study.in_sea import sea_of
 
 if TYPE_CHECKING:
@@ -161,7 +162,7 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     runs = least * effort.seeds
     each = riser.seconds(of.states[chosen[-PRICED:]])
     seconds = runs * each / effort.cores
-    time = "" if math.isnan(each) else f" of {each:.2g} s, {seconds:.2g} s on {effort.cores} cores"
+    time = "" if math.isnan(each) else f" of {duration(each)}, {duration(seconds)} on {effort.cores} cores"
     return (
         f"at least {least} sea states, {runs} runs{time}, minus stored runs; at most {effort.most}"
     )

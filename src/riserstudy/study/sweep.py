@@ -25,6 +25,7 @@ from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.paths import as_name, value_at
 from riserstudy.scene.units import factor
 from riserstudy.simulation.compile import available_cores
+from riserstudy.simulation.run_cost import duration
 from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
 from riserstudy.study.far_values import far_values
@@ -278,7 +279,7 @@ class Lines:
             self._last_notice = now
             share = (self._done - self._stored) / (self._count - self._stored)
             left = (now - self._began) * (1.0 / share - 1.0)
-            to_go = f", about {left:.2g} s to go" if self._done < self._count else ""
+            to_go = f", about {duration(left)} to go" if self._done < self._count else ""
             self._notify(f"{self._done} of {self._count} points{to_go}")
 
     def _notify(self, line: str) -> None:
