@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from riserstudy.records.numerals import newtons, percent, plain
+from riserstudy.records.numerals import at_most, newtons, percent, plain
 
 
 @pytest.mark.parametrize("seed", range(200))
@@ -18,6 +18,16 @@ def test_no_number_has_an_exponent_and_none_loses_more_than_its_digits(seed):
     force, unit = newtons(value).split(" ")
     assert "e" not in force
     assert float(force) * {"N": 1.0, "kN": 1e3}[unit] == pytest.approx(value, rel=5.1e-3)
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_a_limit_in_a_message_is_not_exceeded_by_rounding(seed):
+    value = 10.0 ** random.Random(seed).uniform(-6, 8)
+    for digits in (2, 3):
+        text = at_most(value, digits)
+        assert "e" not in text.lower()
+        assert value * (1.0 - 10.0 ** (1 - digits)) < float(text) <= value
+    assert at_most(0.5) == "0.5"
 
 
 @pytest.mark.parametrize(

@@ -27,6 +27,7 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
+from riserstudy.records.numerals import at_most
 
 if TYPE_CHECKING:
     from riserstudy.scene.resolve import Resolved
@@ -236,5 +237,5 @@ def _warnings(
     if output and shortest and output.interval > shortest / IN_A_PERIOD * (1.0 + 1e-9):
         yield (
             f"outputs {output.interval:g} s apart miss peaks: extremes are too small, and periods too long; "
-            f"run the scene with analysis.output.interval of at most {shortest / IN_A_PERIOD:.3g} s"
+            f"run the scene with analysis.output.interval of at most {at_most(shortest / IN_A_PERIOD)} s"
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from decimal import Decimal
+from decimal import ROUND_FLOOR, Context, Decimal
 
 
 def plain(value: float, digits: int = 3) -> str:
@@ -11,6 +11,11 @@ def plain(value: float, digits: int = 3) -> str:
     if not math.isfinite(value):
         return f"{value:g}"
     return f"{Decimal(f'{value:.{digits}g}'):f}"
+
+
+def at_most(value: float, digits: int = 3) -> str:
+    """Return a positive upper limit, rounded down: a value that a user copies from a message is allowed."""
+    return f"{Context(prec=digits, rounding=ROUND_FLOOR).create_decimal_from_float(value):f}"
 
 
 def percent(share: float) -> str:

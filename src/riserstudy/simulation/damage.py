@@ -34,6 +34,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh
+from riserstudy.records.numerals import at_most
 from riserstudy.scene.fatigue import Detail, Fatigue, SNCurve
 from riserstudy.scene.limits import ENDS, place_of
 from riserstudy.scene.resolve import Resolved
@@ -295,7 +296,7 @@ def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
             needed = interval * math.sqrt(0.5 * CUT_OFF / row["error_of_outputs"])
             raise SimulationError(
                 f"fatigue: outputs every {interval:g} s miss about {100 * row['error_of_outputs']:.0f} % of "
-                f"the damage of {row['detail']!r}. Give an analysis.output.interval of {needed:.2g} s"
+                f"the damage of {row['detail']!r}. Give an analysis.output.interval of {at_most(needed, 2)} s"
             )
 
 

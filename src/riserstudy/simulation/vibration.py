@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.vortices import ramp_of, shedding, shedding_period, slowest
+from riserstudy.records.numerals import at_most
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.vibration_statistics import (
@@ -99,7 +100,7 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     facts["warnings"].append(
         f"riser.viv: outputs every {interval:.3g} s cannot resolve the shortest shedding period of "
         f"{period:.3g} s, so no frequency is computed; give an analysis.output.interval of "
-        f"{period / OUTPUTS:.2g} s"
+        f"{at_most(period / OUTPUTS, 2)} s"
     )
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.records.numerals import at_most
 from riserstudy.scene.fatigue import A_PERIOD
 from riserstudy.scene.outputs import range_lacks
 
@@ -51,9 +52,8 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
     shortest = scene.shortest_period
     if shortest and a.output.interval > shortest / A_PERIOD:
         found = f"{a.output.interval:g} s misses peaks of stress, from which fatigue is computed"
-        remedy = (
-            f"allowed are {A_PERIOD} outputs in the shortest period, {shortest / A_PERIOD:.3g} s"
-        )
+        longest = at_most(shortest / A_PERIOD)
+        remedy = f"allowed are {A_PERIOD} outputs in the shortest period, {longest} s"
         yield Misfit("analysis.output.interval", found, remedy, ("fatigue", "wave", "platform"))
     known: set[str] = set()
     for k, detail in enumerate(scene.fatigue.details):
