@@ -162,7 +162,8 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     runs = least * effort.seeds
     each = riser.seconds(of.states[chosen[-PRICED:]])
     seconds = runs * each / effort.cores
-    time = "" if math.isnan(each) else f" of {duration(each)}, {duration(seconds)} on {effort.cores} cores"
+    known = f" of {duration(each)}, {duration(seconds)} on {effort.cores} cores"
+    time = "" if math.isnan(each) else known
     return (
         f"at least {least} sea states, {runs} runs{time}, minus stored runs; at most {effort.most}"
     )
