@@ -156,7 +156,10 @@ class Response(Strict):
                 "has different motions in its lines",
                 "every line must have the same motions",
             )
-        missing = set(self.motions or []) - self.operators[0].motions
+        given = self.motions or []
+        if again := next((name for k, name in enumerate(given) if name in given[:k]), None):
+            raise Misfit("motions", f"{again} occurs twice", "give each motion once")
+        missing = set(given) - self.operators[0].motions
         if missing:
             raise Misfit(
                 "motions",
@@ -189,6 +192,12 @@ class Response(Strict):
                 "heading",
                 "is not needed",
                 "leave it out, since the wave of the scene has a heading",
+            )
+        if self.heading is not None and self.headings is None:
+            raise Misfit(
+                "heading",
+                "is given for operators without headings, whose response is that to waves from any side",
+                "leave it out, or give operators with headings",
             )
 
     @property
