@@ -45,6 +45,41 @@ def test_options_that_a_record_leaves_without_effect_are_refused(
     assert fits or words.split()[0] in said
 
 
+@pytest.mark.parametrize(
+    "words, reason",
+    [
+        (["--limit", "hs <= -1 m"], "a value that no sea has"),
+        (["--limit", "hs <= 90 m"], "allowed is 0 to 35 m"),
+        (["--limit", "hs <= nan m"], "hs <= nan m"),
+        (["--limit", "hs <= 2 m", "--window", "-24 h"], "not above 0"),
+        (["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"], "the record's 1 h"),
+    ],
+)
+def test_limits_and_windows_that_no_sea_has_are_refused_before_results(
+    tmp_path, commands, words, reason
+):
+    code, out, said = commands("downtime", written(tmp_path, "tp"), *words)
+    assert (code, "workable" in out) == (2, False)
+    assert reason in said
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_limits_that_decide_nothing_are_named(tmp_path, commands, seed):
+    """A limit outside of the heights of a record has a warning, and a limit between them has none."""
+    draw = np.random.default_rng(seed)
+    height = draw.uniform(1.0, 6.0, 60)
+    times = pd.date_range("2004-01-01", periods=60, freq="h")
+    pd.DataFrame({"time": times, "hs (m)": height}).to_csv(tmp_path / "sea.csv", index=False)
+    for value, words in (
+        (0.9 * height.min(), "no row meets"),
+        (np.median(height), ""),
+        (1.1 * height.max(), "every row meets"),
+    ):
+        code, _, said = commands("downtime", tmp_path / "sea.csv", "--limit", f"hs <= {value} m")
+        assert (code, "warning" in said) == (0, bool(words))
+        assert words in said
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_the_distance_of_the_only_place_is_noted(tmp_path, seed):
     draw = np.random.default_rng(seed)

@@ -19,6 +19,7 @@ from riserstudy.cli.shared import (
     check_targets,
     compile_kernels,
     notify,
+    positive,
     quantity,
     save_figure,
     scene_of,
@@ -173,7 +174,8 @@ def downtime(
     record until the interpolation of the response between them meets the tolerance --error. Further simulated
     sea states check the result.
     """
-    from riserstudy.seas.hours import sea_limit
+    from riserstudy.seas.hours import idle_limits, sea_limit
+    from riserstudy.seas.record import check_windows
 
     check_targets([path for path in (record, scene) if path], force, csv, plot, output)
     with_scene = {
@@ -186,8 +188,11 @@ def downtime(
         allowed = "leave out --output, --plot, --return-period and --window; --csv is possible"
         raise InputError("downtime", "--vary", vary[0], allowed)
     limits = [sea_limit(text) for text in limit or []]
-    lengths = [quantity("--window", one, "s") / 3600.0 for one in window or []]
+    lengths = [positive("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
+    check_windows(sea, window or [])
+    for text in idle_limits(sea, limits):
+        notify(f"warning: {text}")
     if not scene:
         return of_the_sea(sea, limits, lengths, years, hold_back, csv, plot, record.name)
     directions = _directions(sectors, x_towards)

@@ -164,7 +164,7 @@ class Hours(NamedTuple):
 def sea_limit(text: str) -> SeaLimit:
     """The limit of a text such as ``hs <= 2.5 m``.
 
-    Raises InputError when it names no quantity of the sea, or has no unit.
+    Raises InputError when it names no quantity of the sea, has no unit, or has a value that no sea has.
     """
     allowed = "allowed is such as 'significant_wave_height <= 2.5 m'"
     match = _LIMIT.fullmatch(text)
@@ -175,6 +175,9 @@ def sea_limit(text: str) -> SeaLimit:
         value = to_si(match["value"], quantity.unit)
     except ValueError as error:
         raise InputError("--limit", text, str(error), allowed) from None
+    if not quantity.least <= value <= quantity.most:
+        possible = f"{quantity.least:g} to {quantity.most:g} {quantity.unit}"
+        raise InputError("--limit", text, "a value that no sea has", f"allowed is {possible}")
     return SeaLimit(quantity, match["sign"] == "<=", value)
 
 
@@ -196,6 +199,23 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
             raise InputError(
                 "--limit", one.quantity.name, "not in the record", f"there are {there}"
             )
+
+
+def idle_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> list[str]:
+    """Warnings about limits that all rows of a record meet, or none.
+
+    Raises InputError when the record lacks a quantity that a limit names, or all of its values.
+    """
+    known, sentences = rows_with_values(record, limits), []
+    for one in limits:
+        met, unit = one.met(record)[known], one.quantity.unit
+        if met.all() or not met.any():
+            values = record[one.quantity.name].values[known]
+            sentences.append(
+                f"{one}: {'every row meets' if met.all() else 'no row meets'} this limit; values of the "
+                f"record are {values.min():.3g} to {values.max():.3g} {unit}"
+            )
+    return sentences
 
 
 def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bool_]:
