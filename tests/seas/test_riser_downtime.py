@@ -137,6 +137,11 @@ def test_a_record_without_periods_is_refused(file, record):
         riser_downtime(file, record.drop_vars("peak_period"), seeds=1)
 
 
+def test_no_cores_are_refused(file, record):
+    with pytest.raises(InputError, match="cores: 0; allowed is a whole number from 1"):
+        riser_downtime(file, record, seeds=1, cores=0)
+
+
 def test_the_command_writes_responses_table_and_map(commands, tmp_path, record):
     path = tmp_path / "sea.nc"
     write_record(record, path)

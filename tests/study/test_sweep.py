@@ -35,7 +35,7 @@ def scene(**overrides):
 
 
 def swept(axes, **options):
-    return sweep(scene(), axes, progress=False, cores=1, **options)
+    return sweep(scene(), axes, progress=False, **({"cores": 1} | options))
 
 
 def test_a_point_of_a_sweep_is_what_simulate_makes_of_its_scene():
@@ -242,6 +242,9 @@ def test_failing_points_of_a_study_are_told_by_their_values_and_words(seed, monk
         ({"platform.surge.phase": [0, 90]}, {}, "platform.surge.phase"),  # no unit is there
         ({"top.tension": [2000]}, {"keep": ["moment"]}, "moment"),
         ({"top.tension": [2000]}, {"on_error": "skip"}, "'nan' and 'raise'"),
+        ({"top.tension": [2000]}, {"cores": 0}, "a whole number from 1"),
+        ({"top.tension": [2000]}, {"cores": -2}, "a whole number from 1"),
+        ({"top.tension": [2000]}, {"cores": 1.5}, "a whole number from 1"),
         ({"x": TWO_WAYS}, {}, "variable"),
         ({"top.tension": 2000.0}, {}, "a list of numbers or texts"),
         ({"top.tension": "2 MN"}, {}, "a list of numbers or texts"),

@@ -23,6 +23,7 @@ from riserstudy.seas.riser_hours import RiserHours, by_rows, met, response_of, r
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.riser_returns import Demands
 from riserstudy.study.demand_in_sea import check_seeds
+from riserstudy.study.processes import check_cores
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -70,6 +71,7 @@ def riser_downtime(
     """
     effort = Effort(seeds, error, most, cores)
     check_seeds(seeds)
+    check_cores("riser_downtime", cores)
     # refuses a scene that lacks inputs
     RiserResponse(file, seeds, interval_of(record), cores)
     parts: dict[int, Part] = {}

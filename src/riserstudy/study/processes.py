@@ -18,7 +18,7 @@ from threading import Thread
 from typing import Any, TypeVar
 
 from riserstudy.blas import use_one_thread
-from riserstudy.errors import SimulationError
+from riserstudy.errors import InputError, SimulationError
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -31,6 +31,13 @@ _work: tuple[Callable[[Any], Any], Sequence[Any]]
 def forks() -> bool:
     """Whether processes are forks: if available, except on macOS, whose libraries fail in forks."""
     return hasattr(os, "fork") and sys.platform != "darwin"
+
+
+def check_cores(where: str, cores: int | None) -> None:
+    """Check a number of processes; None is the number of cores. Raises InputError if it is below 1."""
+    if cores is not None and not (cores >= 1 and cores == int(cores)):
+        allowed = "allowed is a whole number from 1, or None for the number of cores"
+        raise InputError(where, "cores", repr(cores), allowed)
 
 
 def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:

@@ -32,6 +32,7 @@ from riserstudy.study.far_values import far_values
 from riserstudy.study.grid import Point
 from riserstudy.study.idle_values import idle_values
 from riserstudy.study.models import StudyModel
+from riserstudy.study.processes import check_cores
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
 
@@ -118,6 +119,7 @@ def sweep(
     """
     if on_error not in ("nan", "raise"):
         raise InputError("sweep", "on_error", repr(on_error), "allowed are 'nan' and 'raise'")
+    check_cores("sweep", cores)
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = as_study(file, axes, None if keep is None else list(keep), modes)
     points = study.plan
