@@ -242,3 +242,19 @@ def test_allowances_are_those_of_the_scene_that_counts_no_damage(seed):
     ]
     assert found[0] == found[1]
     assert found[0][0] > 0.0
+
+
+@pytest.mark.parametrize(
+    "words, second",
+    [
+        (("--current", "0.5 m/s", "--current", "1.8 km/h"), "--current: 1.8 km/h: given twice"),
+        (
+            ("--current", "0 m/s", "--sea", "4 m, 10 s", "--sea", "400 cm,10 s"),
+            "--sea: 400 cm,10 s: given twice",
+        ),
+    ],
+)
+def test_a_current_or_a_sea_that_is_given_twice_is_refused(commands, words, second):
+    code, out, said = commands("envelope", RISER, "--reach", "240 m", *words)
+    assert (code, out) == (2, "")
+    assert second in " ".join(said.split())

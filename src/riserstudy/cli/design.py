@@ -232,6 +232,8 @@ def envelope(
     far = positive("--reach", reach, "m")
     speeds = [quantity("--current", one, "m/s") for one in current]
     pairs = [_sea(one) for one in sea or []]
+    _once("--current", current, [(speed,) for speed in speeds])
+    _once("--sea", sea or [], pairs)
     compile_as_needed()
     from riserstudy.design.envelope import envelope as computed
     from riserstudy.study.in_sea import Sea, in_sea
@@ -334,6 +336,14 @@ def _sea(text: str) -> tuple[float, float]:
         allowed = "allowed is a height and a period: '4 m, 10 s'"
         raise InputError("--sea", text, f"{len(parts)} values", allowed)
     return positive("--sea", parts[0], "m"), positive("--sea", parts[1], "s")
+
+
+def _once(option: str, texts: Sequence[str], values: Sequence[tuple[float, ...]]) -> None:
+    """Check that no value of an option, in SI, is given twice. Raises InputError with the second one."""
+    rounded = [[f"{part:.9g}" for part in value] for value in values]
+    for k, text in enumerate(texts):
+        if rounded[k] in rounded[:k]:
+            raise InputError(option, text, "given twice", "give each value once")
 
 
 def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, float]:
