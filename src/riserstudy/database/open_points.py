@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from riserstudy.database.ask import DATABASE, ask, opened
 from riserstudy.dataset.netcdf import refuse_damaged
+from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -143,6 +144,7 @@ def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr
     if not path.is_file():
         raise InputError(path, "", "no dataset", "the next run makes it again")
     refuse_damaged(path)
+    refuse_other_files(path)
     with xr.open_dataset(path, engine="netcdf4") as dataset:
         axes = dataset["point_key"].dims
         if not axes:

@@ -26,6 +26,7 @@ from riserstudy.dataset.extremes import (
     from_arrays,
     without_repeats,
 )
+from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
 
 #: dimension of mode shapes, which only datasets contain: the database would need too many rows for them
@@ -82,6 +83,7 @@ def read_dataset(path: Path) -> Contents:
 
     Raises InputError when the file cannot be read.
     """
+    refuse_other_files(path)
     try:
         with netCDF4.Dataset(path) as file:
             file.set_auto_mask(False)
@@ -92,7 +94,7 @@ def read_dataset(path: Path) -> Contents:
             ]
             grids[0][1].extend(_statistics(file, grids[0][0]))
             return Contents(attributes, grids)
-    except (OSError, RuntimeError) as error:  # the errors of the library itself are RuntimeErrors
+    except (OSError, RuntimeError, MemoryError) as error:  # the library's own are RuntimeErrors
         found = f"no whole dataset ({error})"
         raise InputError(path, "", found, "delete it; the next run makes it again") from None
 

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.dataset.netcdf import refuse_damaged
+from riserstudy.dataset.netcdf import load
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -157,11 +157,8 @@ def _at_common_points(
 
 def opened(path: Path) -> xr.Dataset:
     """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read, or is damaged."""
-    import xarray as xr
-
     try:
-        refuse_damaged(path)
-        return xr.load_dataset(path, engine="netcdf4", decode_times=False)
+        return load(path, decode_times=False)
     except (OSError, ValueError, RuntimeError):
         scene = path.suffix in (".yaml", ".yml")
         how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it again"

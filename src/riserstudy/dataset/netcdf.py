@@ -1,4 +1,4 @@
-"""Write a dataset as netCDF, completely or not at all, with a digest by which damage is found.
+"""Load netCDF files, and write them completely or not at all, with a digest by which damage is found.
 
 The digest is a line after the end of the netCDF content, which libraries do not read. netCDF has no digest of
 its own for small arrays, so a wrong bit would be a wrong number. A file that another program changed has lost
@@ -8,14 +8,17 @@ its last line, and counts as that program's file.
 from __future__ import annotations
 
 import hashlib
+import math
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, BinaryIO
 
+from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.dataset.without import without
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.records.numerals import plain
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -68,6 +71,50 @@ def refuse_damaged(path: Path) -> None:
         line = stream.read()
         if line.startswith(MARK) and line[len(MARK) :].strip() != _digest(stream, size):
             raise InputError(path, "", "damaged", "make it again")
+
+
+def load(path: Path, **options: Any) -> xr.Dataset:
+    """All values of a netCDF file, whoever wrote it; options as for `xarray.open_dataset`.
+
+    Raises InputError when the file is damaged, refers to other files, or has more values than memory holds.
+    The library raises OSError, ValueError or RuntimeError when it cannot read the file.
+    """
+    import xarray as xr
+
+    refuse_damaged(path)
+    refuse_other_files(path)
+    refuse_too_large(path)
+    return xr.load_dataset(path, engine="netcdf4", **options)
+
+
+def refuse_too_large(path: Path) -> None:
+    """Check that the values of a netCDF file fit into memory. Raises InputError if they do not.
+
+    A short file can contain many values: chunks without values take no space.
+    """
+    import netCDF4
+
+    with netCDF4.Dataset(path) as file:
+        size = sum(_sizes(file))
+    if size > (most := _memory()):
+        sizes = f"{plain(size / 1e9)} GB of values, and this computer has {plain(most / 1e9)} GB"
+        raise InputError(path, "", f"{sizes} of memory", "give a file with fewer values")
+
+
+def _sizes(group: Any) -> Iterator[int]:
+    """Sizes of the variables of a netCDF file or group, as far as they are known (bytes)."""
+    for variable in group.variables.values():
+        yield math.prod(variable.shape) * getattr(variable.dtype, "itemsize", 1)
+    for part in group.groups.values():
+        yield from _sizes(part)
+
+
+def _memory() -> float:
+    """Memory of this computer (bytes); infinite where the system does not give it."""
+    try:
+        return float(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
+    except (AttributeError, ValueError, OSError):
+        return math.inf
 
 
 def _append_digest(path: Path) -> None:

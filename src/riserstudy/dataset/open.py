@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -27,13 +28,15 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
     Raises
     ------
     InputError
-        When the folder contains no dataset.
+        When the folder contains no dataset, or a dataset refers to other files.
     """
     import xarray as xr
 
     files = sorted(Path(folder).glob("*/*.nc"))
     if not files:
         raise InputError(folder, "", "no datasets", "run `make study` first")
+    for file in files:
+        refuse_other_files(file)
     nodes = {
         f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4")
         for file in files

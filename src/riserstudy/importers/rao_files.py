@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.csv_files import write_csv
+from riserstudy.dataset.netcdf import load
 from riserstudy.errors import InputError
 from riserstudy.scene.rao import MOTIONS
 
@@ -143,11 +144,9 @@ def from_capytaine(path: Path) -> Operators:
 
     Raises InputError when it has none, or has several bodies.
     """
-    import xarray as xr
-
     try:
-        dataset = xr.load_dataset(path)
-    except (OSError, ValueError) as error:
+        dataset = load(path)
+    except (OSError, ValueError, RuntimeError) as error:
         raise InputError(
             path, "", f"is no netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
         ) from None

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.netcdf import refuse_damaged
+from riserstudy.dataset.netcdf import load
 from riserstudy.errors import InputError
 from riserstudy.seas.columns import COLUMNS, NAMES, UNSURE_HEIGHT, Column, check_fills, head, plain
 from riserstudy.seas.valid_ranges import quality_flags, within_valid_range
@@ -69,11 +69,9 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     absent; when a direction is ambiguous: where waves come from, or travel to.
     """
     import pandas as pd
-    import xarray as xr
 
     try:
-        refuse_damaged(path)
-        data = xr.load_dataset(path, engine="netcdf4", decode_timedelta=False)
+        data = load(path, decode_timedelta=False)
     except (OSError, ValueError, RuntimeError) as error:
         raise InputError(path, "", str(error), "allowed is a netCDF file with times") from None
     flags = quality_flags(data)
