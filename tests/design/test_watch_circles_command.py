@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from adrift import HULL, adrift
+from random_rigs import rig, timed, written
 from scipy.optimize import brentq
 
 from riserstudy.design.drift import drift
@@ -260,3 +261,23 @@ def test_a_scene_that_stays_above_the_well_is_refused(commands):
     code, _, err = commands("watch-circles", "config/scenes/design/riser.yaml", *words)
     assert code == 2
     assert "`vessel` (drift-off) or `platform.cruise` (drive-off)" in err
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_riser_that_disconnects_on_the_way_has_no_circles(commands, tmp_path, seed):
+    """Its limits are reached later than those of the connected riser, or not at all."""
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    tree["top"] |= {"x": "vessel", "z": "held"}
+    del tree["platform"]
+    tree["bottom"]["body"] = {"name": "LMRP", "mass": 1e5, "submerged_weight": "8e5 N"}
+    tree["vessel"] = {"mass": "3e7 kg", "wave_drift": {"force": "1e6 N"}}
+    tree["disconnect"] = {"at": f"{4 + 2 * seed} s", "over": "1 s"}
+    tree["limits"] = [{"output": "ufj_angle", "largest": "0.1 deg", "mode": "disconnect"}]
+    tree["analysis"] = timed(20.0, 0.1, 30, 0.5)
+    scene = tmp_path / "rig.yaml"
+    scene.write_text(json.dumps(written(tree)))
+    words = ["--disconnect", "2 s", "--prepare", "1 s"]
+    code, out, err = commands("watch-circles", scene, *words)
+    assert (code, out) == (2, "")
+    assert f"disconnect.at: {4 + 2 * seed} s" in err
+    assert "--set disconnect=null" in err

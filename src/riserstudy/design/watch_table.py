@@ -39,8 +39,8 @@ class Circles(NamedTuple):
 def moves_off(scene: Resolved) -> None:
     """Refuse a scene that does not leave the well.
 
-    Raises InputError when there is neither a vessel nor a cruising platform, the scene is static, or outputs
-    begin late.
+    Raises InputError when there is neither a vessel nor a cruising platform, the scene is static, its riser
+    disconnects during the run, or outputs begin late.
     """
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
@@ -48,6 +48,10 @@ def moves_off(scene: Resolved) -> None:
         raise InputError("vessel", "", "absent: nothing leaves the well", allowed)
     if scene.analysis.duration is None:
         raise InputError("analysis.duration", "", "absent", "Give, for example, `300 s`")
+    if scene.disconnect:
+        found = f"{scene.disconnect.at:g} s"
+        why = "from then on, limits would be those of a riser that hangs from the vessel"
+        raise InputError("disconnect.at", found, why, "Leave it out: `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
         found = f"{scene.analysis.output.start:g} s"
         why = "a limit that is reached before it would be missed"
