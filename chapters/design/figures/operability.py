@@ -87,16 +87,32 @@ def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
 
 
 def _answer(of: xr.Dataset, mode: str) -> str:
-    """Title: width of the offset range of all muds, in the strongest current with any; or there is none."""
+    """Title: the offsets that all muds allow, in the strongest current with any; or there is none."""
     low, high = (of["envelope_offset"].sel(offset_side=side) for side in ("low", "high"))
     lowest, highest = low.max("mud_weight", skipna=False), high.min("mud_weight", skipna=False)
     speeds = of["surface_speed"].values
     left = speeds[(lowest <= highest).values]
     if not len(left):
         return f"No offset allows {ALLOWED[mode]} in every mud, in any current"
-    width = float((highest - lowest).sel(surface_speed=left[-1]))
-    muds = "every mud" if of.sizes["mud_weight"] > 1 else "this mud"
-    if np.isinf(width):
+    at = {"surface_speed": left[-1]}
+    offsets = _offsets(float(lowest.sel(at)), float(highest.sel(at)))
+    if not offsets:
         return f"At {left[-1]:g} m/s no limit bounds the offset for {ALLOWED[mode]}"
+    muds = "every mud" if of.sizes["mud_weight"] > 1 else "this mud"
     tested = ", the strongest tested," if left[-1] == speeds[-1] else ""
-    return f"At {left[-1]:g} m/s{tested} {width:.0f} m of offset allow {ALLOWED[mode]} in {muds}"
+    return f"At {left[-1]:g} m/s{tested} {offsets} allow {ALLOWED[mode]} in {muds}"
+
+
+def _offsets(low: float, high: float) -> str:
+    """Words for the offsets (m) between two that the limits set; none where neither side has a limit."""
+    if np.isinf(low) and np.isinf(high):
+        return ""
+    # Rounded inwards, so that all offsets named are allowed.
+    digits = 0 if high - low > 2.0 else 2
+    above = f"{np.ceil(low * 10**digits) / 10**digits:.{digits}f}".replace("-", "−")
+    below = f"{np.floor(high * 10**digits) / 10**digits:.{digits}f}".replace("-", "−")
+    if np.isinf(low):
+        return f"offsets below {below} m"
+    if np.isinf(high):
+        return f"offsets above {above} m"
+    return f"offsets from {above} to {below} m"
