@@ -144,15 +144,7 @@ def from_capytaine(path: Path) -> Operators:
 
     Raises InputError when it has none, or has several bodies.
     """
-    try:
-        dataset = load(path)
-    except (OSError, ValueError, RuntimeError) as error:
-        raise InputError(
-            path, "", f"is no netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
-        ) from None
-    if "RAO" not in dataset:
-        allowed = "allowed is a dataset with capytaine.post_pro.rao(dataset) as its variable RAO"
-        raise InputError(path, "RAO", "missing", allowed)
+    dataset = _dataset(path)
     rao = _complex(path, dataset["RAO"])
     by = next((name for name in FREQUENCIES if name in rao.dims), None)
     if by is None or "radiating_dof" not in rao.dims:
@@ -160,8 +152,10 @@ def from_capytaine(path: Path) -> Operators:
         raise InputError(
             path, "RAO", f"has the dimensions {', '.join(map(str, rao.dims))}", allowed
         )
+    _refuse_speed(path, rao)
     dofs = _motions(path, [str(name) for name in rao["radiating_dof"].values])
-    directed = "wave_direction" in rao.coords
+    if "wave_direction" not in rao.coords:
+        raise InputError(path, "wave_direction", "missing", "give the direction of the waves")
     if "wave_direction" not in rao.dims:
         rao = rao.expand_dims("wave_direction")
     extra = set(rao.dims) - {"radiating_dof", "wave_direction", by}
@@ -174,7 +168,7 @@ def from_capytaine(path: Path) -> Operators:
         )
     rao = rao.transpose("wave_direction", by, "radiating_dof")
     waves = _in_unit(path, rao[by], FREQUENCIES[by][1])
-    headings = _in_unit(path, rao["wave_direction"], "deg") if directed else np.zeros(1)
+    headings = _headings(path, rao["wave_direction"])
     good = np.isfinite(waves) & (waves > 0.0)
     left_out = [f"{by} {wave:g}: no wave" for wave in waves[~good]]
     left_out += [
@@ -189,18 +183,61 @@ def from_capytaine(path: Path) -> Operators:
                 found, allowed = f"no value at {heading:g} deg and {by} {wave:g}", "leave it out"
                 raise InputError(path, "RAO", found, allowed)
             cells = [x for v in values[taken] for x in (abs(v), math.degrees(cmath.phase(v)))]
-            table.append([float(wave)] + [float(heading)] * directed + [*map(float, cells)])
+            table.append([float(wave), float(heading), *map(float, cells)])
     name, unit = FREQUENCIES[by]
-    heads = [f"{name} ({unit})"] + [HEADING] * directed
-    columns = [*heads, *_columns([m for m in dofs.values() if m])]
+    columns = [f"{name} ({unit})", HEADING, *_columns([m for m in dofs.values() if m])]
     return _once_a_turn(path, Operators(columns, table, "lag", left_out))
+
+
+def _dataset(path: Path) -> xr.Dataset:
+    """Return a dataset that has RAOs.
+
+    Raises InputError when the file is no netCDF file or has none.
+    """
+    try:
+        dataset = load(path)
+    except (OSError, ValueError, RuntimeError) as error:
+        raise InputError(
+            path, "", f"is no netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
+        ) from None
+    if "RAO" not in dataset:
+        allowed = "allowed is a dataset with capytaine.post_pro.rao(dataset) as its variable RAO"
+        raise InputError(path, "RAO", "missing", allowed)
+    return dataset
+
+
+def _refuse_speed(path: Path, rao: xr.DataArray) -> None:
+    """Refuse RAOs at a forward speed: those of a scene are the RAOs of a platform at rest."""
+    speed = rao.coords.get("forward_speed")
+    if speed is not None and speed.ndim == 0 and float(speed) != 0.0:
+        allowed = "allowed are RAOs of a platform at rest"
+        raise InputError(path, "forward_speed", f"{float(speed):g} m/s", allowed)
+
+
+def _headings(path: Path, axis: xr.DataArray) -> FloatArray:
+    """Return wave directions in degrees.
+
+    Raises InputError for directions in radians of more than a turn, which are probably degrees.
+    """
+    headings = _in_unit(path, axis, "deg")
+    largest = float(np.abs(headings).max())
+    if not np.isfinite(headings).all():
+        raise InputError(path, "wave_direction", "a missing value", "allowed are finite numbers")
+    if largest > (1.0 + SAME) * 360.0:
+        found = f"directions up to {largest:.4g} deg"
+        allowed = "allowed is up to one turn; if the values are in degrees, set units to 'deg'"
+        raise InputError(path, "wave_direction", found, allowed)
+    return headings
 
 
 def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
     """Return the values of an axis, converted from the unit in its attribute; without one, Capytaine's unit.
 
-    Raises InputError when the unit is unknown.
+    Raises InputError when the axis has no numbers or its unit is unknown.
     """
+    if axis.name not in axis.coords or axis.dtype.kind not in "fiu":
+        found = "no numbers" if axis.name in axis.coords else "missing: RAO has this dimension only"
+        raise InputError(path, str(axis.name), found, "give the values of this coordinate")
     written = str(axis.attrs.get("units", "")).strip().lower().replace("radian", "rad")
     known = KNOWN[unit]
     if written not in known:
@@ -210,9 +247,19 @@ def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
 
 
 def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
-    """Return the RAOs as complex numbers, which netCDF stores as two real numbers."""
-    if "complex" not in rao.dims:
-        return rao.astype(complex)
+    """Return the RAOs as complex numbers, which netCDF stores as two real numbers.
+
+    Raises InputError when they have one part only, are no numbers, or state a unit that is not Capytaine's.
+    """
+    unit = str(rao.attrs.get("units", "")).strip()
+    if unit not in ("", "1", "m/m"):
+        allowed = "allowed are m/m (translations) and rad/m (rotations), without an attribute units"
+        raise InputError(path, "RAO", f"unit {unit!r}", allowed)
+    if "complex" not in rao.dims and rao.dtype.kind == "c":
+        return rao
+    if "complex" not in rao.dims or rao.dtype.kind not in "fiu":
+        found = "has no complex numbers" if rao.dtype.kind in "fiu" else "has no numbers"
+        raise InputError(path, "RAO", found, "allowed are re and im along complex")
     parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
     if sorted(parts) != ["im", "re"]:
         raise InputError(
@@ -227,6 +274,9 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
     if len(bodies) > 1:
         allowed = "allowed is one body: select the degrees of freedom of the platform"
         raise InputError(path, "radiating_dof", f"{len(bodies)} bodies", allowed)
+    for name in names:
+        if sum(other.lower() == name.lower() for other in names) > 1:
+            raise InputError(path, "radiating_dof", f"{name} twice", "allowed is each once")
     short = {name: name.rpartition("__")[2].lower() for name in names}
     if not set(short.values()) & set(MOTIONS):
         raise InputError(
