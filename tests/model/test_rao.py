@@ -343,3 +343,28 @@ def test_in_the_wave_of_the_scene_a_platform_goes_with_the_water_at_its_position
         along = 0.0 if own else (x + offset) * math.cos(heading) + y * math.sin(heading) + sailed
         expected = 2.0 * np.cos(k * along - math.tau * times / period + phase)
         np.testing.assert_allclose(displacement(scene, times)[:, 2], expected, atol=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_headings_in_the_wrong_unit_cause_a_warning(seed):
+    """As degrees, 180 rad would be a heading of 233 deg; as radians, 3.14 deg would be the bow."""
+    draw = np.random.default_rng(seed)
+    degrees = np.sort(draw.choice(np.arange(15.0, 345.0, 15.0), 4, replace=False))
+
+    def told(numbers, unit):
+        rows = [
+            {
+                "heading": f"{h!r} {unit}",
+                "period": f"{t} s",
+                "heave": "0.5 m/m",
+                "heave_phase": "40 deg",
+            }
+            for h in numbers.tolist()
+            for t in (8, 14)
+        ]
+        return slips(made(operators=rows, headings="towards"), 9.81)
+
+    assert told(degrees, "deg") == []
+    assert told(np.radians(degrees), "rad") == []
+    assert "headings reach" in told(degrees, "rad")[0]
+    assert "no heading is above" in told(np.radians(degrees), "deg")[0]

@@ -111,7 +111,7 @@ def slips(response: Response, gravity: float) -> list[str]:
     Long waves rotate a platform by their slope, w^2 amplitude / g (gravity in m/s2), and shorter waves by
     less. Only near resonance is the rotation several times the slope. The median of a table is checked.
     """
-    sentences = []
+    sentences = _turned(response)
     rows = response.operators
     slope = np.array([row.circular**2 / gravity for row in rows])
     for name in set(TILTS) & set(response.moving) - {"yaw"}:
@@ -134,6 +134,23 @@ def slips(response: Response, gravity: float) -> list[str]:
             "numbers in radians, although the column heading states degrees?"
         )
     return sentences
+
+
+def _turned(response: Response) -> list[str]:
+    """A warning about headings of several turns, or of a few degrees only."""
+    headings = {abs(row.heading) for row in response.operators if row.heading is not None}
+    largest = max(headings, default=0.0)
+    if largest > TURNS:
+        return [
+            f"platform.response.operators: headings reach {largest:.4g} rad: are the numbers "
+            "in degrees, although the column heading states radians?"
+        ]
+    if len(headings) > 2 and largest <= math.radians(2.0 * math.pi):
+        return [
+            f"platform.response.operators: no heading is above {math.degrees(largest):.3g} deg: are the "
+            "numbers in radians, although the column heading states degrees?"
+        ]
+    return []
 
 
 def _beyond(response: Response, frequency: FloatArray) -> NDArray[np.bool_]:
