@@ -42,6 +42,7 @@ from riserstudy.figures.style import (
     legend_below,
     panels,
 )
+from riserstudy.records.words import listed
 
 FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "vibration amplitude,\ndrift (m)"
@@ -128,12 +129,8 @@ def _changes(runs: xr.Dataset, axis: str) -> str:
         for word, sign in (("decreases", -1.0), ("increases", 1.0)):
             if bool((sign * steps > 0.0).all()):
                 ways[word].append(name)
-    phrases = [f"{word} {_listed(names)}" for word, names in ways.items() if names]
+    phrases = [f"{word} {listed(names)}" for word, names in ways.items() if names]
     return ", and ".join(phrases) or "changes no result throughout"
-
-
-def _listed(names: list[str]) -> str:
-    return " and ".join([", ".join(names[:-1]), names[-1]] if names[1:] else names)
 
 
 def _ratios(first: xr.Dataset, last: xr.Dataset) -> dict[str, float]:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from chapters.numerics.answers import hard, never, others, price, ranking
 from chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.records.page import Tile
-from riserstudy.report.wording import listed
+from riserstudy.records.words import listed
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -21,6 +21,7 @@ from riserstudy.records.graded import (
     Share,
     Together,
 )
+from riserstudy.records.words import listed
 
 DECIDES = 1.0 / 3.0  # smallest share of the outcome's variance that deciding inputs must explain
 MANY, NAMED = 12, 6  # of more than MANY interpretations, only NAMED are named
@@ -122,12 +123,6 @@ def decided_by(grounds: Grounds) -> str:
         weak = grounds.explained is not None and grounds.explained < DECIDES
         return listed(names) if names and not weak else "no single input or pair"
     return ""
-
-
-def listed(names: Iterable[str]) -> str:
-    """Names as one phrase."""
-    *most, last = names
-    return f"{', '.join(most)} and {last}" if most else last
 
 
 def margin_in_words(margin: float, low: float | None, high: float | None) -> str:

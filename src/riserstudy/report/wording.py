@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterable
 
 from markupsafe import Markup, escape
 
+from riserstudy.records.words import listed
+
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
@@ -49,12 +51,6 @@ def counted(count: int, thing: str) -> str:
 def spaced(count: int) -> str:
     """Return a count as text, as in ``9999`` and ``11 793``: from five digits on, thousands are separated."""
     return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
-
-
-def listed(words: Iterable[str]) -> str:
-    """Return words as a list in a sentence: ``a, b and c``."""
-    *most, last = list(words) or ["none"]
-    return f"{', '.join(most)} and {last}" if most else last
 
 
 def sentence(text: str) -> str:
