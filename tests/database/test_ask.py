@@ -13,7 +13,7 @@ import pytest
 import workspace
 
 from riserstudy import query
-from riserstudy.database.ask import ask, opened
+from riserstudy.database.ask import ask, connect
 from riserstudy.errors import InputError
 from riserstudy.study import store
 
@@ -261,7 +261,7 @@ def test_no_database_or_another_file_is_told_with_what_to_do(command, tmp_path, 
 
 def test_the_file_cannot_be_written_through_what_is_opened(here):
     before = workspace.DATABASE.read_bytes()
-    with opened(workspace.DATABASE) as db:
+    with connect(workspace.DATABASE) as db:
         db.set_authorizer(None)
         with pytest.raises(sqlite3.OperationalError, match="readonly"):
             db.execute("delete from points")
@@ -269,12 +269,12 @@ def test_the_file_cannot_be_written_through_what_is_opened(here):
 
 
 def test_a_reader_keeps_what_it_opened_while_the_database_is_replaced(mine):
-    with opened(workspace.DATABASE) as db:
+    with connect(workspace.DATABASE) as db:
         before = ask(db, "select count(*) from points").rows
         (workspace.RESULTS / "plain/surge.nc").unlink()
         workspace.built()
         assert ask(db, "select count(*) from points").rows == before
-    with opened(workspace.DATABASE) as db:
+    with connect(workspace.DATABASE) as db:
         assert ask(db, "select count(*) from points").rows == [(before[0][0] - 6,)]
 
 

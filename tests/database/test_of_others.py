@@ -101,7 +101,7 @@ def test_a_view_that_never_ends_is_refused_with_the_reason(commands, tmp_path, m
 
 def test_an_answer_that_would_fill_the_memory_is_refused(here, monkeypatch):
     for name, most in (("MOST_CELLS", 3000), ("MOST_TEXT", 3000)):
-        with monkeypatch.context() as patch, ask.opened("results/results.sqlite") as db:
+        with monkeypatch.context() as patch, ask.connect("results/results.sqlite") as db:
             patch.setattr(ask, name, most)
             with pytest.raises(ask.InputError, match="add a limit"):
                 ask.ask(db, ENDLESS + "select i, 'text' from n")
@@ -109,7 +109,7 @@ def test_an_answer_that_would_fill_the_memory_is_refused(here, monkeypatch):
 
 
 def test_each_statement_has_its_own_time(here, monkeypatch):
-    with ask.opened("results/results.sqlite") as db:
+    with ask.connect("results/results.sqlite") as db:
         monkeypatch.setattr(ask, "LONGEST", SOON)
         for _ in range(2):
             with pytest.raises(ask.InputError, match="takes longer"):

@@ -7,7 +7,7 @@ from html.parser import HTMLParser
 
 import pytest
 
-from riserstudy.database.ask import opened
+from riserstudy.database.ask import connect
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources as Built
 from riserstudy.grading.rows import Row, row_of, table
@@ -199,7 +199,7 @@ def test_how_many_points_miss_a_tolerance_is_counted_from_the_database(sources):
 
 @pytest.fixture(scope="module")
 def claims(sources):
-    with opened(sources.database) as db:
+    with connect(sources.database) as db:
         return read_claims(db)
 
 

@@ -62,10 +62,10 @@ def results(
     point.
     """
     from riserstudy.database import listing
-    from riserstudy.database.ask import NAME, opened
+    from riserstudy.database.ask import NAME, connect
 
     words = names or []
-    with opened(folder / NAME) as db:
+    with connect(folder / NAME) as db:
         _check_csv(csv, db, folder, force)
         _note_changes(db, folder)
         table = listing.table_of(db, words[0]) if len(words) == 1 else None
@@ -90,9 +90,9 @@ def sql(
     force: ForceOption = False,
 ) -> None:
     """Query the results database (read-only)."""
-    from riserstudy.database.ask import NAME, ask, opened
+    from riserstudy.database.ask import NAME, ask, connect
 
-    with opened(folder / NAME) as db:
+    with connect(folder / NAME) as db:
         _check_csv(csv, db, folder, force)
         _note_changes(db, folder)
         answer = ask(db, statement)

@@ -64,7 +64,7 @@ class Reader(sqlite3.Connection):
 
 
 @contextmanager
-def opened(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
+def connect(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
     """Open the database for reading only: both the file and the statements are restricted.
 
     Raises InputError when the database does not exist or is damaged.
@@ -170,7 +170,7 @@ def query(sql: str, values: Sequence[Any] = (), database: str | Path = DATABASE)
 
     from riserstudy.database.outdated import outdated
 
-    with opened(database) as db:
+    with connect(database) as db:
         if note := outdated(db, Path(database)):
             warnings.warn(note, stacklevel=2)
         answer = ask(db, sql, values)

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from riserstudy.database.ask import DATABASE, ask, opened
+from riserstudy.database.ask import DATABASE, ask, connect
 from riserstudy.dataset.netcdf import refuse_damaged
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
@@ -107,7 +107,7 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
 
     wanted = [int(point) for point in points]
     places: dict[int, tuple[str, str, int]] = {}
-    with opened(database) as db:
+    with connect(database) as db:
         statement = (
             "select study, path, position from points join studies using (study) where point = ?"
         )

@@ -6,7 +6,7 @@ from collections.abc import Set
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from riserstudy.database.ask import ask, opened
+from riserstudy.database.ask import ask, connect
 from riserstudy.digests import engine_digest
 from riserstudy.errors import InputError
 from riserstudy.inputs.check import check
@@ -57,7 +57,7 @@ def _engine(key: str) -> str | None:
 def _spoken_of(database: Path) -> Set[str]:
     if not database.exists():
         return set()
-    with opened(database) as db:
+    with connect(database) as db:
         return {key for (key,) in ask(db, "select key from points").rows}
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from riserstudy.database.ask import ask, opened
+from riserstudy.database.ask import ask, connect
 from riserstudy.database.sources import KINDS, described, digest_of
 from riserstudy.errors import InputError, printable
 from riserstudy.folders import SEALS
@@ -30,7 +30,7 @@ def verify(database: Path) -> Verified:
 
     Raises InputError when the database does not exist or cannot be read.
     """
-    with opened(database) as db:
+    with connect(database) as db:
         db.set_authorizer(None)  # the authorizer would refuse the next statement
         wrong = [f"{database}: {fault}" for (fault,) in db.execute("pragma integrity_check")]
         wrong = [line for line in wrong if not line.endswith(": ok")]

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.database.ask import opened
+from riserstudy.database.ask import connect
 from riserstudy.report import audit
 from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
@@ -89,7 +89,7 @@ def contents(sources: Sources) -> dict[str, Any]:
     import xarray as xr
 
     files = {paper: read_studies(sources.config, paper) for paper in sources.papers}
-    with opened(sources.database) as db, ThreadPoolExecutor() as pool:
+    with connect(sources.database) as db, ThreadPoolExecutor() as pool:
         known = _files_of_figures(db)
         pictures = {  # encoding takes as long as all the rest, and does not block other threads
             path: pool.submit(picture_of, path) for path in _drawn(known, sources.folder, files)
