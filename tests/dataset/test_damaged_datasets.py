@@ -6,9 +6,9 @@ import netCDF4
 import pytest
 from random_rigs import moving, written
 
-from riserstudy.dataset.diff import opened
 from riserstudy.dataset.label import to_dataset
 from riserstudy.dataset.netcdf import LINE, MARK
+from riserstudy.dataset.open import open_dataset
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
@@ -29,14 +29,14 @@ def dataset(request, tmp_path_factory):
 
 def test_a_flipped_bit_is_refused_or_of_no_account(dataset, tmp_path):
     seed, path = dataset
-    draw, whole, right = random.Random(seed), path.read_bytes(), opened(path)
+    draw, whole, right = random.Random(seed), path.read_bytes(), open_dataset(path)
     copy, refused = tmp_path / "copy.nc", 0
     for place in draw.sample(range(len(whole)), BITS):
         spoilt = bytearray(whole)
         spoilt[place] ^= 1 << draw.randrange(8)
         copy.write_bytes(spoilt)
         try:
-            assert opened(copy).identical(right), place
+            assert open_dataset(copy).identical(right), place
         except InputError:
             refused += 1
     assert refused >= BITS - 5  # a bit of the mark itself changes no number
@@ -63,7 +63,7 @@ def test_the_library_and_other_programs_read_and_change_it(dataset, tmp_path):
     assert copy.read_bytes()[-LINE:].startswith(MARK)
     with netCDF4.Dataset(copy, "a") as file:
         file.setncattr("title", "edited by somebody")
-    assert opened(copy).attrs["title"] == "edited by somebody"
+    assert open_dataset(copy).attrs["title"] == "edited by somebody"
     former = tmp_path / "former.nc"  # by an older version, without the line
     former.write_bytes(path.read_bytes()[:-LINE])
-    assert opened(former).identical(opened(path))
+    assert open_dataset(former).identical(open_dataset(path))

@@ -7,7 +7,7 @@ import netCDF4
 import numpy as np
 import pytest
 
-from riserstudy.dataset.diff import opened
+from riserstudy.dataset.open import open_dataset
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
 from riserstudy.importers.rao_files import from_capytaine
@@ -61,7 +61,7 @@ def referring(request, tmp_path, monkeypatch):
 def test_a_file_that_refers_to_others_is_refused_although_the_library_reads_it(referring):
     with netCDF4.Dataset(referring) as file:
         assert file["hs"][...].tolist() in (VALUES, VALUES[0])
-    for read in (opened, read_record, from_capytaine, refuse_other_files):
+    for read in (open_dataset, read_record, from_capytaine, refuse_other_files):
         with pytest.raises(InputError, match="references to other files"):
             read(referring)
 
@@ -91,7 +91,7 @@ def test_files_with_all_values_inside_are_read(seed, tmp_path):
                 names = np.array([f"name {k}\x01@" for k in range(400)], dtype=object)
                 group.createVariable("name", str, ("n",))[:] = names
     refuse_other_files(path)
-    assert opened(path).sizes == {"n": 400}
+    assert open_dataset(path).sizes == {"n": 400}
 
 
 @pytest.mark.parametrize("inside", ["", "part"])

@@ -71,13 +71,13 @@ def compare(
     time series of SIMA, RIFLEX, Matlab and others; for these, define by --column what each column holds.
     """
     from riserstudy.dataset.comparison import compared, difference
-    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.open import open_dataset
     from riserstudy.dataset.place import complete, place
     from riserstudy.figures import save
     from riserstudy.figures.comparison import MOST, comparison
     from riserstudy.figures.style import as_written
 
-    of_run = opened(dataset)
+    of_run = open_dataset(dataset)
     check_output(output, ("figure",), [dataset, other], force)
     index = place(of_run, place_of(at))
     found, notes = compared(

@@ -145,11 +145,11 @@ def _summed(
 ) -> Years:
     import numpy as np
 
-    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.open import open_dataset
     from riserstudy.fatigue.occurrence import Occurrence, of_record, of_table
     from riserstudy.fatigue.years import axes_of, gamma_of, over_years
 
-    dataset = opened(path)
+    dataset = open_dataset(path)
     axes = axes_of(dataset)
     if scatter:
         occurs = of_table(scatter, dataset, axes)

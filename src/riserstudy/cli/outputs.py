@@ -62,12 +62,12 @@ def plot(
     units: UnitsOption = UnitSystem.FIELD,
 ) -> None:
     """Plot one run: extremes along the riser with its limits, time series, or the shape of the riser."""
-    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.open import open_dataset
     from riserstudy.dataset.place import complete, place
     from riserstudy.figures import save
     from riserstudy.figures.run import draw
 
-    of_run = opened(dataset)
+    of_run = open_dataset(dataset)
     check_output(output, ("figure",), [dataset], force)
     with reading_in(units):
         run = complete(of_run.isel(place(of_run, place_of(at))))
@@ -147,10 +147,10 @@ def table(
 
 def _run_of(source: Path) -> tuple[Any, Any]:
     """The scene and the dataset of one run."""
-    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.open import open_dataset
     from riserstudy.dataset.provenance import scene_of_point
 
-    dataset = opened(source)
+    dataset = open_dataset(source)
     if "point_key" in dataset:
         allowed = "allowed is the dataset of one run; `riserstudy results` lists points of studies"
         raise InputError(source, "", "a study", allowed)
@@ -190,11 +190,11 @@ def statistics(
     distribution is fitted to the extremes of the seeds.
     """
     from riserstudy.dataset import statistics_tables, tables
-    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.open import open_dataset
     from riserstudy.dataset.place import complete, place
     from riserstudy.dataset.provenance import scene_of_point
 
-    of_run = opened(dataset)
+    of_run = open_dataset(dataset)
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
         allowed = "with --over, extremes are those of the whole duration: leave --exposure out"

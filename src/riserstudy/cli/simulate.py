@@ -216,10 +216,10 @@ def rerun(
     a variable changed by more than 1e-9 of its largest magnitude. Smaller changes are not counted, because
     large time histories are stored with ten digits.
     """
-    from riserstudy.dataset.diff import opened
+    from riserstudy.dataset.open import open_dataset
 
     place = place_of(at)
-    old = opened(dataset)
+    old = open_dataset(dataset)
     check_targets([dataset], force, output=output)
     compile_as_needed()
     from riserstudy.study.repeat_point import rerun as run_anew

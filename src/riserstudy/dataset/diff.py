@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from riserstudy.dataset.netcdf import load
+from riserstudy.dataset.open import open_dataset
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -119,7 +119,7 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
     if old is None or new is None:
         yield Varied(name, "", float("inf"), "only in " + ("NEW" if old is None else "OLD"))
         return
-    before, after = opened(old), opened(new)
+    before, after = open_dataset(old), open_dataset(new)
     for axis in sorted({*map(str, before.indexes)} & {*map(str, after.indexes)}):
         places = [before[axis].values.tolist(), after[axis].values.tolist()]
         if set(places[0]) != set(places[1]):
@@ -153,16 +153,6 @@ def _at_common_points(
     if not len(common):  # nothing to compare: reported as a different shape
         return old, new, 0
     return old.isel({axis: np.sort(here)}), new.isel({axis: there[np.argsort(here)]}), len(common)
-
-
-def opened(path: Path) -> xr.Dataset:
-    """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read, or is damaged."""
-    try:
-        return load(path, decode_times=False)
-    except (OSError, ValueError, RuntimeError):
-        scene = path.suffix in (".yaml", ".yml")
-        how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it again"
-        raise InputError(path, "", "no dataset", how) from None
 
 
 def _one(name: str, variable: str, old: xr.DataArray, new: xr.DataArray) -> Varied:

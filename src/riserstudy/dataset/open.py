@@ -1,10 +1,11 @@
-"""Read the results database: all datasets of a results folder as one tree."""
+"""Open datasets: one file, or all files of a results folder as one tree."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from riserstudy.dataset.netcdf import load
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
 
@@ -42,3 +43,13 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
         for file in files
     }
     return xr.DataTree.from_dict(nodes)
+
+
+def open_dataset(path: Path) -> xr.Dataset:
+    """A dataset, with times as plain numbers (s). Raises InputError when it cannot be read, or is damaged."""
+    try:
+        return load(path, decode_times=False)
+    except (OSError, ValueError, RuntimeError):
+        scene = path.suffix in (".yaml", ".yml")
+        how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it again"
+        raise InputError(path, "", "no dataset", how) from None
