@@ -27,7 +27,7 @@ def seal(*files: Path) -> None:
         write_whole(target, seal_line(file, file.relative_to(RESULTS)))
 
 
-def is_whole(file: Path) -> bool:
+def is_intact(file: Path) -> bool:
     """Return whether a file is as its job wrote it; True for a file outside the results folder."""
     return not file.is_relative_to(RESULTS) or fits_seal(file, RESULTS)
 
@@ -37,7 +37,7 @@ def damaged(files: Iterable[str]) -> list[Path]:
     there = [path for path in map(Path, files) if path.exists()]
     with ThreadPoolExecutor() as pool:  # hashing does not block other threads
         return [
-            path for path, whole in zip(there, pool.map(is_whole, there), strict=True) if not whole
+            path for path, whole in zip(there, pool.map(is_intact, there), strict=True) if not whole
         ]
 
 

@@ -317,9 +317,9 @@ def database(target: Path, papers: Papers, files: list[Path]) -> None:
     """Make the results database, or update it."""
     from riserstudy.database.build import build
     from riserstudy.database.sources import Sources
-    from riserstudy.jobs.seals import is_whole, remove
+    from riserstudy.jobs.seals import is_intact, remove
 
-    if not is_whole(target):
+    if not is_intact(target):
         remove(target)  # its content is not reused
     built = build(target, Sources(CONFIG, papers, files))
     _seal(target)
