@@ -53,17 +53,17 @@ def parameters_of(
         for path, value in leaves(tree)
     }
     varied: dict[str, Varied] = {}
-    below = Below([*base])
+    known = PathIndex([*base])
     for number, axis in enumerate(grid.axes):
         by_value = json.loads(axis.sets or "{}")
         for position, value in enumerate(axis.values):
             here = (*(slice(None),) * number, position)
             for path, sets in by_value.get(str(value), {}).items():
-                _lay(varied, base, below, grid.shape, here, path, sets)
+                _override(varied, base, known, grid.shape, here, path, sets)
     by_request = [v.values.reshape(grid.shape) for v in grid.variables if v.name == "by_request"]
     for where in by_request:
         for path, sets in json.loads(attributes["request"]).items():
-            _lay(varied, base, below, grid.shape, np.nonzero(where), path, sets)
+            _override(varied, base, known, grid.shape, np.nonzero(where), path, sets)
     same = [parameter for path, parameter in base.items() if path not in varied]
     return same, [*varied.values()]
 
@@ -78,14 +78,14 @@ def _origin(
     return plain, ""
 
 
-class Below:
-    """Finds all known paths below a path; the answers are cached until a new path is added."""
+class PathIndex:
+    """All known paths below a path; the answers are cached until a new path is added."""
 
     def __init__(self, paths: list[str]) -> None:
         self._paths = dict.fromkeys(paths)
         self._found: dict[str, list[str]] = {}
 
-    def of(self, path: str) -> list[str]:
+    def below(self, path: str) -> list[str]:
         """Return the path itself, if known, and all known paths below it."""
         if path not in self._found:
             self._found[path] = [p for p in self._paths if within(p, path)]
@@ -98,10 +98,10 @@ class Below:
             self._found.clear()
 
 
-def _lay(
+def _override(
     varied: dict[str, Varied],
     base: Mapping[str, Parameter],
-    below: Below,
+    known: PathIndex,
     shape: tuple[int, ...],
     here: tuple[Any, ...],
     path: str,
@@ -112,10 +112,10 @@ def _lay(
     status = {path: origin.status for path, origin in origins.items()}
     why = {path: origin.why for path, origin in origins.items()}
     new = dict(leaves(plain, path))
-    for leaf in {**dict.fromkeys(below.of(path)), **new}:
+    for leaf in {**dict.fromkeys(known.below(path)), **new}:
         if leaf not in varied:
             first = {base[leaf]: 0} if leaf in base else {}
-            below.add(leaf)
+            known.add(leaf)
             varied[leaf] = Varied(first, np.full(shape, len(first) - 1))
         values, at = varied[leaf]
         if leaf not in new:
