@@ -43,7 +43,7 @@ LOADED = (
     "riserstudy.jobs.tasks",
     "riserstudy.jobs.workplan",
 )
-LATER = ("riserstudy.grading.grade",)  # takes a second, and a single figure does not need it
+WHEN_IDLE = ("riserstudy.grading.grade",)  # takes a second, and a single figure does not need it
 MANY = 8  # number of jobs from which it pays to load modules that may not be needed
 
 
@@ -53,7 +53,7 @@ def serve(listener: socket.socket, compiled: Path) -> None:
     signal.signal(signal.SIGCHLD, note_ended)
     load_libraries()
     gc.freeze()  # memory that a fork never changes stays shared
-    jobs, waiting = 0, later()
+    jobs, waiting = 0, to_load_when_idle()
     while True:
         may_load = waiting and jobs >= MANY and compiled.exists()
         ready, _, _ = select.select([listener, sys.stdin], [], [], 0.0 if may_load else None)
@@ -70,7 +70,7 @@ def serve(listener: socket.socket, compiled: Path) -> None:
         with asker:
             if os.fork() == 0:
                 listener.close()
-                become_job(asker)
+                run_job(asker)
     # Jobs of a Snakemake that was killed: the next run does them.
     for job in psutil.Process().children():
         with suppress(psutil.NoSuchProcess):
@@ -103,12 +103,12 @@ def note_ended(_signal: int, _frame: FrameType | None) -> None:
             pass
 
 
-def later() -> list[Callable[[], object]]:
+def to_load_when_idle() -> list[Callable[[], object]]:
     """Return functions that load the rest while the server is idle: modules, and groups of kernels."""
     from riserstudy.simulation.kernel_groups import GROUPS
     from riserstudy.simulation.warm_up import warm_up
 
-    modules = [partial(import_module, name) for name in LATER]
+    modules = [partial(import_module, name) for name in WHEN_IDLE]
     return [*modules, *(partial(warm_up, group) for group in GROUPS)]
 
 
@@ -119,7 +119,7 @@ def load(one: Callable[[], object]) -> None:
     gc.freeze()
 
 
-def become_job(asker: socket.socket) -> NoReturn:
+def run_job(asker: socket.socket) -> NoReturn:
     """Become the requested job; send its exit status at the end."""
     from riserstudy.jobs.tasks import run
 
@@ -134,7 +134,7 @@ def become_job(asker: socket.socket) -> NoReturn:
         with asker.makefile("rb") as lines:
             request = json.loads(lines.readline())
         asker.sendall(TAKEN)
-        threading.Thread(target=end_with, args=(asker,), daemon=True).start()
+        threading.Thread(target=end_if_abandoned, args=(asker,), daemon=True).start()
         os.environ.clear()
         os.environ.update(request["environ"])
         status = run(request["arguments"])
@@ -147,7 +147,7 @@ def become_job(asker: socket.socket) -> NoReturn:
     os._exit(status)
 
 
-def end_with(asker: socket.socket) -> None:
+def end_if_abandoned(asker: socket.socket) -> None:
     """End this job as soon as the requesting process no longer waits for it."""
     if not asker.recv(1):
         os.kill(os.getpid(), signal.SIGKILL)
