@@ -1,7 +1,7 @@
 """Parts of pages that are made from the code each time the site is built, so that they cannot be old.
 
 A page holds ``<!-- made: NAME arguments -->`` where a part goes. Parts that pages keep for who reads a
-checkout are those of ``workflow/scripts/made_parts.py``; they are made anew here.
+checkout are those of ``workflow/scripts/made_parts.py``; they are made again here.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ from riserstudy.jobs import SHARED, start_server, use_this_python
 from riserstudy.jobs.begin import begin
 from riserstudy.jobs.workplan import ALL_CORES, KERNELS, Workplan
 
-# A job on a cluster starts Snakemake anew; all points were checked before it was submitted.
+# A job on a cluster starts Snakemake again; all points were checked before it was submitted.
 checked = None if workflow.is_main_process else []
 try:
     PLAN = Workplan.read(Path("config"), config, only=checked)
@@ -43,7 +43,7 @@ def code(question):
 
 def of_any_age(question):
     """Files whose age does not count: records, whose content is in a digest, and marks of compiled kernels,
-    which another run may write anew."""
+    which another run may write again."""
     asked = of(question)
     return lambda wildcards: [ancient(file) for file in asked(wildcards)]
 
@@ -63,7 +63,7 @@ begun = []
 
 
 def begin_once():
-    """When jobs are first planned: what is damaged will be made anew, whatever its time says."""
+    """When jobs are first planned: what is damaged will be made again, whatever its time says."""
     if begun or not workflow.is_main_process:
         return
     begun.append(True)

@@ -49,7 +49,7 @@ def main(marker: Path) -> int:
                 bring_up_to_date(marker)
             except subprocess.CalledProcessError as error:
                 print(
-                    "riserstudy: the installation failed, see above; the next make begins anew. "
+                    "riserstudy: the installation failed, see above; the next make begins again. "
                     f"It was at: {' '.join(error.cmd)}",
                     file=sys.stderr,
                 )

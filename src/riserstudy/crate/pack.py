@@ -33,15 +33,15 @@ def pack(study: Path, target: Path) -> int:
     for file in results:
         if not fits_seal(file, study / "results"):
             found = "is not as its job wrote it"
-            raise InputError(file, "", found, "run the study again, which makes it anew")
+            raise InputError(file, "", found, "run the study again")
     if absent := _absent(study):
         found = "is absent: the last run was interrupted or failed, or the file was deleted"
-        raise InputError(absent[0], "", found, "run the study again, which makes it anew")
+        raise InputError(absent[0], "", found, "run the study again")
     if former := of_former_results(study):
         found = (
             "was made from former results: the last run was interrupted, or made only some files"
         )
-        raise InputError(study / former[0], "", found, "run the study again, which makes it anew")
+        raise InputError(study / former[0], "", found, "run the study again")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]

@@ -66,7 +66,7 @@ class Flow(NamedTuple):
 def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.Dataset:
     """Lateral modes that a scene's current may excite.
 
-    Raises InputError when the scene has no current, or tows the riser, or coefficients cannot be meant.
+    Raises InputError when the scene has no current, or tows the riser, or a coefficient is not valid.
     Raises SimulationError when there is no equilibrium.
 
     Parameters

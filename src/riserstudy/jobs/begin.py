@@ -52,10 +52,10 @@ def begin(
     lines = _listed(damaged, "not as written; it is made again when needed")
     former = [Path(file) for file in of_former_results(Path()) if file in wanted]
     lines += _listed(former, "made from former results; it is made again when needed")
-    anew = [file.as_posix() for file in (*damaged, *former)]
+    remade = [file.as_posix() for file in (*damaged, *former)]
     records = mend.unreadable(SNAKEMAKE)
     if not at_work:
-        return anew, lines + _listed(
+        return remade, lines + _listed(
             records, "damaged, and Snakemake may stop at it; a run mends it"
         )
     lines += _listed(records, "damaged; the files of its job are made again when needed")
@@ -64,12 +64,12 @@ def begin(
     dropped = list(seals.dropped(papers, wanted))
     lines += _listed(dropped, "no longer needed, and removed")
     try:
-        anew += mend.drop(records, SNAKEMAKE)
+        remade += mend.drop(records, SNAKEMAKE)
         _remove(dropped)
     except OSError as error:
         allowed = "allowed is a folder that can be written"
         raise InputError(error.filename, "", os.strerror(error.errno or 0), allowed) from None
-    return anew, lines
+    return remade, lines
 
 
 def _is_alone() -> bool:

@@ -53,13 +53,13 @@ def without_points(
         if not any(dropped.touches(case) for case in cases):
             of.stand.append(verdict)
             continue
-        anew = regrade(kind, cases, dropped)
-        if anew is None:
+        outcome = regrade(kind, cases, dropped)
+        if outcome is None:
             of.bound.append(verdict)
-        elif anew == graded:
+        elif outcome == graded:
             of.stand.append(verdict)
         else:
-            of.turned.append((verdict, anew))
+            of.turned.append((verdict, outcome))
     return of
 
 
