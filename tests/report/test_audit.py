@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from riserstudy.report.audit import UNSAID, missed, relevant_errors
+from riserstudy.report.audit import NO_REASON, missed, relevant_errors
 from riserstudy.report.wording import counted, spaced
 
 TABLES = """
@@ -78,7 +78,7 @@ def test_an_error_of_what_nobody_stores_is_no_miss():
     assert missed(db, kept(shape=(["x"], None))).off == 0
     off = missed(db, kept(shape=(["x", "bending_moment"], None)))
     assert (off.off, off.verdicts) == (1, [("paper", "N1")])
-    assert off.reasons == [(UNSAID, 1, ["paper/shape"])]
+    assert off.reasons == [(NO_REASON, 1, ["paper/shape"])]
 
 
 def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them():

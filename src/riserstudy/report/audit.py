@@ -26,7 +26,7 @@ RELEVANT_ERRORS = {
 }
 ERRORS = ("displacement", *RELEVANT_ERRORS)
 LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))
-UNSAID = "one mesh and one step serve all points of a study"
+NO_REASON = "one mesh and one step serve all points of a study"
 #: points, whether their mesh is prescribed, and their requested accuracy, which an axis may set
 POINTS = f"""
 with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%'),
@@ -145,7 +145,7 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dic
         point = dict(zip(names, row, strict=True))
         if point["study"] not in of_study:
             study = _study(files, point)
-            because = study.error_because if study and study.error_because else UNSAID
+            because = study.error_because if study and study.error_because else NO_REASON
             counts = relevant_errors(study.keep if study else None)
             tuned = bool(study and study.settings)
             of_study[point["study"]] = {"counts": counts, "because": because, "tuned": tuned}
@@ -203,7 +203,7 @@ class Tally:
             energy=largest["unexplained_energy"],
             errors={name: largest[f"error_{name}"] for name in ERRORS},
             counts=first["counts"],
-            because=first["because"] if first["because"] != UNSAID else "",
+            because=first["because"] if first["because"] != NO_REASON else "",
             off=self.off,
             mesh="fixed" if self.fixed else "tuned" if first["tuned"] else "refined",
             warned=self.warned,
