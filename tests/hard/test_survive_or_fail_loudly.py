@@ -47,6 +47,8 @@ HARD = {
         {"platform__heave__amplitude": "200 m", "analysis__step": "0.5 s"} | FORTY,
     ),
 }  # fmt: skip
+#: all others run to their end
+MAY_BE_REFUSED = {"heave faster than the step", "stops hit", "surge of 400 m", "step of 10 s"}
 
 
 @pytest.mark.parametrize("case", HARD)
@@ -55,7 +57,8 @@ def test_a_hard_run_is_finite_or_refused(case):
     try:
         found = simulate(from_file(name, **values))
     except SimulationError:
-        return  # refused
+        assert case in MAY_BE_REFUSED
+        return
     for variable in found.variables.values():
         assert variable.dtype.kind != "f" or np.isfinite(variable).all()
     # what such a run is worth stands in its audit
