@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from riserstudy.model import rao
+from riserstudy.model.steep_waves import breaking
 from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
@@ -19,6 +20,7 @@ def warnings_of(scene: Resolved) -> list[str]:
         *uncovered(scene),
         *without_inertia(scene),
         *sudden_wave(scene),
+        *breaking(scene),
         *rao.doubts(scene),
         *_raised_stations(scene),
     ]

@@ -50,7 +50,8 @@ class RegularWave(Swell, Wave):
     The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and
     the wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
     ``above_mean_level``: velocities above the mean level are zero (none), those of the mean level (constant),
-    or those of a stretched profile (stretched, after Wheeler).
+    or those of a stretched profile (stretched, after Wheeler). A wave that is higher than 0.142 L tanh(k d)
+    would break, and has a warning; L is its length, k its wave number and d the depth of the water.
     """
 
 
