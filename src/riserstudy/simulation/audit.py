@@ -15,20 +15,36 @@ from riserstudy.simulation.equilibrium import rounding
 from riserstudy.solve.sums import HALVED, ITERATIONS, STEPS, Sums
 
 if TYPE_CHECKING:
+    from riserstudy.model.model import Model
     from riserstudy.records.facts import RunFacts
 
 FloatArray = NDArray[np.float64]
 UNEXPLAINED = 1e-3  # largest energy residual without a warning, as a share of the energy exchanged
 
 
-def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float) -> None:
+def terms_of_energy(model: Model, arrays: dict[str, FloatArray]) -> float:
+    """Size of the terms of the stored energy (J): largest tension times largest coordinate of a node.
+
+    Depending on the datum of elevations, their sum can be much smaller, but not its rounding error.
+    ``arrays``: over the nodes, (n + 1,).
+    """
+    coordinates = model.s.r[:, : len(model.s.l0) + 1]
+    return float(np.abs(arrays["effective_tension_static"]).max() * np.abs(coordinates).max())
+
+
+def energy(
+    facts: RunFacts, sums: Sums, before: float, after: float, step: float, terms: float
+) -> None:
     """Add the balance of energy (J) to the facts, with a warning if its residual is large: theory (11).
 
     ``before`` and ``after`` are the stored energies (J) at start and end; ``step`` is the time step (s).
+    ``terms`` is the size of the terms of these energies (J), which their rounding errors depend on.
     """
     held, supplied, dissipated, numerical, exchanged = (float(x) for x in sums.work)
     residual = held + supplied - dissipated - numerical - (after - before)
-    still = 1e-12 * max(abs(before), abs(after), 1.0)  # rounding errors of a riser at rest (J)
+    still = 1e-12 * max(
+        abs(before), abs(after), terms, 1.0
+    )  # rounding errors of a riser at rest (J)
     scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
     facts["step"] = step
     facts["audit"] = {

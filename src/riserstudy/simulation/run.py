@@ -207,14 +207,15 @@ def in_motion(
     recorded = (judged or len(model.s.dim) > 1) and a.method != "explicit"
     room = room_for_steps(model, a.duration, step) if recorded else 0
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
-    before = sum(energies(model.programs, model.state))
+    before, terms = sum(energies(model.programs, model.state)), audit.terms_of_energy(model, arrays)
     with watch.over(record.value, sums):
         model, outcome, taken = _by_method(scene, model, sides, mesh, step, record, sums, facts)
     if outcome == STOPPED:
         raise TakesTooLong(f"stopped with {100 * share(record.value):.2g} % of the outputs written")
     if outcome != DONE:
         raise StepFailed(why(model, mesh, sums))
-    audit.energy(facts, sums, before, sum(energies(model.programs, model.state)) + taken, step)
+    after = sum(energies(model.programs, model.state)) + taken
+    audit.energy(facts, sums, before, after, step, terms)
     if coupling:
         audit.exchange(facts, coupling)
     histories = outputs.histories(arrays, model, record.value, of)
