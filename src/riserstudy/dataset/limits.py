@@ -10,6 +10,7 @@ from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.limit_inputs import lacks
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.pressures import not_in_demand
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
@@ -104,8 +105,8 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     names = BOUNDED.get(output, ()) if own_mesh else ()
     share = max((estimated.get(name, 0.0) for name in names), default=0.0)
     words = f"an error of {output}, {percent(share)} as estimated"
-    # the error of a tension is relative to the largest one anywhere
-    of = "effective_tension" if output == "lower_end_tension" else output
+    # the error at the foot is relative to the largest value anywhere
+    of = QUANTITIES[output].at_foot_of or output
     return Error(_absolute(share, (of,), facts), share, words)
 
 

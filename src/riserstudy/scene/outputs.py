@@ -25,6 +25,8 @@ class Quantity:
     # SI unit that the text of a limit is converted to. Absent: the quantity has no limits
     limit_unit: str = ""
     along: bool = False  # whether the quantity has a value at every place along the riser
+    # quantity along the riser of which it is the value at the riser's lower end
+    at_foot_of: str = ""
     # whether runs return it over the riser or time; if not, runs return one number
     is_array: bool = True
 
@@ -112,7 +114,7 @@ QUANTITIES: dict[str, Quantity] = {
     ),
     "tensioner_stroke": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "m"),
     "tensioner_force": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "N"),
-    "lower_end_tension": Quantity(limit_unit="N"),
+    "lower_end_tension": Quantity(limit_unit="N", at_foot_of="effective_tension"),
     "largest_stress": Quantity(
         "analysis.output.stress_in",
         lambda s: bool(s.analysis.output and s.analysis.output.stress_in),

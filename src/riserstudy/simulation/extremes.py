@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from riserstudy.model.mesh import Mesh
 from riserstudy.records.seen import Peak, Seen
 from riserstudy.scene.limits import ALONG, UNITS
-from riserstudy.scene.outputs import wall_lacks
+from riserstudy.scene.outputs import QUANTITIES, wall_lacks
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.section_forces import riser_foot
 from riserstudy.simulation.step_peaks import peaks_of
@@ -87,11 +87,11 @@ def _seen_by_steps(
     """Largest and smallest value of an output over all time steps; empty if only outputs are known."""
     if name in peaks:
         return peaks[name]._asdict()
-    if name == "lower_end_tension" and "effective_tension_max" in arrays:
+    if (along := QUANTITIES[name].at_foot_of) and f"{along}_max" in arrays:
         foot = riser_foot(scene, mesh)
         return {
-            "largest": float(arrays["effective_tension_max"][foot]),
-            "smallest": float(arrays["effective_tension_min"][foot]),
+            "largest": float(arrays[f"{along}_max"][foot]),
+            "smallest": float(arrays[f"{along}_min"][foot]),
         }
     return {}
 
