@@ -3,15 +3,25 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Mapping
 from typing import Annotated
 
 from pydantic import Field
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 
 SAME = 1e-9  # share of a period within which a phase counts as reached
+
+
+def too_late(times: Mapping[str, float], duration: float, *also: str) -> Iterator[Misfit]:
+    """Faults of events at some times (s), by path, that are not before the end of a run (s)."""
+    for path, at in times.items():
+        if not at < duration:
+            found, remedy = f"is at {at:g} s", "must be before the end of analysis.duration"
+            yield Misfit(path, found, remedy, ("analysis.duration", *also))
 
 
 class Valve(Strict):

@@ -18,7 +18,7 @@ from riserstudy.scene.fatigue import Fatigue
 from riserstudy.scene.forcing import Current, Platform, TimeSeries
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.riser import RigidBody, Section
-from riserstudy.scene.sea import IrregularSea, RegularWave, Swell
+from riserstudy.scene.sea import IrregularSea, RegularWave, Storm, Swell
 from riserstudy.scene.soil import Soil
 from riserstudy.scene.vessel import Vessel
 from riserstudy.scene.water import Water
@@ -93,20 +93,23 @@ class Parts(Strict):
     @property
     def shortest_period(self) -> float | None:
         """Shortest period of platform motions and waves (s); None without them."""
-        platform = self.platform or Platform()
-        periods = [motion.period for _, motion in platform.harmonics]
-        swell = platform.response and platform.response.wave
-        periods += [wave.shortest_period for wave in (self.wave, swell) if wave]
-        return min(periods, default=None)
+        motions = self.platform.harmonics if self.platform else []
+        periods = [motion.period for _, motion in motions]
+        return min([*periods, *(wave.shortest_period for wave in self._waves)], default=None)
 
     @property
     def shortest_regular_period(self) -> float | None:
         """Shortest period of harmonic motions and regular waves (s); None without them."""
-        platform = self.platform or Platform()
-        periods = [motion.period for _, motion in platform.harmonics if motion.amplitude]
-        swell = platform.response and platform.response.wave
-        periods += [wave.period for wave in (self.wave, swell) if isinstance(wave, Swell)]
-        return min(periods, default=None)
+        motions = self.platform.harmonics if self.platform else []
+        periods = [motion.period for _, motion in motions if motion.amplitude]
+        regular = [wave.period for wave in self._waves if isinstance(wave, Swell)]
+        return min([*periods, *regular], default=None)
+
+    @property
+    def _waves(self) -> list[Swell | Storm]:
+        """Waves of the scene, and of the response of its platform."""
+        response = self.platform and self.platform.response
+        return [wave for wave in (self.wave, response and response.wave) if wave]
 
     @property
     def jolts(self) -> list[float]:

@@ -9,6 +9,7 @@ from typing import Any
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.numerals import newtons
+from riserstudy.scene.disconnect import too_late
 from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.forcing import Translation
 from riserstudy.scene.parts import Parts
@@ -90,10 +91,9 @@ def _timed(scene: Resolved) -> Resolved:
         found, also = "needs platform.heave with a single harmonic", ("platform.heave",)
         raise Misfit(path, found, "give it, or give the time instead", also)
     timed = release.timed(heave.period, heave.phase or 0.0)
-    for part, at in ({path: timed.at} | timed.times).items():
-        if not at < (scene.analysis.duration or 0.0):
-            found, remedy = f"is at {at:g} s", "must be before the end of analysis.duration"
-            raise Misfit(part, found, remedy, ("analysis.duration", "platform.heave"))
+    times, duration = {path: timed.at} | timed.times, scene.analysis.duration or 0.0
+    if fault := next(too_late(times, duration, "platform.heave"), None):
+        raise fault
     return scene.model_copy(update={"disconnect": timed})
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.alike import alike
+from riserstudy.scene.disconnect import too_late
 from riserstudy.scene.tensioners import fault_of_numbers
 
 if TYPE_CHECKING:
@@ -81,14 +82,13 @@ def _drains(scene: Parts) -> Iterator[Misfit]:
 
 def events(scene: Parts) -> Iterator[Misfit]:
     """Events must be before the end of the run, and require an integrator that can stop at them."""
-    a = scene.analysis
-    for path, at in _times(scene).items():
-        if a.duration is None:
-            found, remedy = "needs analysis.duration", "add it: a static scene has no events"
+    a, times = scene.analysis, _times(scene)
+    if a.duration is None:
+        found, remedy = "needs analysis.duration", "add it: a static scene has no events"
+        for path in times:
             yield Misfit(path.rpartition(".")[0], found, remedy, ("analysis.duration",))
-        elif not at < a.duration:
-            found, remedy = f"is at {at:g} s", "must be before the end of analysis.duration"
-            yield Misfit(path, found, remedy, ("analysis.duration",))
+    else:
+        yield from too_late(times, a.duration)
     if not scene.events:
         return
     path = next(path for path, there in _sudden(scene).items() if there)
