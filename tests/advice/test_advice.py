@@ -12,7 +12,9 @@ from riserstudy.advice.changes import fitting
 from riserstudy.advice.effect_shares import priced
 from riserstudy.advice.recommendations import COULD_GO, MISSING, NEEDED, NO_GAIN, advice, row
 from riserstudy.effects.catalogue import changes
+from riserstudy.records.numerals import percent
 from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -202,3 +204,20 @@ def test_stops_are_put_in_where_a_table_of_tensioners_ends(first, last):
     (changed,) = [scene for change, scene in fitting(file) if change.label == "with end stops"]
     stroke = changed.resolved().top.tensioners.stroke
     assert (stroke.shortest, stroke.longest) == (max(first, -7.5), min(last, 7.5))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_advice_tells_how_certain_its_percentages_are(seed, monkeypatch):
+    """By the estimated errors of the scene on the same mesh, which decrease on a finer one."""
+    monkeypatch.setattr("riserstudy.advice.ablation.fitting", lambda _: [])
+    tree, told = moving(seed, spatial=bool(seed % 2)), []
+    tree["analysis"] |= {"duration": 20.0, "output": {"interval": 1.0}}
+    for elements, step in ((24, 0.2), (96, 0.05)):
+        tree["analysis"] |= {"mesh": {"elements": elements}, "step": step}
+        file = SceneFile("rig.yaml", written(tree))
+        (line,) = [text for text in advice(file).sentences if text.startswith("Estimated errors")]
+        errors = run(file.resolved()).facts["error_estimate"]
+        for name in ("displacement", "moment", "tension"):
+            assert f"{name} {percent(errors[name])}" in line
+        told.append(errors["moment"])
+    assert told[1] < told[0]

@@ -6,10 +6,12 @@ import math
 from typing import NamedTuple
 
 from riserstudy.advice.ablation import Ablation, Changed, Notify, ablate
+from riserstudy.errors import SimulationError
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT, in_words
 
 REPEATS = 5  # rounds of timed runs; the median counts
 BUDGET = 5e5  # node-steps of a run; longer scenes are cut
@@ -64,6 +66,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
             f"Recommended: {', '.join(missing) or 'none'}.",
             f"An effect is removable if the answer changes by at most {limit}.",
             probe,
+            _uncertain(base, notify),
             *_not_compared(file.resolved()),
             *_in_doubt(base),
         ],
@@ -91,6 +94,23 @@ def _criterion(limit: Limit) -> str:
         return limit.output
     side = "" if limit.side == "largest" else f"{limit.side} "
     return f"{side}{limit.output}" + (f" ({limit.place})" if limit.at else "")
+
+
+def _uncertain(base: Ablation, notify: Notify) -> str:
+    """Return the estimated errors of the scene's own run, on the mesh and with the step of all runs."""
+    notify("estimating the errors of the scene itself")
+    try:
+        found = run(base.file.resolved()).facts.get("error_estimate", {})
+    except SimulationError:
+        found = {}
+    names = ("displacement", "moment", "tension")
+    errors: dict[str, float] = {name: found[name] for name in names if name in found}
+    if not errors:
+        return "The errors of these runs are not estimated: small changes may be numerical."
+    return (
+        f"Estimated errors of the scene itself on this mesh: {in_words(errors)}. Changes that are smaller "
+        "than these errors may be numerical."
+    )
 
 
 def _in_doubt(base: Ablation) -> list[str]:
