@@ -59,7 +59,7 @@ def gas(_: Files) -> Iterator[Row]:
     last = run["time"].values >= 40.0  # the ramp is over, the amplitude is constant
     top = int(np.argmax(np.where(last, stroke, -np.inf)))
     case, by = "gas cylinder extended by heave", "p V^n = const., from mid-stroke"
-    because = "the pipe stretches by 1e-8 m; one output is at the platform's highest position"
+    because = "the pipe stretches by 0.00001 mm; one output is at the platform's highest position"
     exact = known.gas_pull(**GAS, reach=REACH)
     yield Row(case, "pull", "N", CLOSED, by, exact, float(force[top]), 1e-6, because)
     lift = slice(top - 100, top + 1)  # a quarter of a period, from mid-stroke
@@ -105,7 +105,7 @@ def two_chambers(_: Files) -> Iterator[Row]:
     )
     exact, stiffness = known.two_chambers(HIGH, LOW, 1.4, reach)
     case, by = "direct-acting tensioner extended by 3 m", "p V^n = const. in both chambers"
-    because = "the pipe stretches by 1e-7 m"
+    because = "the pipe stretches by 0.0001 mm"
     yield Row(case, "pull", "N", CLOSED, by, exact, pull, 1e-6, because)
     slope = (more - less) / (longer - shorter)
     because = "finite difference over 2 cm, second order"

@@ -26,13 +26,14 @@ from riserstudy import effects
 from riserstudy.chapters import function_of
 from riserstudy.chapters.measure import measure
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.records.numerals import percent
 from riserstudy.study.measured import Setting
 from riserstudy.study.read import read_studies
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "workflow/scripts"))
 import made_parts  # noqa: E402
-from made_parts import MARK, NO_EFFECT  # noqa: E402
+from made_parts import MARK, NO_EFFECT, allowed, amount  # noqa: E402
 
 
 def functions(_: str) -> str:
@@ -70,11 +71,10 @@ def validation(kind: str) -> str:
 def _compared(row: xr.Dataset) -> str:
     """A number compared with what is known, as a line of a table."""
     of = {str(name): variable.item() for name, variable in row.data_vars.items()}
-    unit = "" if of["unit"] == "1" else f" {of['unit']}"
     held = "" if of["holds"] else " **does not hold**"
     cells = [f"{of['name']}: {of['quantity']}", of["by"]]
-    cells += [f"{of[name]:.7g}{unit}" for name in ("reference", "value")]
-    cells += [f"{of['error']:.1e}{held}", f"{of['tolerance']:.0e}: {of['because']}"]
+    cells += [amount(of[name], of["unit"], 7) for name in ("reference", "value")]
+    cells += [f"{percent(of['error'])}{held}", f"{allowed(of['tolerance'])}: {of['because']}"]
     return f"| {' | '.join(cells)} |"
 
 

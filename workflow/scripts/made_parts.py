@@ -22,6 +22,7 @@ from riserstudy import cli, effects
 from riserstudy.dataset.variables import variables
 from riserstudy.effects.catalogue import catalogue
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.records.numerals import plain
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -110,10 +111,25 @@ def known(found: xr.Dataset, kind: str) -> str:
     rows = []
     for k in np.flatnonzero(found["kind"] == kind.strip()):
         of = {str(name): variable.item() for name, variable in found.isel(row=k).data_vars.items()}
-        unit = "" if of["unit"] == "1" else f" {of['unit']}"
-        cells = [f"{of['name']}: {of['quantity']}", of["by"], f"{of['reference']:.4g}{unit}"]
-        rows.append(f"| {' | '.join(cells)} | {of['tolerance']:.0e}: {of['because']} |")
+        cells = [
+            f"{of['name']}: {of['quantity']}",
+            of["by"],
+            amount(of["reference"], of["unit"], 4),
+        ]
+        rows.append(f"| {' | '.join(cells)} | {allowed(of['tolerance'])}: {of['because']} |")
     return "\n".join(["| Number | Reference | Known | Tolerance, and why |", TABLE, *rows])
+
+
+def amount(value: float, unit: str, digits: int) -> str:
+    """Return a value with its SI unit and without an exponent; forces and energies from 10 kN or 10 kJ on."""
+    if unit[0] in "NJ" and abs(value) >= 1e4:
+        return amount(value / 1e3, f"k{unit}", digits)
+    return plain(value, digits) + ("" if unit == "1" else f" {unit}")
+
+
+def allowed(tolerance: float) -> str:
+    """Return a relative tolerance (1) in per cent, with one digit."""
+    return f"{plain(100.0 * tolerance, 1)} %"
 
 
 def _code(word: str) -> str:
