@@ -219,7 +219,7 @@ def envelope(
     csv: CsvOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Compute the operating envelope: offsets between which all limits are met, by current and by sea.
+    """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
     The envelope is static. Each sea adds an allowance to the static value of each output with a limit; for
     limits on means there is no allowance. The allowance is the increase (for a lower limit, the decrease)
@@ -287,9 +287,9 @@ def viv(
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
     The screening uses only the modes about the static equilibrium and reduced velocities, without a
-    simulation over time. It computes the amplitude of each mode as if that mode vibrated alone, as a ratio
-    to the diameter. At this amplitude, lift supplies as much power as drag removes. The Strouhal number
-    changes neither the lock-in regions nor the amplitudes.
+    simulation over time. The screening computes the amplitude of each mode as if that mode vibrated alone, as
+    a ratio to the diameter. At this amplitude, lift supplies as much power as drag removes. The Strouhal
+    number changes neither the lock-in regions nor the amplitudes.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

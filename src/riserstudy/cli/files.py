@@ -66,8 +66,8 @@ def import_deck(
 ) -> None:
     """Convert an OrcaFlex text model of a vertical riser to a scene, or platform RAOs to a table.
 
-    The command lists everything that it leaves out of the scene. It refuses a model that a scene cannot
-    represent.
+    The command lists everything that it leaves out of the scene. The command refuses a model that a scene
+    cannot represent.
     """
     if deck.suffix in (".4", ".nc"):
         _import_operators(deck, output, length, force)

@@ -142,12 +142,12 @@ class JointStop(Strict):
 class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
-    ``length`` is the distance from ring to top with the platform at rest. The outer and the inner barrel bend
-    as one. ``tension``: additional constant pull of tensioners along the joint. Without ``stop`` there are no
-    stops; a run then warns if the joint becomes shorter than half of its length, or longer than twice its
-    length, which two barrels cannot. The mass of the outer barrel is part of ``top.body`` at the ring; the
-    inner barrel moves with the platform. The stops of the joint and the stops of the tensioners (``stroke``)
-    are separate: a rig can have both.
+    ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
+    The outer and the inner barrel bend as one. ``tension``: additional constant pull of tensioners along the
+    joint. Without ``stop`` there are no stops; a run then warns if the joint becomes shorter than half of its
+    length, or longer than twice its length, which two barrels cannot. The mass of the outer barrel is part of
+    ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the joint and the stops
+    of the tensioners (``stroke``) are separate: a rig can have both.
 
     The stroke is the extension from ``length``, and the positions of the stops are extensions from it, too.
     With ``mid_stroke: riser in equilibrium``, both are measured from the length that the joint has when the

@@ -252,7 +252,7 @@ class Shape(Strict):
 
     ``power``: (height above the seabed / water depth)^power. ``exponential``: exp(-depth below the surface /
     scale). ``layer``: uniform down to ``layer`` below the surface, then decreasing linearly to zero at the
-    depth ``vanishes``. By default, seabed and surface are those of the water.
+    depth ``vanishes``. By default, seabed and surface have the elevations that ``water`` gives.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]

@@ -110,9 +110,9 @@ class Response(Strict):
     headings is that of given headings, mirrored about the x-z plane (sides), or also about the y-z plane
     (sides and ends). ``beyond`` defines the response to waves with periods outside those of the RAOs. With
     ``hold`` the end values of the RAOs apply, with ``zero`` there is no motion, and with ``refuse`` (the
-    default) the wave is refused. A warning states the share of the sea that has such periods. By default the
-    wave is that of the scene, all motions of the table are used, and there is no ramp. A wave that is given
-    in the response travels along x by default.
+    default) the wave is refused. A warning states the share of the wave energy at such periods. By default
+    the wave is that of the scene, all motions of the table are used, and there is no ramp. A wave that is
+    given in the response travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

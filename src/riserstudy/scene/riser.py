@@ -210,9 +210,10 @@ class Section(Strict):
     ``<name>, above water``; the weight of the water that its outer diameter would displace is added to a
     given ``submerged_weight``. For a section that is wholly above the water, give the weight in air.
 
-    ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it. It has
-    no effect on the simulation. The formula for the minimum tension requires this lift, because the formula
-    treats steel and modules separately. If ``buoyancy_lift`` is absent, the lift is unknown.
+    ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it.
+    ``buoyancy_lift`` has no effect on the simulation. The formula for the minimum tension requires this lift,
+    because the formula treats steel and modules separately. If ``buoyancy_lift`` is absent, the lift is
+    unknown.
 
     ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
     section are then those of the pipe alone. The values of modules and lines are added. The lift of the

@@ -19,7 +19,7 @@ class Chamber(Strict):
     """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
 
     ``pressure``: entered as a gauge pressure, it is converted to an absolute one. ``outside``: external
-    pressure, which acts on the same area against the gas. By default it is the atmospheric pressure if
+    pressure, which acts on ``area`` against the gas. By default it is the atmospheric pressure if
     ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default, because
     some published tensioner laws include the pressure of the gas alone.
     """

@@ -46,10 +46,12 @@ class SidewaysThrust(Strict):
 
 
 class Turning(Strict):
-    """Moment G (psi_c - psi) - D d psi/dt towards the commanded turn psi_c from the initial heading.
+    """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
-    G is ``gain``, D is ``velocity_gain``, and psi is the present turn. Without ``command`` the commanded turn
-    is zero. Without ``velocity_gain`` there is no damping. Without ``saturation`` the moment is unlimited.
+    psi is the present turn of the vessel, and psi_c is ``command``, the commanded turn. Both are measured
+    from the initial heading. G is ``gain``, and D is ``velocity_gain``. Without ``command`` the commanded
+    turn is zero. Without ``velocity_gain`` there is no damping. Without ``saturation`` the moment is
+    unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -163,9 +165,9 @@ class Vessel(Strict):
 
     A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
     motion of the vessel. The riser's top, deck and tension ring move with the sum of both motions. Hull drag,
-    inertia and thrusters respond only to the slow motion, and so does the mean wave drift that is given here.
-    The outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the slow motion, ``platform_surge`` and
-    ``platform_sway`` the sum.
+    inertia and thrusters respond only to the slow motion. The mean wave drift that is given here is a
+    constant force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the slow motion,
+    ``platform_surge`` and ``platform_sway`` the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
