@@ -103,7 +103,7 @@ class TimeSeries(Strict, Generic[P]):
     """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
     Before the first point and after the last, the motion keeps the value of this point. A sway, roll or yaw
-    whose values are all zero is no motion out of the plane.
+    whose values are all zero does not count as a motion out of the plane.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -154,10 +154,10 @@ class Platform(Strict):
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
     and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) are those of the
-    initial heading of the vessel. Phases are those of the wave at the initial place of the vessel, however
-    far it drifts; a run warns if the vessel drifts along the waves of the scene by more than a tenth of
-    their length. With a ``vessel``, a cruise and a position in surge or sway are not allowed; ``top.offset``
-    gives the initial place of the vessel.
+    initial heading of the vessel. Phases are those of the wave at the initial place of the vessel, even if
+    the vessel drifts. A run warns if the vessel drifts by more than a tenth of the wavelength in the
+    direction of the waves of the scene. With a ``vessel``, a cruise and a position in surge or sway are not
+    allowed; ``top.offset`` gives the initial place of the vessel.
     """
 
     position: Position | None = None

@@ -24,8 +24,9 @@ Tilt = Annotated[u.AnglePerLength, NOT_NEGATIVE] | None
 class Operator(Strict):
     """Response to waves of one period or frequency: motion per metre of wave amplitude, and phase.
 
-    Frequencies are in Hz or rad/s. A motion that is not given is zero. The heading is that of the waves,
-    from x towards y; without it the response is the same for waves from all directions.
+    Frequencies are in Hz or rad/s. A motion that is not given is zero. The heading is the direction of the
+    waves, measured from x towards y. Without a heading, the response is the same for waves from all
+    directions.
     """
 
     heading: u.Angle | None = None
