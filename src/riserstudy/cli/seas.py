@@ -13,6 +13,7 @@ from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
 
     from riserstudy.dataset.table import Table
@@ -190,13 +191,26 @@ def described(record: xr.Dataset) -> list[str]:
     lines.append(f"{'':28}    mean    99 %  largest  missing")
     for name, values in record.data_vars.items():
         known = values.values[np.isfinite(values.values)]
-        numbers = (
-            f"{known.mean():8.5g}{np.quantile(known, 0.99):8.5g}{known.max():9.5g}"
-            if len(known)
-            else f"{'':25}"
-        )
+        if values.attrs.get("units") == "degree":
+            numbers = f"{_mean_direction(known):>8}{'-':>8}{'-':>9}"
+        elif len(known):
+            numbers = f"{known.mean():8.5g}{np.quantile(known, 0.99):8.5g}{known.max():9.5g}"
+        else:
+            numbers = f"{'':25}"
         about = f"{name} ({values.attrs.get('units', '')})"
         lines.append(f"{about:28}{numbers}{len(values) - len(known):9d}")
         if "comment" in values.attrs:
             lines.append(f"  {values.attrs['comment']}")
     return lines
+
+
+def _mean_direction(bearings: np.ndarray) -> str:
+    """The direction of the sum of unit vectors, as text; a dash if they cancel. ``bearings``: degrees."""
+    import cmath
+
+    import numpy as np
+
+    total = complex(np.exp(1j * np.radians(bearings)).sum())
+    if abs(total) <= 1e-6 * len(bearings):
+        return "-"
+    return f"{round(float(np.degrees(cmath.phase(total))), 1) % 360.0:.1f}"
