@@ -40,8 +40,8 @@ class Mesh(Strict):
 class GeneralisedAlpha(Strict):
     """Implicit time integration (generalised-alpha) with the spectral radius rho_inf at high frequency.
 
-    With 1 the method itself dissipates no energy. A smaller value damps motion that the time step does not
-    resolve.
+    If ``rho_inf`` is 1, the method itself dissipates no energy. A smaller value damps motion that the time
+    step does not resolve.
     """
 
     rho_inf: Annotated[float, Field(ge=0, le=1)]

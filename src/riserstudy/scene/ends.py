@@ -34,7 +34,7 @@ class Body(Strict):
     density of the material. Weight, drag and added mass are zero if they are not given. Without
     ``centre_below`` the body is a point at the riser's end. With ``centre_below`` the body turns rigidly with
     the lower end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the
-    riser through the centre. If it is absent, the rotary inertia is zero. With ``centre_below`` arclengths in
+    riser through the centre. If ``rotary_inertia`` is absent, it is zero. With ``centre_below`` arclengths in
     results count from the body's centre of percussion; stations still count from the riser's lower end.
     """
 

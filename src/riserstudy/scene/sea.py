@@ -81,14 +81,14 @@ class IrregularSea(Storm, Wave):
 class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
-    The surface speed is surface_factor W / sqrt(sin latitude). Over the friction depth, depth_factor W /
-    sqrt(sin latitude), the drift turns by half a turn, and its speed decreases to 1/23 of the surface speed.
-    At the surface, the direction of the drift is 45 degrees from the wind, and turns further away with depth.
-    ``component`` selects the part of the drift that acts on the riser: the part along the wind, the part
-    across the wind, the magnitude, or both parts. Integrated over depth, only the part across the wind
-    transports water; the part along the wind sums to zero. With ``both``, the heading of the current is that
-    of the wind. The drift then turns to the right of the wind in the northern ``hemisphere``, and to the left
-    in the southern.
+    The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W.
+    Over the friction depth, depth_factor W / sqrt(sin latitude), the drift turns by half a turn, and its
+    speed decreases to 1/23 of the surface speed. At the surface, the direction of the drift is 45 degrees
+    from the wind, and turns further away with depth. ``component`` selects the part of the drift that acts on
+    the riser: the part along the wind, the part across the wind, the magnitude, or both parts. Integrated
+    over depth, only the part across the wind transports water; the part along the wind sums to zero. With
+    ``both``, the heading of the current is that of the wind. The drift then turns to the right of the wind in
+    the northern ``hemisphere``, and to the left in the southern.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

@@ -103,10 +103,10 @@ class TabulatedSoil(Strict):
 class SoilDamping(DampingAtPeriod):
     """Dashpots parallel to the soil springs, which represent the hysteresis of the soil.
 
-    ``ratio`` is the ratio of critical damping at one period of motion. In a cycle with the period
-    ``at_period`` and the displacement ``at_displacement``, a spring and its dashpot dissipate 4 pi ``ratio``
-    times the energy that a linear spring with the secant stiffness stores. At longer periods, the energy loss
-    of a dashpot decreases, while the energy loss of hysteresis would remain the same.
+    ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a cycle
+    with the period ``at_period`` and the displacement ``at_displacement``, a spring and its dashpot dissipate
+    4 pi ``ratio`` times the energy that a linear spring with the secant stiffness stores. At longer periods,
+    the energy loss of a dashpot decreases, while the energy loss of hysteresis would remain the same.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -24,7 +24,11 @@ STEPS_A_TURN = 4
 
 
 class Wind(Strict):
-    """Wind force on the platform, C |u| u with the relative velocity u. Its default direction is +x."""
+    """Wind force on the platform, C |u| u.
+
+    C is ``drag``, and u is the velocity of the wind relative to the platform. By default, the wind blows
+    towards +x.
+    """
 
     drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE]
     speed: u.Speed
