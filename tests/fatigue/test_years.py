@@ -314,6 +314,25 @@ def test_the_command_prints_tables_and_writes_files(tmp_path, commands, monkeypa
     assert "--scatter" in fault
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_an_unknown_error_of_runs_is_stated(tmp_path, commands, monkeypatch, seed):
+    """Some runs or all lack an estimate: a line gives the number of sea states that have one, or none."""
+    monkeypatch.chdir(tmp_path)
+    draw = np.random.default_rng(seed)
+    known = np.array([True, bool(seed % 3), False])[draw.permutation(3)] & (seed % 2 == 0)
+    made = study(heights=np.array([1.0, 3.0, 6.0]), periods=np.array([8.0, 9.5]))
+    made["error_damage"] = made["error_damage"].where(
+        xr.DataArray(known, dims="significant_height")
+    )
+    made.to_netcdf("study.nc")
+    table(tmp_path, "hs (m),tp (s),share (%)\n1,8,60\n3,9.5,30\n6,8,10\n")
+    code, said, _ = commands("fatigue", "study.nc", "--scatter", "scatter.csv")
+    (line,) = [line for line in said.splitlines() if "error of damage in runs" in line]
+    assert code == 0
+    assert ("unknown" in line) == (not known.any())
+    assert not known.any() or line.endswith(f"known for {known.sum()} of 3 sea states")
+
+
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 def test_lines_of_a_table_may_end_as_on_any_system(tmp_path, end):
     """Lines that end with a carriage return alone ended in a traceback."""

@@ -110,7 +110,11 @@ def fatigue(
     years = _summed(study, scatter, seas, gamma, at, calm)
     for line in years.notes:
         print(line)
-    if not math.isnan(years.error_runs):
+    if math.isnan(years.error_runs):
+        print(
+            "estimated error of damage in runs: unknown, no run that causes damage has an estimate"
+        )
+    else:
         known = sum(math.isfinite(sea.error) for sea in years.seas)
         print(
             f"estimated error of damage in runs: {percent(years.error_runs)}, runs weighted by "
