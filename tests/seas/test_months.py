@@ -54,6 +54,23 @@ def test_a_month_of_which_little_is_recorded_has_no_share(seed):
         assert share == pytest.approx(calm[number % 12 == k].mean())
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_months_without_rows_are_listed_too(seed):
+    """Several successive months left out at random, with a month of which little is left before them."""
+    draw = np.random.default_rng(seed)
+    first, count = int(draw.integers(2, 20)), int(draw.integers(1, 15))
+    time = pd.date_range("2003-01-01", "2005-12-31 21:00", freq="3h")
+    number = 12 * (time.year - 2003) + time.month - 1
+    out = (number > first) & (number <= first + count) | ((number == first) & (time.day > 5))
+    found = hours(record(time[~out]), CALM)
+    lacking = [f"{MONTHS[k % 12]} {2003 + k // 12}" for k in range(first, first + count + 1)]
+    (named,) = [line for line in found.notes if "empty by month" in line]
+    words = named.partition(": ")[2].partition(" and ")
+    listed = words[0].split(", ")
+    assert listed == lacking[: len(listed)]
+    assert len(listed) + int(words[2].split()[0] if words[1] else 0) == len(lacking)
+
+
 def test_a_month_that_no_year_has_whole_has_no_share():
     found = hours(record(pd.date_range("2003-01-01", "2003-03-10", freq="3h")), CALM)
     assert [math.isnan(share) for share in found.of_months()] == [False] * 2 + [True] * 10

@@ -136,10 +136,13 @@ class Hours(NamedTuple):
     @property
     def notes(self) -> list[str]:
         """Notes on incomplete months, and on unequal coverage of months."""
+        months = self._months
+        numbers = [12 * year + k for year, k in months]
+        first, last = min(numbers, default=0), max(numbers, default=-1)
         partial = [
             f"{MONTHS[k]} {year}"
-            for (year, k), of in self._months.items()
-            if not self._whole(of, year, k)
+            for year, k in (divmod(n, 12) for n in range(first, last + 1))
+            if not self._whole(months.get((year, k), NONE), year, k)
         ]
         more = f" and {len(partial) - NAMED} more" if len(partial) > NAMED else ""
         named = f"less than {WHOLE:.0%} recorded, and empty by month: {', '.join(partial[:NAMED])}"
