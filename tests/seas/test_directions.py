@@ -5,10 +5,12 @@ import math
 import numpy as np
 import pytest
 import xarray as xr
+from random_rigs import rig, written
 from test_riser_downtime import RISER, SEA, demands
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
+from riserstudy.scene.load import SceneFile
 from riserstudy.seas.directions import FROM, Directions
 from riserstudy.seas.riser_downtime import riser_downtime
 from riserstudy.seas.synthetic import synthetic
@@ -183,3 +185,26 @@ def test_sectors_and_the_bearing_of_x_go_together(commands, tmp_path, record):
     for more in (["--sectors", "4"], ["--x-towards", "90 deg"]):
         code, _, err = commands("downtime", tmp_path / "sea.nc", "--scene", RISER, *more)
         assert (code, "--x-towards" in err) == (2, True), err
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("turns", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_sectors_set_the_heading_of_a_response_only_if_its_operators_have_headings(
+    seed, turns, spatial
+):
+    """Rigs on inclined cylinders; without headings, the response is that to waves from any side."""
+    tree = written(rig(seed, spatial=spatial))
+    sea = {"significant_height": "3 m", "peak_period": "9 s", "peak_enhancement": 2, "seed": 1}
+    operators = [
+        {"period": f"{period} s", "heave": "0.3 m/m", "heave_phase": "0 deg"} | side
+        for side in ([{"heading": f"{k} deg"} for k in (0, 90, 180)] if turns else [{}])
+        for period in (5, 12, 20)
+    ]
+    response = {"operators": operators, "phases": "lead", "beyond": "hold", "ramp": "30 s"}
+    response |= {"headings": "towards", "symmetry": "sides"} if turns else {}
+    tree["platform"]["response"] = response | {"wave": sea | {"components": 20}}
+    tree["analysis"] = {"duration": "60 s", "output": {"interval": "0.5 s"}, "accuracy": "5 %"}
+    scenes = Directions(4, 0.0).scenes(SceneFile("rig.yaml", tree))
+    found = [one.resolved().platform.response.heading for one in scenes]
+    assert found == [pytest.approx(0.5 * math.pi * k) if turns else None for k in range(4)]

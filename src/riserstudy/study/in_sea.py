@@ -47,12 +47,13 @@ def phases_of(file: SceneFile, seed: int) -> dict[str, Any]:
 def heading_paths(file: SceneFile) -> list[str]:
     """Paths of the headings of a scene's irregular sea.
 
-    Raises InputError when there is none, or the scene has no time.
+    Operators without headings have none: the platform's response is that to waves from any side. Raises
+    InputError when there is no irregular sea, or the scene has no time.
     """
-    return [
-        f"{path.removesuffix('.wave')}.heading" if "." in path else f"{path}.heading"
-        for path in _paths(file)
-    ]
+    platform = file.resolved().platform
+    turns = platform is not None and platform.response is not None and platform.response.headings
+    paths = {"platform.response.wave": "platform.response.heading", "wave": "wave.heading"}
+    return [paths[path] for path in _paths(file) if turns or path == "wave"]
 
 
 def heading_values(file: SceneFile, sectors: int) -> list[dict[str, Any]]:
