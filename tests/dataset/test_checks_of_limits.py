@@ -12,6 +12,7 @@ from riserstudy.cli import main
 from riserstudy.dataset.limit_lines import lines
 from riserstudy.dataset.limits import use
 from riserstudy.errors import InputError
+from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
 
 #: a string of 1 kN/m and 500 m, under 1 MN at its top: 500 kN at its foot, in the middle 750 kN
@@ -307,3 +308,8 @@ def test_the_limit_that_governs_stands_first_and_none_is_lost(seed):
     assert all(np.isnan(use) for use in uses[len(known) :])
     for k in range(9):
         assert sum(f"place {k} " in line.text for line in table) == 1
+
+
+def test_the_page_of_scenes_names_every_output_that_can_have_a_limit():
+    first = Limit.__doc__.partition("Two usual criteria")[0]
+    assert set(re.findall(r"``(\w+)``", first)) - {"output"} == set(UNITS)

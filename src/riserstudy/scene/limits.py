@@ -30,6 +30,12 @@ ABOVE = ", above water"  # suffix to the name of a section, for its part above t
 class Limit(Strict):
     """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
+    ``output``: ``effective_tension``, ``bending_moment``, ``shear_force``, ``von_mises_stress``, ``x`` or
+    ``y``, which have values along the riser; ``lower_end_tension``, ``ufj_angle``, ``lfj_angle``, ``stroke``,
+    ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or ``largest_stress``; with a disconnect also
+    ``overpull`` or ``lmrp_clearance``. Two usual criteria have no output: the range of stress, from which
+    ``fatigue`` computes damage, and the clearance of the riser in a moonpool.
+
     For outputs whose sign is a convention (moments, shear forces, angles, x and y), the limit applies to the
     magnitude, so the engine refuses a smallest allowed value and a negative value for them.
     ``at``: a section of the riser; ``lower end of`` or ``upper end of`` a section; or the lowest and the
