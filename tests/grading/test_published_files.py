@@ -1,6 +1,8 @@
 """Files of printed numbers and claims: what is refused, and that checks and bases exist."""
 
 import inspect
+import random
+import shutil
 
 import pytest
 from invented import CONFIG, dataset, number_row, published
@@ -9,7 +11,10 @@ from chapters.chang2020 import claims as checks
 from riserstudy.errors import InputError
 from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import read_published
+from riserstudy.jobs.configuration import Configuration
 from riserstudy.study.read import read_studies
+
+PAPERS = sorted(path.stem for path in (CONFIG / "studies").glob("*.yaml"))
 
 
 def test_an_input_is_not_called_nothing():
@@ -73,3 +78,22 @@ def test_the_base_of_a_claim_is_in_every_tier(paper):
                 assert axis != name or value in values, (
                     f"{item.id}: {name} {value} is not in preview"
                 )
+
+
+@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("kind", ["published", "studies", "false_claims"])
+def test_a_file_that_names_another_paper_is_refused(tmp_path, seed, kind):
+    """Its verdicts would be stored under that name, and the report of the chapter would have none."""
+    draw = random.Random(seed)
+    paper = draw.choice([name for name in PAPERS if (CONFIG / f"false_claims/{name}.yaml").exists()])
+    letters = list(paper)
+    letters[draw.randrange(len(letters))] = draw.choice("qxz")
+    config = tmp_path / "config"
+    shutil.copytree(CONFIG, config, ignore=shutil.ignore_patterns("references"))
+    path = config / kind / f"{paper}.yaml"
+    text = path.read_text("utf-8")
+    path.write_text(text.replace(f"paper: {paper}\n", f"paper: {''.join(letters)}\n", 1), "utf-8")
+    with pytest.raises(InputError) as error:
+        Configuration.read(config, {"papers": [paper]}, only=None)
+    assert (error.value.where, error.value.field) == (str(path), "paper")
+    assert error.value.allowed.startswith(f"allowed is '{paper}'")

@@ -16,7 +16,7 @@ from riserstudy.errors import InputError
 from riserstudy.grading.models import InWords, Item, Option, PublishedFile
 from riserstudy.grading.published import looked_up, refuse_check
 from riserstudy.grading.words_file import read_words
-from riserstudy.inputs.check import check
+from riserstudy.inputs.check import check, refuse_other_paper
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
@@ -112,7 +112,9 @@ def read_false_claims(config: Path, paper: str, printed: PublishedFile) -> list[
     path = false_claims_path(config, paper)
     if not path.exists():
         return []
-    claims = check(FalseClaims, read_yaml(path, keep=True), path).claims
+    file = check(FalseClaims, read_yaml(path, keep=True), path)
+    refuse_other_paper(file.paper, path)
+    claims = file.claims
     _refuse_misplaced(path, claims, printed)
     items = {item.id: item for item in printed.items}
     words = cache(partial(read_words, config))

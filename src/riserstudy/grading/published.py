@@ -12,7 +12,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import Checked, Option, PrintedNumber, PublishedFile, WordName
 from riserstudy.grading.words_file import WordsFile, read_words
-from riserstudy.inputs.check import check
+from riserstudy.inputs.check import check, refuse_other_paper
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.study.arguments import refuse_arguments
 
@@ -29,6 +29,7 @@ def printed_of(config: Path, paper: str) -> PublishedFile:
     """
     path = published_path(config, paper)
     file = check(PublishedFile, read_yaml(path, keep=True), path)
+    refuse_other_paper(file.paper, path)
     _look_up_words(file, config)
     return file
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
@@ -72,3 +73,13 @@ def _names_alternative(step: object) -> bool:
     if not isinstance(step, str):
         return False
     return step in TYPES or step[:1].isupper() or "[" in step or "-" in step
+
+
+def refuse_other_paper(paper: str, path: Path) -> None:
+    """Refuse a file of a paper that has another paper's name, under which its results would be stored.
+
+    Raises InputError if it does.
+    """
+    if paper != path.stem:
+        allowed = f"allowed is {path.stem!r}, the name of the file"
+        raise InputError(path, "paper", repr(paper), allowed)

@@ -9,7 +9,7 @@ from typing import Any
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
-from riserstudy.inputs.check import check
+from riserstudy.inputs.check import check, refuse_other_paper
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.study.arguments import refuse_arguments
 from riserstudy.study.axes import Tier
@@ -27,6 +27,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     """
     path = config / "studies" / f"{paper}.yaml"
     file = check(StudyFile, _with_models(read_yaml(path, keep=True), path, paper), path)
+    refuse_other_paper(file.paper, path)
     _refuse_calls(file, path, paper)
     studies = {
         name: Study(paper, name, model, config, "standard", None, file.readings)
