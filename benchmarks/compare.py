@@ -213,8 +213,7 @@ def table(rows: list[Row]) -> str:
         first, second = [*r.errors.values(), None, None][:2]
         lines.append(
             f"{r.scene:<6}{r.method:<11}{r.elements:>9}{_step(r.step):>10}{_percent(first):>10}"
-            f"{_percent(second):>11}{_milli(r.median):>11}{_milli(r.least):>9}  "
-            + (r.failed or r.scheme)
+            f"{_percent(second):>11}{_milli(r.median):>11}{_milli(r.least):>9}  " + (r.failed or r.scheme)
         )
     return "\n".join(lines)
 
@@ -234,9 +233,7 @@ def _milli(value: float | None) -> str:
 def store(rows: list[Row], path: Path) -> None:
     """Write the table; each line carries the processor and Python, lists as text."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    lines = [
-        asdict(r) | {"processor": processor(), "python": platform.python_version()} for r in rows
-    ]
+    lines = [asdict(r) | {"processor": processor(), "python": platform.python_version()} for r in rows]
     with path.open("w", newline="") as file:
         writer = csv.DictWriter(file, list(lines[0]))
         writer.writeheader()
@@ -247,9 +244,7 @@ def processor() -> str:
     """Name of the processor and what else keeps it busy."""
     try:
         lines = Path("/proc/cpuinfo").read_text().splitlines()
-        name = next(
-            line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")
-        )
+        name = next(line.split(":", 1)[1].strip() for line in lines if line.startswith("model name"))
     except (OSError, StopIteration):
         name = platform.processor() or platform.machine()
     return f"{name}, load {os.getloadavg()[0]:.1f}"

@@ -88,9 +88,7 @@ def time_plane_fourth_order():
 def time_by_request():
     """Surge of a riser, 60 s, with a tolerance of 1 %: the engine chooses mesh and time step."""
     simulate(
-        load_scene(
-            SCENES / "bench/s2c.yaml", **{"analysis.accuracy": "1 %", "analysis.duration": "60 s"}
-        )
+        load_scene(SCENES / "bench/s2c.yaml", **{"analysis.accuracy": "1 %", "analysis.duration": "60 s"})
     )
 
 
@@ -103,8 +101,7 @@ def time_modes():
     """Ten natural modes."""
     modes(
         load_scene(
-            SCENES / "bench/s2c.yaml",
-            **{"analysis.mesh": {"elements": 120}, "analysis.step": "0.1 s"},
+            SCENES / "bench/s2c.yaml", **{"analysis.mesh": {"elements": 120}, "analysis.step": "0.1 s"}
         ),
         10,
     )

@@ -25,15 +25,7 @@ FIGURE = ROOT / "docs/images/cost.svg"
 COMMITS = ("3860a62", "6b15e92", "ce4e45c", "f9f55ea", "c766789", "1296f5d")
 TURNS, FIXED = 5, 4
 #: how often a task is repeated in a turn
-TIMES = {
-    "plane": 4,
-    "by_request": 3,
-    "line": 2,
-    "statics": 4,
-    "modes": 6,
-    "read_scenes": 4,
-    "deck": 10,
-}
+TIMES = {"plane": 4, "by_request": 3, "line": 2, "statics": 4, "modes": 6, "read_scenes": 4, "deck": 10}
 
 
 class Worker:
@@ -43,9 +35,7 @@ class Worker:
         self.commit, self.least, self.lacks = commit, {}, {}
         checkout = folder / commit
         checkout.mkdir()
-        packed = subprocess.run(
-            ["git", "archive", commit], cwd=ROOT, check=True, capture_output=True
-        )
+        packed = subprocess.run(["git", "archive", commit], cwd=ROOT, check=True, capture_output=True)
         subprocess.run(["tar", "-x", "-C", checkout], input=packed.stdout, check=True)
         environment = os.environ | {
             "PYTHONPATH": str(checkout / "src"), "RISERSTUDY_CACHE": str(checkout / ".cache"),
@@ -130,22 +120,14 @@ def draw(results):
             newest = points[-1]["loops"].get(task)
             ratio = np.array([p["loops"].get(task, np.nan) for p in points]) / newest
             marker = "os^vDP*"[k]
-            axes.plot(
-                range(len(points)),
-                ratio,
-                marker=marker,
-                color=COLOURS[k % len(COLOURS)],
-                label=words,
-            )
+            axes.plot(range(len(points)), ratio, marker=marker, color=COLOURS[k % len(COLOURS)], label=words)
         axes.axhline(1.0, color="0.6", linewidth=0.8)
         axes.set_ylim(0.0, None)
         axes.set_xticks(range(len(points)), [p["date"][5:].replace(" ", "\n") for p in points])
         axes.set_xlabel("commit of main (month-day, hour)")
         axes.set_ylabel("CPU time relative to the newest commit")
         axes.set_title(results["title"], loc="left", fontsize=9)
-        axes.legend(
-            fontsize=7, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False
-        )
+        axes.legend(fontsize=7, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.2), frameon=False)
         FIGURE.parent.mkdir(exist_ok=True)
         figure.savefig(FIGURE, metadata={"Date": None})
 

@@ -128,9 +128,7 @@ def invent(name: str, points: int, seed: int) -> None:
         for ending in ("_max", "_min"):
             values = 1e6 * draw.standard_normal((*shape, 2))
             data[quantity + ending] = ((*over, "s_node"), values, {"units": unit})
-            told[f"{quantity} {ending[1:]}"] = (
-                values.max(-1) if ending == "_max" else values.min(-1)
-            )
+            told[f"{quantity} {ending[1:]}"] = values.max(-1) if ending == "_max" else values.min(-1)
     places = np.full((*shape, len(told)), 2394.0)
     data["value_of_statistic"] = ((*over, "statistic"), np.stack([*told.values()], axis=-1))
     data["s_of_statistic"] = ((*over, "statistic"), places)

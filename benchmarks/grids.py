@@ -77,9 +77,7 @@ def report(points: int, shards: int) -> None:
     joined = join(plan)
     row(f"join {points} points", joined)
     a_point = (part.seconds - started.seconds) / (size - 10)
-    print(
-        f"\na point: {1e3 * a_point:.1f} ms; start-up {started.seconds / part.seconds:.0%} of a job"
-    )
+    print(f"\na point: {1e3 * a_point:.1f} ms; start-up {started.seconds / part.seconds:.0%} of a job")
     reckon(
         planning=(many.seconds - few.seconds) / 100_000,
         starting=started.seconds + few.seconds + SNAKEMAKE,
@@ -96,9 +94,7 @@ def reckon(planning: float, starting: float, finding: float, joining: float) -> 
     wall, hours = (alone + simulating / CORES) / 60, (alone + simulating) / 3600
     print(f"a million points of {TYPICAL * 1e3:.0f} ms on {CORES} cores, {jobs} jobs, on paper:")
     print(f"{MILLION * planning:.0f} s of planning, {simulating / CORES:.0f} s of all cores,")
-    print(
-        f"{MILLION * (planning + joining):.0f} s of joining: {wall:.0f} min, {hours:.1f} core-hours"
-    )
+    print(f"{MILLION * (planning + joining):.0f} s of joining: {wall:.0f} min, {hours:.1f} core-hours")
 
 
 SETTINGS = {"papers": ["grids"], "tier": "standard"}

@@ -66,9 +66,7 @@ def run(elements: int, step: float, moments: bool = False, **analysis: Any) -> d
     return result
 
 
-def simulated(
-    path: Path, elements: int, step: float, analysis: dict[str, Any]
-) -> tuple[Any, Any, float]:
+def simulated(path: Path, elements: int, step: float, analysis: dict[str, Any]) -> tuple[Any, Any, float]:
     """Result, mesh and processor time (s) of a scene less that of its first step."""
     from riserstudy.model.mesh import even
     from riserstudy.simulation.run import single

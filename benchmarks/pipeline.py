@@ -43,15 +43,9 @@ def main(tier: str) -> None:
     own = (simulation + plotting) / cores
     promise = FACTOR * own + START_UP
     print(f"tier {tier}, {cores} cores, load average {load:.1f} before the run")
-    print(
-        f"simulation {simulation:.1f} s ({points} points), plotting {plotting:.1f} s ({figures} figures)"
-    )
-    print(
-        f"make study after make clean: {wall:.1f} s, {jobs} jobs; promised {promise:.1f} s at most"
-    )
-    print(
-        f"processor time {cpu:.0f} s, which these cores do in {cpu / cores:.0f} s when left alone"
-    )
+    print(f"simulation {simulation:.1f} s ({points} points), plotting {plotting:.1f} s ({figures} figures)")
+    print(f"make study after make clean: {wall:.1f} s, {jobs} jobs; promised {promise:.1f} s at most")
+    print(f"processor time {cpu:.0f} s, which these cores do in {cpu / cores:.0f} s when left alone")
     print(f"beyond simulation and plotting: {wall - own:.1f} s, {(wall - own) / jobs:.2f} s a job,")
     print(f"  {(wall - own) / wall:.0%} of the wall time")
     print(f"make study again, nothing to do: {idle:.1f} s")
@@ -60,9 +54,7 @@ def main(tier: str) -> None:
 def make(target: str, tier: str) -> tuple[float, str]:
     """Wall time and words of a make target."""
     began = time.perf_counter()
-    done = subprocess.run(
-        ["make", target, f"TIER={tier}"], capture_output=True, text=True, check=True
-    )
+    done = subprocess.run(["make", target, f"TIER={tier}"], capture_output=True, text=True, check=True)
     return time.perf_counter() - began, done.stdout
 
 

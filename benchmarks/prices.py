@@ -164,9 +164,7 @@ def grid() -> None:
     run(scenes[0], estimated=False)
     seconds = spent(lambda: [run(s, estimated=k % 8 == 0) for k, s in enumerate(scenes)])
     alone = spent(lambda: [run(s, estimated=False) for s in scenes])
-    print(
-        f"\n{GRID} points of S2c: {GRID / seconds:.0f} a second and core, every eighth with its error;"
-    )
+    print(f"\n{GRID} points of S2c: {GRID / seconds:.0f} a second and core, every eighth with its error;")
     print(f"{GRID / alone:.0f} without errors")
 
 

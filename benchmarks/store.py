@@ -75,12 +75,7 @@ def main(most: int = 6) -> None:
         plan = study.plan[:: max(1, len(study.plan) // most)][:most]
         files = [study.grid.file(point.index) for point in plan]
         runs = [
-            Point(
-                p.key,
-                f,
-                run(f.resolved(), estimated=has_error_estimate(study, p)),
-                study.model.keep,
-            )
+            Point(p.key, f, run(f.resolved(), estimated=has_error_estimate(study, p)), study.model.keep)
             for p, f in zip(plan, files, strict=True)
         ]
         for name, measure in CONTAINERS.items():
@@ -90,9 +85,7 @@ def main(most: int = 6) -> None:
     print("| | MB | MB on disk | ms to write | ms to read |\n|---|---|---|---|---|")
     for name, one in total.items():
         sizes = f"{one.content / 1e6:.0f} | {one.disk / 1e6:.0f}"
-        print(
-            f"| {name} | {sizes} | {1e3 * one.write / points:.2f} | {1e3 * one.read / points:.2f} |"
-        )
+        print(f"| {name} | {sizes} | {1e3 * one.write / points:.2f} | {1e3 * one.read / points:.2f} |")
 
 
 def studies() -> Iterator[tuple[Study, int]]:
@@ -102,17 +95,13 @@ def studies() -> Iterator[tuple[Study, int]]:
         file = read_studies(CONFIG, paper)
         for name, model in file.studies.items():
             preview, standard = (
-                Study(
-                    paper, name, model, CONFIG, t, config["tiers"][t].get("accuracy"), file.readings
-                )
+                Study(paper, name, model, CONFIG, t, config["tiers"][t].get("accuracy"), file.readings)
                 for t in ("preview", "standard")
             )
             yield preview, len(standard.plan)
 
 
-def spent(
-    measure: Callable[[list[Point]], list[Callable[[], object]]], points: list[Point]
-) -> Spent:
+def spent(measure: Callable[[list[Point]], list[Callable[[], object]]], points: list[Point]) -> Spent:
     """What a container takes for some points, in an empty folder."""
     here = Path.cwd()
     with TemporaryDirectory() as folder:

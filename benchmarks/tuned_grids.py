@@ -49,10 +49,7 @@ GRIDS: dict[str, tuple[tuple[str, str], Setting]] = {
     "surge": (SURGE, Setting(59, (), 0.88, "ESDIRK4")),
     "roll": (PITCH, Setting(117, (), 0.59, "ESDIRK4")),
     "heave": (HEAVE, Setting(9, (), 1.8, "generalised-alpha")),
-    "statics": (
-        ("top.tension", "riser[0].submerged_weight"),
-        Setting(59, (), 1.0, "generalised-alpha"),
-    ),
+    "statics": (("top.tension", "riser[0].submerged_weight"), Setting(59, (), 1.0, "generalised-alpha")),
     "waves": (WAVE, Setting(90, (), 0.33, "generalised-alpha")),
     "hang-off": (
         ("riser[0].mass", "riser[0].submerged_weight"),
@@ -77,11 +74,7 @@ def study_of(name: str) -> Study:
         axes[f"axis{number}"] = Numbers(path=path, unit=unit, values=ends)
     still = file.resolved().analysis.duration is None
     model = StudyModel(
-        scene="",
-        caption=name,
-        axes=axes,
-        keep=["x_max", "z_max"],
-        settings=None if still else "tuned",
+        scene="", caption=name, axes=axes, keep=["x_max", "z_max"], settings=None if still else "tuned"
     )
     study = Study("grids", name, model, CONFIG, "standard")
     vars(study)["base"] = file
@@ -109,9 +102,7 @@ def price(name: str, folder: Path) -> float:
     if found:
         with netCDF4.Dataset(target) as dataset:
             again = int(dataset["by_request"][:].sum())
-    values = (
-        fixed.values if study.model.settings else {"analysis.mesh": {"elements": fixed.elements}}
-    )
+    values = fixed.values if study.model.settings else {"analysis.mesh": {"elements": fixed.elements}}
     plain = study_of(name)
     vars(plain)["base"] = plain.base.with_values(values, "fixed")
     with pytest.MonkeyPatch.context() as patch:  # no point tells its error

@@ -51,16 +51,12 @@ def main(duration: str | None = None) -> None:
     fixed = file.with_values(FIXED, "benchmark")
     ours(fixed.with_values({"analysis.duration": "40 s"}, "benchmark"), "")  # loads kernels
     rows = [
-        ours(
-            fixed.with_values({"riser[0].viv.seed": seed}, "benchmark"), f"riserstudy, seed {seed}"
-        )
+        ours(fixed.with_values({"riser[0].viv.seed": seed}, "benchmark"), f"riserstudy, seed {seed}")
         for seed in SEEDS
     ]
     rows.append(ours(file, f"riserstudy, {100 * file.resolved().analysis.accuracy:g} %"))
     rows += peer(fixed)
-    print(
-        "| code | segments | step (s) | CPU time (s) | rms (m) | largest (m) | f (Hz) | deflection (m) |"
-    )
+    print("| code | segments | step (s) | CPU time (s) | rms (m) | largest (m) | f (Hz) | deflection (m) |")
     print("|---|---|---|---|---|---|---|---|")
     for row in rows:
         print(
@@ -85,9 +81,7 @@ def peer(file: SceneFile) -> list[Row]:
     if why := moordyn_vortices.available():
         print(f"MoorDyn: not available: {why}")
         return []
-    rest = run(
-        file.with_values({"analysis.duration": "40 s"}, "benchmark").resolved(), estimated=False
-    )
+    rest = run(file.with_values({"analysis.duration": "40 s"}, "benchmark").resolved(), estimated=False)
     height, rows = float(rest.arrays["z_static"][-1]), []
     for elements, step in moordyn_vortices.LADDER:
         arrays, seconds = moordyn_vortices.run(file.resolved(), elements, step, height)
@@ -106,9 +100,7 @@ def judged(
     squares = x**2 + y**2
     most = int(squares.mean(axis=0).argmax())
     rms = along(squares.mean(axis=0), s)
-    error = standard_error(
-        lambda block: np.array([along(squares[block].mean(axis=0), s) ** 2]), len(squares)
-    )
+    error = standard_error(lambda block: np.array([along(squares[block].mean(axis=0), s) ** 2]), len(squares))
     return Row(
         code, elements, step, seconds, rms, 0.5 * float(error.max()) / rms**2,
         float(np.sqrt(squares.mean(axis=0)[most])), frequency(times, y[:, most]),

@@ -51,9 +51,7 @@ def drawn(seed):
     kind = ("held", "tension", "upright", "joint", "inclined")[seed % 5]
     lengths = [40.0, float(chance.integers(200, 900)), 60.0]
     low = -float(sum(lengths)) - float(chance.integers(8, 14))
-    riser = [
-        section(chance, f"part {k}", length, dressed=k == 1) for k, length in enumerate(lengths)
-    ]
+    riser = [section(chance, f"part {k}", length, dressed=k == 1) for k, length in enumerate(lengths)]
     if chance.random() < 0.7:
         mud = [f"{rho} kg/m^3" for rho in (1200, 1200 if chance.random() < 0.5 else 1350, 1200)]
         for one, rho in zip(riser, mud, strict=True):
@@ -74,18 +72,14 @@ def drawn(seed):
         "platform": {"position": {"surge": f"{chance.uniform(-0.01, 0.02) * sum(lengths):.2f} m"}},
         "current": {
             "profile": [
-                {"depth": f"{d} m", "speed": f"{v} m/s"}
-                for d, v in ((0, 0.9), (150, 0.3), (3000, 0.1))
+                {"depth": f"{d} m", "speed": f"{v} m/s"} for d, v in ((0, 0.9), (150, 0.3), (3000, 0.1))
             ],
             "heading": f"{chance.choice([0, 0, 180, 40])} deg",
         },
         "analysis": {},
     }
     hanging = SceneFile(
-        "x",
-        unwrap(
-            scene | {"top": {"x": "held", "z": "held", "elevation": f"{ring} m"}, "platform": {}}
-        )[0],
+        "x", unwrap(scene | {"top": {"x": "held", "z": "held", "elevation": f"{ring} m"}, "platform": {}})[0]
     )
     weight, _ = hanging.resolved().hanging
     pull = 1.4 * max(weight, 3e5)
@@ -96,18 +90,12 @@ def drawn(seed):
         "elevation": f"{ring + 12.0} m",
         "rotation": {"stiffness": "8 kN*m/deg"},
     }
-    cylinders = {
-        "count": 6,
-        "mid_stroke": str(chance.choice(["riser unstretched", "riser in equilibrium"])),
-    }
+    cylinders = {"count": 6, "mid_stroke": str(chance.choice(["riser unstretched", "riser in equilibrium"]))}
     law = chance.choice(["linear", "table", "gas"])
     laws = {
         "linear": {"linear": {"tension": f"{pull / 6} N", "stiffness": f"{pull / 200} N/m"}},
         "table": {
-            "table": [
-                {"reach": f"{r} m", "force": f"{pull / 6 * (1 + 0.03 * r)} N"}
-                for r in (-6, -2, 1, 7)
-            ],
+            "table": [{"reach": f"{r} m", "force": f"{pull / 6 * (1 + 0.03 * r)} N"} for r in (-6, -2, 1, 7)],
             "interpolation": "linear",
         },
         "gas": {
@@ -127,12 +115,7 @@ def drawn(seed):
             "rotation": "free",
         },
         "tension": {"x": "platform", "z": "free", "tension": f"{pull} N", "rotation": "free"},
-        "upright": {
-            "x": "platform",
-            "z": "free",
-            "rotation": "free",
-            "tensioners": cylinders | laws[law],
-        },
+        "upright": {"x": "platform", "z": "free", "rotation": "free", "tensioners": cylinders | laws[law]},
         "joint": above | {"telescopic_joint": joint | {"tension": f"{pull} N"}},
         "inclined": above
         | {
@@ -174,10 +157,7 @@ def loaded(seed):
     ramp = f"{chance.integers(10, 40)} s"
     scene["analysis"] = {"duration": "200 s", "output": {"interval": "0.5 s"}}
     if some(0.4):
-        scene["wave"] = {
-            "height": f"{chance.uniform(2, 8)} m",
-            "period": f"{chance.uniform(7, 14)} s",
-        }
+        scene["wave"] = {"height": f"{chance.uniform(2, 8)} m", "period": f"{chance.uniform(7, 14)} s"}
     elif some(0.6):
         scene["wave"] = {
             "significant_height": f"{chance.uniform(2, 8)} m",
@@ -250,9 +230,7 @@ def response(chance, ramp):
     rows = []
     for heading in headings:
         for period in (6, 9, 12, 16, 25):
-            row = {"period": f"{period} s"} | (
-                {} if heading is None else {"heading": f"{heading} deg"}
-            )
+            row = {"period": f"{period} s"} | ({} if heading is None else {"heading": f"{heading} deg"})
             for name in motions:
                 unit = "deg/m" if name == "pitch" else "m/m"
                 row[name] = f"{chance.uniform(0.05, 0.9):.3f} {unit}"

@@ -11,11 +11,7 @@ WELD = {
     "stress_concentration": 1.3,
     "safety_factor": 10.0,
 }
-INSIDE = WELD | {
-    "name": "inside",
-    "face": "inside",
-    "curve": {"detail_class": "F", "environment": "air"},
-}
+INSIDE = WELD | {"name": "inside", "face": "inside", "curve": {"detail_class": "F", "environment": "air"}}
 
 
 def fatigued(tree, *details, angles=8):

@@ -44,24 +44,7 @@ def assert_units(figure):
 def spoken(title):
     """Words of a title without numbers, units and what is in brackets."""
     plain = re.sub(r"\([^)]*\)|\$[^$]*\$", " ", title)
-    units = {
-        "%",
-        "°",
-        "s",
-        "m",
-        "km",
-        "mm",
-        "t",
-        "h",
-        "kn",
-        "kN",
-        "MN",
-        "kN m",
-        "MPa",
-        "m/s",
-        "kg/m³",
-        "×",
-    }
+    units = {"%", "°", "s", "m", "km", "mm", "t", "h", "kn", "kN", "MN", "kN m", "MPa", "m/s", "kg/m³", "×"}
     return [
         word
         for word in plain.split()

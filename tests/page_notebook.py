@@ -23,10 +23,7 @@ def run_notebook(page, blocks, folder, monkeypatch):
     assert all(cell.startswith(block) for cell, block in zip(code, written, strict=True))
     (folder / "config").symlink_to(ROOT / "config")
     done = subprocess.run(
-        [sys.executable, "-W", "error", "-c", "\n".join(code)],
-        cwd=folder,
-        capture_output=True,
-        text=True,
+        [sys.executable, "-W", "error", "-c", "\n".join(code)], cwd=folder, capture_output=True, text=True
     )
     assert done.returncode == 0, done.stderr
     return cells, done.stdout

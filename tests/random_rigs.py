@@ -67,10 +67,7 @@ def rig(seed: int, *, spatial: bool | None = None, conductor: bool | None = None
             "z": "platform",
             "elevation": above,
             "rotation": {"stiffness": float(draw.uniform(0.0, 2e6))},
-            "telescopic_joint": {
-                "length": joint,
-                "bending_stiffness": float(draw.uniform(2e8, 8e8)),
-            },
+            "telescopic_joint": {"length": joint, "bending_stiffness": float(draw.uniform(2e8, 8e8))},
             "tensioners": {
                 "count": count,
                 "mid_stroke": str(draw.choice(["riser unstretched", "riser in equilibrium"])),
@@ -85,11 +82,7 @@ def rig(seed: int, *, spatial: bool | None = None, conductor: bool | None = None
         },
         "platform": {"position": {"surge": 0.0}, "centre_of_rotation": {"elevation": 0.0}},
         "current": {
-            "profile": {
-                "shape": "power",
-                "surface_speed": float(draw.uniform(0.1, 0.8)),
-                "power": 1.0,
-            }
+            "profile": {"shape": "power", "surface_speed": float(draw.uniform(0.1, 0.8)), "power": 1.0}
         },
         "analysis": {},
     }
@@ -219,9 +212,7 @@ def written(tree: Any, inside: str = "", unit_of: dict[str, str] | None = None) 
             made[name] = written(value, name, unit_of)
         elif isinstance(value, float) and name == "stiffness":
             made[name] = f"{value!r} {STIFFNESS.get(inside, 'N/m')}"
-        elif (
-            isinstance(value, float) and name == "amplitude" and inside in ("roll", "pitch", "yaw")
-        ):
+        elif isinstance(value, float) and name == "amplitude" and inside in ("roll", "pitch", "yaw"):
             made[name] = f"{value!r} rad"
         elif isinstance(value, float) and name == "mass" and inside in ("vessel", "body"):
             made[name] = f"{value!r} kg"
@@ -241,11 +232,7 @@ def moving(seed: int, **kind: bool | None) -> dict[str, Any]:
     draw = np.random.default_rng((seed, 1))
     top = tree["top"]
     period = float(draw.uniform(7.0, 16.0))
-    names = (
-        ["surge", "heave", "sway"]
-        if tree["platform"]["position"].get("sway")
-        else ["surge", "heave"]
-    )
+    names = ["surge", "heave", "sway"] if tree["platform"]["position"].get("sway") else ["surge", "heave"]
     for name in names:
         phase = float(draw.uniform(0.0, 6.0))
         tree["platform"][name] = {

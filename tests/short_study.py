@@ -158,8 +158,6 @@ def studies_in(folder, paper, text):
     path.write_text(text)
 
     def made(name):
-        return Study(
-            paper, name, check(StudyFile, read_yaml(path), path).studies[name], folder, "standard"
-        )
+        return Study(paper, name, check(StudyFile, read_yaml(path), path).studies[name], folder, "standard")
 
     return made

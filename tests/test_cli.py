@@ -76,9 +76,7 @@ def test_patience_that_ends_before_any_run_leaves_nothing(command, tmp_path):
     target = tmp_path / "out.nc"
     code, _, err = command("run", SURGE, "-o", target, *long, *own, "--patience", "1")
     assert code == 3
-    assert err.startswith(
-        "riserstudy: analysis.mesh, analysis.step: the run exceeds the time limit of 1 s"
-    )
+    assert err.startswith("riserstudy: analysis.mesh, analysis.step: the run exceeds the time limit of 1 s")
     assert not target.exists()
 
 
@@ -169,9 +167,7 @@ def test_a_refused_run_ends_with_two_one_message_and_no_file(command, tmp_path, 
 
 
 @pytest.mark.parametrize("subcommand", ["run", "modes"])
-def test_an_output_that_cannot_be_written_is_refused_before_anything_runs(
-    command, tmp_path, subcommand
-):
+def test_an_output_that_cannot_be_written_is_refused_before_anything_runs(command, tmp_path, subcommand):
     for target in (tmp_path, tmp_path / "no" / "such" / "folder.nc"):
         code, out, err = command(subcommand, SURGE, "-o", target)
         assert (code, out) == (2, "")
@@ -237,9 +233,7 @@ def test_a_full_disk_ends_with_three_and_leaves_nothing(command, tmp_path, words
 
 def test_cost_tells_what_accuracy_takes(command, tmp_path):
     picture = tmp_path / "cost.png"
-    code, said, complaint = command(
-        "cost", SURGE, "--set", "analysis.duration=10 s", "--plot", picture
-    )
+    code, said, complaint = command("cost", SURGE, "--set", "analysis.duration=10 s", "--plot", picture)
     assert code == 0, complaint
     *lines, written = said.splitlines()
     assert written == f"written: {picture}"
@@ -300,9 +294,7 @@ def test_the_version_is_that_of_the_package(command):
 
 
 def test_modes_prints_the_lowest_frequencies(command, tmp_path):
-    code, out, _ = command(
-        "modes", SCENES / "bench/s4a.yaml", "--count", "3", "-o", tmp_path / "m.nc"
-    )
+    code, out, _ = command("modes", SCENES / "bench/s4a.yaml", "--count", "3", "-o", tmp_path / "m.nc")
     assert code == 0
     assert out.count("lateral") == 3
     with xr.open_dataset(tmp_path / "m.nc") as found:

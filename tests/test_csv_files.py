@@ -20,9 +20,7 @@ FORMULAS = [
     "'=1", "''=1", "\u00a0=1", "\ufeff=1", "\u200b=1", "＝1+1", "－1+A1", "＠A1", '=HYPERLINK("http://x")',
     "=1;=2", "a\r=1+1", "a\r\n=1+1", 'a",=1', "-", "+", "=", "-5 m", "--1", "1e5\r-A1",
 ]  # fmt: skip
-pieces = st.sampled_from(
-    ["=", "+", "-", "@", "\t", "\r", "\n", "'", '"', ",", " ", "a", "1", "\ufeff"]
-)
+pieces = st.sampled_from(["=", "+", "-", "@", "\t", "\r", "\n", "'", '"', ",", " ", "a", "1", "\ufeff"])
 texts = st.one_of(
     st.sampled_from(FORMULAS),
     st.lists(pieces, max_size=6).map("".join),
@@ -48,9 +46,7 @@ def is_harmless(cell):
     return True
 
 
-@given(
-    st.lists(st.tuples(texts, numbers, texts), max_size=4), st.lists(texts, min_size=3, max_size=3)
-)
+@given(st.lists(st.tuples(texts, numbers, texts), max_size=4), st.lists(texts, min_size=3, max_size=3))
 @example([(text, -1.5, text) for text in FORMULAS], ["=a", "-b", "@c"])
 def test_no_text_is_a_formula_and_no_number_a_text(rows, header):
     found = cells_of(csv_text(header, rows))
@@ -143,11 +139,6 @@ def test_no_table_of_a_command_holds_a_formula(commands, tmp_path, monkeypatch):
         assert len({len(line) for line in lines}) == 1, path
         assert all(is_harmless(cell) for line in lines for cell in line), path
     stack_up = cells_of((tmp_path / "stack-up.csv").read_text())
-    assert [line[0] for line in stack_up[1:]] == [
-        "'+ring",
-        "'-2+3",
-        '\'=HYPERLINK("http://x")',
-        "'@foot",
-    ]
+    assert [line[0] for line in stack_up[1:]] == ["'+ring", "'-2+3", '\'=HYPERLINK("http://x")', "'@foot"]
     dry = stack_up[0].index("dry weight (kN)")
     assert float(stack_up[2][dry]) == pytest.approx(400.0 * 150.0 * 9.81e-3)

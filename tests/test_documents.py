@@ -38,9 +38,7 @@ MADE = made()
 def test_what_is_written_from_the_models_is_up_to_date(path):
     stands, should = path.read_text("utf-8"), MADE[path]
     difference = difflib.unified_diff(stands.splitlines(), should.splitlines(), lineterm="")
-    assert stands == should, "run `python workflow/scripts/make_reference.py`:\n" + "\n".join(
-        difference
-    )
+    assert stands == should, "run `python workflow/scripts/make_reference.py`:\n" + "\n".join(difference)
 
 
 @cache
@@ -61,13 +59,7 @@ def test_the_schema_that_a_first_line_names_accepts_its_file(path):
 
 
 @pytest.mark.parametrize(
-    "wrong",
-    [
-        {"depth": "3 m"},
-        {"gravity": 9.81},
-        {"gravity": {"assumed": "9.81 m/s^2"}},
-        {"riser": []},
-    ],
+    "wrong", [{"depth": "3 m"}, {"gravity": 9.81}, {"gravity": {"assumed": "9.81 m/s^2"}}, {"riser": []}]
 )
 def test_the_schema_refuses_what_a_scene_cannot_say(wrong):
     scene = YAML(typ="safe", pure=True).load(ROOT / "config/scenes/bench/s2c.yaml")
@@ -104,9 +96,7 @@ def test_the_site_builds_and_needs_no_network(tmp_path):
     site = tmp_path / "site"
     done = build(ROOT / "docs", site, "html")
     assert (done.returncode, done.stderr) == (0, "")
-    loads = re.compile(
-        r"<(?:script|img|link|iframe|source)\b[^>]*?(?:src|href)=[\"\']((?:\w+:)?//[^\"\']+)"
-    )
+    loads = re.compile(r"<(?:script|img|link|iframe|source)\b[^>]*?(?:src|href)=[\"\']((?:\w+:)?//[^\"\']+)")
     within = re.compile(r"(?:url\(|@import\s+(?:url\()?)\s*[\"\']?((?:https?:)?//[^\"\')]+)")
     for page in site.rglob("*.html"):
         text = page.read_text("utf-8")
@@ -148,9 +138,7 @@ def test_fractions_and_indices_are_drawn_as_tex_has_them(monkeypatch):
     assert drawn(r"\frac12") == drawn(r"\frac{1}{2}")
     indexed = ElementTree.fromstring(drawn(r"\hat a_{k+1}"))
     assert [part.tag for part in indexed.find("msub")] == ["mover", "mrow"]
-    assert (
-        ElementTree.fromstring(drawn(r"\sum_i^n x_i", as_block=True)).find("munderover") is not None
-    )
+    assert ElementTree.fromstring(drawn(r"\sum_i^n x_i", as_block=True)).find("munderover") is not None
 
 
 def test_every_function_command_and_effect_has_its_place_on_the_site(monkeypatch):
@@ -194,9 +182,7 @@ def test_a_link_that_leads_nowhere_stops_the_build(tmp_path):
 def test_the_version_is_one():
     project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
     cited = YAML(typ="safe", pure=True).load(ROOT / "CITATION.cff")
-    described = [
-        json.loads((ROOT / name).read_text("utf-8")) for name in ("codemeta.json", ".zenodo.json")
-    ]
+    described = [json.loads((ROOT / name).read_text("utf-8")) for name in ("codemeta.json", ".zenodo.json")]
     assert {project["version"], cited["version"], *(one["version"] for one in described)} == {
         project["version"]
     }

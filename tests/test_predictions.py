@@ -81,9 +81,7 @@ def test_the_page_tells_what_came_of_the_years():
     for one in came:
         inside = float(one["low"]) <= float(one["came"]) <= float(one["high"])
         assert (one["inside"] == "yes") == inside
-    outside = {
-        years: [o for o in came if o["years"] == years and o["inside"] == "no"] for years in "15"
-    }
+    outside = {years: [o for o in came if o["years"] == years and o["inside"] == "no"] for years in "15"}
     singles = sum(one["years"] == "1" for one in came)
     first = PAGE.partition("|---|")[2].splitlines()[1]
     assert f"{len(outside['5'])} of 5 means" in first
@@ -113,9 +111,7 @@ def test_the_page_tells_what_came_of_the_hindcast():
         inside = float(one["low"]) <= float(one["came"]) <= float(one["high"])
         assert (one["inside"] == "yes") == inside
     held = sum(one["inside"] == "yes" for one in came)
-    assert (
-        f"{held} of {len(came)} observed shares ({held / len(came):.0%})".replace("%", " %") in PAGE
-    )
+    assert f"{held} of {len(came)} observed shares ({held / len(came):.0%})".replace("%", " %") in PAGE
     outside = [one for one in came if one["inside"] == "no"]
     assert {one["known"] for one in outside} == {"3"}
     assert all(float(one["came"]) > float(one["high"]) for one in outside)
@@ -127,9 +123,7 @@ def test_the_engine_still_predicts_it(k):
     """With another seed, within 10 % of what was sealed with an error of 5 %."""
     made, row = script(), rows()[k]
     file = made.at_speed(read_scene(FOLDER / "stepped_current.yaml"), float(row[0]))
-    found = made.predicted(
-        run(file.with_values({"riser[0].viv.seed": 9}, "test").resolved()), 0.028
-    )
+    found = made.predicted(run(file.with_values({"riser[0].viv.seed": 9}, "test").resolved()), 0.028)
     assert found[0] == int(row[1])
     for value, sealed in zip(found[1:4], map(float, row[2:5]), strict=True):
         assert value == pytest.approx(sealed, rel=0.1)

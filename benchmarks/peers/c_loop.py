@@ -62,9 +62,9 @@ def library(source: Path = SOURCE) -> ctypes.CDLL:
     """A compiled loop, from the cache when source, flags and compiler are the same."""
     cc = compiler()
     version = subprocess.run([cc, "--version"], capture_output=True, text=True, check=True).stdout
-    key = hashlib.sha256(
-        "\n".join([source.read_text(), version, _processor(), *FLAGS]).encode()
-    ).hexdigest()[:16]
+    key = hashlib.sha256("\n".join([source.read_text(), version, _processor(), *FLAGS]).encode()).hexdigest()[
+        :16
+    ]
     target = scene.CACHE / "bench" / f"{source.stem}-{key}.so"
     if not target.exists():
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -40,10 +40,5 @@ def run(elements: int, step: None) -> dict[str, Any]:
         "moment_s": s,
         "moment": np.array([found.column(f"BendMom1N{j}")[0] for j in place]),
         "seconds": seconds,
-        "meta": {
-            "scheme": "Newton",
-            "step": None,
-            "version": metadata.version("cabledyn"),
-            "failed": False,
-        },
+        "meta": {"scheme": "Newton", "step": None, "version": metadata.version("cabledyn"), "failed": False},
     }

@@ -122,9 +122,7 @@ def driven(path: Path) -> float:
     return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
-def run(
-    elements: int, step: float, moments: bool = False, rho_inf: float = RHO_INF
-) -> dict[str, Any]:
+def run(elements: int, step: float, moments: bool = False, rho_inf: float = RHO_INF) -> dict[str, Any]:
     """Simulate S2c with uniform elements and steps (s); CableDyn tells moments without their sign."""
     from cabledyn import read_output
 

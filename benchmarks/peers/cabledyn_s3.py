@@ -22,14 +22,7 @@ TOP = -50.0  # elevation of the top (m)
 RHO_INF = 0.8
 TOLERANCE = 1e-6  # of a Newton correction
 # Finer meshes err more: the free point is stepped in turns with the line, and the last segment's share grows.
-LADDER = [
-    (4, 0.2, {}),
-    (4, 0.1, {}),
-    (4, 0.05, {}),
-    (6, 0.025, {}),
-    (6, 0.0125, {}),
-    (8, 0.00625, {}),
-]
+LADDER = [(4, 0.2, {}), (4, 0.1, {}), (4, 0.05, {}), (6, 0.025, {}), (6, 0.0125, {}), (8, 0.00625, {})]
 available = cabledyn_s2c.available
 
 

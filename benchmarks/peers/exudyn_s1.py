@@ -27,9 +27,7 @@ class Flow(Water):
         """Drag of the water that passes."""
         _, nx, nz = self.motion(q, v)
         h = LENGTH / len(self.own)
-        along = h * (
-            np.arange(len(self.own))[:, None] + np.array([-1.0, 0.0, 1.0]) * np.sqrt(0.15) + 0.5
-        )
+        along = h * (np.arange(len(self.own))[:, None] + np.array([-1.0, 0.0, 1.0]) * np.sqrt(0.15) + 0.5)
         z = along + np.asarray(q)[self.own][:, 1::2] @ self.value.T
         passing = current.speed(z) * nx
         f = self.drag * np.abs(passing) * passing
@@ -71,10 +69,5 @@ def run(elements: int, step: None) -> dict[str, Any]:
         "moment_s": np.concatenate([[0.0], inner, [LENGTH]]),
         "moment": np.pad(moment, 1),
         "seconds": seconds,
-        "meta": {
-            "scheme": "Newton",
-            "step": None,
-            "version": metadata.version("exudyn"),
-            "failed": False,
-        },
+        "meta": {"scheme": "Newton", "step": None, "version": metadata.version("exudyn"), "failed": False},
     }

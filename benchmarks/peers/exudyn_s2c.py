@@ -52,12 +52,7 @@ class Water:
         places, weights = np.polynomial.legendre.leggauss(3)
         u = 0.5 * (1.0 + places)[:, None]
         self.value = np.hstack(
-            [
-                1 - 3 * u**2 + 2 * u**3,
-                h * (u - 2 * u**2 + u**3),
-                3 * u**2 - 2 * u**3,
-                h * (u**3 - u**2),
-            ]
+            [1 - 3 * u**2 + 2 * u**3, h * (u - 2 * u**2 + u**3), 3 * u**2 - 2 * u**3, h * (u**3 - u**2)]
         )
         self.slope = np.hstack(
             [(6 * u**2 - 6 * u) / h, 1 - 4 * u + 3 * u**2, (6 * u - 6 * u**2) / h, 3 * u**2 - 2 * u]
@@ -76,9 +71,7 @@ class Water:
     def matrix(self, blocks: np.ndarray) -> csr_matrix:
         """Assemble elements' blocks."""
         rows, columns = np.broadcast_arrays(self.own[:, :, None], self.own[:, None, :])
-        out = csr_matrix(
-            (blocks.ravel(), (rows.ravel(), columns.ravel())), shape=(self.size, self.size)
-        )
+        out = csr_matrix((blocks.ravel(), (rows.ravel(), columns.ravel())), shape=(self.size, self.size))
         out.eliminate_zeros()
         return out
 
@@ -99,14 +92,7 @@ class Water:
         return np.bincount(self.own.ravel(), blocks.ravel())
 
     def tangent(
-        self,
-        mbs: Any,
-        t: float,
-        item: int,
-        q: np.ndarray,
-        v: np.ndarray,
-        by_q: float,
-        by_v: float,
+        self, mbs: Any, t: float, item: int, q: np.ndarray, v: np.ndarray, by_q: float, by_v: float
     ) -> Any:
         """The part of drag's tangent that matters: by normal velocity."""
         import exudyn
@@ -127,11 +113,7 @@ def surge(mbs: Any, t: float, number: int, offset: float) -> float:
 
 
 def build(
-    elements: int,
-    moments: bool,
-    water: Water | None = None,
-    height: float | None = None,
-    moves: bool = True,
+    elements: int, moments: bool, water: Water | None = None, height: float | None = None, moves: bool = True
 ) -> tuple[Any, list[Any], list[Any], np.ndarray]:
     """The riser at rest; sensors of the nodes' positions and of moments, and where the latter are.
 
@@ -148,8 +130,7 @@ def build(
     nodes = [
         mbs.AddNode(
             item.NodePoint2DSlope1(
-                referenceCoordinates=[0.0, place, 0.0, 1.0],
-                initialCoordinates=[0.0, height - place, 0.0, e],
+                referenceCoordinates=[0.0, place, 0.0, 1.0], initialCoordinates=[0.0, height - place, 0.0, e]
             )
         )
         for place, height, e in zip(s, scene.static_height(s), strain, strict=True)
@@ -193,15 +174,11 @@ def build(
     kind = exudyn.OutputVariableType
     places = 0.5 * (1.0 + np.array([-1.0, 1.0]) / np.sqrt(3.0)) * scene.LENGTH / elements
     position = [
-        item.SensorNode(nodeNumber=k, storeInternal=True, outputVariableType=kind.Position)
-        for k in nodes
+        item.SensorNode(nodeNumber=k, storeInternal=True, outputVariableType=kind.Position) for k in nodes
     ]
     bending = [
         item.SensorBody(
-            bodyNumber=k,
-            localPosition=[place, 0, 0],
-            storeInternal=True,
-            outputVariableType=kind.TorqueLocal,
+            bodyNumber=k, localPosition=[place, 0, 0], storeInternal=True, outputVariableType=kind.TorqueLocal
         )
         for k in cables
         for place in places
@@ -234,11 +211,7 @@ def march(mbs: Any, duration: float, step: float, rho_inf: float, tolerance: flo
 
 
 def run(
-    elements: int,
-    step: float,
-    moments: bool = False,
-    rho_inf: float = RHO_INF,
-    tolerance: float = TOLERANCE,
+    elements: int, step: float, moments: bool = False, rho_inf: float = RHO_INF, tolerance: float = TOLERANCE
 ) -> dict[str, Any]:
     """Simulate S2c with uniform elements and steps (s)."""
     mbs, position, bending, inner = build(elements, moments)

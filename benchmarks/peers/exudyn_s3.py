@@ -19,14 +19,7 @@ from peers import exudyn_s2c
 
 RHO_INF = 0.8
 TOLERANCE = 1e-6  # relative, of the residual
-LADDER = [
-    (2, 0.4, {}),
-    (4, 0.2, {}),
-    (8, 0.1, {}),
-    (8, 0.05, {}),
-    (16, 0.025, {}),
-    (16, 0.0125, {}),
-]
+LADDER = [(2, 0.4, {}), (4, 0.2, {}), (8, 0.1, {}), (8, 0.05, {}), (16, 0.025, {}), (16, 0.0125, {})]
 available = exudyn_s2c.available
 
 
@@ -35,9 +28,7 @@ def drag(mbs: Any, t: float, item: int, q: Any, v: Any) -> list[float]:
     return [0.0, -heave.DRAG * abs(v[1]) * v[1], 0.0, 0.0]
 
 
-def tangent(
-    mbs: Any, t: float, item: int, q: Any, v: Any, by_q: float, by_v: float
-) -> list[list[float]]:
+def tangent(mbs: Any, t: float, item: int, q: Any, v: Any, by_q: float, by_v: float) -> list[list[float]]:
     """What Exudyn adds to its tangent for the drag."""
     out = np.zeros((4, 4))
     out[1, 1] = by_v * 2.0 * heave.DRAG * abs(v[1])
@@ -96,12 +87,8 @@ def build(elements: int) -> tuple[Any, Any, Any]:
         (0, {}),
         (1, {"offset": float(heave.stretch(heave.LENGTH)), "offsetUserFunction": moved}),
     ):
-        marker = mbs.AddMarker(
-            item.MarkerNodeCoordinate(nodeNumber=nodes[-1], coordinate=coordinate)
-        )
-        joints.append(
-            mbs.AddObject(item.ObjectConnectorCoordinate(markerNumbers=[ground, marker], **how))
-        )
+        marker = mbs.AddMarker(item.MarkerNodeCoordinate(nodeNumber=nodes[-1], coordinate=coordinate))
+        joints.append(mbs.AddObject(item.ObjectConnectorCoordinate(markerNumbers=[ground, marker], **how)))
     kind = exudyn.OutputVariableType
     lower = mbs.AddSensor(
         item.SensorNode(nodeNumber=nodes[0], storeInternal=True, outputVariableType=kind.Position)
@@ -113,9 +100,7 @@ def build(elements: int) -> tuple[Any, Any, Any]:
     return mbs, lower, force
 
 
-def run(
-    elements: int, step: float, rho_inf: float = RHO_INF, tolerance: float = TOLERANCE
-) -> dict[str, Any]:
+def run(elements: int, step: float, rho_inf: float = RHO_INF, tolerance: float = TOLERANCE) -> dict[str, Any]:
     """Simulate S3 with uniform elements and steps (s)."""
     mbs, lower, force = build(elements)
     seconds = exudyn_s2c.march(mbs, heave.DURATION, step, rho_inf, tolerance)

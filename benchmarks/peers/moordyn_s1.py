@@ -35,11 +35,7 @@ def run(elements: int, step: float, duration: float) -> dict[str, Any]:
     text = deck(elements, step, SCHEME, DAMPING_RATIO, current.HEIGHT, "1 Currents\n")
     profile = "current\nof scene S1\nz ux uy uz\n" + "".join(
         f"{BOTTOM + z:.12g} {speed:.12g} 0 0\n"
-        for z, speed in (
-            (0.0, 0.0),
-            (LENGTH, current.SURFACE_SPEED),
-            (-BOTTOM, current.SURFACE_SPEED),
-        )
+        for z, speed in ((0.0, 0.0), (LENGTH, current.SURFACE_SPEED), (-BOTTOM, current.SURFACE_SPEED))
     )
     with tempfile.TemporaryDirectory() as folder, quiet():
         path = Path(folder, "s1.txt")

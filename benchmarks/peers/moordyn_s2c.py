@@ -30,12 +30,7 @@ BOTTOM = -600.0
 COUPLING = 0.01  # s; at 0.05 s the corners of the path spoil the moments near the top
 SCHEME = "RK2"
 DAMPING_RATIO = 0.7  # axial, of critical for one segment
-LADDER = [
-    (19, 0.01, {}),
-    (42, 0.005, {}),
-    (99, 0.002, {}),
-    (204, 0.00077, {}),
-]
+LADDER = [(19, 0.01, {}), (42, 0.005, {}), (99, 0.002, {}), (204, 0.00077, {})]
 
 
 def available() -> str | None:
@@ -48,12 +43,7 @@ def available() -> str | None:
 
 
 def deck(
-    elements: int,
-    step: float,
-    scheme: str,
-    damping_ratio: float,
-    height: float | None = None,
-    more: str = "",
+    elements: int, step: float, scheme: str, damping_ratio: float, height: float | None = None, more: str = ""
 ) -> str:
     """The input file, the top at a height (m) over the bottom."""
     volume = (scene.MASS - scene.WEIGHT / scene.GRAVITY) / scene.WATER_DENSITY

@@ -55,9 +55,7 @@ def build(elements: int) -> None:
     for i in range(1, top + 1):
         ops.node(i, 0.0, (i - 1) * h)
     for i in range(1, top):
-        ops.element(
-            "elasticBeamColumn", i, i, i + 1, scene.AXIAL_STIFFNESS, 1.0, scene.BENDING_STIFFNESS, 1
-        )
+        ops.element("elasticBeamColumn", i, i, i + 1, scene.AXIAL_STIFFNESS, 1.0, scene.BENDING_STIFFNESS, 1)
     ops.timeSeries("Linear", 1)
     ops.pattern("Plain", 1, 1)
     for i in range(2, top):
@@ -91,9 +89,7 @@ def solver(test: str, tolerance: float) -> None:
     ops.algorithm("Newton")
 
 
-def run(
-    elements: int, step: float, moments: bool = False, tolerance: float = TOLERANCE
-) -> dict[str, Any]:
+def run(elements: int, step: float, moments: bool = False, tolerance: float = TOLERANCE) -> dict[str, Any]:
     """Simulate S2c with uniform elements and steps (s) by Newmark's average acceleration."""
     import openseespy.opensees as ops
 

@@ -30,10 +30,7 @@ def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -
     for ax in axes[2:]:
         ax.set_aspect("equal", adjustable="datalim")
     most = [float(abs(scene["x"]).max()) for _, scene in named[:2]]
-    headline(
-        figure,
-        f"Current deflects the riser by {most[0]:.2f} m, a line load by {most[1]:.2f} m",
-    )
+    headline(figure, f"Current deflects the riser by {most[0]:.2f} m, a line load by {most[1]:.2f} m")
     return figure
 
 
@@ -44,9 +41,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     shades = colormaps["Blues"](np.linspace(0.95, 0.4, len(STATIONS)))
     for colour, s in zip(shades, STATIONS, strict=True):
         history = s2["x"].interp(s=s, method="cubic")
-        axes[0].plot(
-            history["time"], history, color=colour, linewidth=1.2, label=f"S2, s = {s:.0f} m"
-        )
+        axes[0].plot(history["time"], history, color=colour, linewidth=1.2, label=f"S2, s = {s:.0f} m")
     axes[0].set_xlabel("time (s)")
     axes[0].set_ylabel("lateral position x (m)")
     panel_title(axes[0], "S2, at four heights")
@@ -54,9 +49,7 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     for colour, (name, scene) in zip(COLOURS, (("S2", s2), ("S2c", s2c)), strict=False):
         for side in ("max", "min"):
             moment = scene[f"bending_moment_{side}"] / 1e3
-            axes[1].plot(
-                moment, scene["s_node"], color=colour, label=name if side == "max" else None
-            )
+            axes[1].plot(moment, scene["s_node"], color=colour, label=name if side == "max" else None)
         tension = scene["effective_tension"].isel(s=-1) / 1e3
         axes[2].plot(tension["time"], tension, color=colour, linewidth=0.8, label=name)
     axes[1].set_xlabel("bending moment envelope (kN m)")

@@ -17,16 +17,7 @@ from scipy.interpolate import CubicSpline
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below, everywhere
 from riserstudy.grading.word import Word
-from riserstudy.grading.yardstick import (
-    Condition,
-    alike,
-    all_along,
-    all_of,
-    growing,
-    less,
-    more,
-    plain,
-)
+from riserstudy.grading.yardstick import Condition, alike, all_along, all_of, growing, less, more, plain
 
 FloatArray = NDArray[np.float64]
 DRAWN = 8.0  # range of the piston in Figs 5, 6 and 9, either way (m)
@@ -105,9 +96,7 @@ def _of_curves(
 def _curves(law: xr.Dataset, model: str) -> tuple[xr.DataArray, xr.DataArray]:
     """X (m), rising, and the force of all cylinders (N)."""
     rest = law.sel(tensioner_model=model, drop=True).sortby("heave_position", ascending=False)
-    return -rest["tensioner_stroke_static"].isel(cylinder=0), rest["tensioner_force_static"].sum(
-        "cylinder"
-    )
+    return -rest["tensioner_stroke_static"].isel(cylinder=0), rest["tensioner_force_static"].sum("cylinder")
 
 
 # Figs 10 to 14: the response
@@ -132,9 +121,7 @@ def differ(
     return judged(apart, all_of(above(apart, significantly.bound), sides))
 
 
-def asymmetry_grows(
-    runs: xr.Dataset, increases: Word, amplitudes: list[float] | None = None
-) -> Found:
+def asymmetry_grows(runs: xr.Dataset, increases: Word, amplitudes: list[float] | None = None) -> Found:
     """S rises with amplitude and never falls; value: S at the largest."""
     up, down = _sides(_model(runs, "gas law"), amplitudes)
     index = up / down
@@ -183,9 +170,7 @@ def _when(force: xr.DataArray, away: xr.DataArray, sign: float) -> xr.DataArray:
     return force.isel(time=farthest).drop_vars("time")
 
 
-def keeps_more_tension(
-    gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word
-) -> Found:
+def keeps_more_tension(gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word) -> Found:
     """The riser's smallest tension is larger with the gas law, at each amplitude; value: difference (MN)."""
     smallest = [
         _model(runs, model)["effective_tension_min"].sel(heave_amplitude=amplitudes).min("s_node")
@@ -195,13 +180,10 @@ def keeps_more_tension(
     return judged(gained, more(smallest[0], smallest[1], larger))
 
 
-def keeps_more_pull(
-    gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word
-) -> Found:
+def keeps_more_pull(gas: xr.Dataset, linear: xr.Dataset, amplitudes: list[float], larger: Word) -> Found:
     """The cylinders' smallest pull is larger with the gas law, at each amplitude; value: difference (MN)."""
     smallest = [
-        _least_pull(_model(runs, m), amplitudes)
-        for m, runs in (("gas law", gas), ("linear", linear))
+        _least_pull(_model(runs, m), amplitudes) for m, runs in (("gas law", gas), ("linear", linear))
     ]
     return judged((smallest[0] - smallest[1]) / 1e6, more(smallest[0], smallest[1], larger))
 
@@ -265,9 +247,7 @@ def _rest(runs: xr.Dataset) -> xr.Dataset:
     return runs.sel(heave_amplitude=runs["heave_amplitude"].min(), drop=True)
 
 
-def _sides(
-    runs: xr.Dataset, amplitudes: list[float] | None = None
-) -> tuple[xr.DataArray, xr.DataArray]:
+def _sides(runs: xr.Dataset, amplitudes: list[float] | None = None) -> tuple[xr.DataArray, xr.DataArray]:
     """x_p and x_n (m) of all amplitudes above zero, or of the given ones."""
     top = runs.isel(s_node=-1, drop=True)
     rest = _rest(top)["z_static"]
@@ -337,10 +317,7 @@ def equilibria(law: xr.Dataset) -> dict[str, Any]:
     """Equilibria of gas law and line (m), and the excess of the force at X = 0 over the weight (MN)."""
     rest = law.sel(heave_position=0.0).isel(s_node=-1)
     zero = float(law["s_node"][-1])
-    x = {
-        model: float(rest["z_static"].sel(tensioner_model=model)) - zero
-        for model in ("gas law", "linear")
-    }
+    x = {model: float(rest["z_static"].sel(tensioner_model=model)) - zero for model in ("gas law", "linear")}
     stroke, force = _curves(law, "gas law")
     at_zero = float(CubicSpline(stroke, force)(0.0))
     line_stroke, line = _curves(law, "linear")
@@ -359,10 +336,7 @@ def equilibria(law: xr.Dataset) -> dict[str, Any]:
 def stiffnesses(law: xr.Dataset) -> dict[str, Any]:
     """Secant and tangent stiffness of all cylinders at X = -8 m (MN/m)."""
     curve = CubicSpline(*_curves(law, "gas law"))
-    return {
-        "secant": float((curve(-8.0) - curve(0.0)) / 8.0) / 1e6,
-        "tangent": float(-curve(-8.0, 1)) / 1e6,
-    }
+    return {"secant": float((curve(-8.0) - curve(0.0)) / 8.0) / 1e6, "tangent": float(-curve(-8.0, 1)) / 1e6}
 
 
 def mass_places(runs: xr.Dataset) -> dict[str, Any]:

@@ -28,15 +28,11 @@ def asymmetry(steady: xr.Dataset, from_rest: xr.Dataset, quasi_static: xr.Datase
     readings["quasi_static"] = held["above"] - rest, rest - held["below"]
     names = xr.DataArray(list(readings), dims="reading", name="reading")
     up, down = (
-        xr.concat(
-            [sides[k] for sides in readings.values()], names, coords="minimal", compat="override"
-        )
+        xr.concat([sides[k] for sides in readings.values()], names, coords="minimal", compat="override")
         for k in range(2)
     )
     return described(
-        xr.Dataset(
-            {"displacement_up": up, "displacement_down": down, "asymmetry_index": up / down}
-        ),
+        xr.Dataset({"displacement_up": up, "displacement_down": down, "asymmetry_index": up / down}),
         PAPER,
         "asymmetry index S of Eq. 9",
     )
@@ -51,15 +47,10 @@ def reductions(
     between largest and smallest value, deviation the standard deviation, peak the largest value.
     """
     ways = {
-        (quantity, height, reading): 1.0
-        - _measures(runs, quantity, a) / _measures(rigid, quantity, a)
+        (quantity, height, reading): 1.0 - _measures(runs, quantity, a) / _measures(rigid, quantity, a)
         for quantity in QUANTITIES
         for height, a in HEIGHTS.items()
-        for reading, runs in {
-            "steady": steady,
-            "from_rest": from_rest,
-            "quasi_static": quasi_static,
-        }.items()
+        for reading, runs in {"steady": steady, "from_rest": from_rest, "quasi_static": quasi_static}.items()
     }
     table = xr.concat(ways.values(), "way", coords="minimal", compat="override")
     for k, name in enumerate(("quantity", "height", "reading")):
@@ -89,9 +80,7 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
     quantity = xr.DataArray(list(QUANTITIES), dims="quantity", name="quantity")
     table = xr.concat(parts, height).expand_dims(quantity=quantity)
     dataset = table.to_dataset(name="reduction").assign(sampled(open_choices))
-    return described(
-        dataset, PAPER, "reduction of the oscillation, for samples of the unspecified inputs"
-    )
+    return described(dataset, PAPER, "reduction of the oscillation, for samples of the unspecified inputs")
 
 
 def _spread(history: xr.DataArray) -> xr.DataArray:

@@ -35,11 +35,7 @@ def fades_with_depth(water: xr.Dataset, share: float, within: float) -> Found:
     places = []
     for name in ("wave_velocity", "wave_acceleration"):
         size = abs(water[name]).max("time")
-        faded = (
-            size["below_surface"]
-            .where(size <= share * size.isel(below_surface=0))
-            .min("below_surface")
-        )
+        faded = size["below_surface"].where(size <= share * size.isel(below_surface=0)).min("below_surface")
         places.append(faded / water["below_surface"].max())
     deepest = xr.concat(places, "of").max("of")
     return judged(deepest, below(deepest, within))
@@ -51,9 +47,7 @@ def fades_with_depth(water: xr.Dataset, share: float, within: float) -> Found:
 def fast_at_first(motion: xr.Dataset, at_least: float) -> Found:
     """Mid-length deflects faster in the first two wave periods than in the second phase; value: ratio."""
     x = middle(motion)
-    rates = {
-        name: (at(x, end) - at(x, start)) / (end - start) for name, (start, end) in PHASES.items()
-    }
+    rates = {name: (at(x, end) - at(x, start)) / (end - start) for name, (start, end) in PHASES.items()}
     ratio = abs(rates["first"]) / abs(rates["second"])
     return judged(ratio, above(ratio, at_least))
 
@@ -96,9 +90,7 @@ def averaged(x: xr.DataArray) -> xr.DataArray:
     count = round(PERIOD / float(x["time"][1] - x["time"][0]))
     ends = xr.zeros_like(x.isel(time=slice(count, None)))
     total = x.cumsum("time")
-    mean = (
-        total.isel(time=slice(count, None)).values - total.isel(time=slice(None, -count)).values
-    ) / count
+    mean = (total.isel(time=slice(count, None)).values - total.isel(time=slice(None, -count)).values) / count
     times = x["time"].values[count:] - 0.5 * PERIOD
     return ends.copy(data=mean).assign_coords(time=times)
 
@@ -190,9 +182,7 @@ def each_of_them(trends: xr.Dataset, mid: float, near: float, change: Word) -> C
 # the numerical settings
 
 
-def grid_suffices(
-    grid: xr.Dataset, finer: xr.Dataset, element: str, step: float, at_most: float
-) -> Found:
+def grid_suffices(grid: xr.Dataset, finer: xr.Dataset, element: str, step: float, at_most: float) -> Found:
     """Error at an element length and time step; value: the larger error of deflection and moment.
 
     The reference is ``finer``, runs with equal inputs. If the runs form a grid, it is the grid's finest run.
@@ -211,17 +201,12 @@ def grid_error(grid: xr.Dataset) -> xr.DataArray:
 
 def finest(grid: xr.Dataset) -> xr.Dataset:
     """The run with the shortest elements and the shortest time step."""
-    return grid.sel(element="2.5 m", drop=True).sel(
-        time_step=float(grid["time_step"].min()), drop=True
-    )
+    return grid.sel(element="2.5 m", drop=True).sel(time_step=float(grid["time_step"].min()), drop=True)
 
 
 def difference(runs: xr.Dataset, others: xr.Dataset) -> xr.DataArray:
     """Larger relative difference, of largest deflection and of largest moment, from other runs."""
-    apart = [
-        abs(mine / theirs - 1.0)
-        for mine, theirs in zip(_largest(runs), _largest(others), strict=True)
-    ]
+    apart = [abs(mine / theirs - 1.0) for mine, theirs in zip(_largest(runs), _largest(others), strict=True)]
     worst: xr.DataArray = xr.concat(apart, "of").max("of")
     return worst
 
@@ -285,18 +270,14 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
         "paper_milliseconds": 46 * 3.6e6 * PAPER_STEP / STABLE,
     }
     if finest > PAPER_STEP:
-        words = (
-            f"this tier does not run them all; by the time per step, they would take {whole:.0f} s"
-        )
+        words = f"this tier does not run them all; by the time per step, they would take {whole:.0f} s"
         return times | {"run": words}
     apart = []
     for runs in (own["x_max"].max("s_node"), own["bending_moment_max"].max("s_node")):
         short, long = (float(runs.sel(time_step=step)) for step in (finest, float(steps.max())))
         apart.append(abs(long / short - 1.0))
     longer = f"time steps of {float(steps.max()):g} s change the largest deflection and moment"
-    return times | {
-        "run": f"the run takes {seconds:.0f} s; {longer} by at most {100 * max(apart):.1g} %"
-    }
+    return times | {"run": f"the run takes {seconds:.0f} s; {longer} by at most {100 * max(apart):.1g} %"}
 
 
 def settling(tides: xr.Dataset) -> dict[str, Any]:
@@ -320,11 +301,7 @@ def top_drift(table: xr.Dataset) -> dict[str, Any]:
     """Deflection (m), its position and the largest angle (deg) with the top held at three offsets."""
     offsets = table["top_offset"]
     drifts: dict[str, Any] = {}
-    for name, value in (
-        ("against", float(offsets.min())),
-        ("none", 0.0),
-        ("along", float(offsets.max())),
-    ):
+    for name, value in (("against", float(offsets.min())), ("none", 0.0), ("along", float(offsets.max()))):
         one = table.sel(top_offset=value)
         drifts |= {
             f"{name}_offset": value,

@@ -50,10 +50,7 @@ def water(motion: xr.Dataset) -> xr.Dataset:
     dataset = xr.Dataset(
         {
             "wave_velocity": (("time", "below_surface"), amplitude * w * np.cos(phase) * fade),
-            "wave_acceleration": (
-                ("time", "below_surface"),
-                amplitude * w**2 * np.sin(phase) * fade,
-            ),
+            "wave_acceleration": (("time", "below_surface"), amplitude * w**2 * np.sin(phase) * fade),
             "water_speed": ("below_surface", np.interp((levels.surface or 0.0) - depth, z, speed)),
         },
         {"time": time, "below_surface": depth},
@@ -67,9 +64,7 @@ def trends(
 ) -> xr.Dataset:  # fmt: skip
     """Measures over length, tension ratio and buoyant factor, by solver."""
     lengths = _over_length(length_500, length_1000, length_1500)
-    return _joined(
-        {"length": lengths, "ratio": measures(tension_ratio), "factor": measures(buoyant_factor)}
-    )
+    return _joined({"length": lengths, "ratio": measures(tension_ratio), "factor": measures(buoyant_factor)})
 
 
 def lumped_trends(**studies: xr.Dataset) -> xr.Dataset:
@@ -83,17 +78,13 @@ def open_trends(
 ) -> xr.Dataset:  # fmt: skip
     """Measures over samples of the unspecified inputs as well, by the paper's beam."""
     lengths = _over_length(open_500, open_1000, open_1500)
-    ratio, factor = (
-        measures(runs).sel(solver=BEAM, drop=True) for runs in (open_ratio, open_factor)
-    )
+    ratio, factor = (measures(runs).sel(solver=BEAM, drop=True) for runs in (open_ratio, open_factor))
     return _with_assumed(_joined({"length": lengths, "ratio": ratio, "factor": factor}), open_ratio)
 
 
 def open_lumped_trends(open_ratio: xr.Dataset, open_factor: xr.Dataset) -> xr.Dataset:
     """Measures over samples, tension ratio and buoyant factor, by lumped masses."""
-    ratio, factor = (
-        measures(runs).sel(solver=LUMPED, drop=True) for runs in (open_ratio, open_factor)
-    )
+    ratio, factor = (measures(runs).sel(solver=LUMPED, drop=True) for runs in (open_ratio, open_factor))
     return _with_assumed(_joined({"ratio": ratio, "factor": factor}), open_ratio)
 
 
@@ -149,17 +140,13 @@ def sample_error(open_fine: xr.Dataset, open_ratio: xr.Dataset) -> xr.Dataset:
 
 def _over_length(*runs: xr.Dataset) -> xr.Dataset:
     lengths = [to_si(json.loads(r.attrs["scene"])["riser"][0]["length"], "m") for r in runs]
-    return xr.concat(
-        [measures(r) for r in runs], xr.DataArray(lengths, dims="length", name="length")
-    )
+    return xr.concat([measures(r) for r in runs], xr.DataArray(lengths, dims="length", name="length"))
 
 
 def _joined(parts: dict[str, xr.Dataset]) -> xr.Dataset:
     """Measures of several studies in one dataset, named <measure>_by_<study's axis>."""
     named = {
-        f"{name}_by_{axis}": part[name].drop_vars(
-            [c for c in part[name].coords if c not in part[name].dims]
-        )
+        f"{name}_by_{axis}": part[name].drop_vars([c for c in part[name].coords if c not in part[name].dims])
         for axis, part in parts.items()
         for name in MEASURES
     }

@@ -147,9 +147,7 @@ def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
 def slow_below(runs: xr.Dataset, later: float) -> Found:
     """All parts at the bottom begin to respond later than the upper flex joint; value: least delay (s)."""
     begins = starts(_along(runs))
-    delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(
-        limit="upper flex joint", drop=True
-    )
+    delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint", drop=True)
     return judged(_finite(delay, runs), above(delay, later))
 
 
@@ -176,9 +174,7 @@ def inertia_explains_the_lag(runs: xr.Dataset, larger: Word) -> Found:
 def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
     """At 50 s the stroke's share of its limit exceeds all at the bottom; value: ratio to the largest."""
     used = shares(_along(runs)).interp(time=50.0, assume_sorted=True).drop_vars("time")
-    ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(BOTTOM)).max(
-        "limit"
-    )
+    ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(BOTTOM)).max("limit")
     return judged(ratio, above(ratio, times))
 
 
@@ -288,9 +284,7 @@ def lags(runs: xr.Dataset, begun: float) -> dict[str, Any]:
     return {name: float(lag.sel(case)) for name, case in cases.items()}
 
 
-def limit_over_phases(
-    runs: xr.Dataset, degrees: float, deadline: float, rounding: float
-) -> dict[str, Any]:
+def limit_over_phases(runs: xr.Dataset, degrees: float, deadline: float, rounding: float) -> dict[str, Any]:
     """Times at which the upper flex joint reaches an angle, over wave phases; phases that no gain fits.
 
     Parameters
@@ -301,9 +295,7 @@ def limit_over_phases(
     """
     times = first_crossing(abs(runs["ufj_angle"]), np.deg2rad(degrees)).sortby("gain")
     base = times.sel(gain=gain_of(runs))
-    later, earlier = (
-        times.isel(gain=part).drop_vars("gain") for part in (slice(None, -1), slice(1, None))
-    )
+    later, earlier = (times.isel(gain=part).drop_vars("gain") for part in (slice(None, -1), slice(1, None)))
     passed = (later > deadline + 0.5 * rounding) & (earlier < deadline - 0.5 * rounding)
     return {
         "first": float(base.min()),

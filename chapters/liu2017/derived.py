@@ -12,13 +12,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from chapters.liu2017.limits import (
-    BOTTOM,
-    LIMITS,
-    reached,
-    shares,
-    starts,
-)
+from chapters.liu2017.limits import BOTTOM, LIMITS, reached, shares, starts
 from riserstudy.dataset.crossing import at_time, first_crossing, first_limit
 from riserstudy.dataset.describe import described
 from riserstudy.design.watch_circles import red_and_yellow, with_flags
@@ -38,9 +32,7 @@ OF_THE_RISER = ("riser_reaction_x", "ufj_angle", "lfj_angle", "stroke")
 
 def driveoff(**runs: xr.Dataset) -> xr.Dataset:
     """All cases over time. Without riser, its variables are missing, but its forces are zero."""
-    cases = [
-        measured(run).assign_coords(case=name).expand_dims("case") for name, run in runs.items()
-    ]
+    cases = [measured(run).assign_coords(case=name).expand_dims("case") for name, run in runs.items()]
     joined = xr.concat(cases, "case", join="outer", coords="minimal", compat="override")
     for name in ("riser_force_x", "riser_reaction_x"):
         joined[name] = joined[name].where(~joined["case"].str.endswith(ALONE), 0.0)
@@ -125,9 +117,7 @@ def riser_stress(run: xr.Dataset) -> xr.DataArray:
     outer, inner = (to_si(riser[2][f"{side}_diameter"], "m") for side in ("outer", "inner"))
     area = 0.25 * math.pi * (outer**2 - inner**2)
     fibre = 32.0 * outer / (math.pi * (outer**4 - inner**4))
-    stress: xr.DataArray = abs(pipe["effective_tension"]) / area + fibre * abs(
-        pipe["bending_moment"]
-    )
+    stress: xr.DataArray = abs(pipe["effective_tension"]) / area + fibre * abs(pipe["bending_moment"])
     return stress.max("s")
 
 
@@ -183,9 +173,7 @@ def lag(late: xr.Dataset) -> xr.Dataset:
     The dimension ``begun`` is the share of its limit at which a quantity counts as having begun to respond.
     """
     dataset = measured(late)
-    begins = xr.concat(
-        [starts(dataset, share) for share in BEGUN], xr.Variable("begun", list(BEGUN))
-    )
+    begins = xr.concat([starts(dataset, share) for share in BEGUN], xr.Variable("begun", list(BEGUN)))
     bottom = begins.sel(limit=list(BOTTOM)).min("limit")
     dataset["lag"] = bottom - begins.sel(limit="upper flex joint", drop=True)
     return described(dataset, PAPER, "causes of the late response of the bottom")
@@ -196,9 +184,7 @@ def losses(ref_0: xr.Dataset, drift: xr.Dataset) -> xr.Dataset:
     parts = []
     for name, run in (("drive-off", ref_0), ("drift-off", drift)):
         dataset = measured(run)
-        part = xr.Dataset(
-            {"limit_share": shares(dataset), "platform_surge": dataset["platform_surge"]}
-        )
+        part = xr.Dataset({"limit_share": shares(dataset), "platform_surge": dataset["platform_surge"]})
         part["riser_force_x"] = dataset["riser_force_x"]
         part["limit_time"] = reached(dataset)
         part["riser_stress"] = dataset["riser_stress"]

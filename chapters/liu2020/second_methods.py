@@ -100,9 +100,7 @@ def by_collocation(beam: Beamlike, at: FloatArray) -> FloatArray:
         water = beam.current(s)
         load = beam.drag * np.abs(water) * water
         # M' = T u' - Q and Q' = -load
-        return np.vstack(
-            [y[1], y[2], scale * beam.pull(s) * y[1] - y[3], -scale * beam.length * load]
-        )
+        return np.vstack([y[1], y[2], scale * beam.pull(s) * y[1] - y[3], -scale * beam.length * load])
 
     def ends(low: FloatArray, high: FloatArray) -> FloatArray:
         return np.array([low[0], low[2] - turning * low[1], high[0], high[2]])

@@ -18,10 +18,7 @@ SURE = 1.96  # standard deviations of a 95 % interval
 INACCURATE = "stable but inaccurate"
 #: effects that a scene prescribes; all other effects are physics of riser, water and tensioners
 PRESCRIBED = frozenset(
-    {
-        *("surge", "sway", "heave", "roll", "pitch", "yaw", "cruise", "platform response"),
-        *("wave", "current"),
-    }
+    {*("surge", "sway", "heave", "roll", "pitch", "yaw", "cruise", "platform response"), *("wave", "current")}
 )
 #: effect that is added to scenes instead of removed: the engine decides whether a scene has it
 DECIDED = "with motion out of the plane"

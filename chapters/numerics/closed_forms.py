@@ -24,9 +24,7 @@ class Chamber(NamedTuple):
     volume: float  # m3, at mid-stroke
 
 
-def taut_beam_frequency(
-    mode: int, length: float, tension: float, bending: float, mass: float
-) -> float:
+def taut_beam_frequency(mode: int, length: float, tension: float, bending: float, mass: float) -> float:
     """Frequency (rad/s) of a beam under tension (N), pinned at both ends."""
     k = mode * math.pi / length
     return k * math.sqrt((tension + bending * k * k) / mass)
@@ -130,9 +128,7 @@ class Cable(NamedTuple):
     horizontal: float
 
 
-def elastic_catenary(
-    length: float, weight: float, stiffness: float, span: float, rise: float
-) -> Cable:
+def elastic_catenary(length: float, weight: float, stiffness: float, span: float, rise: float) -> Cable:
     """Cable between two ends (Irvine, Cable Structures, 1981, 1.4); weight (N/m), stiffness EA (N)."""
     from scipy.optimize import fsolve
 
@@ -230,9 +226,7 @@ def wave_number(period: float, depth: float) -> float:
     return float(brentq(lambda k: k * math.tanh(k * depth) - square, 1e-9, 10.0 * (square + 1.0)))
 
 
-def pile_by_inertia(
-    added: float, diameter: float, height: float, period: float, depth: float
-) -> float:
+def pile_by_inertia(added: float, diameter: float, height: float, period: float, depth: float) -> float:
     """Largest moment (N m) at the foot of a stiff pile by Morison's inertia force up to the mean level."""
     k, rate = wave_number(period, depth), 2.0 * math.pi / period
     arm = depth * math.sinh(k * depth) / k - (math.cosh(k * depth) - 1.0) / k**2
@@ -240,9 +234,7 @@ def pile_by_inertia(
     return moved * 0.5 * height * rate**2 * arm / math.sinh(k * depth)
 
 
-def pile_by_drag(
-    coefficient: float, diameter: float, height: float, period: float, depth: float
-) -> float:
+def pile_by_drag(coefficient: float, diameter: float, height: float, period: float, depth: float) -> float:
     """Moment (N m) at the foot of a stiff pile by Morison's drag, below the crest."""
     k = wave_number(period, depth)
     speed = math.pi * height / period / math.sinh(k * depth)

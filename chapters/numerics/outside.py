@@ -185,9 +185,7 @@ def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
             _step(solver)
             steps += 1
             if clock.thread_time() - started > PATIENCE:
-                raise TakesTooLong(
-                    f"more than {PATIENCE:g} s, at t = {solver.t:.3g} s after {steps} steps"
-                )
+                raise TakesTooLong(f"more than {PATIENCE:g} s, at t = {solver.t:.3g} s after {steps} steps")
             inside = solver.dense_output()
         while k < len(times) and times[k] <= solver.t + 1e-9:
             put(y0 + inside(times[k]))

@@ -24,9 +24,7 @@ def in_tier(things: dict[str, Any], tier: str) -> dict[str, Any]:
     return {name: x for name, x in of.items() if tier != "preview" or x.preview}
 
 
-def case_file(
-    config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase
-) -> SceneFile:
+def case_file(config: Path, name: str, case: Case | LimitCase | Ladder | Family | LongCase) -> SceneFile:
     """Read the scene of a case and set the values of the case in it."""
     return read_scene(config / case.scene, keep=True).with_values(case.set, f"{_WHERE}: {name}.set")
 

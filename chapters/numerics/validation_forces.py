@@ -8,12 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from chapters.numerics import closed_forms as known
-from chapters.numerics.validation_row import (
-    CLOSED,
-    Files,
-    Row,
-    simulated,
-)
+from chapters.numerics.validation_row import CLOSED, Files, Row, simulated
 from riserstudy.scene.load import SceneFile
 
 if TYPE_CHECKING:
@@ -27,10 +22,7 @@ REACH = 4.0  # m
 
 def _pulled(reach: float) -> SceneFile:
     """A very stiff pipe, held below; the platform rises and extends the cylinders by ``reach`` (m)."""
-    chamber: dict[str, Any] = {
-        "area": f"{GAS['area']} m^2",
-        "pressure": f"{GAS['pressure']} Pa absolute",
-    }
+    chamber: dict[str, Any] = {"area": f"{GAS['area']} m^2", "pressure": f"{GAS['pressure']} Pa absolute"}
     chamber |= {"volume": f"{GAS['volume']} m^3", "exponent": GAS["exponent"]}
     tree = {
         "title": "cylinders of gas",
@@ -100,9 +92,7 @@ def two_chambers(_: Files) -> Iterator[Row]:
             float(run[f"tensioner_{name}_static"].isel(cylinder=0)) for name in ("force", "stroke")
         )
 
-    (less, shorter), (pull, _middle), (more, longer) = (
-        pulled(reach + d) for d in (-aside, 0.0, aside)
-    )
+    (less, shorter), (pull, _middle), (more, longer) = (pulled(reach + d) for d in (-aside, 0.0, aside))
     exact, stiffness = known.two_chambers(HIGH, LOW, 1.4, reach)
     case, by = "direct-acting tensioner extended by 3 m", "p V^n = const. in both chambers"
     because = "the pipe stretches by 0.0001 mm"

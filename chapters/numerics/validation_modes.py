@@ -6,15 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from chapters.numerics import closed_forms as known
-from chapters.numerics.validation_row import (
-    CLOSED,
-    FOURTH,
-    Files,
-    Row,
-    frequencies_of,
-    hung,
-    pipe_of,
-)
+from chapters.numerics.validation_row import CLOSED, FOURTH, Files, Row, frequencies_of, hung, pipe_of
 
 if TYPE_CHECKING:
     pass
@@ -27,9 +19,7 @@ def taut_beam(files: Files) -> Iterator[Row]:
     stretch = 1.0 + tension / axial
     frequencies = frequencies_of(files["S4a"], "lateral", 5)
     for mode in (1, 5):
-        exact = known.taut_beam_frequency(
-            mode, length, tension / stretch, bending / stretch**2, mass
-        )
+        exact = known.taut_beam_frequency(mode, length, tension / stretch, bending / stretch**2, mass)
         case, number = "beam under tension", f"frequency {mode}"
         by = "k √((T + EI k²) / m), k = n π / L, unstretched lengths"
         because = FOURTH
@@ -54,27 +44,13 @@ def chain(_: Files) -> Iterator[Row]:
         exact = known.hanging_chain_frequency(mode, 300.0, 2700.0, 320.0)
         case, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
         because = "second order at the free end, where tension vanishes; rounding of the large EA"
-        yield Row(
-            case,
-            f"frequency {mode}",
-            "rad/s",
-            CLOSED,
-            by,
-            exact,
-            frequencies[mode - 1],
-            2e-5,
-            because,
-        )
+        yield Row(case, f"frequency {mode}", "rad/s", CLOSED, by, exact, frequencies[mode - 1], 2e-5, because)
 
 
 def pendulum(_: Files) -> Iterator[Row]:
     """A body below a very stiff rod."""
     body = {"name": "body", "mass": "140 t", "submerged_weight": "1.2 MN", "centre_below": "3 m"}
-    sets: dict[str, Any] = {
-        "gravity": "9.81 m/s^2",
-        "water": {"density": "1025 kg/m^3"},
-        "bottom.body": body,
-    }
+    sets: dict[str, Any] = {"gravity": "9.81 m/s^2", "water": {"density": "1025 kg/m^3"}, "bottom.body": body}
     sets |= {"top.rotation": "free", "analysis.mesh.elements": 32, "riser[0].length": "30 m"}
     file = hung(axial_stiffness="1e12 N", bending_stiffness="1e11 N*m^2", mass="300 kg/m")
     file = file.with_values(sets | {"riser[0].submerged_weight": "0 N/m"}, "validation")
@@ -82,13 +58,5 @@ def pendulum(_: Files) -> Iterator[Row]:
     lowest = frequencies_of(file, "lateral", 1)[0]
     case, by = "body below a rod", "√(W (L + a) / (M (L + a)² + m L³ / 3))"
     yield Row(
-        case,
-        "frequency",
-        "rad/s",
-        CLOSED,
-        by,
-        exact,
-        lowest,
-        1e-5,
-        "effect of the rod's bending: 0.0003 %",
+        case, "frequency", "rad/s", CLOSED, by, exact, lowest, 1e-5, "effect of the rod's bending: 0.0003 %"
     )

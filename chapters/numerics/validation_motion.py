@@ -13,15 +13,7 @@ from numpy.typing import NDArray
 
 from chapters.numerics import closed_forms as known
 from chapters.numerics import references
-from chapters.numerics.validation_row import (
-    CLOSED,
-    CONSERVED,
-    SECOND,
-    Files,
-    Row,
-    held_below,
-    simulated,
-)
+from chapters.numerics.validation_row import CLOSED, CONSERVED, SECOND, Files, Row, held_below, simulated
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT
@@ -52,10 +44,7 @@ def wave(_: Files) -> Iterator[Row]:
     top = run["z"].isel(s=-1)
     fall = float(top[0] - top.sel(time=0.6, method="nearest"))
     exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
-    case, because = (
-        "bar whose top loses half of its tension",
-        "360 segments; the wave front lasts 0.2 s",
-    )
+    case, because = ("bar whose top loses half of its tension", "360 segments; the wave front lasts 0.2 s")
     by = "ΔF t / √(EA m), until the reflected wave returns"
     yield Row(case, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
     below = float(run["effective_tension"].isel(s=0, time=-1))
@@ -119,8 +108,7 @@ def hermite(files: Files) -> Iterator[Row]:
     small |= {"analysis.step": "0.02 s"}
     lumped = files["S2"].with_values(small, "validation")
     beam = lumped.with_values(
-        {"analysis.solver": "hermite", "analysis.method": {"beta": 0.25, "gamma": 0.5}},
-        "validation",
+        {"analysis.solver": "hermite", "analysis.method": {"beta": 0.25, "gamma": 0.5}}, "validation"
     )
     one, other = _envelope(lumped), _envelope(beam)
     for quantity, unit in UNITS.items():

@@ -57,9 +57,7 @@ def column(_: Files) -> Iterator[Row]:
     by = "9/4 of the square of the first zero of J₋₁/₃ (Greenhill)"
     because = "the squared frequency is extrapolated linearly to zero, over 1 % of the weight"
     value = vanishes * length**3 / bending
-    yield Row(
-        "column under its own weight", "w L³ / EI", "1", CLOSED, by, exact, value, 1e-4, because
-    )
+    yield Row("column under its own weight", "w L³ / EI", "1", CLOSED, by, exact, value, 1e-4, because)
 
 
 def own_weight(files: Files) -> Iterator[Row]:
@@ -80,10 +78,7 @@ def own_weight(files: Files) -> Iterator[Row]:
     )
     exact = known.beam_on_varying_tension(length, top - weight * length, weight, bending, mass, 32)
     lowest = frequencies_of(file, "lateral", 1)[0]
-    case, by = (
-        "beam under its own weight and top tension",
-        "(EI y′′)′′ - (T y′)′ = m ω² y, Chebyshev",
-    )
+    case, by = ("beam under its own weight and top tension", "(EI y′′)′′ - (T y′)′ = m ω² y, Chebyshev")
     because = "the strain of the stiff pipe, 0.00006 %, and rounding of the fourth derivative"
     yield Row(case, "frequency 1", "rad/s", SECOND, by, exact, lowest, 1e-5, because)
 
@@ -132,10 +127,7 @@ def current(files: Files) -> Iterator[Row]:
     exact = known.rod_in_current(flow)
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 600)]
     run = simulated(files["S1"], {"current.profile": profile})
-    case, by = (
-        "static riser in a uniform current",
-        "the rod as a boundary value problem, by collocation",
-    )
+    case, by = ("static riser in a uniform current", "the rod as a boundary value problem, by collocation")
     because = "200 segments"
     x, moment = float(run["x"].max()), float(np.abs(run["bending_moment"]).max())
     yield Row(case, "displacement", "m", SECOND, by, exact.displacement, x, 1e-4, because)
@@ -147,15 +139,11 @@ def towed(_: Files) -> Iterator[Row]:
     water = {"density": "1025 kg/m^3"}
     profile = [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (-400, 10)]
     file = hung(
-        axial_stiffness="1e13 N",
-        submerged_weight="500 N/m",
-        drag={"coefficient": 1.0, "diameter": "1 m"},
+        axial_stiffness="1e13 N", submerged_weight="500 N/m", drag={"coefficient": 1.0, "diameter": "1 m"}
     ).with_values({"water": water, "current.profile": profile}, "validation")
     run = simulated(file)
     x, z = (float(run[name].isel(s=0)) for name in "xz")
     exact = known.towed_angle(500.0, 0.5 * 1025.0, 1.0)
     by = "w sin α = q cos² α"
     case = "string hanging in a current"
-    yield Row(
-        case, "angle", "rad", CLOSED, by, exact, math.atan2(abs(x), -z), 1e-6, "exact on any mesh"
-    )
+    yield Row(case, "angle", "rad", CLOSED, by, exact, math.atan2(abs(x), -z), 1e-6, "exact on any mesh")

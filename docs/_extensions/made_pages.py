@@ -150,18 +150,12 @@ def outdated(
     app: Sphinx, env: BuildEnvironment, _added: set[str], _changed: set[str], _removed: set[str]
 ) -> list[str]:
     """Pages that are read again at every build: what they hold is made from other files."""
-    return [
-        page for page in env.found_docs if MARK.search(Path(env.doc2path(page)).read_text("utf-8"))
-    ]
+    return [page for page in env.found_docs if MARK.search(Path(env.doc2path(page)).read_text("utf-8"))]
 
 
-def escape(
-    _app: Sphinx, _what: str, _name: str, _object: object, _options: object, lines: list[str]
-) -> None:
+def escape(_app: Sphinx, _what: str, _name: str, _object: object, _options: object, lines: list[str]) -> None:
     """Names such as d_+ stand in docstrings as they are read; to Sphinx an underscore there is a link."""
-    lines[:] = [
-        line if "\\" in line else re.sub(r"(?<=\w)_(?=[+-])", r"\_", line) for line in lines
-    ]
+    lines[:] = [line if "\\" in line else re.sub(r"(?<=\w)_(?=[+-])", r"\_", line) for line in lines]
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

@@ -65,9 +65,7 @@ def block(translator: Any, node: nodes.math_block) -> None:
         formula, number = NUMBER.sub("", formula), f"({numbered[1]})"
     drawn = mathml(formula, as_block=True)
     anchor = f' id="equation-{number.strip("()")}"' if number else ""
-    translator.body.append(
-        f'<div class="formula"{anchor}><div>{drawn}</div><span>{number}</span></div>\n'
-    )
+    translator.body.append(f'<div class="formula"{anchor}><div>{drawn}</div><span>{number}</span></div>\n')
     raise nodes.SkipNode
 
 

@@ -33,9 +33,7 @@ def notebook(page: Path) -> dict[str, Any]:
             end = picture.end()
             source += SHOWN.format(name=Path(picture[1]).name)
             outputs = [_output(page.parent / picture[1])]
-        cells.append(
-            {"cell_type": "code", "source": source, "outputs": outputs, "execution_count": None}
-        )
+        cells.append({"cell_type": "code", "source": source, "outputs": outputs, "execution_count": None})
     cells += _text(text[end:])
     for number, cell in enumerate(cells):
         cell |= {"id": f"cell-{number}", "metadata": {}}
@@ -57,9 +55,7 @@ def _output(picture: Path) -> dict[str, Any]:
 def link(_app: Sphinx, page: str, source: list[str]) -> None:
     """Offer the notebook on its page."""
     name = f"{page}.ipynb"
-    source[0] = source[0].replace(
-        MARK, f'<p><a href="{name}" download>As a notebook ({name})</a></p>'
-    )
+    source[0] = source[0].replace(MARK, f'<p><a href="{name}" download>As a notebook ({name})</a></p>')
 
 
 def write(app: Sphinx, error: Exception | None) -> None:

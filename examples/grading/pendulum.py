@@ -22,9 +22,7 @@ def period_and_return(inputs: Mapping[str, object]) -> tuple[float, float]:
 
 
 @cache
-def _period_and_return(
-    length: float, gravity: float, degrees: float, air: str
-) -> tuple[float, float]:
+def _period_and_return(length: float, gravity: float, degrees: float, air: str) -> tuple[float, float]:
     drag, start = DRAG[air] * length, np.radians(degrees)
 
     def motion(_time: float, state: np.ndarray) -> list[float]:
@@ -65,9 +63,7 @@ def slower_in_proportion(inputs):
     return claim(ratio, above(ratio, 3.9))
 
 
-CHECKS = {
-    f.__name__: f for f in (small_period, isochronous, comes_back_lower, slower_in_proportion)
-}
+CHECKS = {f.__name__: f for f in (small_period, isochronous, comes_back_lower, slower_in_proportion)}
 FILE = Path(__file__).with_suffix(".yaml")
 
 if __name__ == "__main__":

@@ -36,9 +36,7 @@ def first_cycle(inputs: Mapping[str, object]) -> tuple[float, float, float]:
 
 
 @cache
-def _first_cycle(
-    growth: float, decay: float, start: float, feeding: str
-) -> tuple[float, float, float]:
+def _first_cycle(growth: float, decay: float, start: float, feeding: str) -> tuple[float, float, float]:
     inputs = {"growth": growth, "decay": decay, "feeding": feeding}
     rates, (prey, predators) = _law(inputs)
 
@@ -76,9 +74,7 @@ def mean_is_balance(inputs, same):
 def fishing_helps_prey(inputs, **words):
     """Fishing of both raises the balance of prey; value: the ratio."""
     balances = [_law(inputs, fished)[1][0] for fished in (FISHED, 0.0)]
-    return claim(
-        balances[0] / balances[1], more(xr.DataArray(balances[0]), balances[1], words["more"])
-    )
+    return claim(balances[0] / balances[1], more(xr.DataArray(balances[0]), balances[1], words["more"]))
 
 
 def cycle(inputs):

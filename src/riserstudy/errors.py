@@ -9,9 +9,7 @@ def printable(value: object) -> str:
     """Return a value as text for a message: of bounded length, on one line, without control characters."""
     text = str(value)
     text = text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
-    return "".join(
-        c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text
-    )
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 
 class RiserStudyError(Exception):
@@ -39,9 +37,7 @@ class InputError(RiserStudyError):
 
     exit_code = 2
 
-    def __init__(
-        self, where: object, field: str, found: str, allowed: str, also: tuple[str, ...] = ()
-    ):
+    def __init__(self, where: object, field: str, found: str, allowed: str, also: tuple[str, ...] = ()):
         self.where, self.field, self.found, self.allowed = str(where), field, found, allowed
         self.also = also
         place = f"{printable(where)}: {printable(field)}" if field else printable(where)

@@ -177,9 +177,7 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
         reason = getattr(error, "strerror", None) or "not written to its end"
         other = getattr(error, "filename", None)  # a source file
         if other and Path(os.fsdecode(other)) not in (target, partial):
-            raise SimulationError(
-                f"{target} is not written, because of {other}: {reason}"
-            ) from None
+            raise SimulationError(f"{target} is not written, because of {other}: {reason}") from None
         remedy = "see whether the disk is full"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:

@@ -34,9 +34,12 @@ def test_changes_of_an_ablation_have_names_of_their_own():
 
 @pytest.mark.parametrize("path", sorted((CONFIG / "scenes").glob("*/*.yaml")), ids=lambda p: p.stem)
 def test_some_effect_can_be_taken_out_of_every_scene(path):
-    assert any(
-        change.kind == "removed" for change, _ in fitting(read_scene(path))
-    ) or path.stem in ("s4a", "s4c", "s4d", "column")
+    assert any(change.kind == "removed" for change, _ in fitting(read_scene(path))) or path.stem in (
+        "s4a",
+        "s4c",
+        "s4d",
+        "column",
+    )
 
 
 def test_only_what_is_there_is_taken_out_and_only_what_is_missing_is_put_in():
@@ -84,9 +87,7 @@ def test_fatigue_of_a_scene_changes_nothing_of_what_is_compared(seed):
     assert sum(peaks is not None for peaks in without.values()) > 5
 
 
-@pytest.mark.parametrize(
-    "scene, budget", [("design/recoil.yaml", 2e3), ("bench/vortices.yaml", 2e3)]
-)
+@pytest.mark.parametrize("scene, budget", [("design/recoil.yaml", 2e3), ("bench/vortices.yaml", 2e3)])
 def test_what_comes_after_a_disconnect_or_ramps_is_not_cut_off(scene, budget):
     file = read_scene(CONFIG / "scenes" / scene)
     assert fixed(file, budget)[0].resolved().analysis.duration == file.resolved().analysis.duration
@@ -123,9 +124,7 @@ def test_peaks_after_a_disconnect_are_not_those_of_a_step(at, phase, monkeypatch
 
 
 @pytest.mark.parametrize("unbalanced", [False, True])
-def test_advice_names_what_it_does_not_compare_and_what_its_step_is_too_long_for(
-    unbalanced, monkeypatch
-):
+def test_advice_names_what_it_does_not_compare_and_what_its_step_is_too_long_for(unbalanced, monkeypatch):
     changed = Changed(next(iter(changes())), peaks=Peaks(1.0, 1.0, 1.0), unbalanced=unbalanced)
     limits = [
         {"output": output, "largest": largest, "mode": "drilling"}

@@ -78,18 +78,9 @@ def test_what_the_largest_values_do_not_show_is_named(limit, at, monkeypatch):
     monkeypatch.setattr("riserstudy.advice.ablation.fitting", lambda _: [])
     tree = moving(0)
     tree["limits"] = [
-        {"output": "effective_tension", limit: "1 kN", "mode": "connected"}
-        | ({"at": at} if at else {})
+        {"output": "effective_tension", limit: "1 kN", "mode": "connected"} | ({"at": at} if at else {})
     ]
-    told = [
-        line
-        for line in advice(SceneFile("rig.yaml", written(tree))).sentences
-        if "Not compared" in line
-    ]
-    expected = (
-        ("smallest " if limit == "smallest" else "")
-        + "effective_tension"
-        + (f" ({at})" if at else "")
-    )
+    told = [line for line in advice(SceneFile("rig.yaml", written(tree))).sentences if "Not compared" in line]
+    expected = ("smallest " if limit == "smallest" else "") + "effective_tension" + (f" ({at})" if at else "")
     assert bool(told) == (expected != "effective_tension")
     assert all(line.startswith(f"Not compared: {expected}. ") for line in told)

@@ -23,14 +23,7 @@ def text_of(paper, erratum):
 
 def chang2020():
     """Four cylinders with a gas volume of 3.2 m3 at 190.2 bar each, on a bore of 470 mm."""
-    area, volume, pressure, mass, stiffness, damping = (
-        circle(0.47),
-        3.2,
-        190.2e5,
-        749e3,
-        3.43e6,
-        4 * 967.0,
-    )
+    area, volume, pressure, mass, stiffness, damping = (circle(0.47), 3.2, 190.2e5, 749e3, 3.43e6, 4 * 967.0)
 
     def pull(x):
         return 4.0 * pressure * area * (volume / (volume + area * x)) ** 1.4
@@ -43,10 +36,7 @@ def chang2020():
     yield "E4", f"damping takes {2.0 * mass / damping:.0f} s to reduce it to 37 %"
     yield "E5", f"which gives a damping ratio of {100.0 * ratio:.1f} %"
     yield "E5", f"would require {0.05 / ratio:.0f} times this coefficient"
-    yield (
-        "E15",
-        f"four pistons is {4.0 * 2510.0 / mass:.1%}".replace("%", " %") + " of the riser's mass",
-    )
+    yield ("E15", f"four pistons is {4.0 * 2510.0 / mass:.1%}".replace("%", " %") + " of the riser's mass")
 
 
 def liu2020():
@@ -89,9 +79,7 @@ def mao_hangoff():
     yield "E16", f"is {light:.1f} kg/m. This is a {({15: 'fifteenth'})[round(pipe / light)]} of"
 
 
-@pytest.mark.parametrize(
-    "paper", [chang2020, liu2020, liu2017, mao_hangoff], ids=lambda p: p.__name__
-)
+@pytest.mark.parametrize("paper", [chang2020, liu2020, liu2017, mao_hangoff], ids=lambda p: p.__name__)
 def test_numbers_from_printed_inputs_are_worked_out_right(paper):
     for erratum, words in paper():
         assert words in text_of(paper.__name__, erratum), (erratum, words)

@@ -61,16 +61,10 @@ PAPERS = {
             "wellhead_mesh": {"analysis.duration": "60 s"},
         },
     ),
-    "liu2017": Small(
-        {"sample": FEW, "offset": [0.0, 100.0, 400.0], "surface_speed": [-1.0, 0.0, 1.0]},
-        {},
-    ),
+    "liu2017": Small({"sample": FEW, "offset": [0.0, 100.0, 400.0], "surface_speed": [-1.0, 0.0, 1.0]}, {}),
     "liu2020": Small(
         {"sample": FEW, "wave_period": [10.0, 15.0], "roll_period": [5.0, 10.0, 20.0]},
-        {
-            "sea": {"analysis.duration": "900 s"},
-            "surge_case": {"analysis.output.interval": "0.5 s"},
-        },
+        {"sea": {"analysis.duration": "900 s"}, "surge_case": {"analysis.output.interval": "0.5 s"}},
     ),
     "fem_riser": Small({"sample": FEW}, {}),
 }
@@ -95,9 +89,7 @@ def datasets_of(paper):
     file: StudyFile = read_studies(CONFIG, paper)
     made = {}
     for name, model in file.studies.items():
-        study = Study(
-            paper, name, small(paper, name, model), CONFIG, "preview", "1 %", file.readings
-        )
+        study = Study(paper, name, small(paper, name, model), CONFIG, "preview", "1 %", file.readings)
         results, _ = results_of(study, 1, lambda text: None)
         made[name] = dataset_of(study, results)
     for name, how in file.derived.items():
@@ -200,9 +192,7 @@ def test_a_page_shows_all_of_a_figure_but_its_title(tmp_path, lines):
     assert (ink(whole, 2) > 0) == (lines > 0)
     assert ink(page, 2) == 0  # nothing of the title
     assert ink(page, 0) == pytest.approx(ink(whole, 0), rel=0.02)  # all of the curve
-    assert (page.min(axis=-1) < 128).sum() > 0.9 * (
-        (whole.min(axis=-1) < 128).sum() - ink(whole, 2)
-    )
+    assert (page.min(axis=-1) < 128).sum() > 0.9 * ((whole.min(axis=-1) < 128).sum() - ink(whole, 2))
 
 
 def test_the_shares_of_samples_are_those_on_the_side_of_the_claim():
@@ -227,9 +217,7 @@ def test_what_must_come_out_whatever_the_numbers(datasets):
     file = read_published(CONFIG, "chang2020", datasets)
     cases = {of.id: of.cases for of in grade(file, datasets, checks_of("chang2020"))}
     table = datasets["reductions"]["reduction"]
-    np.testing.assert_allclose(
-        table.sel(quantity="heave"), table.sel(quantity="tension"), atol=1e-9
-    )
+    np.testing.assert_allclose(table.sel(quantity="heave"), table.sel(quantity="tension"), atol=1e-9)
     assert all(case.met for claim in ("A3", "A4") for case in cases[claim])
 
 

@@ -48,9 +48,7 @@ def test_an_example_is_a_command_line_that_is_understood(name):
     assert EXAMPLES[name] in " ".join(COMMANDS[name].epilog.split())
 
 
-@pytest.mark.parametrize(
-    "command, target", [("draw", "a.png"), ("run", "a.nc"), ("table", "a.csv")]
-)
+@pytest.mark.parametrize("command, target", [("draw", "a.png"), ("run", "a.nc"), ("table", "a.csv")])
 def test_a_command_that_succeeds_names_the_file(command, target, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "scene.yaml").write_text(SCENE)

@@ -13,9 +13,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.folders import whole_file
 from riserstudy.study.write_tuned import write_tuned
 
-STUDY = (
-    "paper: own\nstudies:\n  heave:\n    set: {analysis.accuracy: 1 %}  # as agreed\n    axes: {}\n"
-)
+STUDY = "paper: own\nstudies:\n  heave:\n    set: {analysis.accuracy: 1 %}  # as agreed\n    axes: {}\n"
 
 
 @pytest.fixture

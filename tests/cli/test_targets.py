@@ -113,15 +113,11 @@ def parameters(command):
 def called(name, info):
     """How an option is given: Typer takes the first of its names for a default until it is asked."""
     given = [info.default, *(info.param_decls or ())]
-    return [n for n in given if isinstance(n, str) and n.startswith("-")] or [
-        f"--{name.replace('_', '-')}"
-    ]
+    return [n for n in given if isinstance(n, str) and n.startswith("-")] or [f"--{name.replace('_', '-')}"]
 
 
 def commands_of_the_line():
-    return {
-        info.name or info.callback.__name__: info.callback for info in cli.app.registered_commands
-    }
+    return {info.name or info.callback.__name__: info.callback for info in cli.app.registered_commands}
 
 
 def outputs():
@@ -152,9 +148,7 @@ def test_every_file_of_a_command_is_known_as_one_that_it_reads_or_writes():
 
 def test_every_command_with_an_output_can_be_told_to_replace_it():
     for command, function in commands_of_the_line().items():
-        marked = [
-            mark for _, _, marks, _, _ in parameters(function) for mark in marks if mark.kinds
-        ]
+        marked = [mark for _, _, marks, _, _ in parameters(function) for mark in marks if mark.kinds]
         forced = "force" in inspect.signature(function).parameters
         assert forced == bool(marked), command
 
@@ -210,8 +204,7 @@ def words_of(command, ending=""):
         else:
             assert called(name, info)[0] in NEEDED.get(command, ()), f"{command}: {name}"
     return words + [
-        word.replace("ANGLES", ANGLES).replace("IN_A_SEA", IN_A_SEA)
-        for word in NEEDED.get(command, ())
+        word.replace("ANGLES", ANGLES).replace("IN_A_SEA", IN_A_SEA) for word in NEEDED.get(command, ())
     ]
 
 
@@ -317,9 +310,7 @@ def _words(count):
 
 @every_output
 @pytest.mark.parametrize("name", ["notes.txt", "notes", ".nc", "notes.NC", "scene.py", "a.sqlite"])
-def test_an_output_of_no_kind_that_a_command_writes_is_refused(
-    commands, here, command, option, kinds, name
-):
+def test_an_output_of_no_kind_that_a_command_writes_is_refused(commands, here, command, option, kinds, name):
     for forced in ([], ["--force"]):
         error = refused(commands, [*words_of(command), option, name, *forced], here, name)
         assert "allowed" in error

@@ -61,20 +61,12 @@ def test_a_run_leaves_a_crate_that_is_true_of_every_file(study):
     folder, _ = study
     entities = graph(folder / "results" / NAME)
     files = assert_true_of_files(entities, folder / "results")
-    for name in (
-        "../config/scenes/riser.yaml",
-        "../Snakefile",
-        "example/tension.nc",
-        "report.html",
-    ):
+    for name in ("../config/scenes/riser.yaml", "../Snakefile", "example/tension.nc", "report.html"):
         assert name in files
     run = entities["#run"]
     assert run["startTime"] <= run["endTime"]
     inputs, outputs = ({one["@id"] for one in run[side]} for side in ("object", "result"))
-    made = {
-        path.relative_to(folder / "results").as_posix()
-        for path in (folder / "results").rglob("*.*")
-    }
+    made = {path.relative_to(folder / "results").as_posix() for path in (folder / "results").rglob("*.*")}
     left = {name for name in made if name.startswith(".seals") or name == NAME}
     assert outputs == {name for name in made - left if (folder / "results" / name).is_file()}
     assert all(name.startswith("../") for name in inputs)
@@ -148,9 +140,7 @@ def test_a_result_that_is_not_as_its_job_wrote_it_is_not_packed(study, commands,
     folder, draw = tmp_path / "copy", random.Random(seed)
     subprocess.run(["cp", "-a", study[0], folder], check=True)
     seals = folder / "results/.seals"
-    names = sorted(
-        p.relative_to(seals) for p in seals.rglob("*") if p.is_file() and p.name != "tier"
-    )
+    names = sorted(p.relative_to(seals) for p in seals.rglob("*") if p.is_file() and p.name != "tier")
     file = folder / "results" / draw.choice(names)
     file.write_bytes(file.read_bytes() + b"x")
     code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
@@ -202,9 +192,7 @@ def test_an_edit_that_changes_nothing_is_not_told_whatever_its_date(study, tmp_p
         ("studies/example.yaml", "  heave:", "  swell:"),
     ],
 )
-def test_results_from_before_an_edit_are_told_whatever_its_date(
-    study, tmp_path, date, name, old, new
-):
+def test_results_from_before_an_edit_are_told_whatever_its_date(study, tmp_path, date, name, old, new):
     folder = tmp_path / "copy"
     subprocess.run(["cp", "-a", study[0], folder], check=True)
     file = folder / "config" / name
@@ -258,9 +246,7 @@ VALIDATOR = pytest.mark.skipif(not PYTHON, reason="run by `make test-crate`")
 
 
 def validated(crate):
-    done = subprocess.run(
-        [PYTHON, str(VALIDATE), str(crate)], capture_output=True, text=True, check=True
-    )
+    done = subprocess.run([PYTHON, str(VALIDATE), str(crate)], capture_output=True, text=True, check=True)
     return done.stdout.splitlines()[:-1]
 
 

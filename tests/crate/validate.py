@@ -16,9 +16,7 @@ PROFILES = ("process-run-crate", "workflow-run-crate", "provenance-run-crate")
 #: which ask for the context over the network
 SKIPPED = ["ro-crate-1.1_3.1", "ro-crate-1.1_3.2"]
 #: terms that 1.1 has at another address than later contexts
-OF_1_1 = {
-    name: f"https://bioschemas.org/{name}" for name in ("ComputationalWorkflow", "FormalParameter")
-}
+OF_1_1 = {name: f"https://bioschemas.org/{name}" for name in ("ComputationalWorkflow", "FormalParameter")}
 TERMS = Path(rocrate.__file__).parent / "data/ro-crate.jsonld"
 
 

@@ -114,9 +114,7 @@ def test_a_condition_that_cannot_be_meant_is_refused(command, condition):
 
 
 @pytest.mark.parametrize("option", ["--columns", "--sort"])
-@pytest.mark.parametrize(
-    "name", ["no_such", '"; drop table points; --', "amplitude desc", "*", "1"]
-)
+@pytest.mark.parametrize("name", ["no_such", '"; drop table points; --', "amplitude desc", "*", "1"])
 def test_columns_are_names_and_nothing_else(command, option, name):
     code, out, err = command("results", "plain/surge", option, name)
     assert (code, out) == (2, "")
@@ -150,9 +148,7 @@ def test_a_condition_columns_and_an_order_choose_among_the_points_of_a_study(com
     values = [row["x_max"] for row in found]
     assert values == sorted(values, reverse=True)
     assert len(set(values)) == 3
-    table = rows(
-        command, "results", "plain_surge", "--where", "amplitude > 2 -- and so on", *wanted
-    )
+    table = rows(command, "results", "plain_surge", "--where", "amplitude > 2 -- and so on", *wanted)
     assert table == found
 
 
@@ -205,9 +201,7 @@ def test_labels_are_found_as_they_are_written(command, label):
     asked = 'select count(*) as n from "odd_Order-by_1" where "select" = \'{}\''
     (found,) = rows(command, "sql", asked.format(label.replace("'", "''")))
     assert found == {"n": 8}
-    assert (
-        query('select count(*) from "odd_Order-by_1" where "select" = ?', [label]).iloc[0, 0] == 8
-    )
+    assert query('select count(*) from "odd_Order-by_1" where "select" = ?', [label]).iloc[0, 0] == 8
 
 
 def test_names_that_mean_something_in_sql_are_columns_like_others(command):
@@ -237,18 +231,11 @@ def test_texts_of_scenes_and_studies_are_data(here):
 
 def test_python_gets_a_table_with_names_and_types(here):
     found = query("select study, rows, 0.5 as half, null as none from studies where rows > ?", [40])
-    assert found.to_dict("list") == {
-        "study": ["odd/Order-by_1"],
-        "rows": [48],
-        "half": [0.5],
-        "none": [None],
-    }
+    assert found.to_dict("list") == {"study": ["odd/Order-by_1"], "rows": [48], "half": [0.5], "none": [None]}
     assert query("select 1 as a where 0").columns.tolist() == ["a"]
 
 
-@pytest.mark.parametrize(
-    "content", [None, b"", b"no database", b"SQLite format 3\x00" + bytes(4096)]
-)
+@pytest.mark.parametrize("content", [None, b"", b"no database", b"SQLite format 3\x00" + bytes(4096)])
 def test_no_database_or_another_file_is_told_with_what_to_do(command, tmp_path, content):
     if content is not None:
         (tmp_path / "results.sqlite").write_bytes(content)
@@ -320,9 +307,7 @@ def test_a_misspelt_name_in_double_quotes_is_no_text(seed, tmp_path):
     found = query(f'select * from points where "{name}" > {bound}', (), tmp_path / "results.sqlite")
     assert len(found) == sum(value > bound for value, _ in rows)
     same = f"select count(*) from points where text = '{text}' -- \"no name\""
-    assert query(same, (), tmp_path / "results.sqlite").iat[0, 0] == [t for _, t in rows].count(
-        text
-    )
+    assert query(same, (), tmp_path / "results.sqlite").iat[0, 0] == [t for _, t in rows].count(text)
     for condition in (f'"{name}s" > {bound}', f'"{name}s" < {bound}', f'text = "{name}s"'):
         with pytest.raises(InputError, match="no such column"):
             query(f"select * from points where {condition}", (), tmp_path / "results.sqlite")

@@ -25,8 +25,7 @@ VIEWS = {
     "long texts": ENDLESS + "select {columns} from (select hex(zeroblob(450000)) as i from n)",
     "larger texts than any": "select {columns} from (select hex(zeroblob(900000000)) as i)",
     "searches long texts": (
-        "select {columns} from (select instr(hex(zeroblob(150000)),"
-        " hex(zeroblob(75000)) || 'a') as i)"
+        "select {columns} from (select instr(hex(zeroblob(150000)), hex(zeroblob(75000)) || 'a') as i)"
     ),
     "likes long patterns": (
         "select {columns} from (select hex(zeroblob(450000)) like"
@@ -117,9 +116,7 @@ def test_each_statement_has_its_own_time(here, monkeypatch):
             assert ask.ask(db, "select 1").rows == [(1,)]
 
 
-@pytest.mark.parametrize(
-    "path", ["/dev/zero", "../../../../../../../dev/zero", "pipe.csv", "/etc/passwd"]
-)
+@pytest.mark.parametrize("path", ["/dev/zero", "../../../../../../../dev/zero", "pipe.csv", "/etc/passwd"])
 def test_verify_reads_nothing_but_files_of_the_results(commands, tmp_path, monkeypatch, path):
     import os
 
@@ -134,12 +131,8 @@ def test_verify_reads_nothing_but_files_of_the_results(commands, tmp_path, monke
     assert (code, "no file of the results" in out) == (1, True)
 
 
-@pytest.mark.parametrize(
-    "key", ["../../x", "/etc/passwd", "k" * 5000, "a\0b", "a\nb", "", "..", 7, b"x"]
-)
-def test_a_key_that_is_none_is_told_of_and_no_file_is_looked_for(
-    commands, tmp_path, monkeypatch, key
-):
+@pytest.mark.parametrize("key", ["../../x", "/etc/passwd", "k" * 5000, "a\0b", "a\nb", "", "..", 7, b"x"])
+def test_a_key_that_is_none_is_told_of_and_no_file_is_looked_for(commands, tmp_path, monkeypatch, key):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "results").mkdir()
     with closing(sqlite3.connect(tmp_path / "results/results.sqlite")) as db, db:

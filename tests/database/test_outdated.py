@@ -31,9 +31,7 @@ def sealed():
 
 @pytest.mark.parametrize("with_seals", [True, False])
 @pytest.mark.parametrize("asked", ASKED)
-def test_nothing_is_told_where_the_files_are_those_of_the_database(
-    mine, commands, asked, with_seals
-):
+def test_nothing_is_told_where_the_files_are_those_of_the_database(mine, commands, asked, with_seals):
     if with_seals:
         sealed()
     code, _, said = commands(*asked)

@@ -38,11 +38,7 @@ def studies():
         "shorter": {"riser[0].length": "500 m", "analysis.duration": "12 s"},
     }
     plain = {
-        "surge": {
-            **surge,
-            "caption": "surge",
-            "axes": {"amplitude": AMPLITUDES, "period": PERIODS},
-        },
+        "surge": {**surge, "caption": "surge", "axes": {"amplitude": AMPLITUDES, "period": PERIODS}},
         "meshes": {**surge, "caption": "several meshes", "axes": {"mesh": dict(meshes)}},
         "sampled": {
             **surge,
@@ -103,9 +99,7 @@ def simulate(paper, name):
     """Make the dataset of a study."""
     model = read_studies(Path("config"), paper).studies[name]
     study = Study(paper, name, model, Path("config"), "standard", "5 %")
-    write_dataset(
-        dataset_of(study, results_of(study, 1, lambda _: None)[0]), RESULTS / paper / f"{name}.nc"
-    )
+    write_dataset(dataset_of(study, results_of(study, 1, lambda _: None)[0]), RESULTS / paper / f"{name}.nc")
 
 
 def swing(scale=1.0):
@@ -149,10 +143,7 @@ def graded():
     margins = {'{"sample": 0}': "0.25", '{"sample": 1, "line": "a; b"}': "-0.5", "{}": ""}
     _write(
         "margins",
-        [
-            {"paper": "plain", "id": "A1", "place": p, "margin": m} | case
-            for p, m in margins.items()
-        ],
+        [{"paper": "plain", "id": "A1", "place": p, "margin": m} | case for p, m in margins.items()],
     )
     known = {"paper": "plain", "id": "E1", "where": "p. 3", "printed": "a", "reading": "b"}
     _write("errata", [known | {"simulation": INJECTION}])

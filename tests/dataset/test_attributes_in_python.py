@@ -24,9 +24,7 @@ MADE = {
     "simulate": lambda: simulate(surge(), progress=False),
     "modes": lambda: modes(surge(), 3),
     "sweep": lambda: sweep(surge(), {"top.tension": [2000, 2500]}, cores=1, progress=False),
-    "screening": lambda: screening(
-        load_scene(ROOT / "config/scenes/design/riser.yaml"), Coefficients()
-    ),
+    "screening": lambda: screening(load_scene(ROOT / "config/scenes/design/riser.yaml"), Coefficients()),
 }
 
 

@@ -14,9 +14,7 @@ from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.collect import _named
 from riserstudy.study.new import new_study
 
-OF_THE_PACKAGE = {
-    name: variables()[name] for name in ("x", "heave_amplitude", "tensioner_force", "z")
-}
+OF_THE_PACKAGE = {name: variables()[name] for name in ("x", "heave_amplitude", "tensioner_force", "z")}
 UNITS = ["m", "kN", "N m", "1", "degree", "s-1"]
 
 
@@ -104,9 +102,7 @@ def test_words_of_an_axis_mean_what_the_chapter_says_not_what_the_package_has(pl
     assert _named("mode", words, "first") == {"long_name": "mode"}  # no natural modes
     assert (
         _named(
-            "sample",
-            Samples(count=dict.fromkeys(("preview", "standard", "reference"), 2), seed=1),
-            "first",
+            "sample", Samples(count=dict.fromkeys(("preview", "standard", "reference"), 2), seed=1), "first"
         )["units"]
         == "1"
     )

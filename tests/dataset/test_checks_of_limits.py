@@ -129,26 +129,14 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
         ({"output": "lfj_angle", "largest": 4, "mode": "drilling"}, "4 has no unit"),
         ({"output": "lfj_angle", "largest": "4 deg"}, "missing"),
         ({"output": "lfj_angle", "largest": "4 m", "mode": "drilling"}, "wrong dimension"),
-        (
-            {"output": "lfj_angle", "at": "lower", "largest": "4 deg", "mode": "drilling"},
-            "one place",
-        ),
-        (
-            {"output": "x", "at": "middle", "largest": "4 m", "mode": "drilling"},
-            "no section 'middle'",
-        ),
-        (
-            {"output": "x", "largest": "4 m", "smallest": "0 m", "mode": "drilling"},
-            "one of largest",
-        ),
+        ({"output": "lfj_angle", "at": "lower", "largest": "4 deg", "mode": "drilling"}, "one place"),
+        ({"output": "x", "at": "middle", "largest": "4 m", "mode": "drilling"}, "no section 'middle'"),
+        ({"output": "x", "largest": "4 m", "smallest": "0 m", "mode": "drilling"}, "one of largest"),
         ({"output": "x", "largest": "0 m", "mode": "drilling"}, "no utilisation"),
         ({"output": "x", "smallest": "-4 m", "mode": "drilling"}, "a smallest value of x"),
         ({"output": "lfj_angle", "smallest": "1 deg", "mode": "drilling"}, "a smallest value"),
         ({"output": "lfj_angle", "mean": "-1 deg", "mode": "drilling"}, "a value below 0"),
-        (
-            {"output": "x", "largest": "-4 m", "mode": "drilling"},
-            "a value below 0 of x, a magnitude",
-        ),
+        ({"output": "x", "largest": "-4 m", "mode": "drilling"}, "a value below 0 of x, a magnitude"),
     ],
 )
 def test_a_limit_that_cannot_be_meant_is_refused(limit, said):
@@ -302,9 +290,7 @@ def test_the_limit_that_governs_stands_first_and_none_is_lost(seed):
     assert head.text.split()[0] == "limit"
     uses = [line.use for line in table]
     known = [use for use in uses if not np.isnan(use)]
-    assert known == sorted(
-        (row["utilisation"] for row in rows if row["demand"] is not None), reverse=True
-    )
+    assert known == sorted((row["utilisation"] for row in rows if row["demand"] is not None), reverse=True)
     assert all(np.isnan(use) for use in uses[len(known) :])
     for k in range(9):
         assert sum(f"place {k} " in line.text for line in table) == 1

@@ -41,13 +41,9 @@ def table(tmp_path):
     return written
 
 
-@pytest.mark.parametrize(
-    "unit, per", [("kN", 1.0), ("N", 1e3), ("MN", 1e-3), ("kip", 1 / 4.4482216)]
-)
+@pytest.mark.parametrize("unit, per", [("kN", 1.0), ("N", 1e3), ("MN", 1e-3), ("kip", 1 / 4.4482216)])
 def test_the_same_in_any_unit_differs_by_nothing(table, unit, per):
-    path = table(
-        ["time (s)", f"effective_tension at 300 m ({unit})"], TIME, per * tension(TIME, 300.0)
-    )
+    path = table(["time (s)", f"effective_tension at 300 m ({unit})"], TIME, per * tension(TIME, 300.0))
     (pair,) = compared(run(), path).pairs
     off = difference(pair)
     assert pair.notes == []
@@ -61,9 +57,7 @@ def test_a_lag_is_found_and_taken_out(table, seed):
     """Of a table of its own times, between the run's: to a fiftieth of its step."""
     rng = np.random.default_rng(seed)
     late, times = rng.uniform(-2.0, 2.0), np.arange(5.0, 90.0, 0.2)
-    path = table(
-        ["time (s)", "effective_tension at 100 m (kN)"], times, tension(times + late, 100.0)
-    )
+    path = table(["time (s)", "effective_tension at 100 m (kN)"], times, tension(times + late, 100.0))
     (pair,) = compared(run(), path).pairs
     off = difference(pair)
     assert off.lag == pytest.approx(late, abs=0.02)

@@ -28,12 +28,7 @@ RIGGED = {
     "water": {"density": "1025 kg/m^3"},
     "riser": [PIPE],
     "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": {"stiffness": "30 kN*m/deg"}},
-    "top": {
-        "x": "platform",
-        "z": "free",
-        "rotation": {"stiffness": "10 kN*m/deg"},
-        "tensioners": RIG,
-    },
+    "top": {"x": "platform", "z": "free", "rotation": {"stiffness": "10 kN*m/deg"}, "tensioners": RIG},
     "platform": {
         "surge": {"amplitude": "2 m", "period": "10 s", "ramp": "10 s"},
         "heave": {"amplitude": "1 m", "period": "10 s", "ramp": "10 s"},
@@ -57,10 +52,7 @@ STATIC = {k: v for k, v in PLAIN.items() if k != "platform"} | {
     "title": "static",
     "top": PLAIN_TOP | {"x": "held"},
     "current": {
-        "profile": [
-            {"elevation": "0 m", "speed": "0 m/s"},
-            {"elevation": "300 m", "speed": "1 m/s"},
-        ]
+        "profile": [{"elevation": "0 m", "speed": "0 m/s"}, {"elevation": "300 m", "speed": "1 m/s"}]
     },
     "analysis": {"mesh": {"elements": 20}},
 }
@@ -182,9 +174,7 @@ def test_attributes_tell_effects_audit_error_and_provenance(run):
         assert audit["unexplained_share"] < 1e-3
         assert found.attrs["newton_iterations"] >= found.attrs["steps"]
     if "tensioner_stroke" in found:
-        assert found.attrs["largest_stroke"] == pytest.approx(
-            float(np.abs(found["tensioner_stroke"]).max())
-        )
+        assert found.attrs["largest_stroke"] == pytest.approx(float(np.abs(found["tensioner_stroke"]).max()))
     assert found.attrs["smallest_tension"] <= float(found["effective_tension"].min()) + 1e-6
 
 

@@ -21,8 +21,7 @@ def test_what_is_left_is_that_of_every_shift_alone(seed):
     a, b = record(rng, n), record(rng, n)
     half = n // 4
     one_by_one = [
-        np.var(a[k:] - b[: n - k]) if k >= 0 else np.var(a[:k] - b[-k:])
-        for k in range(-half, half + 1)
+        np.var(a[k:] - b[: n - k]) if k >= 0 else np.var(a[:k] - b[-k:]) for k in range(-half, half + 1)
     ]
     # rounding, of squares about the mean of both
     off = np.abs(_left(a, b) - one_by_one).max()

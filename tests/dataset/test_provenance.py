@@ -45,9 +45,7 @@ _seen: list[str] | None = None  # while something is looked at: what Python wrot
 def _hook(event, arguments):
     if _seen is None or event not in WRITES:
         return
-    path, mode, flags = (
-        (*arguments, None, None)[:3] if event == "open" else (*arguments[:1], "w", 0)
-    )
+    path, mode, flags = (*arguments, None, None)[:3] if event == "open" else (*arguments[:1], "w", 0)
     if isinstance(path, int) or not (set(mode or "") & set("wax+") or (flags or 0) & 0o3):
         return
     if event == "os.mkdir" and Path(path).is_dir():  # which then does nothing
@@ -137,9 +135,7 @@ def entries(folder):
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_whatever_tables_are_called_only_the_output_is_written(
-    commands, run, sandbox, monkeypatch, name
-):
+def test_whatever_tables_are_called_only_the_output_is_written(commands, run, sandbox, monkeypatch, name):
     words, output = COMMANDS[name]
     rng = random.Random(name)
     for kind, hostile in hostile_names(rng, sandbox).items():

@@ -59,13 +59,9 @@ def in_a_sea(draw, duration):
     peak = 0.7
     w = np.linspace(0.3, 5.0 * peak, 600)
     width = np.where(w <= peak, 0.07, 0.09) * peak
-    spectrum = (
-        w**-5 * np.exp(-1.25 * (w / peak) ** -4) * 3.3 ** np.exp(-(((w - peak) / width) ** 2) / 2)
-    )
+    spectrum = w**-5 * np.exp(-1.25 * (w / peak) ** -4) * 3.3 ** np.exp(-(((w - peak) / width) ** 2) / 2)
     w = w + (w[1] - w[0]) * draw.uniform(-0.5, 0.5, len(w))
-    size = np.sqrt(spectrum / (spectrum.sum() / 2.0)) * np.exp(
-        2j * math.pi * draw.uniform(size=len(w))
-    )
+    size = np.sqrt(spectrum / (spectrum.sum() / 2.0)) * np.exp(2j * math.pi * draw.uniform(size=len(w)))
     time = np.arange(0.0, duration, 0.5)
     values = np.zeros(len(time))
     for a, b in zip(size, w, strict=True):
@@ -198,17 +194,9 @@ def test_extremes_of_a_long_exposure_say_that_they_rest_on_a_short_record(
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.parametrize(
     "ramp, start, output, warned",
-    [
-        (None, 0, 0, False),
-        (600, 0, 0, True),
-        (600, 599, 0, True),
-        (600, 600, 0, False),
-        (600, 0, 700, False),
-    ],
+    [(None, 0, 0, False), (600, 0, 0, True), (600, 599, 0, True), (600, 600, 0, False), (600, 0, 700, False)],
 )
-def test_times_in_ramps_are_warned_of(
-    tmp_path, monkeypatch, capsys, ramp, start, output, warned, seed
-):
+def test_times_in_ramps_are_warned_of(tmp_path, monkeypatch, capsys, ramp, start, output, warned, seed):
     """With all of a ramp of half of the record, the deviation is some 20 % too small."""
     scene, run, out = (tmp_path / name for name in ("followed.yaml", "run.nc", "out.csv"))
     scene.write_text(json.dumps(FOLLOWED))

@@ -132,9 +132,7 @@ def test_a_workbook_has_the_tables_that_csv_files_have(tmp_path, monkeypatch, un
     scene.write_text(json.dumps(PULLED))
 
     def command(*words):
-        monkeypatch.setattr(
-            "sys.argv", ["riserstudy", "table", str(scene), "--units", units, *words]
-        )
+        monkeypatch.setattr("sys.argv", ["riserstudy", "table", str(scene), "--units", units, *words])
         main()
 
     command("-o", str(book))
@@ -157,9 +155,7 @@ def test_a_body_of_some_mass_that_weighs_nothing_is_told_of():
     ring = dict(zip(table.columns, table.rows[0], strict=True))
     assert ring["wet weight"] is ring["uplift"] is None
     (said,) = json.loads(simulate(without).attrs["warnings"])
-    assert said.startswith(
-        "top.body: 'ring' has a mass of 20000 kg, but its weight in water is not given"
-    )
+    assert said.startswith("top.body: 'ring' has a mass of 20000 kg, but its weight in water is not given")
     assert json.loads(simulate(SceneFile("pulled.yaml", PULLED)).attrs["warnings"]) == []
 
 

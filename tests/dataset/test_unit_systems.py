@@ -48,11 +48,7 @@ def test_what_is_read_in_feet_and_kips_comes_back(name, ending):
         plain = read_in(variables()[name]["units"], UnitSystem.US)
         assert there.factor == pytest.approx(plain.factor**2)
         return
-    back = (
-        factor(SPELT.get(there.unit, there.unit), SPELT.get(unit, unit))
-        if unit != there.unit
-        else 1.0
-    )
+    back = factor(SPELT.get(there.unit, there.unit), SPELT.get(unit, unit)) if unit != there.unit else 1.0
     assert back * there.factor * value == pytest.approx(value)
 
 

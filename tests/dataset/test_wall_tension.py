@@ -31,8 +31,7 @@ def scene(rng, sections=1):
         "contents": {"density": f"{mud} kg/m^3"},
     }
     riser = [
-        pipe | {"name": f"pipe {k}", "length": f"{(deep + 5.0) * part} m"}
-        for k, part in enumerate(share)
+        pipe | {"name": f"pipe {k}", "length": f"{(deep + 5.0) * part} m"} for k, part in enumerate(share)
     ]
     area = 0.25 * math.pi * (outer**2 - inner**2)
     weight = GRAVITY * (deep + 5.0) * (STEEL * area + mud * 0.25 * math.pi * inner**2)
@@ -101,9 +100,7 @@ def test_wall_tension_over_time_is_that_of_the_elevations_at_the_time(tmp_path, 
     )
     place = float(rng.uniform(1.0, length - 1.0))
     wall = 1e-3 * (pull - GRAVITY * steel * (s[-1] - place))
-    path = write(
-        tmp_path / "other.csv", ["time (s)", f"wall_tension at {place} m (kN)"], time, wall
-    )
+    path = write(tmp_path / "other.csv", ["time (s)", f"wall_tension at {place} m (kN)"], time, wall)
     (pair,) = compared(run, path, scene=model).pairs
     # half a station of the pipe at the surface
     assert difference(pair).rms < GRAVITY * 1030.0 * 0.25 * (s[1] - s[0]) + 1.0
@@ -210,9 +207,7 @@ def test_the_command_converts_by_the_scene_of_the_dataset(tmp_path, commands):
     other = tmp_path / "wall tension.txt"
     other.write_text("\n".join(["Pipe", "Arc length (m)\tWall tension (kN)", *rows]))
     figure = tmp_path / "both.png"
-    code, said, wrong = commands(
-        "compare", tmp_path / "pipe.nc", other, "-o", figure, "--end-a", "top"
-    )
+    code, said, wrong = commands("compare", tmp_path / "pipe.nc", other, "-o", figure, "--end-a", "top")
     assert (code, wrong) == (0, "")
     assert "T_e = T_w + p_o A_o - p_i A_i" in said
     assert "arc length is measured down from s" in said
@@ -228,9 +223,7 @@ def test_a_column_that_is_not_named_well_is_refused(tmp_path, commands, setting)
     run.to_netcdf(tmp_path / "pipe.nc")
     other = write(tmp_path / "o.csv", ["s (m)", "Te"], np.arange(9.0), np.arange(9.0))
     figure = tmp_path / "both.png"
-    code, _, wrong = commands(
-        "compare", tmp_path / "pipe.nc", other, "-o", figure, "--column", setting
-    )
+    code, _, wrong = commands("compare", tmp_path / "pipe.nc", other, "-o", figure, "--column", setting)
     assert code == 2
     assert len(wrong.splitlines()) == 1
     assert not figure.exists()

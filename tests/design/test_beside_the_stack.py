@@ -46,9 +46,7 @@ def released(seed, spatial, aside, folder):
     rigging["linear"] = {"tension": pull, "stiffness": 0.05 * pull}
     rigging["damping"] = f"{0.05 * pull!r} N*s/m"
     sinks = [(0.0, 0.0), (20.0, 0.0), (35.0, -FALL), (60.0, -FALL)]
-    tree["platform"]["heave"] = {
-        "points": [{"time": f"{t!r} s", "value": f"{z!r} m"} for t, z in sinks]
-    }
+    tree["platform"]["heave"] = {"points": [{"time": f"{t!r} s", "value": f"{z!r} m"} for t, z in sinks]}
     tree["disconnect"] = {"at": "2 s", "over": "0.5 s", "stack": {"stiffness": 2e7}}
     if not aside:
         del tree["current"]

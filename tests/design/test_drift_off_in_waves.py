@@ -79,9 +79,7 @@ def test_without_amplitude_it_is_the_vessel_alone(seed, spatial):
     same(one, other, 1e-9)
     names = ["surge", *(["sway"] if "platform_sway" in other else [])]
     for name in names:
-        np.testing.assert_allclose(
-            one[f"low_frequency_{name}"], other[f"platform_{name}"], atol=1e-9
-        )
+        np.testing.assert_allclose(one[f"low_frequency_{name}"], other[f"platform_{name}"], atol=1e-9)
     assert float(other["platform_surge"][-1]) > 3.0  # metres: it does drift
     assert not any(name.startswith("low_frequency") for name in other)
 
@@ -116,9 +114,7 @@ def test_the_riser_moves_as_below_a_platform_that_is_led_along_the_drift_in_wave
     led = copy.deepcopy(tree)
     del led["vessel"]
     led["top"]["x"] = "platform"
-    led["platform"]["surge"] = {
-        "points": [{"time": f"{t!r} s", "value": f"{x!r} m"} for t, x in path]
-    }
+    led["platform"]["surge"] = {"points": [{"time": f"{t!r} s", "value": f"{x!r} m"} for t, x in path]}
     other = run(led)
     # a spline through outputs of 0.6 s leads the platform, starts it without a jolt, and ends with the last
     same(free.isel(time=slice(-1)), other.isel(time=slice(-1)), 2e-3, OUTPUTS)
@@ -225,9 +221,7 @@ def test_a_platform_led_over_a_tenth_of_the_wavelength_is_told(seed):
     del tree["platform"]["position"]
     for share in (0.09, 0.11, 0.3):
         values = (0.5 * k * share * length for k in range(3))
-        points = [
-            {"time": f"{30 * k} s", "value": f"{x!r} m"} for k, x in enumerate((0.0, *values))
-        ]
+        points = [{"time": f"{30 * k} s", "value": f"{x!r} m"} for k, x in enumerate((0.0, *values))]
         tree["platform"]["surge"] = {"points": points}
         for response in (None, {"operators": operators, "phases": "lead"}):
             tree["platform"].pop("response", None)

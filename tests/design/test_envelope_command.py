@@ -25,9 +25,7 @@ LIMITS = [
     {"output": "effective_tension", "smallest": "100 kN", "mode": "connected"},
 ]
 SEA = in_a_sea(LIMITS, (2, 6, 12, 40), components=40, duration="120 s")
-SEA["analysis"]["mesh"] = {
-    "elements": 160
-}  # fewer are too coarse for angles at the ends of the envelope
+SEA["analysis"]["mesh"] = {"elements": 160}  # fewer are too coarse for angles at the ends of the envelope
 
 
 def rows_of(path):
@@ -77,9 +75,7 @@ def test_a_speed_at_the_surface_is_that_of_the_water_whatever_a_table_has_above_
     for profile in (points, points + above):
         current = {"profile": profile, "beyond": "hold"}
         scene = SceneFile("current.yaml", tree | {"current": current}).resolved()
-        assert np.hypot(*surface_current(scene.current, scene.water)) == pytest.approx(
-            own, rel=1e-6
-        )
+        assert np.hypot(*surface_current(scene.current, scene.water)) == pytest.approx(own, rel=1e-6)
         same = with_current(scene, own).current.profile
         twice = with_current(scene, 2.0 * own).current.profile
         for k, point in enumerate(scene.current.profile):
@@ -204,12 +200,7 @@ def test_a_riser_that_does_not_stay_has_no_allowance_for_a_sea(seed, what):
     limits = [{"output": "joint_stroke", "largest": "3 m", "mode": "drilling"}]
     sea = {"significant_height": "2 m", "peak_period": "10 s", "peak_enhancement": 2.0}
     sea |= {"components": 10, "seed": 1, "above_mean_level": "none"}
-    analysis = {
-        "duration": 30.0,
-        "step": 0.5,
-        "mesh": {"elements": 20},
-        "output": {"interval": 1.0},
-    }
+    analysis = {"duration": 30.0, "step": 0.5, "mesh": {"elements": 20}, "output": {"interval": 1.0}}
     tree |= {"limits": limits, "wave": sea, "analysis": analysis}
     if what == "disconnect":
         tree["disconnect"] = {"at": "20 s", "over": "0.2 s"}

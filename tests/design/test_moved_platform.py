@@ -47,9 +47,7 @@ def put(file, offset):
 
 def uses(file):
     """Use of each limit, by a run of the scene."""
-    return [
-        row["utilisation"] for row in json.loads(simulate(file, progress=False).attrs["limits"])
-    ]
+    return [row["utilisation"] for row in json.loads(simulate(file, progress=False).attrs["limits"])]
 
 
 FILES = [example, *(lambda seed=seed: file_of(rig(seed), limits=LIMITS) for seed in range(12))]
@@ -140,9 +138,7 @@ def test_a_riser_that_nothing_holds_at_an_offset_is_refused():
 def test_a_solver_that_does_not_evaluate_limits_is_refused_at_every_offset():
     beam = {"analysis": {"solver": "hermite", "mesh": {"elements": 100}}, "limits": LIMITS[:1]}
     free = {"x": "held", "z": "free", "tension": "5 MN", "rotation": "free"}
-    scene = load_scene(
-        ROOT / "config/scenes/design/riser.yaml", **beam, **{"top": free, "platform": None}
-    )
+    scene = load_scene(ROOT / "config/scenes/design/riser.yaml", **beam, **{"top": free, "platform": None})
     with pytest.raises(InputError, match=r"analysis\.solver.*does not evaluate limits"):
         offsets(scene.resolved(), 50.0, {})
 
@@ -173,9 +169,7 @@ def adrift(seed, constant=False):
 @pytest.mark.parametrize("seed", range(5))
 def test_a_drift_off_with_cylinders_is_that_with_constant_tension_but_for_their_stroke(seed):
     """Inclined cylinders straighten the joint, their pull changes by stiffness times stroke: per cents."""
-    inclined, constant = (
-        simulate(adrift(seed, constant), progress=False) for constant in (False, True)
-    )
+    inclined, constant = (simulate(adrift(seed, constant), progress=False) for constant in (False, True))
     own, other = inclined["platform_surge"], constant["platform_surge"]
     assert float(own[-1]) > 10.0  # metres: it does drift
     assert float(abs(own / other - 1.0)[10:].max()) < 0.05
@@ -189,17 +183,11 @@ def test_below_a_vessel_a_riser_moves_as_below_a_platform_that_is_led_the_same_w
     free = simulate(file, progress=False)
     assert json.loads(free.attrs["audit"])["unexplained_share"] < 1e-4
     points = [
-        {"time": f"{t!r} s", "value": f"{x!r} m"}
-        for t, x in free["platform_surge"].to_series().items()
+        {"time": f"{t!r} s", "value": f"{x!r} m"} for t, x in free["platform_surge"].to_series().items()
     ]
     led = simulate(
         file.with_values(
-            {
-                "vessel": None,
-                "top.x": "platform",
-                "platform": {"surge": {"points": points}},
-            },
-            "test",
+            {"vessel": None, "top.x": "platform", "platform": {"surge": {"points": points}}}, "test"
         ),
         progress=False,
     )
@@ -240,8 +228,7 @@ def test_the_reaction_is_all_that_the_riser_does_to_the_vessel(seed):
     on_vessel = float(model.s.force[0, len(model.s.l0)])
     one_call(model.programs.value.probe, model.state)
     reaction, water = (
-        float(model.s.probe[model.probes[f"{name}_x"]])
-        for name in ("riser_reaction", "environment_force")
+        float(model.s.probe[model.probes[f"{name}_x"]]) for name in ("riser_reaction", "environment_force")
     )
     assert abs(model.s.ring_moment[1]) > 1e3  # N m: it does turn the ring
     assert reaction == pytest.approx(on_vessel - water, rel=1e-9)

@@ -12,9 +12,7 @@ from riserstudy.scene.load import SceneFile
 
 OUTPUTS = {"bending_moment": "N*m", "von_mises_stress": "Pa", "lfj_angle": "rad"}
 REACH, FINE = 30.0, 400
-OFF = (
-    1.08  # demand at an offset over its allowable, at most: 5 % of error, and that of the estimate
-)
+OFF = 1.08  # demand at an offset over its allowable, at most: 5 % of error, and that of the estimate
 
 
 def on(tree, elements, limits):

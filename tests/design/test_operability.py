@@ -47,10 +47,7 @@ analysis: {mesh: {elements: 400, layers: {bottom: 8 m, top: 8 m}}}
         "utf-8",
     )
     (found,) = offsets(load_scene(loaded).resolved(), 100.0, {})
-    at_zero, slope = (
-        angle_by_closed_form(0.0),
-        angle_by_closed_form(1.0) - angle_by_closed_form(0.0),
-    )
+    at_zero, slope = (angle_by_closed_form(0.0), angle_by_closed_form(1.0) - angle_by_closed_form(0.0))
     allowable = math.radians(2.0)
     assert found.high == pytest.approx((allowable - at_zero) / slope, abs=2.0 * CLOSE)
     # the form is for small slopes, true to half their square: at the top those of offset and load add up
@@ -77,16 +74,12 @@ def test_a_run_at_an_offset_that_was_found_uses_all_of_its_limit():
 def test_an_allowance_is_taken_off_all_but_means():
     allowance = {"lfj_angle": math.radians(1.0)}
     four, mean = offsets(
-        scene(
-            {"output": "lfj_angle", "largest": "4 deg"}, {"output": "lfj_angle", "mean": "4 deg"}
-        ),
+        scene({"output": "lfj_angle", "largest": "4 deg"}, {"output": "lfj_angle", "mean": "4 deg"}),
         240.0,
         allowance,
     )
     three, plain = offsets(
-        scene(
-            {"output": "lfj_angle", "largest": "3 deg"}, {"output": "lfj_angle", "mean": "4 deg"}
-        ),
+        scene({"output": "lfj_angle", "largest": "3 deg"}, {"output": "lfj_angle", "mean": "4 deg"}),
         240.0,
         {},
     )

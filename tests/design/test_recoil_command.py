@@ -25,9 +25,7 @@ LIMITS = [
 
 
 def words(values):
-    return [
-        word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")
-    ]
+    return [word for path, value in values.items() for word in ("--set", f"{path}={json.dumps(value)}")]
 
 
 def cases():

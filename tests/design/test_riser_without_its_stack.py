@@ -30,11 +30,7 @@ def alone(tree):
     tree = copy.deepcopy(tree)
     joint = tree["riser"][2].pop("flex_joint_below")
     high = sum(section["length"] for section in tree["riser"][:2])
-    tree["bottom"] = {
-        "hold": "wellhead",
-        "elevation": tree["bottom"]["elevation"] + high,
-        "rotation": joint,
-    }
+    tree["bottom"] = {"hold": "wellhead", "elevation": tree["bottom"]["elevation"] + high, "rotation": joint}
     tree["riser"] = tree["riser"][2:]
     del tree["soil"]
     return tree

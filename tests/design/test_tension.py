@@ -31,10 +31,7 @@ def test_the_worked_case_of_a_public_source_comes_out():
 
 
 def test_a_fleet_angle_apart_is_worth_its_cosine():
-    counted, apart = (
-        Rig(6, 0, math.cos(math.radians(10.0)), 0.0),
-        Rig(6, 0, 1.0, math.radians(10.0)),
-    )
+    counted, apart = (Rig(6, 0, math.cos(math.radians(10.0)), 0.0), Rig(6, 0, 1.0, math.radians(10.0)))
     assert tension.setting(1e6, apart) == pytest.approx(tension.setting(1e6, counted), rel=1e-12)
     assert tension.setting(1e6, apart) / 1e6 - 1.0 == pytest.approx(0.0154, abs=1e-4)
 
@@ -56,10 +53,7 @@ def test_tolerances_change_the_engines_tension_as_the_formulas():
 
 def test_the_engines_tension_rises_with_mud_weight_by_bore_times_column():
     light, heavy = (scene(**dict.fromkeys(MUDS, f"{mud} kg/m^3")) for mud in (1200, 1800))
-    rise = (
-        engine_tension.needed(heavy, AS_TOLD).tension
-        - engine_tension.needed(light, AS_TOLD).tension
-    )
+    rise = engine_tension.needed(heavy, AS_TOLD).tension - engine_tension.needed(light, AS_TOLD).tension
     unit_weight = 600.0 * 9.80665
     bore = 0.25 * math.pi * (19.25 * 0.0254) ** 2
     column = 91.44 + 1325.88 + 45.72 + 23.96

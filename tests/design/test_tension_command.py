@@ -37,13 +37,9 @@ def settings():
 @pytest.mark.parametrize("density", [1030, 1440, 1900])
 @pytest.mark.parametrize("failed", [0, 2])
 def test_the_window_of_the_command_is_that_of_the_chapter(commands, tmp_path, density, failed):
-    changed = [
-        word for path, value in mud(density).items() for word in ("--set", f"{path}={value}")
-    ]
+    changed = [word for path, value in mud(density).items() for word in ("--set", f"{path}={value}")]
     table = tmp_path / "tension.csv"
-    code, out, _ = commands(
-        "tension", RISER, "--failed", failed, *ASKED, *WINDOW, *changed, "--csv", table
-    )
+    code, out, _ = commands("tension", RISER, "--failed", failed, *ASKED, *WINDOW, *changed, "--csv", table)
     assert code == 0
     rows = {row["quantity"]: row for row in csv.DictReader(table.open())}
     of = window_of(load_scene(RISER, **mud(density)).resolved(), settings(), failed)
@@ -54,9 +50,7 @@ def test_the_window_of_the_command_is_that_of_the_chapter(commands, tmp_path, de
     assert f"window: {of.gap / 1e3:.2f} kN" in out
 
 
-@pytest.mark.parametrize(
-    "words", [["--share", 0.9], ["--dynamic-limit", "6 MN"], ["--overpull", "5 m"]]
-)
+@pytest.mark.parametrize("words", [["--share", 0.9], ["--dynamic-limit", "6 MN"], ["--overpull", "5 m"]])
 def test_half_of_a_window_is_refused(commands, words):
     code, out, said = commands("tension", RISER, "--failed", 0, *ASKED, *words)
     assert (code, out) == (2, "")
@@ -99,9 +93,7 @@ def hung(seed, conductor=False):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slack_at_one_point(
-    seed,
-):
+def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slack_at_one_point(seed):
     held, constant = hung(seed, conductor=seed % 2 == 1)
     tolerances = Tolerances(1.0, 1.0)
     needed = engine.needed(held.resolved(), tolerances).tension
@@ -115,9 +107,7 @@ def test_cylinders_need_the_tension_at_which_the_riser_on_a_constant_one_is_slac
 @pytest.mark.parametrize("seed", range(4))
 def test_a_plumb_riser_on_cylinders_needs_by_the_engine_what_the_formula_gives(seed):
     held, _ = hung(seed)
-    rows = tension_table(
-        held.resolved(), TensionRequest(Tolerances(1.05, 0.96), Rig(6, 1, 0.95, 0.0))
-    )
+    rows = tension_table(held.resolved(), TensionRequest(Tolerances(1.05, 0.96), Rig(6, 1, 0.95, 0.0)))
     told = {row.quantity: row for row in rows.totals}
     assert told["engine"].tension == pytest.approx(told["formula"].tension, rel=1e-6)
     assert "in place of the tensioners" in told["engine"].note
@@ -155,9 +145,7 @@ def test_tension_tells_formula_engine_and_setting(commands):
 
 
 def test_tension_names_what_a_scene_does_not_tell(commands):
-    code, out, _ = commands(
-        "tension", RISER, "--failed", 1, *ASKED, "--set", "riser[1].buoyancy_lift=null"
-    )
+    code, out, _ = commands("tension", RISER, "--failed", 1, *ASKED, "--set", "riser[1].buoyancy_lift=null")
     assert code == 4
     assert out.startswith("not evaluated: buoyancy_lift of section 'buoyed joints'")
 

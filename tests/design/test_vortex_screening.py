@@ -80,9 +80,7 @@ def test_power_taken_and_lost_are_equal_where_part_of_a_riser_stands_in_still_wa
     amplitude = amplitude_of(flow, np.sin(math.pi * z), excited, frequency, 1.2)
 
     def still(at):  # the mean of |v| v^2 of a sine
-        return (
-            (2.0 * math.pi * frequency * amplitude * math.sin(math.pi * at)) ** 3 * 4 / 3 / math.pi
-        )
+        return (2.0 * math.pi * frequency * amplitude * math.sin(math.pi * at)) ** 3 * 4 / 3 / math.pi
 
     def flowing(at):
         v = 2.0 * math.pi * frequency * amplitude * math.sin(math.pi * at)

@@ -76,9 +76,7 @@ def test_first_order_motion_reaches_the_limit_and_circles_are_those_of_the_drift
         "step": "0.25 s",
         "output": {"interval": "0.25 s"},
     }
-    scene = scene_file(
-        tmp_path, force, current, [away(limit)], platform={"surge": wave}, analysis=analysis
-    )
+    scene = scene_file(tmp_path, force, current, [away(limit)], platform={"surge": wave}, analysis=analysis)
     table = tmp_path / "out.csv"
     times = ["--disconnect", f"{seconds} s", "--prepare", "15 s"]
     assert commands("watch-circles", scene, *times, "--csv", table)[0] == 0
@@ -105,14 +103,10 @@ def angled(limit):
     "speed, ramp, limit, seconds",
     [(1.5, 40.0, 90.0, 20.0), (0.8, 120.0, 60.0, 45.0), (2.0, 10.0, 77.0, 31.0)],
 )
-def test_circles_of_a_cruise_do_not_depend_on_the_outputs(
-    commands, tmp_path, speed, ramp, limit, seconds
-):
+def test_circles_of_a_cruise_do_not_depend_on_the_outputs(commands, tmp_path, speed, ramp, limit, seconds):
     cruise = {"speed": f"{speed} m/s", "ramp": f"{ramp} s"}
     top = {"x": "platform", "z": "held", "elevation": "1001 m"}
-    scene = scene_file(
-        tmp_path, limits=[angled(limit)], vessel=None, top=top, platform={"cruise": cruise}
-    )
+    scene = scene_file(tmp_path, limits=[angled(limit)], vessel=None, top=top, platform={"cruise": cruise})
     table, times = tmp_path / "out.csv", ["--disconnect", f"{seconds} s", "--prepare", "5 s"]
 
     def way(time):
@@ -139,9 +133,7 @@ def test_a_run_that_begins_beyond_a_circle_says_so(commands, tmp_path, seed):
     speed, limit = draw.uniform(0.8, 1.5), 90.0
     cruise = {"speed": f"{speed} m/s", "heading": f"{heading} rad"}
     top = {"x": "platform", "z": "held", "elevation": "1001 m", "offset": f"{start} m"}
-    scene = scene_file(
-        tmp_path, limits=[angled(limit)], vessel=None, top=top, platform={"cruise": cruise}
-    )
+    scene = scene_file(tmp_path, limits=[angled(limit)], vessel=None, top=top, platform={"cruise": cruise})
     table, times = tmp_path / "out.csv", ["--disconnect", "30 s", "--prepare", "20 s"]
     assert commands("watch-circles", scene, *times, "--csv", table)[0] == 0
     row = rows_of(table)["connected: first of all"]
@@ -209,9 +201,7 @@ def test_outputs_that_begin_late_are_refused(commands, tmp_path, start):
 
 @pytest.mark.parametrize("ramp, heading", [(None, 0.0), (30.0, 0.0), (30.0, 60.0)])
 def test_a_cruising_platform_has_the_circles_of_its_speed(commands, tmp_path, ramp, heading):
-    cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | (
-        {"ramp": f"{ramp} s"} if ramp else {}
-    )
+    cruise = {"speed": "1.5 m/s", "heading": f"{heading} deg"} | ({"ramp": f"{ramp} s"} if ramp else {})
     out = "x" if heading == 0.0 else "y"
     limit = {"output": out, "at": "upper end of thread", "largest": "90 m", "mode": "disconnect"}
     top = {"x": "platform", "z": "held", "elevation": "1001 m"}

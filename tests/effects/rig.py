@@ -49,13 +49,7 @@ class Rig:
         ends = [0] if kind is FlexJoint else [0, N]
         fixed = [(node, u) for node in ends for u in range(self.m)]
         unknowns = Unknowns(
-            L0,
-            d,
-            self.m,
-            cylinders=CYLINDERS,
-            probes=PROBES,
-            loose=case.loose,
-            internal=case.internal,
+            L0, d, self.m, cylinders=CYLINDERS, probes=PROBES, loose=case.loose, internal=case.internal
         )
         self.model = Model(unknowns, effects, fixed)
         self.s: State = self.model.s

@@ -58,11 +58,7 @@ def test_a_model_calls_the_effects_of_its_scene_and_no_others():
 
 def test_an_effect_taken_out_takes_its_calls_with_it():
     calls = []
-    for values in (
-        {},
-        {"riser[0].drag": None},
-        {"riser[0].drag": None, "riser[0].added_mass": None},
-    ):
+    for values in ({}, {"riser[0].drag": None}, {"riser[0].drag": None, "riser[0].added_mass": None}):
         scene = SURGE.with_values(values, "test").resolved()
         model = build(scene, even(scene, N), 533.0)
         calls.append(sum(len(program) for program in model.programs.value))

@@ -24,9 +24,7 @@ def test_weight_and_contents_have_the_mass_that_is_left(d):
 def test_what_leaves_takes_its_motion_with_it(d):
     """The kinetic energy of the contents changes by what the power says, velocities as they are."""
     rig = Rig(Draining, d)
-    rig.s.r[:] = np.linspace([0.0] * 3, [30.0, 20.0, 60.0], N + 1).T[
-        [0, 2] if d == 2 else [0, 1, 2]
-    ]
+    rig.s.r[:] = np.linspace([0.0] * 3, [30.0, 20.0, 60.0], N + 1).T[[0, 2] if d == 2 else [0, 1, 2]]
     clock = rig.s.clock[:1]
 
     def kinetic():
@@ -39,9 +37,7 @@ def test_what_leaves_takes_its_motion_with_it(d):
     _, supplied = rig.flow()
     rig.s.v[:] = np.outer(rig.s.tangent[:, 0], np.ones(N + 1))  # along the pipe: no motion across
     rig.evaluate()
-    thrust = rig.record.mass @ np.full(
-        N, np.interp(clock[0], rig.record.time, rig.record.acceleration)
-    )
+    thrust = rig.record.mass @ np.full(N, np.interp(clock[0], rig.record.time, rig.record.acceleration))
     _, along = rig.flow()
     above = rig.s.r[-1, :-1] + rig.s.r[-1, 1:] - 2.0 * rig.record.level
     up = (rig.record.change * above).sum() * 0.5 * GRAVITY

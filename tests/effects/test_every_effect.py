@@ -64,10 +64,7 @@ def test_the_kernel_agrees_with_the_plain_version(pair):
                 getattr(rig.s, target)[:] = 0.0
         rig.s.segment[:] = 0.0
         for role in roles.split():
-            one_call(
-                assemble([(ROLES[kind][role], rig.frozen_record())], rig.model.state),
-                rig.model.state,
-            )
+            one_call(assemble([(ROLES[kind][role], rig.frozen_record())], rig.model.state), rig.model.state)
         rig.s.force[:, : N + 1] += nodes(rig.s.segment)
         for target, value in expected.items():
             # a few roundings of the largest term; rates of what turns are differences here
@@ -105,9 +102,7 @@ def test_platform_motions_agree_with_the_plain_version_and_its_derivatives(pair,
     np.testing.assert_allclose(rig.s.platform[2], bend, atol=1e-7)
 
 
-@pytest.mark.parametrize(
-    "pair", [p for p in WITH["potential"] if p not in BESIDE_BENDING_IN_SPACE], ids=name
-)
+@pytest.mark.parametrize("pair", [p for p in WITH["potential"] if p not in BESIDE_BENDING_IN_SPACE], ids=name)
 def test_the_force_is_minus_the_slope_of_the_energy(pair):
     rig = Rig(*pair)
     rig.s.v[:] = 0.0  # the energy is that of the elastic part alone, and nothing drags

@@ -55,9 +55,7 @@ def test_kinetic_energy_is_half_velocity_times_mass_times_velocity(pair):
     rig = Rig(*pair)
     if pair[0] is AddedMass and pair[1] > 1:
         # on a bent pipe the neighbours' directions differ and the two agree to their angle only
-        rig.s.r[:] = np.linspace([0.0] * 3, [30.0, 20.0, 60.0], N + 1).T[
-            [0, 2] if rig.d == 2 else [0, 1, 2]
-        ]
+        rig.s.r[:] = np.linspace([0.0] * 3, [30.0, 20.0, 60.0], N + 1).T[[0, 2] if rig.d == 2 else [0, 1, 2]]
     if pair[0] is Vessel and pair[1] == 3:
         rig.s.v[:, -1] = 0.0  # a hull that turns takes energy from the one direction to the other
     rig.s.a[:] = rig.s.v

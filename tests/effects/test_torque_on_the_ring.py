@@ -8,12 +8,7 @@ from riserstudy import load_scene, simulate
 from riserstudy.scene.load import SceneFile
 
 TURN = {"amplitude": "4 deg", "period": "10 s", "ramp": "10 s"}
-RUN = {
-    "duration": "20 s",
-    "output": {"interval": "1 s"},
-    "mesh": {"elements": 48},
-    "step": "0.25 s",
-}
+RUN = {"duration": "20 s", "output": {"interval": "1 s"}, "mesh": {"elements": 48}, "step": "0.25 s"}
 
 
 def moments(file):

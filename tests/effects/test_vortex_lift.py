@@ -33,9 +33,7 @@ def cylinder(speed, stiffness=(2.0 * np.pi * OWN) ** 2 * MASS, drag=C_D, ramp=1e
     shed = np.repeat(SHED[:, np.newaxis], nodes, axis=1)
     lift = np.array([0.5 * RHO * C_V * D])
     pressed = np.array([0.5 * RHO * drag * D])
-    flow = Current(
-        np.array([0.0, 1.0]), np.full(2, speed), np.array([1.0, 0.0]), np.zeros(2, np.int64), 0.0
-    )
+    flow = Current(np.array([0.0, 1.0]), np.full(2, speed), np.array([1.0, 0.0]), np.zeros(2, np.int64), 0.0)
     effects = [
         flow,
         *(EndMass(i, 0.0, half, np.zeros(2)) for i in range(nodes)),
@@ -58,9 +56,7 @@ def motion(model, duration, step, every=1, damping=1.0, axis=1):
     times = np.arange(0, steps + 1, every) * step
     record, sums = new_record(times, [0], model.s), new_sums()
     method = Method(*generalised_alpha(damping), step, steps, Tolerance(1e-13, 1e-4), 20, 6, 0)
-    assert (
-        march(model.programs, model.state, model.spare, method, model.fixed, record, sums) == DONE
-    )
+    assert march(model.programs, model.state, model.spare, method, model.fixed, record, sums) == DONE
     return times, record.value.history[:, axis, 0], sums
 
 

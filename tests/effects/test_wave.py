@@ -41,9 +41,7 @@ def test_the_flow_is_that_of_a_potential_over_a_bed(depth):
     x, z, t, h = 3.0, 45.0 - 8.0, 5.2, 1e-3
 
     def slope(change):
-        a, b, c, d = (
-            sea.at(*np.add((x, z, t), k * h * np.array(change)))[0] for k in (-2, -1, 1, 2)
-        )
+        a, b, c, d = (sea.at(*np.add((x, z, t), k * h * np.array(change)))[0] for k in (-2, -1, 1, 2))
         return (a - 8.0 * b + 8.0 * c - d) / (12.0 * h)
 
     by_x, by_z, by_t = slope((1, 0, 0)), slope((0, 1, 0)), slope((0, 0, 1))
@@ -116,9 +114,7 @@ def test_an_irregular_sea_has_its_height_and_its_spectrum(enhancement):
     assert 4.0 * np.sqrt(0.5 * (amplitude**2).sum()) == pytest.approx(7.0, rel=1e-12)
     assert np.all(np.diff(frequency) > 0.0)
     peak = 2.0 * np.pi / 12.0
-    if (
-        enhancement == 1.0
-    ):  # Pierson-Moskowitz: mean frequency Gamma(3/4) (5/4)^(1/4) times the peak's
+    if enhancement == 1.0:  # Pierson-Moskowitz: mean frequency Gamma(3/4) (5/4)^(1/4) times the peak's
         # 400 shares of equal energy cut the tail of the fifth power
         assert frequency.mean() == pytest.approx(1.2254167 * 1.25**0.25 * peak, rel=5e-3)
     else:

@@ -39,19 +39,13 @@ def test_the_table_of_a_cylinder_has_each_length_once(tmp_path, seed):
         of.pop(name, None)
     half = float(np.random.default_rng(seed).integers(20, 90)) / 10.0
     if seed % 2:
-        of["gas"] = {
-            "area": 0.08,
-            "pressure": pull / 0.08,
-            "volume": 6.0,
-            "exponent": 1.1,
-        }
+        of["gas"] = {"area": 0.08, "pressure": pull / 0.08, "volume": 6.0, "exponent": 1.1}
         of["stroke"] = {"shortest": -half, "longest": half, "stop_stiffness": 5e6}
     else:
         reaches = np.round(np.linspace(-half, half, 6), 2).tolist()
         of["table"] = [{"reach": x, "force": pull * (1.0 + 0.02 * x)} for x in reaches]
     file = SceneFile(
-        "rig.yaml",
-        written(tree, unit_of={"shortest": "m", "longest": "m", "stop_stiffness": "N/m"}),
+        "rig.yaml", written(tree, unit_of={"shortest": "m", "longest": "m", "stop_stiffness": "N/m"})
     )
     deck = tmp_path / "deck.yml"
     deck.write_text(write_deck(file).text)
@@ -76,9 +70,7 @@ def test_masses_and_drag_come_back(tmp_path, seed):
             a, b = (getattr(s, name) for s in (one, same))
             assert (a is None) == (b is None)
             if a:
-                assert a.coefficient * a.diameter**power == pytest.approx(
-                    b.coefficient * b.diameter**power
-                )
+                assert a.coefficient * a.diameter**power == pytest.approx(b.coefficient * b.diameter**power)
 
 
 def test_what_a_deck_cannot_say_is_named(tmp_path):
@@ -123,20 +115,10 @@ def test_a_line_that_nobody_writes_cannot_go_missing(tmp_path, path):
             | {"top": {"x": "held", "z": "held", "elevation": "0 m"}},
             "bottom.hold",
         ),
-        (
-            {"water": {"density": "1025 kg/m^3", "seabed": "-912 m"}, "current": None},
-            "water.surface",
-        ),
+        ({"water": {"density": "1025 kg/m^3", "seabed": "-912 m"}, "current": None}, "water.surface"),
         ({"top": {"x": "free", "z": "free", "tension": "2 MN", "rotation": "free"}}, "top.x"),
         (
-            {
-                "top": {
-                    "x": "platform",
-                    "z": "platform",
-                    "held_at_tension": "2 MN",
-                    "rotation": "free",
-                }
-            },
+            {"top": {"x": "platform", "z": "platform", "held_at_tension": "2 MN", "rotation": "free"}},
             "held_at_tension",
         ),
     ],

@@ -63,9 +63,7 @@ def moved_by(deck):
     sea, (vessel,), (kind,) = deck["Environment"], deck["Vessels"], deck["VesselTypes"]
     table = kind["Draughts"][0]["DisplacementRAOs"]
     origin = table["RAOOrigin"]
-    at = [
-        a if a not in (None, "~") else b for a, b in zip(table["PhaseOrigin"], origin, strict=True)
-    ]
+    at = [a if a not in (None, "~") else b for a, b in zip(table["PhaseOrigin"], origin, strict=True)]
     at = np.array(at[:2]) + vessel["InitialPosition"][:2]
     (wave,) = sea["WaveTrains"]
     turn, heading = 2.0 * math.pi / wave["WavePeriod"], math.radians(wave["WaveDirection"])
@@ -98,9 +96,7 @@ def moved_in(scene):
 @pytest.mark.parametrize("seed", range(15))
 def test_an_exported_vessel_moves_as_that_of_the_scene(seed):
     tree = in_waves(seed)
-    for ours, theirs in zip(
-        moved_in(file_of(tree).resolved()), moved_by(deck_of(tree)), strict=True
-    ):
+    for ours, theirs in zip(moved_in(file_of(tree).resolved()), moved_by(deck_of(tree)), strict=True):
         assert ours == pytest.approx(theirs, abs=1e-6)
 
 

@@ -33,9 +33,7 @@ def test_whole_turns_change_nothing(seed, unit, tmp_path):
     found = []
     for more in (0.0, turns):
         rows = zip(heights.tolist(), (angles + more).tolist(), strict=True)
-        text = "\n".join(
-            [f"hs (m),heading ({name}),share (%)", *(f"{h!r},{a!r},8" for h, a in rows)]
-        )
+        text = "\n".join([f"hs (m),heading ({name}),share (%)", *(f"{h!r},{a!r},8" for h, a in rows)])
         found.append(summed(of, table(tmp_path, text + "\n")))
     assert [w.rate for w in found[1].worst] == pytest.approx([w.rate for w in found[0].worst])
     assert found[1].notes == found[0].notes

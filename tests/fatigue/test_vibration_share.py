@@ -38,9 +38,7 @@ def test_damage_of_one_mode_is_that_of_its_sinusoid(speed):
     # seen: -1.0 and -1.6 %, +1.8 and +1.2 %; half a per cent of stress is some two of damage
     assert across == pytest.approx(expected, rel=0.03)
     assert np.nanmax(rates) == pytest.approx(expected, rel=0.03)
-    along = rates[
-        0, middle
-    ]  # the side of +x, bent by drag that is steady but for twice the frequency
+    along = rates[0, middle]  # the side of +x, bent by drag that is steady but for twice the frequency
     assert along < 0.05 * across
 
 

@@ -120,17 +120,13 @@ def test_the_error_between_simulated_seas_covers_the_true_one(seed, power, tmp_p
     """Random sea states against the function that the study samples, and it falls with the grid."""
     draw = np.random.default_rng(seed)
     heights, periods = draw.uniform(1.0, 9.0, 200), draw.uniform(5.0, 17.0, 200)
-    rows = "".join(
-        f"{h!r},{p!r},0.5\n" for h, p in zip(heights.tolist(), periods.tolist(), strict=True)
-    )
+    rows = "".join(f"{h!r},{p!r},0.5\n" for h, p in zip(heights.tolist(), periods.tolist(), strict=True))
     path = table(tmp_path, "hs (m),tp (s),share (%)\n" + rows)
     true = 0.005 * rate(heights, periods, power).sum()
     found = summed(study(power), path).worst[0]
     off = abs(found.rate / true - 1.0)
     assert off <= 1.5 * found.error_between + 1e-3
-    fine = summed(study(power, np.linspace(1.0, 9.0, 17), np.linspace(5.0, 17.0, 17)), path).worst[
-        0
-    ]
+    fine = summed(study(power, np.linspace(1.0, 9.0, 17), np.linspace(5.0, 17.0, 17)), path).worst[0]
     assert fine.error_between < 0.5 * found.error_between
 
 
@@ -211,15 +207,11 @@ def test_a_table_that_cannot_be_meant_is_refused(text, said, tmp_path):
 def test_rows_that_never_occur_change_nothing(seed, tmp_path):
     """Neither the damage nor its error, wherever they are."""
     draw = np.random.default_rng(seed)
-    rows = [
-        f"{h},{p},5" for h, p in zip(draw.choice(HEIGHTS, 9), draw.choice(PERIODS, 9), strict=True)
-    ]
+    rows = [f"{h},{p},5" for h, p in zip(draw.choice(HEIGHTS, 9), draw.choice(PERIODS, 9), strict=True)]
     never = [f"{h},{p},0" for h, p in draw.uniform(0.1, 40.0, (9, 2)).tolist()]
     mixed = list(draw.permutation(rows + never))
     head = "hs (m),tp (s),share (%)"
-    plain, more = (
-        summed(study(), table(tmp_path, "\n".join([head, *of]) + "\n")) for of in (rows, mixed)
-    )
+    plain, more = (summed(study(), table(tmp_path, "\n".join([head, *of]) + "\n")) for of in (rows, mixed))
     assert [w[:-1] for w in more.worst] == [
         (*w[:3], pytest.approx(w.rate, rel=1e-12), *w[4:-1]) for w in plain.worst
     ]
@@ -321,9 +313,7 @@ def test_an_unknown_error_of_runs_is_stated(tmp_path, commands, monkeypatch, see
     draw = np.random.default_rng(seed)
     known = np.array([True, bool(seed % 3), False])[draw.permutation(3)] & (seed % 2 == 0)
     made = study(heights=np.array([1.0, 3.0, 6.0]), periods=np.array([8.0, 9.5]))
-    made["error_damage"] = made["error_damage"].where(
-        xr.DataArray(known, dims="significant_height")
-    )
+    made["error_damage"] = made["error_damage"].where(xr.DataArray(known, dims="significant_height"))
     made.to_netcdf("study.nc")
     table(tmp_path, "hs (m),tp (s),share (%)\n1,8,60\n3,9.5,30\n6,8,10\n")
     code, said, _ = commands("fatigue", "study.nc", "--scatter", "scatter.csv")

@@ -42,9 +42,7 @@ def test_a_record_counts_in_the_units_of_the_study(seed):
     ):
         unit = str(draw.choice([*units]))
         values = of[axis].values / units[unit]
-        sets = dict(
-            zip(map(str, values.tolist()), json.loads(of[axis].attrs["sets"]).values(), strict=True)
-        )
+        sets = dict(zip(map(str, values.tolist()), json.loads(of[axis].attrs["sets"]).values(), strict=True))
         about = {"units": unit, "sets": json.dumps(sets)}
         of = of.assign_coords({axis: (axis, values, about)})
     assert summed(of, record).worst[0].rate == pytest.approx(expected, rel=1e-9)
@@ -76,9 +74,7 @@ def test_what_is_converted_and_what_is_not_used_is_noted(seed):
 def test_bearings_of_a_record_are_no_headings_of_a_study(seed):
     """Not even for an axis that has their name: bearings count from north, headings from the x axis."""
     name = "wave_from_direction"
-    record = seas(
-        seed, **{name: (np.random.default_rng(seed).uniform(0, 180, len(TIME)), "degree")}
-    )
+    record = seas(seed, **{name: (np.random.default_rng(seed).uniform(0, 180, len(TIME)), "degree")})
     sets = json.dumps({str(angle): {"wave.heading": f"{angle} deg"} for angle in (0.0, 180.0)})
     both = xr.concat([study(), study()], dim=name, data_vars=["damage_rate"])
     of = both.assign_coords({name: (name, [0.0, 180.0], {"units": "degree", "sets": sets})})
@@ -99,10 +95,7 @@ def test_zero_crossing_periods_become_peak_periods_by_the_sea_of_the_study(
     cells = [
         f"{t},{h!r},{z!r}"
         for t, h, z in zip(
-            TIME,
-            record["significant_wave_height"].values.tolist(),
-            zero.values.tolist(),
-            strict=True,
+            TIME, record["significant_wave_height"].values.tolist(), zero.values.tolist(), strict=True
         )
     ]
     (tmp_path / "sea.csv").write_text("\n".join(["time,hs (m),tz (s)", *cells]) + "\n")

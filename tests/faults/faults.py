@@ -21,9 +21,7 @@ DAY = 86400.0
 def said(status, text):
     """Exit status and first line of what a run said, for the table."""
     line = next((x for x in text.splitlines() if x.startswith("riserstudy:")), "")
-    return f"exit {status}" + (
-        f": {line.removeprefix('riserstudy: ')[:120].rstrip(':')}" if line else ""
-    )
+    return f"exit {status}" + (f": {line.removeprefix('riserstudy: ')[:120].rstrip(':')}" if line else "")
 
 
 def results_deleted_half_way(folder):
@@ -101,9 +99,7 @@ def broken_kernels(folder):
 
 def damaged_results(folder):
     """A dataset, a figure and the report are truncated, and an incomplete file remains."""
-    files = [
-        f for f in sorted((folder / "results").rglob("*")) if f.suffix in (".nc", ".png", ".html")
-    ]
+    files = [f for f in sorted((folder / "results").rglob("*")) if f.suffix in (".nc", ".png", ".html")]
     for file in files:
         os.truncate(file, file.stat().st_size // 2)
     (folder / "results/bench/.s3.nc.1").write_bytes(b"half")

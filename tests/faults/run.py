@@ -131,9 +131,7 @@ if __name__ == "__main__":
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--in-a-row", type=int, default=1)
     parser.add_argument("--at-once", type=int, default=os.cpu_count(), help="killed runs at once")
-    parser.add_argument(
-        "--place", type=Path, help="keep the undisturbed checkout there for the next time"
-    )
+    parser.add_argument("--place", type=Path, help="keep the undisturbed checkout there for the next time")
     parser.add_argument("--write", type=Path)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:

@@ -70,9 +70,7 @@ def kill(process, everything):
 
 def differs(folder, reference):
     """How results differ from those of an undisturbed run, "" when bit for bit they do not."""
-    files = [
-        {str(f.relative_to(x)) for f in (x / "results").rglob("*")} for x in (folder, reference)
-    ]
+    files = [{str(f.relative_to(x)) for f in (x / "results").rglob("*")} for x in (folder, reference)]
     if files[0] != files[1]:
         return f"other files: {sorted(files[0] ^ files[1])}"
     found = changes(reference / "results", folder / "results")

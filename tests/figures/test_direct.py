@@ -39,12 +39,9 @@ def test_places_move_as_little_as_can_be(seed):
     places, heights = np.sort(draw.uniform(size=6)), draw.uniform(0.05, 0.25, size=6)
     apart = 0.5 * (heights[1:] + heights[:-1])
     held = [
-        {"type": "ineq", "fun": lambda x, k=k: x[k + 1] - x[k] - apart[k]}
-        for k in range(len(places) - 1)
+        {"type": "ineq", "fun": lambda x, k=k: x[k + 1] - x[k] - apart[k]} for k in range(len(places) - 1)
     ]
-    best = minimize(
-        lambda x: np.sum((x - places) ** 2), places, constraints=held, options={"ftol": 1e-14}
-    )
+    best = minimize(lambda x: np.sum((x - places) ** 2), places, constraints=held, options={"ftol": 1e-14})
     assert best.success
     np.testing.assert_allclose(spread(places, heights), best.x, atol=1e-5)
 

@@ -21,9 +21,7 @@ def crossing(one, other):
     def side(a, b, c):
         return np.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
 
-    return side(*one, other[0]) != side(*one, other[1]) and side(*other, one[0]) != side(
-        *other, one[1]
-    )
+    return side(*one, other[0]) != side(*one, other[1]) and side(*other, one[0]) != side(*other, one[1])
 
 
 def corners(left, bottom, width, height):
@@ -33,13 +31,9 @@ def corners(left, bottom, width, height):
 @pytest.mark.parametrize("seed", range(5))
 @pytest.mark.parametrize("side", SIDES)
 @pytest.mark.parametrize("upside_down", [False, True])
-def test_an_enlarged_part_shows_the_same_curves_and_its_leaders_do_not_cross(
-    seed, side, upside_down
-):
+def test_an_enlarged_part_shows_the_same_curves_and_its_leaders_do_not_cross(seed, side, upside_down):
     random = np.random.default_rng(seed)
-    part, place = (
-        tuple((np.array(of) + random.uniform(-0.02, 0.02, 4)).tolist()) for of in SIDES[side]
-    )
+    part, place = (tuple((np.array(of) + random.uniform(-0.02, 0.02, 4)).tolist()) for of in SIDES[side])
     ax = Figure().subplots()
     curves = random.uniform(0.0, 10.0, (3, 2, 20))
     for k, curve in enumerate(curves):
@@ -54,10 +48,7 @@ def test_an_enlarged_part_shows_the_same_curves_and_its_leaders_do_not_cross(
     for line, (line_x, line_y) in zip(inset.lines, curves, strict=False):
         np.testing.assert_array_equal(line.get_data(), (line_x, line_y))
     for ours, theirs in zip(inset.lines, ax.lines, strict=True):
-        assert (ours.get_color(), ours.get_linestyle()) == (
-            theirs.get_color(),
-            theirs.get_linestyle(),
-        )
+        assert (ours.get_color(), ours.get_linestyle()) == (theirs.get_color(), theirs.get_linestyle())
     assert inset.get_xlim() == pytest.approx(x)
     assert inset.get_ylim() == pytest.approx(y[::-1] if upside_down else y)
     upright, level = (line.get_window_extent() for line in inset.lines[-2:])

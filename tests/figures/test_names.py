@@ -16,10 +16,7 @@ LIMITS = ["drilling: mean lfj_angle", "connected: largest von_mises_stress"]
 def labels_of_utilisation():
     use = np.array([[0.5, 0.2], [0.4, 0.6]])
     coords = {"heave_amplitude": [1.0, 2.0], "limit": LIMITS}
-    data = {
-        "use_of_limit": (("heave_amplitude", "limit"), use),
-        "point_key": ("heave_amplitude", ["a", "b"]),
-    }
+    data = {"use_of_limit": (("heave_amplitude", "limit"), use), "point_key": ("heave_amplitude", ["a", "b"])}
     (legend,) = utilisation(xr.Dataset(data, coords)).legends
     return [text.get_text() for text in legend.get_texts()]
 

@@ -145,9 +145,7 @@ def test_an_envelope_lies_along_the_riser():
     (ax,) = figure.axes
     assert len(ax.lines) == 6
     np.testing.assert_allclose(ax.lines[0].get_ydata(), S)
-    np.testing.assert_allclose(
-        ax.lines[4].get_xdata(), 3 * np.sin(TIME).max() * np.sin(np.pi * S / 100)
-    )
+    np.testing.assert_allclose(ax.lines[4].get_xdata(), 3 * np.sin(TIME).max() * np.sin(np.pi * S / 100))
 
 
 def test_a_time_series_is_that_of_the_place_that_varies_most():
@@ -213,17 +211,11 @@ def test_colours_of_a_quantity_with_a_sign_are_about_zero_and_alike_in_all_panel
 def test_colours_of_a_quantity_of_one_sign_fill_its_range():
     figure = drawn("heat map", angles(1.0, 5.0), ["lfj_angle"])
     mesh = figure.axes[0].collections[0]
-    assert (mesh.get_cmap().name, *mesh.get_clim()) == (
-        "viridis",
-        pytest.approx(1.0),
-        pytest.approx(5.0),
-    )
+    assert (mesh.get_cmap().name, *mesh.get_clim()) == ("viridis", pytest.approx(1.0), pytest.approx(5.0))
 
 
 def test_a_heat_map_marks_where_its_limit_is():
-    inside, beyond = (
-        drawn("heat map", angles(-3.0, 5.0, [level]), ["lfj_angle"]) for level in (2.0, 9.0)
-    )
+    inside, beyond = (drawn("heat map", angles(-3.0, 5.0, [level]), ["lfj_angle"]) for level in (2.0, 9.0))
 
     def marks(figure):
         return [line.get_ydata()[0] for ax in figure.axes for line in ax.get_lines()]
@@ -266,9 +258,7 @@ def test_the_table_of_a_map_has_the_words_of_its_axes(seed, plot):
     draw = np.random.default_rng(seed)
     words = [f"case {k}" for k in draw.permutation(5)[: draw.integers(2, 5)]]
     numbers = np.sort(draw.uniform(-5.0, 9.0, 3).round(2))
-    dataset = xr.concat(
-        [grid("heave_amplitude", "reading").isel(reading=0)] * len(words), "reading"
-    )
+    dataset = xr.concat([grid("heave_amplitude", "reading").isel(reading=0)] * len(words), "reading")
     dataset = dataset.assign_coords(reading=words, heave_amplitude=numbers)
     of = ["bending_moment"] if plot == "heat map" else None
     places = {(x, y) for _, x, y in cells_of(drawn(plot, dataset, of))}

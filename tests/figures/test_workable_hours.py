@@ -47,9 +47,7 @@ def test_every_panel_says_something(shares, waits, title):
     figure = workable_hours(hours(shares, waits))
     assert figure.get_suptitle() == title
     for ax in figure.axes:
-        drawn = [
-            line for line in ax.lines if np.isfinite(np.asarray(line.get_ydata(), float)).any()
-        ]
+        drawn = [line for line in ax.lines if np.isfinite(np.asarray(line.get_ydata(), float)).any()]
         assert drawn or ax.patches or ax.texts, ax.get_title(loc="left")
     months = figure.axes[1]
     low, high = months.get_ylim()

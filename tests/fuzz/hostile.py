@@ -15,12 +15,7 @@ from spoil import VALUES, spoilt, torn
 from riserstudy.jobs.workplan import Workplan
 
 CONFIG = Path(__file__).parents[2] / "config"
-SHORT = {
-    "duration": "2 s",
-    "output": {"interval": "0.5 s"},
-    "mesh": {"elements": 8},
-    "step": "0.1 s",
-}
+SHORT = {"duration": "2 s", "output": {"interval": "0.5 s"}, "mesh": {"elements": 8}, "step": "0.1 s"}
 #: refused for its output, once all of its input is found good
 NOWHERE = "absent/out.nc"
 OUT = "out.nc"
@@ -60,10 +55,7 @@ def table(rng, folder):
     shutil.copy(CONFIG / "scenes/bench/s2.yaml", folder / "case.yaml")
     (folder / "a.csv").write_bytes(torn_table(text, rng))
     value = "{file: a.csv}"
-    settings = {
-        "water": "{density: 1025 kg/m^3, surface: 533 m, seabed: 0 m}",
-        "gravity": "9.81 m/s^2",
-    }
+    settings = {"water": "{density: 1025 kg/m^3, surface: 533 m, seabed: 0 m}", "gravity": "9.81 m/s^2"}
     if place == "platform.response":
         wave = "{height: 2 m, period: 9 s}"
         value = f"{{operators: {value}, phases: lead, headings: from, wave: {wave}}}"

@@ -94,11 +94,7 @@ def attempt(kind, seed):
         doing = case(kind, seed, folder)
         before = _files(folder)
         out, err = io.StringIO(), io.StringIO()
-        with (
-            warnings.catch_warnings(),
-            contextlib.redirect_stdout(out),
-            contextlib.redirect_stderr(err),
-        ):
+        with warnings.catch_warnings(), contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             warnings.simplefilter("always")
             try:
                 code = _call(doing) if callable(doing) else _command(doing)

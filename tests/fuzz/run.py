@@ -64,9 +64,7 @@ if __name__ == "__main__":
     if options.seed:
         show(options.seed.partition(":")[0], int(options.seed.partition(":")[2]))
         sys.exit()
-    wanted = {
-        kind: int(count) for kind, _, count in (word.partition("=") for word in options.counts)
-    }
+    wanted = {kind: int(count) for kind, _, count in (word.partition("=") for word in options.counts)}
     unknown = set(wanted) - set(KINDS)
     if unknown:
         parser.error(f"no kind {unknown}; kinds are {', '.join(KINDS)}")

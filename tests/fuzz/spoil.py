@@ -94,13 +94,7 @@ def torn(content, rng):
         b = min(b, a + rng.choice([1, 8, 200]))
         piece = content[a:b]
         new = rng.choice(
-            [
-                b"",
-                rng.choice(SCRAPS),
-                rng.choice(SCRAPS) + piece,
-                piece * 2,
-                rng.randbytes(len(piece)),
-            ]
+            [b"", rng.choice(SCRAPS), rng.choice(SCRAPS) + piece, piece * 2, rng.randbytes(len(piece))]
         )
         content = content[:a] + new + content[b:]
     return content

@@ -20,24 +20,13 @@ WEIGHT, PLACE = 600.0, "riser[0].submerged_weight"  # N/m of 500 m
 FITTED = {PLACE: {"calibrated": f"{WEIGHT} N/m", "to": "own/N1", "range": ["0 N/m", "1 kN/m"]}}
 PLAIN = {PLACE: f"{WEIGHT} N/m"}
 OPEN = {"assumed": "1 MN", "range": ["1 MN", "1.0001 MN"], "because": "not printed"}
-SAMPLES = {
-    "count": {"preview": 2, "standard": 2, "reference": 2},
-    "seed": 1,
-    "readings": ["line"],
-}
+SAMPLES = {"count": {"preview": 2, "standard": 2, "reference": 2}, "seed": 1, "readings": ["line"]}
 
 
 def scene(weight):
     return {
         "title": "hung",
-        "riser": [
-            {
-                "name": "a",
-                "length": "500 m",
-                "axial_stiffness": "5e9 N",
-                "submerged_weight": weight,
-            }
-        ],
+        "riser": [{"name": "a", "length": "500 m", "axial_stiffness": "5e9 N", "submerged_weight": weight}],
         "bottom": {"hold": "wellhead", "elevation": "0 m"},
         "top": {"z": "free", "tension": OPEN},
         "analysis": {},
@@ -60,12 +49,7 @@ ELSEWHERE = {
     "nowhere": ("600 N/m", {}, {}, {}),
     "set over": (FITTED[PLACE], PLAIN, {}, {}),
     "every label over it": (FITTED[PLACE], {}, {"line": {"a": PLAIN, "b": PLAIN}}, {}),
-    "numbers over it": (
-        FITTED[PLACE],
-        {},
-        {"weight": {"path": PLACE, "unit": "N/m", "values": [600]}},
-        {},
-    ),
+    "numbers over it": (FITTED[PLACE], {}, {"weight": {"path": PLACE, "unit": "N/m", "values": [600]}}, {}),
     "a later axis over a label": (
         "1 kN/m",
         {},
@@ -82,9 +66,7 @@ def simulated(tmp_path, monkeypatch):
     def make(weight, on_top, axes, readings):
         (tmp_path / "hung.yaml").write_text(json.dumps(scene(weight)))
         model = {"scene": "hung.yaml", "caption": "c", "set": on_top, "axes": axes}
-        file = StudyFile.model_validate(
-            {"paper": "own", "readings": readings, "studies": {"pull": model}}
-        )
+        file = StudyFile.model_validate({"paper": "own", "readings": readings, "studies": {"pull": model}})
         study = Study("own", "pull", file.studies["pull"], tmp_path, "standard", None, readings)
         write_dataset(dataset_of(study, results_of(study, 1, lambda _: None)[0]), tmp_path / "p.nc")
         return xr.load_dataset(tmp_path / "p.nc")
@@ -150,6 +132,4 @@ def test_a_calibrated_setting_of_a_derived_dataset_is_told(simulated, monkeypatc
         chapter, "function_of", lambda *_: lambda pull, share: pull[["smallest_tension"]] * share
     )
     fitted = {"share": {"calibrated": 1.0, "to": "own/N1"}}
-    assert (
-        verdict({"pull": chapter.derive("own", "further", {"pull": runs}, fitted)}) == "calibrated"
-    )
+    assert verdict({"pull": chapter.derive("own", "further", {"pull": runs}, fitted)}) == "calibrated"

@@ -38,10 +38,7 @@ def check(name):
 def simulated(values, calibrated, **coords):
     """A simulated dataset."""
     return xr.Dataset(
-        {
-            "quantity": (tuple(coords), values),
-            "point_key": (tuple(coords), np.full(np.shape(values), "k")),
-        },
+        {"quantity": (tuple(coords), values), "point_key": (tuple(coords), np.full(np.shape(values), "k"))},
         coords,
         {"origins": json.dumps({"riser": "calibrated" if calibrated else "assumed"})},
     )
@@ -85,9 +82,7 @@ def test_without_some_samples_a_verdict_is_that_of_the_others(seed):
         at = [*zip(off, lines, strict=True)]
     drop = {"paper/space": places(("sample", "line"), at)}
     assert regrade(item.kind, found.cases, drop) == expected
-    assert regrade(item.kind, found.cases, {"paper/other": places(("sample",), [(0,)])}) == (
-        found.verdict
-    )
+    assert regrade(item.kind, found.cases, {"paper/other": places(("sample",), [(0,)])}) == (found.verdict)
 
 
 @pytest.mark.parametrize("seed", range(60))
@@ -122,13 +117,9 @@ def test_what_is_derived_rests_on_the_points_of_its_sources(monkeypatch):
     """Over what is left of the axes: an axis that was reduced picks no points."""
     values = [[2.0, 9.0], [0.0, 9.0]] * 80
     space = simulated(values, False, sample=range(160), line=LINES[:2])
-    monkeypatch.setattr(
-        chapter, "function_of", lambda *_: lambda **d: next(iter(d.values())).min("line")
-    )
+    monkeypatch.setattr(chapter, "function_of", lambda *_: lambda **d: next(iter(d.values())).min("line"))
     once = chapter.derive("paper", "once", {"space": space})
-    monkeypatch.setattr(
-        chapter, "function_of", lambda *_: lambda **d: next(iter(d.values())).copy()
-    )
+    monkeypatch.setattr(chapter, "function_of", lambda *_: lambda **d: next(iter(d.values())).copy())
     twice = chapter.derive("paper", "twice", {"once": once})
     about = {"id": "X1", "figure": "1", "statement": "s", "kind": "claim", "check": "claim"}
     item = Item(**about, reads={"runs": "base"}, over={"runs": "twice"})

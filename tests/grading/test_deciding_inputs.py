@@ -5,12 +5,7 @@ import pytest
 import xarray as xr
 from invented import samples
 
-from riserstudy.grading.sensitivity import (
-    correlation_ratio,
-    deciding,
-    shares_by_option,
-    total_effects,
-)
+from riserstudy.grading.sensitivity import correlation_ratio, deciding, shares_by_option, total_effects
 
 
 def sampled(count=128):

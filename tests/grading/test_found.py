@@ -149,18 +149,14 @@ def test_a_number_may_be_held_to_less_than_one_percent(percent):
     item = Item(**about, reads={"runs": "base"})
     for off in (0.99, 1.01):
         value = 24.417 * (1.0 + off * percent / 100.0)
-        found = graded(
-            "own", item, lambda _: lambda runs: Found(runs), {"base": xr.DataArray(value)}
-        )
+        found = graded("own", item, lambda _: lambda runs: Found(runs), {"base": xr.DataArray(value)})
         assert (found.verdict == "reproduced") == (off < 1.0)
         assert (found.margin > 0.0) == (off < 1.0)
     assert f"within {percent:g} %" in row_of(found).note
     assert met(24.4174, 24.417, 0.001, 1e-6)  # printed to no more digits
 
 
-@pytest.mark.parametrize(
-    "within, number", [("2 %", 5.0), ("0 %", 5.0), ("0.1 %", 0.0), ("1 m", 5.0)]
-)
+@pytest.mark.parametrize("within, number", [("2 %", 5.0), ("0 %", 5.0), ("0.1 %", 0.0), ("1 m", 5.0)])
 def test_a_share_is_no_larger_than_one_percent_and_of_a_number(within, number):
     about = NUMBER | {"published": number, "within": within}
     with pytest.raises(ValueError, match="within"):
@@ -197,18 +193,11 @@ def fig01(swing): ...
         ("published", "with: {at_least: 1}", "with: {least: 1}", "least has no argument 'least'"),
         ("published", "with: {at_least: 1}", "with: {at_most: 1}", "least needs 'at_least'"),
         ("published", "reads: {runs", "reads: {run", "least has no argument 'run'"),
-        (
-            "studies",
-            "{factor: 2}",
-            "{share: 2}",
-            "swing has no argument 'share'; allowed are factor, heave",
-        ),
+        ("studies", "{factor: 2}", "{share: 2}", "swing has no argument 'share'; allowed are factor, heave"),
         ("studies", "reads: [swing]", "reads: [heave]", "fig01 has no argument 'heave'"),
     ],
 )
-def test_what_a_function_does_not_take_is_refused_before_any_job(
-    file, old, new, said, tmp_path, monkeypatch
-):
+def test_what_a_function_does_not_take_is_refused_before_any_job(file, old, new, said, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     texts = {
         "chapters/own/claims.py": CHAPTER,
@@ -233,6 +222,4 @@ def test_what_a_function_does_not_take_is_refused_before_any_job(
     assert old in path.read_text()
     path.write_text(path.read_text().replace(old, new))
     with pytest.raises(InputError, match=said):
-        read_published(
-            tmp_path / "config", "own", read_studies(tmp_path / "config", "own").datasets
-        )
+        read_published(tmp_path / "config", "own", read_studies(tmp_path / "config", "own").datasets)

@@ -95,12 +95,7 @@ def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
     quantity = xr.DataArray(np.full((8, 3), 5.0), dims=("sample", "line"))
     space = xr.Dataset({"quantity": quantity.assign_coords(sample=range(8), line=["a", "b", "c"])})
     space = space.assign_attrs(origins="{}").merge(samples(lever=["in"] * 8))
-    about = {
-        "kind": "claim",
-        "check": "claim",
-        "with": {"at_least": 3.0},
-        "over": {"runs": "space"},
-    }
+    about = {"kind": "claim", "check": "claim", "with": {"at_least": 3.0}, "over": {"runs": "space"}}
     found = row({"base": dataset(5.0), "space": space}, **about)
     assert found.depends_on == "too few samples (8 of 59): true with every interpretation (a; b; c)"
 
@@ -216,11 +211,7 @@ def test_the_table_has_the_columns_of_the_contract():
 @pytest.mark.parametrize(
     "premise, told, verdict",
     [
-        (
-            120.0,
-            "True in 80 of 80 samples (100 %). Only the 80 of 200 samples that meet",
-            "holds",
-        ),
+        (120.0, "True in 80 of 80 samples (100 %). Only the 80 of 200 samples that meet", "holds"),
         (150.0, "too few samples (50 of 59)", "depends"),
         (40.0, "true in 100 of 160 samples (62 %", "depends"),
         (999.0, "None of 200 samples meets the premise, so the base case is judged", "holds"),

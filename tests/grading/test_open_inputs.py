@@ -153,9 +153,7 @@ def test_shares_by_option_are_told(option, share):
 
 
 def test_samples_in_which_nothing_is_found_are_left_out_and_counted():
-    (found,) = grade_claims(
-        file(), {"small": lambda i: claim(np.nan if i["x"] > 0.9 else i["x"], 1.0)}
-    )
+    (found,) = grade_claims(file(), {"small": lambda i: claim(np.nan if i["x"] > 0.9 else i["x"], 1.0)})
     assert found.grounds.missing.cases == np.sum(sampled(file())["x"] > 0.9)
 
 

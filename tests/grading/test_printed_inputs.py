@@ -65,9 +65,7 @@ def test_a_place_may_be_in_any_section():
 def test_what_is_not_printed_is_found_and_what_says_its_origin_is_not():
     scene = CONFIG / "scenes/chang2020/heave.yaml"
     inputs = printed_inputs(CONFIG, "chang2020")
-    assert unprinted(inputs, load_scene(scene, **{"top.body.mass": "750 t"})) == [
-        ("top.body.mass", "750 t")
-    ]
+    assert unprinted(inputs, load_scene(scene, **{"top.body.mass": "750 t"})) == [("top.body.mass", "750 t")]
     chosen = {"chosen": "750 t", "because": "a round number"}
     assert unprinted(inputs, load_scene(scene, **{"top.body.mass": chosen})) == []
 

@@ -40,9 +40,7 @@ def test_no_source_of_a_chapter_repeats_a_printed_number(paper):
         f"{path.name}:{node.lineno}: {node.value}"
         for path in (CONFIG.parent / "chapters" / paper).rglob("*.py")
         for node in ast.walk(ast.parse(path.read_text()))
-        if isinstance(node, ast.Constant)
-        and isinstance(node.value, int | float)
-        and node.value in numbers
+        if isinstance(node, ast.Constant) and isinstance(node.value, int | float) and node.value in numbers
     ]
     assert repeated == []
 

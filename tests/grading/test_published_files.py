@@ -75,9 +75,7 @@ def test_the_base_of_a_claim_is_in_every_tier(paper):
     for item in published(paper).items:
         for name, value in (item.base or {}).items():
             for axis, values in thinned:
-                assert axis != name or value in values, (
-                    f"{item.id}: {name} {value} is not in preview"
-                )
+                assert axis != name or value in values, f"{item.id}: {name} {value} is not in preview"
 
 
 @pytest.mark.parametrize("seed", range(5))

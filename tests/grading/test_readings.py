@@ -60,8 +60,7 @@ def test_a_verdict_is_that_of_every_interpretation_or_depends(seed):
     never = "no difference" if other == 1.0 else "false"
     told = {r.place["line"]: r.answer for r in found.grounds.readings}
     assert told == {
-        line: wanted.get(share, never)
-        for line, share in zip(space["line"].values, shares, strict=True)
+        line: wanted.get(share, never) for line, share in zip(space["line"].values, shares, strict=True)
     }
     pooled = f"in {int((space['x'] == 0.5).sum())} of {space['x'].size}"
     row = row_of(found)
@@ -124,9 +123,7 @@ def numbers(one, other, base=(3.0, 3.0), **more):
     ]  # fmt: skip
     reads = {"reads": {"runs": "base"}, "over": {"runs": "space"}}
     file = PublishedFile(paper="own", items=[item | reads for item in items])
-    space = (
-        runs(np.asarray(one), sample=np.arange(len(one))).rename(x="a").assign(b=("sample", other))
-    )
+    space = runs(np.asarray(one), sample=np.arange(len(one))).rename(x="a").assign(b=("sample", other))
     at_base = xr.Dataset({"a": base[0], "b": base[1]})
     by_id = {item.id: item for item in file.items}
     checks = lambda name: lambda runs: Found(runs[name])  # noqa: E731
@@ -175,17 +172,13 @@ def test_a_number_is_judged_with_other_numbers_of_its_paper_alone(other):
 
 
 @pytest.mark.parametrize("varied, verdict", [(True, "holds"), (False, "calibrated")])
-def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_varied(
-    varied, verdict
-):
+def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_varied(varied, verdict):
     space = of_lines([1.0]).isel(line=0, drop=True)
     chosen = {"what": "the profile", "varied": varied}
     found = claim(space, space.isel(sample=0, drop=True), chosen=chosen)
     assert found.verdict == verdict
     note = row_of(found).note
-    assert re.search(
-        "chosen accordingly: the profile. (Samples vary|No sample varies) this choice", note
-    )
+    assert re.search("chosen accordingly: the profile. (Samples vary|No sample varies) this choice", note)
     assert Grounds.from_json(row_of(found).grounds) == found.grounds
     never = claim(of_lines([0.0]).isel(line=0, drop=True), space.isel(sample=0), chosen=chosen)
     assert never.verdict == "fails"

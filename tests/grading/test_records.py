@@ -46,9 +46,7 @@ def drawn(seed):
         samples = int(draw.integers(1, 500))
         band = draw.random(2).tolist() if samples >= 100 else [None, None]
         met = int(draw.integers(0, samples + 1))
-        return Share(
-            met, samples, maybe(samples), *band, same=int(draw.integers(0, samples - met + 1))
-        )
+        return Share(met, samples, maybe(samples), *band, same=int(draw.integers(0, samples - met + 1)))
 
     def reading():
         place = {text(): text() if draw.integers(2) else float(draw.normal())}
@@ -119,16 +117,7 @@ def test_a_cell_that_holds_no_grounds_is_refused(text):
 
 def test_a_case_comes_back_from_its_table():
     case = Case(
-        "p",
-        "C1",
-        {"line": "a; b: c.", "x": 1.5},
-        True,
-        False,
-        False,
-        True,
-        -0.25,
-        False,
-        {"p/s": ["line"]},
+        "p", "C1", {"line": "a; b: c.", "x": 1.5}, True, False, False, True, -0.25, False, {"p/s": ["line"]}
     )
     (row,) = csv.DictReader(io.StringIO(table([case], Case)))
     assert json.loads(row["place"]) == case.place

@@ -20,9 +20,7 @@ from riserstudy.grading.verdict import error, met, verdict_of_claim, verdict_of_
         (float("nan"), 1.0, 0.1, False),
     ],
 )
-def test_a_number_is_met_within_half_its_last_digit_or_one_percent(
-    simulated, printed, digit, inside
-):
+def test_a_number_is_met_within_half_its_last_digit_or_one_percent(simulated, printed, digit, inside):
     assert met(simulated, printed, digit) is inside
 
 

@@ -44,10 +44,7 @@ def verdict(kind, hits, base):
 
 def in_turn(draw):
     """Samples that are alike for a while, as those of a Sobol sequence hardly are."""
-    parts = [
-        draw.random(draw.integers(1, 200)) < draw.choice([0.0, 0.02, 0.5, 0.98, 1.0])
-        for _ in range(3)
-    ]
+    parts = [draw.random(draw.integers(1, 200)) < draw.choice([0.0, 0.02, 0.5, 0.98, 1.0]) for _ in range(3)]
     return np.concatenate([*parts, draw.random(100) < 0.5]).astype(float)
 
 

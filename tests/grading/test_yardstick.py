@@ -13,15 +13,7 @@ from riserstudy.grading.models import Item
 from riserstudy.grading.published import read_published
 from riserstudy.grading.rows import row_of
 from riserstudy.grading.words_file import WordsFile, read_words
-from riserstudy.grading.yardstick import (
-    alike,
-    all_along,
-    all_of,
-    growing,
-    less,
-    more,
-    more_on_the_whole,
-)
+from riserstudy.grading.yardstick import alike, all_along, all_of, growing, less, more, more_on_the_whole
 
 CONFIG = Path(__file__).parents[2] / "config"
 TABLE = read_words(CONFIG)
@@ -67,8 +59,7 @@ def test_answers_do_not_hang_on_the_unit(seed):
         for compare in (more, less, alike):
             word = SIMILAR if compare is alike else EVIDENT
             xr.testing.assert_equal(
-                answer(compare(value, other, word)),
-                answer(compare(scale * value, scale * other, word)),
+                answer(compare(value, other, word)), answer(compare(scale * value, scale * other, word))
             )
 
 
@@ -124,10 +115,7 @@ def test_a_series_that_is_turned_round_grows_the_other_way(seed):
     values = row(np.cumsum(np.random.default_rng(seed).normal(0.03, 0.05, 8)) + 5.0)
     turned = row(values.values[::-1])
     for sign in (1.0, -1.0):
-        one, other = (
-            growing(values, "step", SMALLER, sign),
-            growing(turned, "step", SMALLER, -sign),
-        )
+        one, other = (growing(values, "step", SMALLER, sign), growing(turned, "step", SMALLER, -sign))
         assert answer(one).item() == answer(other).item()
 
 
@@ -201,10 +189,7 @@ def test_no_claim_of_a_paper_has_a_bound_of_its_own_for_a_word_of_the_table(pape
 
 def claim(values, word):
     runs = xr.Dataset(
-        {
-            "x": ("sample", values),
-            "assumed_a": ("sample", np.arange(len(values)), {"long_name": "a"}),
-        },
+        {"x": ("sample", values), "assumed_a": ("sample", np.arange(len(values)), {"long_name": "a"})},
         {"sample": range(len(values))},
     )
     item = Item(
@@ -226,9 +211,6 @@ def test_differences_of_a_hundredth_of_a_per_cent_hold_nothing():
     assert (share.met, share.same, share.samples) == (0, 256, 256)
     note = row_of(found).note
     assert '"Smaller" means a difference of at least 2 %; less is no difference.' in note
-    assert (
-        "true in 0 of 256 samples (0 %, 95 % interval 0 to 1 %), no difference in 256"
-        in note.lower()
-    )
+    assert "true in 0 of 256 samples (0 %, 95 % interval 0 to 1 %), no difference in 256" in note.lower()
     assert "Base case: 1, no difference." in note
     assert all(case.same and not case.met for case in found.cases)

@@ -89,9 +89,7 @@ def test_an_end_moment_bends_a_beam_into_a_full_circle(beam):
 
 
 def surge():
-    scene = from_file(
-        "hard/surge", analysis__mesh={"elements": 20}, analysis__step="0.1 s"
-    ).resolved()
+    scene = from_file("hard/surge", analysis__mesh={"elements": 20}, analysis__step="0.1 s").resolved()
     model = settle(scene, even(scene, 20))[0]
     move_to(model.programs, model.state, 0.0)
     return model

@@ -49,9 +49,7 @@ def squares(ratio):
                       [-13 * h, -3 * h * h, -22 * h, 4 * h * h]]) * h / 420  # fmt: skip
     for e in range(n):
         part = slice(2 * e, 2 * e + 4)
-        stiffness[part, part] += (
-            found.bending_stiffness[e, 0] * bend + found.tension[e].mean() * pull
-        )
+        stiffness[part, part] += found.bending_stiffness[e, 0] * bend + found.tension[e].mean() * pull
         mass[part, part] += (found.mass[e] + found.added_mass[e]) * carry
     free = np.delete(np.arange(2 * n + 2), [0, 2 * n])
     return eigh(stiffness[np.ix_(free, free)], mass[np.ix_(free, free)], eigvals_only=True)
@@ -128,9 +126,9 @@ def test_an_unstable_newmark_method_blows_up_at_the_rate_of_its_amplification(be
     x = dynamics(found, times, step, stepping, start="straight").displacement
     size = np.abs(x).max(axis=1)
     late = slice(count // 2, count)
-    assert np.exp(
-        np.polyfit(np.arange(count + 1)[late], np.log(size[late]), 1)[0]
-    ) == pytest.approx(grown, rel=0.02)
+    assert np.exp(np.polyfit(np.arange(count + 1)[late], np.log(size[late]), 1)[0]) == pytest.approx(
+        grown, rel=0.02
+    )
 
 
 def amplification(square, beta, gamma):

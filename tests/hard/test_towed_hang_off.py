@@ -10,11 +10,7 @@ from scenes import from_file
 from riserstudy import simulate
 
 TOWED, AXIAL, PIPE = (f"mao_hangoff/{name}" for name in ("evacuation", "hang_off", "pe_pipe"))
-COARSE = {
-    "analysis__mesh": {"elements": 50},
-    "analysis__step": "0.2 s",
-    "analysis__output__interval": "1 s",
-}
+COARSE = {"analysis__mesh": {"elements": 50}, "analysis__step": "0.2 s", "analysis__output__interval": "1 s"}
 AT_ONCE = {"platform__cruise__ramp": None, "current__ramp": None, "platform__heave__ramp": None}
 LIGHT_PIPE = {
     "riser[0].inner_diameter": "0.4943 m",

@@ -20,9 +20,7 @@ def weight(share):
     return {"top__body__submerged_weight": f"{share * EULER} N"}
 
 
-@pytest.mark.parametrize(
-    "ends, critical", [(PINNED, 1.0), (CANTILEVER, 0.25), (CLAMPED, 4.0)], ids=str
-)
+@pytest.mark.parametrize("ends, critical", [(PINNED, 1.0), (CANTILEVER, 0.25), (CLAMPED, 4.0)], ids=str)
 @pytest.mark.parametrize("lateral", [False, True], ids=["axial", "planar"])
 def test_a_column_stands_below_euler_s_load_and_buckles_above(ends, critical, lateral):
     values = dict(ends)
@@ -67,14 +65,7 @@ def test_a_riser_with_too_little_top_tension_is_not_let_through_because_somethin
 
 def test_a_string_in_compression_is_called_unstable():
     string = {
-        "riser": [
-            {
-                "name": "s",
-                "length": "100 m",
-                "axial_stiffness": "1e9 N",
-                "submerged_weight": "10 N/m",
-            }
-        ],
+        "riser": [{"name": "s", "length": "100 m", "axial_stiffness": "1e9 N", "submerged_weight": "10 N/m"}],
         "top__body": None,
         "top__tension": "500 N",
     }

@@ -10,13 +10,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
-VIV = {
-    "model": "synchronisation",
-    "diameter": "1.1 m",
-    "coefficient": 1.2,
-    "memory": 20.0,
-    "seed": 3,
-}
+VIV = {"model": "synchronisation", "diameter": "1.1 m", "coefficient": 1.2, "memory": 20.0, "seed": 3}
 SCENE = {
     "title": "a drilling riser in a current",
     "gravity": "9.81 m/s^2",
@@ -38,10 +32,7 @@ SCENE = {
     "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": {"stiffness": "50 kN*m/deg"}},
     "top": {"x": "held", "z": "free", "tension": "1.2 MN"},
     "current": {
-        "profile": [
-            {"elevation": "0 m", "speed": "0.3 m/s"},
-            {"elevation": "600 m", "speed": "0.9 m/s"},
-        ]
+        "profile": [{"elevation": "0 m", "speed": "0.3 m/s"}, {"elevation": "600 m", "speed": "0.9 m/s"}]
     },
     "analysis": {
         "duration": "150 s",
@@ -101,9 +92,7 @@ def simulated(changes, method):
 @pytest.mark.parametrize("case", CASES)
 def test_it_stays_bounded_and_its_energy_is_accounted_for(case, method):
     found = simulated(CASES[case], method)
-    assert all(
-        np.isfinite(values).all() for values in found.arrays.values() if values.dtype == float
-    )
+    assert all(np.isfinite(values).all() for values in found.arrays.values() if values.dtype == float)
     assert found.facts["audit"]["unexplained_share"] < 0.02
     late = found.arrays["time"] > found.facts["vibration_since"]
     y, x = found.arrays["y"][late], found.arrays["x"][late]
@@ -140,9 +129,7 @@ def test_without_flow_an_accuracy_is_reached_on_meshes_that_are_found(seed):
 
 
 def test_a_run_that_ends_before_its_ramps_is_refused():
-    with pytest.raises(
-        SimulationError, match=r"riser.viv: ramps end at .* Give a longer analysis.duration"
-    ):
+    with pytest.raises(SimulationError, match=r"riser.viv: ramps end at .* Give a longer analysis.duration"):
         simulated({"riser[0].viv.diameter": "12 m"}, "TR-BDF2")
 
 
@@ -154,12 +141,7 @@ def test_random_rigs_on_inclined_tensioners_vibrate_and_account_for_their_energy
         if section.get("drag"):
             own = {"diameter": section["drag"]["diameter"], "ramp": 10.0}
             section["viv"] = VIV | own | {"frequencies": [0.11, 0.18, 0.26]}
-    tree["analysis"] = {
-        "duration": 80.0,
-        "step": 0.1,
-        "mesh": {"elements": 80},
-        "output": {"interval": 0.5},
-    }
+    tree["analysis"] = {"duration": 80.0, "step": 0.1, "mesh": {"elements": 80}, "output": {"interval": 0.5}}
     found = run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
     assert found.facts["audit"]["unexplained_share"] < 1e-3
     assert 0.0 < found.facts["vibration_rms_max"] < 2.0

@@ -47,11 +47,7 @@ def test_a_deck_becomes_its_scene(tmp_path):
     steel = 7850.0 * math.pi / 4.0 * (0.5334**2 - 0.4826**2)
     assert pipe.mass == pytest.approx(steel)
     assert pipe.contents_mass == pytest.approx(1200.0 * math.pi / 4.0 * 0.4826**2)
-    assert (scene.water.surface, scene.water.seabed, scene.bottom.elevation) == (
-        0.0,
-        -500.0,
-        -495.0,
-    )
+    assert (scene.water.surface, scene.water.seabed, scene.bottom.elevation) == (0.0, -500.0, -495.0)
     assert scene.bottom.rotation.stiffness == pytest.approx(120e3 * 180.0 / math.pi)
     assert (scene.top.x, scene.top.elevation) == ("platform", 10.0)
     assert scene.current.turns
@@ -101,9 +97,7 @@ def test_operators_keep_their_meaning_in_every_convention(tmp_path, case):
 
 def test_headings_that_the_deck_leaves_to_symmetry_are_there(tmp_path):
     response = loaded(tmp_path).platform.response
-    right, left = (
-        operator(response, "roll", np.array([0.5]), h) for h in (-math.pi / 2, math.pi / 2)
-    )
+    right, left = (operator(response, "roll", np.array([0.5]), h) for h in (-math.pi / 2, math.pi / 2))
     assert abs(left[0]) == pytest.approx(math.radians(0.4))
     assert right == pytest.approx(-left)
 
@@ -132,18 +126,12 @@ def test_a_sea_keeps_its_height_period_and_shape(tmp_path, capsys):
 @pytest.mark.parametrize("kind", ["JONSWAP", "ISSC"])
 def test_a_sea_told_by_its_zero_crossings_has_them(tmp_path, kind):
     def change(deck):
-        sea(
-            deck, WaveType=kind, WaveTp=None, WaveTz=8.0, WaveGamma=3.3, WaveNumberOfComponents=9000
-        )
+        sea(deck, WaveType=kind, WaveTp=None, WaveTz=8.0, WaveGamma=3.3, WaveNumberOfComponents=9000)
 
     wave = loaded(tmp_path, change).wave
     frequency, amplitude = components(wave)
-    crossing = (
-        2.0 * math.pi * math.sqrt((amplitude**2).sum() / ((amplitude * frequency) ** 2).sum())
-    )
-    assert crossing == pytest.approx(
-        8.0, rel=0.02
-    )  # components end at ten times the peak's frequency
+    crossing = 2.0 * math.pi * math.sqrt((amplitude**2).sum() / ((amplitude * frequency) ** 2).sum())
+    assert crossing == pytest.approx(8.0, rel=0.02)  # components end at ten times the peak's frequency
     assert wave.peak_period > 9.5
 
 

@@ -132,12 +132,8 @@ def test_drag_along_lines_and_damping_of_links_are_carried(tmp_path):
     alone, dressed = scene.riser[:2]
     assert alone.tangential_drag.coefficient * alone.tangential_drag.diameter == 0.01 * 0.56
     both = 0.01 * (0.56 + 2.0 * 0.15)
-    assert dressed.tangential_drag.coefficient * dressed.tangential_drag.diameter == pytest.approx(
-        both
-    )
-    assert dressed.drag.constant * dressed.drag.diameter == pytest.approx(
-        1.1 * 0.56 + 2.0 * 1.2 * 0.15
-    )
+    assert dressed.tangential_drag.coefficient * dressed.tangential_drag.diameter == pytest.approx(both)
+    assert dressed.drag.constant * dressed.drag.diameter == pytest.approx(1.1 * 0.56 + 2.0 * 1.2 * 0.15)
     assert dressed.added_mass.displaced(1.0) == pytest.approx(disc(0.56) + 2.0 * disc(0.15))
 
 
@@ -154,8 +150,7 @@ def respelled(deck, seed):
             header, rows = table(line, "LineType")
             del line[header]
             line["Sections"] = [
-                {"LineType": kind, "Length": length, "NumberOfSegments": 3}
-                for kind, length, _ in rows
+                {"LineType": kind, "Length": length, "NumberOfSegments": 3} for kind, length, _ in rows
             ]
         header, rows = table(line, "ConnectionxBendingStiffness")
         if chance.random() < 0.5:

@@ -44,9 +44,7 @@ def wamit(path, length=1.0, skip=(), change=lambda row: row):
                     value.real,
                     value.imag,
                 ]
-                lines.append(
-                    " ".join(f"{x:.6E}" if k != 2 else str(x) for k, x in enumerate(change(row)))
-                )
+                lines.append(" ".join(f"{x:.6E}" if k != 2 else str(x) for k, x in enumerate(change(row))))
     path.write_text("\n".join(lines))
     return path
 
@@ -55,9 +53,7 @@ def capytaine(path, by="omega", body="", **changes):
     """A dataset as Capytaine's are saved: real and imaginary parts along a dimension."""
     waves = np.sort({"omega": 2.0 * np.pi / np.array(PERIODS), "period": np.array(PERIODS)}[by])
     periods = 2.0 * np.pi / waves if by == "omega" else waves
-    values = np.array(
-        [[[made_up(m, p, h) for m in MOTIONS] + [1j] for h in HEADINGS] for p in periods]
-    )
+    values = np.array([[[made_up(m, p, h) for m in MOTIONS] + [1j] for h in HEADINGS] for p in periods])
     parts = np.stack([values.real, values.imag])
     coordinates = {
         "complex": ["re", "im"], by: waves, "wave_direction": np.radians(HEADINGS),
@@ -110,9 +106,7 @@ def test_wamit_moves_as_the_real_part_with_time_forward(tmp_path, case, length):
     table = imported(wamit(tmp_path / "semi.4", length), "--length", f"{length} m")
     time, motion = moved(table, "lead", *case)
     exact = (made_up(*case) * np.exp(2j * np.pi * time / case[1])).real
-    np.testing.assert_allclose(
-        motion, exact, atol=2e-5 * abs(exact).max()
-    )  # six digits are printed
+    np.testing.assert_allclose(motion, exact, atol=2e-5 * abs(exact).max())  # six digits are printed
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -167,9 +161,7 @@ def test_a_file_without_all_modes_everywhere_is_refused(tmp_path):
     from riserstudy.importers.rao_files import from_wamit
 
     source = wamit(tmp_path / "semi.4")
-    source.write_text(
-        "\n".join(source.read_text().splitlines()[:3] + source.read_text().splitlines()[4:])
-    )
+    source.write_text("\n".join(source.read_text().splitlines()[:3] + source.read_text().splitlines()[4:]))
     with pytest.raises(InputError, match="no mode 3 at 0 deg and 8 s"):
         from_wamit(source, 1.0)
 
@@ -195,9 +187,7 @@ def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
     with pytest.raises(InputError, match=r"post_pro\.rao"):
         from_capytaine(tmp_path / "bare.nc")
     both = xr.load_dataset(capytaine(tmp_path / "one.nc"))
-    names = [
-        f"{'a' if k < 3 else 'b'}__{name}" for k, name in enumerate(both["radiating_dof"].values)
-    ]
+    names = [f"{'a' if k < 3 else 'b'}__{name}" for k, name in enumerate(both["radiating_dof"].values)]
     both.assign_coords(radiating_dof=names).to_netcdf(tmp_path / "two.nc")
     with pytest.raises(InputError, match="2 bodies"):
         from_capytaine(tmp_path / "two.nc")

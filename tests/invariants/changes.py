@@ -16,12 +16,7 @@ from riserstudy.scene.load import SceneFile
 Tree = dict[str, Any]
 ALONG = ("x", "y", "z", "effective_tension", "bending_moment")
 OVER_TIME = ("ufj_angle", "lfj_angle", "joint_stroke", "tensioner_stroke", "tensioner_force")
-EXTREMES = (
-    "shear_force_absmax",
-    "von_mises_stress_max",
-    "effective_tension_min",
-    "bending_moment_absmax",
-)
+EXTREMES = ("shear_force_absmax", "von_mises_stress_max", "effective_tension_min", "bending_moment_absmax")
 
 
 class Otherwise(NamedTuple):
@@ -70,12 +65,7 @@ def in_other_units(tree: Tree, draw: np.random.Generator) -> Otherwise:
 def lifted(tree: Tree, draw: np.random.Generator) -> Otherwise:
     """Sea, well and platform together up or down."""
     tree, by = copy.deepcopy(tree), float(draw.uniform(-3000.0, 3000.0))
-    for path in (
-        ("water", "surface"),
-        ("water", "seabed"),
-        ("bottom", "elevation"),
-        ("top", "elevation"),
-    ):
+    for path in (("water", "surface"), ("water", "seabed"), ("bottom", "elevation"), ("top", "elevation")):
         tree[path[0]][path[1]] += by
     tree["platform"]["centre_of_rotation"]["elevation"] += by
     if place := tree["top"].get("tensioners", {}).get("arrangement"):
@@ -88,9 +78,7 @@ def lifted(tree: Tree, draw: np.random.Generator) -> Otherwise:
 def rotated(tree: Tree, draw: np.random.Generator) -> Otherwise:
     """All of it about the vertical; in space, where it is not there already."""
     tree, angle = copy.deepcopy(tree), float(draw.uniform(0.3, 6.0))
-    if tree["platform"].get(
-        "pitch"
-    ):  # finite turns about two axes are not one about an axis between
+    if tree["platform"].get("pitch"):  # finite turns about two axes are not one about an axis between
         return Otherwise(written(tree), same)
     c, s = math.cos(angle), math.sin(angle)
     position = tree["platform"]["position"]
@@ -115,9 +103,7 @@ def turn(platform: Tree, first: str, second: str, c: float, s: float) -> None:
         for one in listed(platform.pop(name, None)):
             for target, share in zip((first, second), shares, strict=True):
                 phase = one.get("phase", 0.0) + (math.pi if share < 0.0 else 0.0)
-                motions[target].append(
-                    {**one, "amplitude": abs(share) * one["amplitude"], "phase": phase}
-                )
+                motions[target].append({**one, "amplitude": abs(share) * one["amplitude"], "phase": phase})
     platform |= {name: several for name, several in motions.items() if several}
 
 
@@ -178,9 +164,7 @@ def swayed_by_nothing(tree: Tree, draw: np.random.Generator) -> Otherwise:
 def moved_by_the_top(tree: Tree, draw: np.random.Generator) -> Otherwise:
     """The platform's surge at rest as an offset of the riser's top."""
     tree = copy.deepcopy(tree)
-    if tree["platform"].get(
-        "pitch"
-    ):  # which turns about a centre that does not move with an offset
+    if tree["platform"].get("pitch"):  # which turns about a centre that does not move with an offset
         return Otherwise(written(tree), same)
     tree["top"]["offset"] = tree["platform"]["position"]["surge"]
     tree["platform"]["position"]["surge"] = 0.0
@@ -231,10 +215,7 @@ def scaled(tree: Tree, draw: np.random.Generator) -> Otherwise:
         return f"{float(number) * factor(DIMENSIONS[unit])!r} {unit}"
 
     def back(arrays: dict[str, np.ndarray]) -> dict[str, np.ndarray]:
-        return {
-            name: values / factor(OF_OUTPUTS.get(name, (0, 0, 0)))
-            for name, values in arrays.items()
-        }
+        return {name: values / factor(OF_OUTPUTS.get(name, (0, 0, 0))) for name, values in arrays.items()}
 
     return Otherwise(grown(written(tree)), back)
 

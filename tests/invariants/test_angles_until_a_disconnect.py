@@ -23,8 +23,7 @@ def released(seed):
     stack = {"stiffness": "100 MN/m"}
     tree["disconnect"] = {"at": f"{at!r} s", "over": "0.3 s", "stack": stack}
     tree["limits"] = [
-        {"output": "lfj_angle", "largest": f"{angle} deg", "mode": "drilling"}
-        for angle in (0.01, 0.3, 60)
+        {"output": "lfj_angle", "largest": f"{angle} deg", "mode": "drilling"} for angle in (0.01, 0.3, 60)
     ]
     tree["limits"].append({"output": "lfj_angle", "mean": "1 deg", "mode": "drilling"})
     held = copy.deepcopy(tree)
@@ -36,8 +35,7 @@ def released(seed):
 @pytest.mark.parametrize("seed", range(8))
 def test_limits_judge_what_a_run_until_the_disconnect_has(seed):
     free, held = (
-        run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
-        for tree in released(seed)
+        run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False) for tree in released(seed)
     )
 
     def angle(of):

@@ -43,12 +43,8 @@ def test_verdicts_agree_at_every_margin(seed, spatial):
 def test_offsets_agree(seed):
     tree = rig(seed, spatial=bool(seed % 2), conductor=False)
     facts = run(both(tree, "section 0", 0.0).resolved()).facts
-    least = min(
-        row["smallest"] for row in facts["extremes"] if row["output"] == "lower_end_tension"
-    )
+    least = min(row["smallest"] for row in facts["extremes"] if row["output"] == "lower_end_tension")
     for share in (-0.01, 0.0, 0.05):
         scene = both(tree, "section 0", least - share * abs(least)).resolved()
         along, end = offsets(scene, 30.0, {})
-        assert (
-            along == pytest.approx(end, abs=0.1, nan_ok=True) or along.missing == end.missing != ""
-        )
+        assert along == pytest.approx(end, abs=0.1, nan_ok=True) or along.missing == end.missing != ""

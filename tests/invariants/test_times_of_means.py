@@ -24,11 +24,7 @@ def test_a_mean_over_the_times_of_its_note_is_the_value(seed, spatial):
     if released:
         limit = {"output": "lfj_angle", "mean": "1 deg", "mode": "drilling"}
         release = float(draw.choice([0.9, 1.4])) * ramp
-        tree["disconnect"] = {
-            "at": f"{release!r} s",
-            "over": "0.3 s",
-            "stack": {"stiffness": "20 MN/m"},
-        }
+        tree["disconnect"] = {"at": f"{release!r} s", "over": "0.3 s", "stack": {"stiffness": "20 MN/m"}}
         tree["analysis"]["duration"] = release + 1.0
     file = SceneFile("rig.yaml", written(tree, unit_of={"start": "s"}) | {"limits": [limit]})
     found = run(file.resolved(), estimated=False)

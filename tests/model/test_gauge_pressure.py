@@ -37,20 +37,14 @@ def test_one_chamber_pulls_nothing_where_its_gas_is_down_to_the_atmosphere():
     whole = 190.2e5 + ATMOSPHERE
     stretched = gas.volume * (whole / ATMOSPHERE) ** (1.0 / gas.exponent)
     reach = (gas.volume - stretched) / gas.area
-    assert brentq(lambda x: gas_force(gas, np.array([x]))[0], 2.0 * reach, 0.0) == pytest.approx(
-        reach
-    )
+    assert brentq(lambda x: gas_force(gas, np.array([x]))[0], 2.0 * reach, 0.0) == pytest.approx(reach)
     assert gas_force(gas, np.zeros(1))[0] == pytest.approx(190.2e5 * gas.area)
 
 
 def test_the_line_has_the_slope_of_the_law():
     tension, stiffness = linear_law(
         rig(CHANG, **{"top.tensioners.gas.pressure": "190.2 bar gauge"}).model_copy(
-            update={
-                "linearised": rig(
-                    CHANG, **{"top.tensioners.linearised": {"by": "tangent"}}
-                ).linearised
-            }
+            update={"linearised": rig(CHANG, **{"top.tensioners.linearised": {"by": "tangent"}}).linearised}
         )
     )
     gas = rig(CHANG, **{"top.tensioners.gas.pressure": "190.2 bar gauge"}).gas

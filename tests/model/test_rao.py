@@ -167,9 +167,7 @@ def test_the_wave_says_where_it_goes():
     to = {"operators": HEADED, "headings": "towards"}
     of_the_response = made(**to, wave=swell, heading="90 deg")
     assert harmonics(of_the_response, of_the_response.wave).amplitude[0] == pytest.approx(1.0)
-    of_the_scene = RegularWave.model_validate(
-        swell | {"heading": "180 deg", "above_mean_level": "none"}
-    )
+    of_the_scene = RegularWave.model_validate(swell | {"heading": "180 deg", "above_mean_level": "none"})
     assert harmonics(made(**to), of_the_scene).amplitude[0] == pytest.approx(1.5)
 
 
@@ -181,9 +179,7 @@ def test_a_heading_that_the_operators_do_not_reach_is_refused():
 
 def test_waves_beyond_the_operators_are_refused():
     wave = Swell.model_validate({"amplitude": "1 m", "period": "25 s"})
-    with pytest.raises(
-        InputError, match=r"1 of 1 wave components \(25 s.*lie outside .*, 5 s to 20 s"
-    ):
+    with pytest.raises(InputError, match=r"1 of 1 wave components \(25 s.*lie outside .*, 5 s to 20 s"):
         harmonics(made(), wave)
 
 
@@ -301,9 +297,7 @@ def test_degrees_under_a_heading_of_radians_are_told_by_their_size(unit, count):
 
 
 def test_radians_under_a_heading_of_degrees_are_told_by_their_phases():
-    rows = [
-        row | {"heave_phase": f"{x} deg"} for row, x in zip(ROWS, (3.0, -2.9, 1.5), strict=True)
-    ]
+    rows = [row | {"heave_phase": f"{x} deg"} for row, x in zip(ROWS, (3.0, -2.9, 1.5), strict=True)]
     assert "radians, although" in slips(made(operators=rows), 9.81)[0]
 
 
@@ -321,9 +315,7 @@ def test_in_the_wave_of_the_scene_a_platform_goes_with_the_water_at_its_position
     surface = {"amplitude": "2 m", "period": f"{period!r} s", "phase": f"{phase!r} rad"}
     wave = {**surface, "heading": f"{heading!r} rad", "above_mean_level": "none"}
     times = np.linspace(0.0, 40.0, 81)
-    k = brentq(
-        lambda k: 9.81 * k * math.tanh(533.0 * k) - (math.tau / period) ** 2, 1e-6, 1.0, xtol=1e-15
-    )
+    k = brentq(lambda k: 9.81 * k * math.tanh(533.0 * k) - (math.tau / period) ** 2, 1e-6, 1.0, xtol=1e-15)
     speed, course, ramp = draw.uniform((-2.0, 0.0, 5.0), (2.0, 6.0, 20.0)).tolist()
     cruise = {"speed": f"{speed!r} m/s", "heading": f"{course!r} rad", "ramp": f"{ramp!r} s"}
     sailed = np.where(times < ramp, 0.5 * times**2 / ramp, times - 0.5 * ramp)
@@ -353,12 +345,7 @@ def test_headings_in_the_wrong_unit_cause_a_warning(seed):
 
     def told(numbers, unit):
         rows = [
-            {
-                "heading": f"{h!r} {unit}",
-                "period": f"{t} s",
-                "heave": "0.5 m/m",
-                "heave_phase": "40 deg",
-            }
+            {"heading": f"{h!r} {unit}", "period": f"{t} s", "heave": "0.5 m/m", "heave_phase": "40 deg"}
             for h in numbers.tolist()
             for t in (8, 14)
         ]

@@ -39,35 +39,18 @@ def drawn(seed, **more):
             }
         )
     pull = 2.2 * weight
-    joint = {
-        "length": "16 m",
-        "bending_stiffness": "5e8 N*m^2",
-        "mid_stroke": "riser in equilibrium",
-    }
+    joint = {"length": "16 m", "bending_stiffness": "5e8 N*m^2", "mid_stroke": "riser in equilibrium"}
     top = {"x": "platform", "z": "platform", "elevation": "21 m", "rotation": "free"}
     rig = {"count": 6, "mid_stroke": ("riser unstretched", "riser in equilibrium")[seed % 2]}
     each = pull / 6.0
     table = [{"reach": f"{r} m", "force": f"{each * (1.0 + 0.02 * r)} N"} for r in (-9, -3, 2, 9)]
-    gas = {
-        "area": "0.1 m^2",
-        "pressure": f"{each / 0.1} Pa absolute",
-        "volume": "3 m^3",
-        "exponent": 1.1,
-    }
-    place = {
-        "ring_radius": "1 m",
-        "deck_radius": "6 m",
-        "deck_elevation": "25 m",
-        "first_bearing": "0 deg",
-    }
+    gas = {"area": "0.1 m^2", "pressure": f"{each / 0.1} Pa absolute", "volume": "3 m^3", "exponent": 1.1}
+    place = {"ring_radius": "1 m", "deck_radius": "6 m", "deck_elevation": "25 m", "first_bearing": "0 deg"}
     body = {"name": "ring", "mass": "20 t", "density": "7850 kg/m^3"}
     ways = [
         {"telescopic_joint": joint | {"tension": f"{pull} N"}},
         {"telescopic_joint": joint, "tension": f"{pull} N", "body": body},
-        {
-            "tensioners": rig
-            | {"linear": {"tension": f"{each} N", "stiffness": f"{each / 40.0} N/m"}}
-        },
+        {"tensioners": rig | {"linear": {"tension": f"{each} N", "stiffness": f"{each / 40.0} N/m"}}},
         {"tensioners": rig | {"table": table}, "body": body},
         {"tensioners": rig | {"gas": gas, "arrangement": place}},
         {
@@ -92,9 +75,7 @@ def drawn(seed, **more):
 def test_the_joint_rests_at_mid_stroke(seed):
     file = drawn(seed)
     spaced = simulate(file, progress=False)
-    plain = simulate(
-        file.with_values({"top.telescopic_joint.mid_stroke": None}, "test"), progress=False
-    )
+    plain = simulate(file.with_values({"top.telescopic_joint.mid_stroke": None}, "test"), progress=False)
     assert abs(float(spaced["joint_stroke_static"])) < 1e-6
     assert abs(float(plain["joint_stroke_static"])) > 0.01  # what the riser stretches by
     tension = [run["effective_tension"].to_numpy()[:-1] for run in (spaced, plain)]
@@ -111,10 +92,7 @@ def test_stops_count_from_mid_stroke(seed):
         stop = {"stroke": f"{share * stroke} m", "stiffness": "1e8 N/m"}
         scene = file.with_values({"top.telescopic_joint.stop": stop}, "test").resolved()
         warned = single(scene, even(scene, 60), None).facts["warnings"]
-        assert (
-            any("telescopic joint drawn out: touches its stop" in said for said in warned)
-            == touched
-        )
+        assert any("telescopic joint drawn out: touches its stop" in said for said in warned) == touched
 
 
 def test_without_it_the_length_is_the_one_that_is_given():

@@ -50,29 +50,20 @@ def here(python):
 
 def install(folder, python):
     """Copy the checkout as far as it is under version control, and make its environment."""
-    listed = subprocess.run(
-        ["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True
-    )
+    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True, check=True)
     for name in listed.stdout.splitlines():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / name, folder / name)
     for stale in ("results", "results-1", ".cache/points", ".cache/points-1", ".snakemake"):
         shutil.rmtree(folder / stale, ignore_errors=True)
-    make = [
-        "sh",
-        "workflow/scripts/with_python.sh",
-        "workflow/scripts/make_environment.py",
-        ".venv/.ready",
-    ]
+    make = ["sh", "workflow/scripts/with_python.sh", "workflow/scripts/make_environment.py", ".venv/.ready"]
     subprocess.run(make, cwd=folder, env=environment() | {"PYTHON": python}, check=True)
 
 
 def study(folder, cores):
     """Run part of the study."""
     command = [".venv/bin/python", "workflow/scripts/run_study.py", "--tier", "preview"]
-    subprocess.run(
-        [*command, "--cores", str(cores), *TARGETS], cwd=folder, env=environment(), check=True
-    )
+    subprocess.run([*command, "--cores", str(cores), *TARGETS], cwd=folder, env=environment(), check=True)
 
 
 def environment():

@@ -60,11 +60,7 @@ def test_a_new_fact_is_a_column_of_the_database_and_shown_by_plots(throw_away):
 
 
 def test_no_axis_takes_the_name_of_a_new_fact(throw_away):
-    plan = {
-        "scene": "scenes/bench/s2c.yaml",
-        "caption": "c",
-        "axes": {throw_away: AXES["amplitude"]},
-    }
+    plan = {"scene": "scenes/bench/s2c.yaml", "caption": "c", "axes": {throw_away: AXES["amplitude"]}}
     with pytest.raises(InputError, match=throw_away):
         check(StudyModel, plan, "study")
 

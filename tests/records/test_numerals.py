@@ -9,9 +9,7 @@ from riserstudy.records.numerals import at_most, newtons, percent, plain
 
 @pytest.mark.parametrize("seed", range(200))
 def test_no_number_has_an_exponent_and_none_loses_more_than_its_digits(seed):
-    value = random.Random(seed).choice([-1.0, 1.0]) * 10.0 ** random.Random(seed + 1000).uniform(
-        -8, 12
-    )
+    value = random.Random(seed).choice([-1.0, 1.0]) * 10.0 ** random.Random(seed + 1000).uniform(-8, 12)
     text = plain(value)
     assert "e" not in text
     assert float(text) == pytest.approx(value, rel=5.1e-3)

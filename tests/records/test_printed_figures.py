@@ -34,8 +34,4 @@ def test_an_entry_that_is_no_figure_is_refused(text):
 
 
 def test_names_of_ours_carry_the_printed_number():
-    assert [number_of(name) for name in ("fig08", "fig12", "fig", "figure8", "8")] == [
-        8,
-        12,
-        *[None] * 3,
-    ]
+    assert [number_of(name) for name in ("fig08", "fig12", "fig", "figure8", "8")] == [8, 12, *[None] * 3]

@@ -44,23 +44,16 @@ def database(rows):
     db = sqlite3.connect(":memory:")
     db.executescript(TABLES)
     for point, (name, fixed, accuracy, *errors) in enumerate(rows):
+        db.execute("insert into studies values (?, 'paper', ?, '', '{}', 'wide')", (f"paper/{name}", name))
         db.execute(
-            "insert into studies values (?, 'paper', ?, '', '{}', 'wide')", (f"paper/{name}", name)
-        )
-        db.execute(
-            "insert into points values (?, ?, '', ?, ?, ?, '', 1, 0)",
-            (point, f"paper/{name}", *errors),
+            "insert into points values (?, ?, '', ?, ?, ?, '', 1, 0)", (point, f"paper/{name}", *errors)
         )
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
         if accuracy:
-            db.execute(
-                "insert into parameters values (?, 'analysis.accuracy', ?)", (point, accuracy)
-            )
+            db.execute("insert into parameters values (?, 'analysis.accuracy', ?)", (point, accuracy))
         db.execute("insert into simulated_behind values (?, ?)", (f"paper/{name}",) * 2)
-        db.execute(
-            "insert into rests_on values ('paper', ?, ?)", (f"N{point + 1}", f"paper/{name}")
-        )
+        db.execute("insert into rests_on values ('paper', ?, ?)", (f"N{point + 1}", f"paper/{name}"))
     return db
 
 
@@ -90,23 +83,18 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
             ("asked", False, 0.001, 0.0005, None, None),
         ]
     )
-    files = kept(
-        blow=(None, "a stop is met"), fine=(None, None), silent=(None, None), requested=(None, None)
-    )
+    files = kept(blow=(None, "a stop is met"), fine=(None, None), silent=(None, None), requested=(None, None))
     of = missed(db, files)
     assert (of.points, of.off, of.requested, of.missed_by_request, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
     assert (
-        "The other 3 use a fixed mesh and time step; their error was estimated for 2 of them"
-        in of.sentences
+        "The other 3 use a fixed mesh and time step; their error was estimated for 2 of them" in of.sentences
     )
 
 
 def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
-    db = database(
-        [("coarse", False, 0.1, 0.08, None, None), ("fine", False, 0.001, 0.008, None, None)]
-    )
+    db = database([("coarse", False, 0.1, 0.08, None, None), ("fine", False, 0.001, 0.008, None, None)])
     of = missed(db, kept(coarse=(None, None), fine=(None, None)))
     assert (of.requested, of.missed_by_request, of.verdicts) == (2, 1, [("paper", "N2")])
 

@@ -15,10 +15,7 @@ def test_printed_figures_keep_their_number_and_others_are_counted():
 
 
 def test_figures_of_a_chapter_without_a_paper_are_numbered():
-    assert list(labels(["a", "b"], "Design", printed=False).values()) == [
-        "Design, Fig. 1",
-        "Design, Fig. 2",
-    ]
+    assert list(labels(["a", "b"], "Design", printed=False).values()) == ["Design, Fig. 1", "Design, Fig. 2"]
 
 
 def test_a_figure_is_headed_by_its_label_and_what_it_says():

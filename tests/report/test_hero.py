@@ -25,9 +25,7 @@ def motion(top, foot, title="a <run>"):
 
 
 def test_the_run_whose_top_travels_farthest_over_a_foot_that_stands_is_shown():
-    paper, shown = hero(
-        [("a", motion(20.0, 0.0)), ("b", motion(90.0, 0.0)), ("c", motion(500.0, 400.0))]
-    )
+    paper, shown = hero([("a", motion(20.0, 0.0)), ("b", motion(90.0, 0.0)), ("c", motion(500.0, 400.0))])
     assert paper == "b"
     assert shown.seconds == 60.0
     assert "a &lt;run&gt;" in shown.svg
@@ -42,9 +40,7 @@ def test_every_frame_lies_within_the_picture(top):
     _, shown = hero([("a", motion(top, 0.0))])
     frames = re.search(r'values="([^"]*)"', shown.svg)[1].split(";")
     assert len(frames) > 10
-    places = [
-        np.array([float(n) for n in NUMBER.findall(frame)]).reshape(-1, 2) for frame in frames
-    ]
+    places = [np.array([float(n) for n in NUMBER.findall(frame)]).reshape(-1, 2) for frame in frames]
     assert len({len(place) for place in places}) == 1  # else a browser would not move it
     x, y = np.concatenate(places).T
     assert (x >= 0.0).all()

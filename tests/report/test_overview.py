@@ -44,8 +44,7 @@ def test_a_finding_without_a_figure_says_nothing_of_its_own():
 def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
     rng = np.random.default_rng(seed)
     claims = [
-        SimpleNamespace(verdict=v)
-        for v in rng.choice([*VERDICTS][: rng.integers(1, len(VERDICTS) + 1)], 40)
+        SimpleNamespace(verdict=v) for v in rng.choice([*VERDICTS][: rng.integers(1, len(VERDICTS) + 1)], 40)
     ]
     said = totals(claims)
     head, _, rest = said.partition(",")

@@ -28,7 +28,5 @@ def test_a_claim_without_samples_has_a_reason(verdict):
 def test_interpretations_are_the_reason_where_they_answer_differently():
     share = Share(1, 1)
     readings = [Reading({"flow": "a"}, "true", share), Reading({"flow": "b"}, "false", Share(0, 1))]
-    found = claim(
-        verdict="depends", kind="claim", decided_by="flow", grounds=Grounds(readings=readings)
-    )
+    found = claim(verdict="depends", kind="claim", decided_by="flow", grounds=Grounds(readings=readings))
     assert found.why == "Flow: true with a; false with b."

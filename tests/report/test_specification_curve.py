@@ -41,10 +41,7 @@ def test_named_inputs_come_first_whatever_they_explain():
 def test_shares_are_those_of_the_cases_with_an_option(seed):
     of = cases(seed)
     said = texts(curve(ordered(of, [])).svg)
-    for option, share in (
-        ("clay", "100\N{NO-BREAK SPACE}%"),
-        ("sand & silt", "0\N{NO-BREAK SPACE}%"),
-    ):
+    for option, share in (("clay", "100\N{NO-BREAK SPACE}%"), ("sand & silt", "0\N{NO-BREAK SPACE}%")):
         assert said[said.index(option) + 1] == share
     assert f"{of.met.sum()} of 60 cases agree" in said
 

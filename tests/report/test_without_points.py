@@ -25,9 +25,7 @@ def db():
     db.executescript(TABLES)
     table = 'odd "name'
     db.execute("insert into studies values (?, ?, ?)", (STUDY, '{"line": 3, "speed": 2}', table))
-    for position, (name, role) in enumerate(
-        [("point", "row"), ("line", "axis"), ("speed_2", "axis")]
-    ):
+    for position, (name, role) in enumerate([("point", "row"), ("line", "axis"), ("speed_2", "axis")]):
         db.execute("insert into columns values (?, ?, ?, ?)", (table, name, role, position))
     points = [(10 + k, LABELS[k // 2], float(k % 2)) for k in range(6)]
     db.executemany('insert into "odd ""name" values (?, ?, ?)', points)

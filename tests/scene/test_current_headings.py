@@ -18,9 +18,7 @@ TABLE = "depth (m),speed (m/s)\n0,1\n533,0.1\n"
 def loaded(folder, table=TABLE, **current):
     (folder / "current.csv").write_text(table)
     profile = {"file": str(folder / "current.csv")}
-    return load_scene(
-        SYSTEM, current={"profile": profile} | current, analysis={"mesh": {"elements": 40}}
-    )
+    return load_scene(SYSTEM, current={"profile": profile} | current, analysis={"mesh": {"elements": 40}})
 
 
 def shape(file):
@@ -50,9 +48,7 @@ def test_from_one_side_is_towards_the_other(tmp_path):
 def test_columns_stand_in_any_order(tmp_path):
     told = "depth (m),speed (m/s),direction (deg)\n0,1,20\n9,0.5,40\n"
     turned = "direction (deg),speed (m/s),depth (m)\n20,1,0\n40,0.5,9\n"
-    currents = [
-        loaded(tmp_path, table, beyond="hold").resolved().current for table in (told, turned)
-    ]
+    currents = [loaded(tmp_path, table, beyond="hold").resolved().current for table in (told, turned)]
     assert currents[0] == currents[1]
 
 
@@ -67,11 +63,7 @@ def test_columns_stand_in_any_order(tmp_path):
         ("depth (m),depth (ft),speed (m/s)\n0,0,1\n9,30,0\n", {}, "two columns 'depth'"),
         ("depth (m),elevation (m),speed (m/s)\n0,0,1\n9,-9,0\n", {}, "'elevation' and 'depth'"),
         ("depth (m),direction (deg)\n0,0\n9,30\n", {}, "no column 'speed'"),
-        (
-            "depth (m),speed (m/s),direction (rad)\n0,1,20\n9,0,0\n",
-            {},
-            "1146 deg is more than 360 deg",
-        ),
+        ("depth (m),speed (m/s),direction (rad)\n0,1,20\n9,0,0\n", {}, "1146 deg is more than 360 deg"),
         (TABLE, {"heading": "40 rad"}, "heading: 2292 deg is more than 360 deg"),
         ("elevation (m),speed (m/s)\n540,1\n600,0\n", {"beyond": "hold"}, "no point in the water"),
         ("depth (m),speed\n0,1\n9,0\n", {}, "'speed' is not of the form 'name \\(unit\\)'"),

@@ -15,16 +15,10 @@ TABLES = {
     "no such file": (None, "No such file"),
     "empty": ("", "line 1: 'nothing'"),
     "other columns": ("height (m), speed (m/s)\n0, 1\n1, 2\n", "depth (unit), speed (unit)"),
-    "no units": (
-        "elevation, speed\n0, 1\n1, 2\n",
-        "elevation (unit) or depth (unit), speed (unit)",
-    ),
+    "no units": ("elevation, speed\n0, 1\n1, 2\n", "elevation (unit) or depth (unit), speed (unit)"),
     "depth and elevation": ("depth (m), elevation (m), speed (m/s)\n0, 1, 1\n1, 0, 2\n", "line 1"),
     "depths that fall": ("depth (m), speed (m/s)\n1, 1\n0, 2\n", "depths must increase"),
-    "elevations that fall": (
-        "elevation (m), speed (m/s)\n1, 1\n0, 2\n",
-        "elevations must increase",
-    ),
+    "elevations that fall": ("elevation (m), speed (m/s)\n1, 1\n0, 2\n", "elevations must increase"),
     "a depth in the air": ("depth (m), speed (m/s)\n-1, 1\n0, 2\n", "line 2: depth"),
     "a word": ("elevation (m), speed (m/s)\n0, fast\n", "line 2"),
     "a missing value": ("elevation (m), speed (m/s)\n0, 1\n1\n", "line 3"),
@@ -68,9 +62,7 @@ def test_depths_and_elevations_tell_the_same_current(tmp_path):
     tables = []
     for name in ("up", "down"):
         profile = {"file": str(tmp_path / f"{name}.csv")}
-        scene = load_scene(
-            SURGE, **LEVELS, current={"profile": profile, "beyond": "hold"}
-        ).resolved()
+        scene = load_scene(SURGE, **LEVELS, current={"profile": profile, "beyond": "hold"}).resolved()
         tables.append(np.array(current_table(scene.current, scene.water)))
     np.testing.assert_allclose(tables[1], tables[0], rtol=1e-6)
 

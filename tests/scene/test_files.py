@@ -123,7 +123,4 @@ def test_a_table_that_is_no_csv_file_is_named_with_scene_and_field(tmp_path, nam
     (tmp_path / "scene.yaml").write_text(json.dumps(tree))
     with pytest.raises(InputError) as error:
         load_scene(tmp_path / "scene.yaml")
-    assert (error.value.where, error.value.field) == (
-        str(tmp_path / "scene.yaml"),
-        "current.profile.file",
-    )
+    assert (error.value.where, error.value.field) == (str(tmp_path / "scene.yaml"), "current.profile.file")

@@ -33,8 +33,7 @@ def test_no_stress_below_a_gap_in_the_contents(seed):
         for name in ("conductor", tree["riser"][-1]["name"])
     ]
     scenes = [
-        SceneFile("rig.yaml", written(one))
-        for one in (tree, with_its_contents_in_the_weight(tree, "stack"))
+        SceneFile("rig.yaml", written(one)) for one in (tree, with_its_contents_in_the_weight(tree, "stack"))
     ]
     whole, parted = (run(scene.resolved(), estimated=False) for scene in scenes)
     foot = FOOT + tree["riser"][1]["length"]

@@ -34,9 +34,7 @@ DECK = {
         "tension": "4 MN",
         "telescopic_joint": {"length": "20 m", "bending_stiffness": "300 MN*m^2"},
     },
-    "current": {
-        "profile": [{"depth": "0 m", "speed": "1 m/s"}, {"depth": "980 m", "speed": "0.2 m/s"}]
-    },
+    "current": {"profile": [{"depth": "0 m", "speed": "1 m/s"}, {"depth": "980 m", "speed": "0.2 m/s"}]},
     "analysis": {},
 }
 BORE, OUTER = 0.25 * math.pi * 0.4826**2, 0.25 * math.pi * 0.5334**2
@@ -86,14 +84,10 @@ def test_a_current_says_what_holds_beyond_its_ends():
     from riserstudy.model.sea import current_table
 
     short = [{"depth": "10 m", "speed": "1 m/s"}, {"depth": "300 m", "speed": "0.5 m/s"}]
-    z, speed = current_table(
-        scene(**{"current.profile": short, "current.beyond": "zero"}).current, None
-    )
+    z, speed = current_table(scene(**{"current.profile": short, "current.beyond": "zero"}).current, None)
     assert list(speed) == [0.0, 0.5, 1.0, 0.0]
     assert z[0] == pytest.approx(-300.0, abs=1e-3)
-    _, speed = current_table(
-        scene(**{"current.profile": short, "current.beyond": "hold"}).current, None
-    )
+    _, speed = current_table(scene(**{"current.profile": short, "current.beyond": "hold"}).current, None)
     assert list(speed) == [0.5, 1.0]
 
 
@@ -142,12 +136,7 @@ def test_contents_counted_twice_are_doubted():
 
 
 def test_a_string_or_cable_may_hang_slack_and_a_riser_may_not():
-    cable = {
-        "name": "cable",
-        "length": "850 m",
-        "axial_stiffness": "5e8 N",
-        "submerged_weight": "1 kN/m",
-    }
+    cable = {"name": "cable", "length": "850 m", "axial_stiffness": "5e8 N", "submerged_weight": "1 kN/m"}
     hung = {
         "title": "catenary",
         "riser": [cable],

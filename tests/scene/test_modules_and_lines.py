@@ -37,9 +37,9 @@ LINES = (
 LINES_DISPLACE = 2 * disc(6.5 * INCH) + disc(5 * INCH) + disc(3 * INCH)
 MODULES = 8000.0  # kg a joint
 AXIAL = 207e9 * (tube(21 * INCH, 19.25 * INCH) + 2 * tube(6.5 * INCH, 4.5 * INCH))
-BENDING = 207e9 * (
-    tube(21 * INCH, 19.25 * INCH, 4) + 2 * tube(6.5 * INCH, 4.5 * INCH, 4)
-) + 200e9 * tube(5 * INCH, 4 * INCH, 4)
+BENDING = 207e9 * (tube(21 * INCH, 19.25 * INCH, 4) + 2 * tube(6.5 * INCH, 4.5 * INCH, 4)) + 200e9 * tube(
+    5 * INCH, 4 * INCH, 4
+)
 OWN_WEIGHT = G * (PIPE - WATER * disc(21 * INCH))
 LINES_WEIGHT = G * (LINES - WATER * LINES_DISPLACE)
 NEUTRAL = (OWN_WEIGHT + LINES_WEIGHT) * JOINT  # lift of one joint's modules at which nothing weighs
@@ -92,9 +92,7 @@ def test_mass_weight_and_stiffness_are_the_sums_by_hand():
 def test_neutral_joints_hang_stretch_and_bend_as_the_closed_form_has_it():
     """Without weight tension is the same throughout: a beam under it and an even load has a closed form."""
     run = simulate(file_of())
-    slope = (
-        0.5 * LENGTH / TENSION
-    )  # at the ends, of the load of 1 N/m: tension is that over its cosine
+    slope = 0.5 * LENGTH / TENSION  # at the ends, of the load of 1 N/m: tension is that over its cosine
     np.testing.assert_allclose(run["effective_tension"], TENSION, rtol=slope**2)
     stretch = 1.0 + TENSION / AXIAL
     rise = float(run["z"].isel(s=-1)) + 600.0
@@ -106,17 +104,13 @@ def test_neutral_joints_hang_stretch_and_bend_as_the_closed_form_has_it():
 
 
 def test_they_swing_by_all_of_their_mass():
-    first = float(
-        modes_of(file_of(**{"riser[0].lateral_load": None}).resolved(), 1)["frequency"][0]
-    )
+    first = float(modes_of(file_of(**{"riser[0].lateral_load": None}).resolved(), 1)["frequency"][0])
     mass = PIPE + LINES + MODULES / JOINT
     stretch = 1.0 + TENSION / AXIAL
-    exact = taut_beam_frequency(
-        1, stretch * LENGTH, TENSION, BENDING / stretch**2, mass / stretch
-    ) / (2.0 * pi)
-    assert first == pytest.approx(
-        exact, rel=1e-4
-    )  # a stretched beam's EI is told to the first order
+    exact = taut_beam_frequency(1, stretch * LENGTH, TENSION, BENDING / stretch**2, mass / stretch) / (
+        2.0 * pi
+    )
+    assert first == pytest.approx(exact, rel=1e-4)  # a stretched beam's EI is told to the first order
 
 
 def test_tension_is_lost_on_the_way_down_by_what_the_sums_weigh():
@@ -184,10 +178,7 @@ def test_a_riser_s_other_sections_have_no_modules():
         ({"gravity": None}, "need gravity"),
         ({"riser[0].submerged_weight": None}, "has no weight|need riser.0..submerged_weight"),
         (
-            {
-                "buoyancy": {"factor": 0.5, "tension_ratio": 1.2, "reading": "R1"},
-                "top.tension": None,
-            },
+            {"buoyancy": {"factor": 0.5, "tension_ratio": 1.2, "reading": "R1"}, "top.tension": None},
             "together with modules or lines",
         ),
     ],

@@ -20,9 +20,7 @@ def recorded(seed, part):
     duration = tree["analysis"]["duration"]
     tree["analysis"]["mesh"] = {"elements": 8}
     times = np.linspace(0.0, duration * (1.0 + 1e-9), 60)
-    values = draw.uniform(0.3, 1.5) * np.sin(
-        2.0 * np.pi * times / duration * draw.uniform(2.0, 4.0)
-    )
+    values = draw.uniform(0.3, 1.5) * np.sin(2.0 * np.pi * times / duration * draw.uniform(2.0, 4.0))
     keep = {
         "late": times > draw.uniform(0.2, 0.5) * duration,
         "early": times < draw.uniform(0.5, 0.8) * duration,

@@ -53,9 +53,7 @@ def answers(found, rng):
     """Responses at frequencies within the operators and headings all around."""
     frequency = np.array([2.0 * math.pi / rng.uniform(4.0, 25.0) for _ in range(5)])
     headings = [rng.uniform(-7.0, 7.0) for _ in range(4)] + [0.0, math.pi, -math.pi]
-    return np.array(
-        [operator(found, name, frequency, heading) for name in MOTIONS for heading in headings]
-    )
+    return np.array([operator(found, name, frequency, heading) for name in MOTIONS for heading in headings])
 
 
 @pytest.mark.parametrize("headings", ["towards", "from"])
@@ -64,9 +62,7 @@ def test_lines_may_stand_in_any_order(seed, headings):
     rng = random.Random(seed)
     rows = written(lines(rng), rng)
     shuffled = rng.sample(rows, len(rows))
-    one, other = (
-        answers(response(r, headings=headings), random.Random(1)) for r in (rows, shuffled)
-    )
+    one, other = (answers(response(r, headings=headings), random.Random(1)) for r in (rows, shuffled))
     np.testing.assert_array_equal(one, other)
 
 
@@ -76,9 +72,7 @@ def test_whole_turns_of_headings_and_units_of_lines_change_nothing(seed, heading
     rng = random.Random(seed)
     rows = lines(rng)
     plain = response(written(rows, rng), headings=headings)
-    turned = response(
-        rng.sample(written(rows, rng, turns=True, units=True), len(rows)), headings=headings
-    )
+    turned = response(rng.sample(written(rows, rng, turns=True, units=True), len(rows)), headings=headings)
     assert len(turned.by_heading) == len(plain.by_heading) == 8
     one, other = (answers(found, random.Random(1)) for found in (plain, turned))
     np.testing.assert_allclose(other, one, rtol=0.0, atol=1e-9)
@@ -103,9 +97,7 @@ def test_no_line_can_be_contradicted_by_another(seed, headed):
 def test_headings_a_turn_apart_are_refused_by_name_of_their_table(tmp_path, pair):
     table = tmp_path / "rao.csv"
     head = "heading (deg),period (s),surge (m/m),surge_phase (deg)\n"
-    table.write_text(
-        head + "".join(f"{h},{p},{0.1 * k},0\n" for k, h in enumerate(pair) for p in (8, 12))
-    )
+    table.write_text(head + "".join(f"{h},{p},{0.1 * k},0\n" for k, h in enumerate(pair) for p in (8, 12)))
     (place,) = [place for place in PLACES if place.name == "operators"]
     with pytest.raises(ValueError, match="headings that differ by 360 deg are the same"):
         Response(operators=read_table(table, place), phases="lead", headings="towards")

@@ -26,9 +26,7 @@ def test_runs_return_what_the_table_says_that_their_scene_has(scene):
     """Angles aside: which flex joints there are depends on how the scene holds the ends."""
     file = read_scene(SCENES / f"{scene}.yaml")
     short = {"analysis.duration": "2 s", "analysis.output": {"interval": "1 s"}}
-    made = file.with_values(
-        {"analysis.mesh": None, "analysis.step": None} | short, "test"
-    ).resolved()
+    made = file.with_values({"analysis.mesh": None, "analysis.step": None} | short, "test").resolved()
     mesh = coarsest_mesh(made)
     arrays = finish(made, mesh, march(made, mesh, period(made) / 24.0)).arrays
     stems = {n for n in QUANTITIES for e in ("", "_max", "_static") if n + e in arrays}

@@ -9,11 +9,7 @@ from riserstudy.errors import InputError
 from riserstudy.scene.load import read_scene
 
 SCENES = Path(__file__).parents[2] / "config" / "scenes"
-SURGE, HEAVE, CHANG = (
-    SCENES / "bench/s2.yaml",
-    SCENES / "bench/s3.yaml",
-    SCENES / "chang2020/heave.yaml",
-)
+SURGE, HEAVE, CHANG = (SCENES / "bench/s2.yaml", SCENES / "bench/s3.yaml", SCENES / "chang2020/heave.yaml")
 LIU = SCENES / "liu2020/heave.yaml"
 DRIVE_OFF = SCENES / "liu2017/ref_0.yaml"
 RIG = {"count": 1, "mid_stroke": "riser unstretched"}
@@ -290,8 +286,7 @@ def test_turns_of_four_steps_are_long_enough():
 
 
 @pytest.mark.parametrize(
-    "path",
-    ["riser[4].length", "riser[0.length", "riser]0[.length", "top..x", "", "top.x.y", "riser.x"],
+    "path", ["riser[4].length", "riser[0.length", "riser]0[.length", "top..x", "", "top.x.y", "riser.x"]
 )
 def test_a_path_that_leads_nowhere_is_refused(path):
     with pytest.raises(InputError):

@@ -16,22 +16,13 @@ SCENE = ROOT / "config/scenes/liu2020/heave.yaml"
 SYSTEM = ROOT / "config/scenes/liu2020/system.yaml"
 TABLE = {"file": "../../platforms/medium.csv"}
 WAVE = {"height": "3 m", "period": "12 s"}
-RESPONSE = {
-    "operators": TABLE,
-    "phases": "lead",
-    "motions": ["heave"],
-    "wave": WAVE,
-    "ramp": "36 s",
-}
+RESPONSE = {"operators": TABLE, "phases": "lead", "motions": ["heave"], "wave": WAVE, "ramp": "36 s"}
 
 
 def loaded(**changes):
     response = {k: v for k, v in (RESPONSE | changes).items() if v is not None}
     short = {"duration": "120 s", "output": {"start": "96 s", "interval": "0.25 s"}}
-    return load_scene(
-        SCENE,
-        **{"platform": {"response": response}, "analysis": short},
-    )
+    return load_scene(SCENE, **{"platform": {"response": response}, "analysis": short})
 
 
 def test_a_table_gives_the_motion_that_the_same_harmonic_gives():
@@ -76,38 +67,14 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
         ([HEADING, "9,1,0", "5,1,0", "9,1,0"], "platform.response", "a period occurs twice"),
         ([HEADING, "5,-1,0", "9,1,0"], "table.csv: line 2: heave", "greater"),
         ([HEADING, "5,1,0", "0,1,0"], "table.csv: line 3: period", "greater"),
-        (
-            [HEADING.replace("(s)", "(m)"), "5,1,0", "9,1,0"],
-            "table.csv: line 2: period",
-            "dimension",
-        ),
-        (
-            [HEADING.replace("(s)", "(Hz)"), "5,1,0", "9,1,0"],
-            "table.csv: line 2: period",
-            "dimension",
-        ),
-        (
-            [FREQUENCY.replace("Hz", "s"), "5,1,0", "9,1,0"],
-            "table.csv: line 2: frequency",
-            "dimension",
-        ),
+        ([HEADING.replace("(s)", "(m)"), "5,1,0", "9,1,0"], "table.csv: line 2: period", "dimension"),
+        ([HEADING.replace("(s)", "(Hz)"), "5,1,0", "9,1,0"], "table.csv: line 2: period", "dimension"),
+        ([FREQUENCY.replace("Hz", "s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "dimension"),
         ([FREQUENCY.replace("Hz", "1/s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "rad"),
         ([FREQUENCY, "0.2,1,0", "0.2,1,0"], "platform.response", "a frequency occurs twice"),
-        (
-            [FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"],
-            "line 1",
-            "period (unit) or frequency",
-        ),
-        (
-            [HEADING + ",heading (m)", "5,1,0,0", "9,1,0,0"],
-            "table.csv: line 2: heading",
-            "dimension",
-        ),
-        (
-            [HEADING + ",heading (deg)", "5,1,0,0", "9,1,0,0"],
-            "platform.response",
-            "'towards' or 'from'",
-        ),
+        ([FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"], "line 1", "period (unit) or frequency"),
+        ([HEADING + ",heading (m)", "5,1,0,0", "9,1,0,0"], "table.csv: line 2: heading", "dimension"),
+        ([HEADING + ",heading (deg)", "5,1,0,0", "9,1,0,0"], "platform.response", "'towards' or 'from'"),
     ],
 )
 def test_tables_that_cannot_be_meant_are_refused(tmp_path, lines, field, reason):
@@ -126,9 +93,7 @@ def test_headings_without_a_heading_are_refused(tmp_path):
 @pytest.mark.parametrize("unit, factor", [("Hz", 1.0), ("rad/s", 2.0 * math.pi)])
 @pytest.mark.parametrize("headings, turn", [("towards", 0.0), ("from", 180.0)])
 @pytest.mark.parametrize("phases, sign", [("lead", 1.0), ("lag", -1.0)])
-def test_a_table_says_the_same_in_every_convention(
-    tmp_path, unit, factor, headings, turn, phases, sign
-):
+def test_a_table_says_the_same_in_every_convention(tmp_path, unit, factor, headings, turn, phases, sign):
     """Written in one convention, read, and asked at its own lines: what it was written from."""
     random = np.random.default_rng(7)
     periods, towards = np.array([20.0, 12.0, 5.0]), np.array([0.0, 90.0, 180.0, 270.0])

@@ -20,8 +20,7 @@ NAMES = st.from_regex(r"[a-z_]\w{0,8}", fullmatch=True)
 TREES = st.recursive(
     st.integers() | st.text(max_size=5),
     lambda inner: (
-        st.dictionaries(NAMES, inner, min_size=1, max_size=4)
-        | st.lists(inner, min_size=1, max_size=3)
+        st.dictionaries(NAMES, inner, min_size=1, max_size=4) | st.lists(inner, min_size=1, max_size=3)
     ),
     max_leaves=20,
 )

@@ -33,11 +33,7 @@ def drawn(seed, by_hand, dressed):
         }]  # fmt: skip
     modules = {"mass": f"{chance.integers(500, 900)} kg", "lift": "2 kN"} if dressed else None
     long = under + over
-    pieces = (
-        [("barrel", under, 0), ("barrel, above water", over, 1)]
-        if by_hand
-        else [("barrel", long, 0)]
-    )
+    pieces = [("barrel", under, 0), ("barrel, above water", over, 1)] if by_hand else [("barrel", long, 0)]
     upper = []
     for name, length, _ in pieces:
         one = {"name": name, "length": f"{length} m", **pipe}
@@ -119,6 +115,4 @@ def test_a_weight_in_water_above_the_water_has_a_warning(seed, dressed):
         told = [one for one in json.loads(found.attrs["warnings"]) if "weight in air" in one]
         assert bool(told) == warned, told
     whole = simulate(drawn(seed, False, dressed), progress=False)
-    np.testing.assert_allclose(
-        found["effective_tension"], whole["effective_tension"], rtol=1e-9, atol=1e-3
-    )
+    np.testing.assert_allclose(found["effective_tension"], whole["effective_tension"], rtol=1e-9, atol=1e-3)

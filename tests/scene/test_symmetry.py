@@ -46,10 +46,7 @@ def scene(east=1.0, shift=(0.0, 0.0)):
                     "rotation": {"stiffness": "30 kN*m/deg"},
                 },
                 "top": {"x": "platform", "z": "free", "tension": "900 kN", "rotation": "free"},
-                "platform": {
-                    "surge": surge | {"ramp": "9 s"},
-                    "position": {"surge": f"{east * 12.0!r} m"},
-                },
+                "platform": {"surge": surge | {"ramp": "9 s"}, "position": {"surge": f"{east * 12.0!r} m"}},
                 "current": {"profile": profile},
                 "analysis": {
                     "duration": "12 s",
@@ -117,9 +114,7 @@ def test_the_gas_law_rises_with_extension_and_is_the_slope_of_its_energy(gas, sh
 def test_the_least_squares_line_leaves_the_least_squares(gas, half):
     room = gas["volume"] / gas["area"]
     law = Gas.model_construct(**gas)
-    made = Linearised.model_construct(
-        by="least squares", shortest=-half * room, longest=half * room
-    )
+    made = Linearised.model_construct(by="least squares", shortest=-half * room, longest=half * room)
     rig = Tensioners.model_construct(gas=law, two_chamber_gas=None, linearised=made, linear=None)
     tension, slope = linear_law(rig)
     x = np.linspace(-half * room, half * room, 4001)

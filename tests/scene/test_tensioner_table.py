@@ -135,9 +135,7 @@ def test_interpolation_without_a_table_is_refused():
 
 
 steps = st.lists(
-    st.tuples(st.floats(0.1, 5.0), st.one_of(st.just(0.0), st.floats(0.0, 1e6))),
-    min_size=2,
-    max_size=12,
+    st.tuples(st.floats(0.1, 5.0), st.one_of(st.just(0.0), st.floats(0.0, 1e6))), min_size=2, max_size=12
 )
 
 
@@ -145,9 +143,7 @@ steps = st.lists(
 def test_between_its_rows_the_law_rises_with_a_continuous_slope(grown):
     reach = list(accumulate((dx for dx, _ in grown), initial=-3.0))
     force = list(accumulate((df for _, df in grown), initial=2e5))
-    law = table_law(
-        [TableRow.model_construct(reach=x, force=f) for x, f in zip(reach, force, strict=True)]
-    )
+    law = table_law([TableRow.model_construct(reach=x, force=f) for x, f in zip(reach, force, strict=True)])
     np.testing.assert_allclose(law(reach), force, rtol=1e-9)
     fine = np.linspace(reach[0] - 4.0, reach[-1] + 4.0, 2001)
     assert np.diff(law(fine)).min() > -1e-6 * force[-1] * 1e-6  # rounding

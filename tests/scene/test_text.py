@@ -43,8 +43,7 @@ def test_a_name_of_no_file_is_refused(name, tmp_path):
 
 
 BOMBS = {
-    "aliases": "a: &a [1, 1]\n"
-    + "".join(f"{y}: &{y} [*{x}, *{x}]\n" for x, y in pairwise("abcdefgh")),
+    "aliases": "a: &a [1, 1]\n" + "".join(f"{y}: &{y} [*{x}, *{x}]\n" for x, y in pairwise("abcdefgh")),
     "an alias of itself": "a: &a [*a]",
     "a merge": "a: &a {b: 1}\nc: {<<: *a}",
     "a tag": "a: !!python/object/apply:os.system ['true']",

@@ -79,9 +79,7 @@ def test_units_make_the_round_trip(number, pair):
     name, unit, factor = pair
     # two conversions, a rounding each
     assert to_si(f"{number!r} {name}", unit) == pytest.approx(number * factor, rel=1e-12)
-    assert to_si(f"{to_si(f'{number!r} {name}', unit)!r} {unit}", unit) == to_si(
-        f"{number!r} {name}", unit
-    )
+    assert to_si(f"{to_si(f'{number!r} {name}', unit)!r} {unit}", unit) == to_si(f"{number!r} {name}", unit)
 
 
 def registry_names():
@@ -90,9 +88,7 @@ def registry_names():
     return registry, sorted({d.name for d in registry._units.values() if hasattr(d, "name")})
 
 
-@pytest.mark.parametrize(
-    "unit", ["m/m", "rad", "m", "N", "kg", "s", "rad/s", "rad/m", "N/m^2", "kg/m"]
-)
+@pytest.mark.parametrize("unit", ["m/m", "rad", "m", "N", "kg", "s", "rad/s", "rad/m", "N/m^2", "kg/m"])
 def test_a_unit_that_is_taken_is_proportional_to_the_quantity(unit):
     """Of the quantities nothing, one and two of it, by pint; logarithms and offsets are not."""
     registry, names = registry_names()
@@ -114,9 +110,7 @@ def test_a_unit_that_is_taken_is_proportional_to_the_quantity(unit):
         assert {"meter", "foot", "inch", "yard", "nautical_mile"} <= {*taken}
 
 
-@pytest.mark.parametrize(
-    "text", ["10 dB", "1 Np", "-3 dB", "0.5 turn", "2 pi", "1 octave", "3 bit"]
-)
+@pytest.mark.parametrize("text", ["10 dB", "1 Np", "-3 dB", "0.5 turn", "2 pi", "1 octave", "3 bit"])
 @pytest.mark.parametrize("unit", ["m/m", "rad", "rad/m", "m", "kg"])
 def test_logarithms_and_numbers_with_names_are_no_units(text, unit):
     with pytest.raises(ValueError, match="allowed is a number with a unit"):

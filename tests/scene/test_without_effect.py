@@ -63,9 +63,7 @@ def test_a_loss_of_tension_is_within_the_run(seed, over):
     del top["tensioners"], top["telescopic_joint"]
     top |= {"z": "free", "tension": "5 MN"}
     del top["elevation"]
-    loss = {"share": 0.3, "at": f"{end + draw.uniform(0.0, 9.0)!r} s"} | (
-        {"over": over} if over else {}
-    )
+    loss = {"share": 0.3, "at": f"{end + draw.uniform(0.0, 9.0)!r} s"} | ({"over": over} if over else {})
     top["tension_loss"] = loss
     refused(tree, "top.tension_loss.at", "before the end of analysis.duration")
 

@@ -46,9 +46,7 @@ def test_labels_of_a_rig_are_within_the_figure_and_do_not_touch(seed):
     figure = schematic(SceneFile("rig.yaml", written(tree)).resolved())
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
-    texts = [
-        t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation) and t.get_text()
-    ]
+    texts = [t for ax in figure.axes for t in ax.texts if isinstance(t, Annotation) and t.get_text()]
     boxes = [super(Annotation, t).get_window_extent(canvas.get_renderer()) for t in texts]
     key = figure.legends[0].get_window_extent(canvas.get_renderer())
     for first, second in combinations([key, *boxes], 2):

@@ -170,9 +170,7 @@ def test_what_is_said_to_be_shown_changes_the_drawing():
         tree = load_scene(path).tree
         for shown in sorted(DRAWN_PARTS - changed):
             name, _, inner = shown.partition(".")
-            parts = (
-                [f"riser[{k}]" for k in range(len(tree["riser"]))] if name == "riser" else [name]
-            )
+            parts = [f"riser[{k}]" for k in range(len(tree["riser"]))] if name == "riser" else [name]
             where = tuple(f"{part}.{inner}" if inner else part for part in parts)
             if not any(stands(tree, place) for place in where):
                 continue

@@ -135,21 +135,13 @@ def between(point, arrow):
 @pytest.mark.parametrize("paper, name", SHOWN)
 def test_numbers_stand_on_one_line_with_their_units(paper, name):
     for label in labels(drawn(paper, name)):
-        assert not re.search(r"\d\n(?!(in|to|of)\b)[^\W\d]{1,2}\b", label.get_text()), (
-            label.get_text()
-        )
+        assert not re.search(r"\d\n(?!(in|to|of)\b)[^\W\d]{1,2}\b", label.get_text()), label.get_text()
         assert not re.search(r"(=|EI|EA)\n|\n=", label.get_text()), label.get_text()
 
 
 def test_what_is_there_is_named_and_what_is_not_is_not():
     rig = words(drawn("liu2020", "fig01"))
-    for part in (
-        "telescopic joint: 24 m",
-        "6 cylinders",
-        "tension ring",
-        "radius 2.5 m",
-        "current",
-    ):
+    for part in ("telescopic joint: 24 m", "6 cylinders", "tension ring", "radius 2.5 m", "current"):
         assert part in rig
     assert "soil" not in rig
     drive_off = words(drawn("liu2017", "fig01"))
@@ -246,18 +238,14 @@ def test_a_remark_follows_the_label_of_its_part_and_no_other_is_accepted(tmp_pat
     scene = read_studies(CONFIG, "liu2020").schematics["fig01"].file(CONFIG).resolved()
     bear = [*labelled(scene)]
     assert {"riser[0]", "current", "platform.centre_of_rotation"} <= set(bear)
-    said = words(
-        schematic(scene, remarks={path: f"remark {k} of this" for k, path in enumerate(bear)})
-    )
+    said = words(schematic(scene, remarks={path: f"remark {k} of this" for k, path in enumerate(bear)}))
     for k in range(len(bear)):
         assert f"(remark {k} of this)" in said
     shutil.copytree(CONFIG / "studies", tmp_path / "studies")
     shutil.copytree(CONFIG / "scenes", tmp_path / "scenes")
     path = tmp_path / "studies/chang2020.yaml"
     path.write_text(path.read_text("utf-8").replace('"riser[0].l', '"riser[1].l'), "utf-8")
-    with pytest.raises(
-        InputError, match=r"schematics\.fig07\.remarks\.riser\[1\]\.len.*riser\[0\]"
-    ):
+    with pytest.raises(InputError, match=r"schematics\.fig07\.remarks\.riser\[1\]\.len.*riser\[0\]"):
         from_scene(tmp_path, "chang2020", "fig07")
 
 
@@ -271,11 +259,7 @@ def test_x_is_no_axis_where_nothing_moves_aside():
 
 def levels(figure):
     """Heights of the boxes and lines of the upper end, panel (b): cylinders and platform are among them."""
-    boxes = [
-        (p.get_y(), p.get_y() + p.get_height())
-        for p in figure.axes[1].patches
-        if hasattr(p, "get_y")
-    ]
+    boxes = [(p.get_y(), p.get_y() + p.get_height()) for p in figure.axes[1].patches if hasattr(p, "get_y")]
     return np.array([edge for box in boxes for edge in box])
 
 
@@ -297,9 +281,7 @@ def test_cylinders_that_the_scene_arranges_are_not_made_to_stand(tmp_path):
     head, sep, rest = text.partition("schematics:\n  fig01:\n")
     assert sep
     path.write_text(f"{head}{sep}    cylinders: standing\n{rest}", "utf-8")
-    with pytest.raises(
-        InputError, match=r"schematics\.fig01\.cylinders: .*arranges its tensioners"
-    ):
+    with pytest.raises(InputError, match=r"schematics\.fig01\.cylinders: .*arranges its tensioners"):
         from_scene(tmp_path / "config", "liu2020", "fig01")
 
 

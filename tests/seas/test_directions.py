@@ -70,11 +70,7 @@ def test_a_turn_of_the_rig_with_all_directions_changes_nothing(record, seed):
 def test_between_headings_a_response_is_straight_round_the_whole_turn(record, seed):
     """Against a wave round the turn: within the error of straight lines, without a step at the first."""
     draw = np.random.default_rng(seed)
-    sectors, lobes, phase = (
-        int(draw.integers(4, 37)),
-        int(draw.integers(1, 3)),
-        draw.uniform(0.0, 7.0),
-    )
+    sectors, lobes, phase = (int(draw.integers(4, 37)), int(draw.integers(1, 3)), draw.uniform(0.0, 7.0))
     of = Directions(sectors, draw.uniform(0.0, 7.0))
 
     def wave(heading):
@@ -156,9 +152,7 @@ def test_rows_between_headings_have_the_response_to_their_own_direction(file, re
     assert (off <= found.demands.rows.off + 1e-9).mean() > 0.95
     assert any("half-way between headings" in line for line in found.lines)
     turned = record.assign({FROM: (record[FROM] + 211.0) % 360.0})
-    again = riser_downtime(
-        one, turned, directions=Directions(8, math.radians(281.0)), seeds=1, error=0.1
-    )
+    again = riser_downtime(one, turned, directions=Directions(8, math.radians(281.0)), seeds=1, error=0.1)
     np.testing.assert_allclose(again.demands.rows.demand, found.demands.rows.demand, rtol=1e-6)
 
 
@@ -190,9 +184,7 @@ def test_sectors_and_the_bearing_of_x_go_together(commands, tmp_path, record):
 @pytest.mark.parametrize("spatial", [False, True])
 @pytest.mark.parametrize("turns", [False, True])
 @pytest.mark.parametrize("seed", range(4))
-def test_sectors_set_the_heading_of_a_response_only_if_its_operators_have_headings(
-    seed, turns, spatial
-):
+def test_sectors_set_the_heading_of_a_response_only_if_its_operators_have_headings(seed, turns, spatial):
     """Rigs on inclined cylinders; without headings, the response is that to waves from any side."""
     tree = written(rig(seed, spatial=spatial))
     sea = {"significant_height": "3 m", "peak_period": "9 s", "peak_enhancement": 2, "seed": 1}

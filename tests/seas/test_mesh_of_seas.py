@@ -64,9 +64,7 @@ def faked(monkeypatch, by_mesh, by_step, fails_below=0):
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_the_coarsest_mesh_and_the_longest_step_that_serve_are_taken(
-    monkeypatch, file, record, seed
-):
+def test_the_coarsest_mesh_and_the_longest_step_that_serve_are_taken(monkeypatch, file, record, seed):
     """Against every mesh and step of the ladder, by the error in closed form."""
     draw = np.random.default_rng(seed)
     by_mesh, by_step = 10.0 ** draw.uniform(-5.0, -1.5, 2)
@@ -76,11 +74,7 @@ def test_the_coarsest_mesh_and_the_longest_step_that_serve_are_taken(
     # the errors count against what is allowed, 1, or the demand where that is more
     allowed = SHARE * 0.05 * max(1.0, 0.5 + 0.1 * float(record["significant_wave_height"].min()))
     # the fewest elements that serve with the step of the runs, then the longest step
-    meshes = [
-        a
-        for a in range(4)
-        if math.ceil(160 / 2**a) >= fails and by_mesh * 4.0**a + by_step <= allowed
-    ]
+    meshes = [a for a in range(4) if math.ceil(160 / 2**a) >= fails and by_mesh * 4.0**a + by_step <= allowed]
     a = max(meshes, default=0)
     steps = [b for b in range(4) if by_mesh * 4.0**a + by_step * 4.0**b <= allowed]
     b = max(steps, default=0)

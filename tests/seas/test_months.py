@@ -47,9 +47,7 @@ def test_a_month_of_which_little_is_recorded_has_no_share(seed):
         else:
             assert cell == pytest.approx(100.0 * calm[at].mean(), abs=0.05)
     named = [line for line in found.notes if "empty by month" in line]
-    assert named == (
-        [f"less than 80% recorded, and empty by month: {', '.join(lacking)}"] * bool(lacking)
-    )
+    assert named == ([f"less than 80% recorded, and empty by month: {', '.join(lacking)}"] * bool(lacking))
     for k, share in enumerate(found.of_months()):
         assert share == pytest.approx(calm[number % 12 == k].mean())
 

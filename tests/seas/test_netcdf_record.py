@@ -43,9 +43,7 @@ def era5():
         u10=(at(EAST), "m s**-1"),
         v10=(at(NORTH), "m s**-1"),
     )
-    return xr.Dataset(
-        variables, {"valid_time": TIME, "latitude": [60.5, 60.0], "longitude": [2.0, 2.5]}
-    )
+    return xr.Dataset(variables, {"valid_time": TIME, "latitude": [60.5, 60.0], "longitude": [2.0, 2.5]})
 
 
 def ww3():
@@ -74,11 +72,7 @@ def nora3():
             tp=(PEAK, "s"),
             tm2=(ZERO, "s"),
             thq=(towards, "rad", {"standard_name": "sea_surface_wave_to_direction"}),
-            hs_sea=(
-                0.5 * HEIGHT,
-                "m",
-                {"standard_name": "sea_surface_wind_wave_significant_height"},
-            ),
+            hs_sea=(0.5 * HEIGHT, "m", {"standard_name": "sea_surface_wind_wave_significant_height"}),
             ff=(WIND, "m s-1"),
         ),
         {"time": TIME},
@@ -101,9 +95,7 @@ def ndbc():
     )
 
 
-@pytest.mark.parametrize(
-    "made, near", [(era5, Place(60.5, 2.1)), (ww3, None), (nora3, None), (ndbc, None)]
-)
+@pytest.mark.parametrize("made, near", [(era5, Place(60.5, 2.1)), (ww3, None), (nora3, None), (ndbc, None)])
 def test_sources_give_the_same_record(tmp_path, made, near):
     path = tmp_path / "source.nc"
     made().to_netcdf(path)
@@ -123,11 +115,7 @@ def density(frequency):
     """JONSWAP spectra of all rows (m2/Hz), by the definition, with the heights that they are to have."""
     ratio = frequency * PEAK[:, None]
     width = np.where(ratio <= 1.0, 0.07, 0.09)
-    shape = (
-        ratio**-5.0
-        * np.exp(-1.25 * ratio**-4.0)
-        * 3.3 ** np.exp(-0.5 * ((ratio - 1.0) / width) ** 2)
-    )
+    shape = ratio**-5.0 * np.exp(-1.25 * ratio**-4.0) * 3.3 ** np.exp(-0.5 * ((ratio - 1.0) / width) ** 2)
     fine = np.linspace(0.02, 1.0, 4000)
     r = fine * PEAK[:, None]
     w = np.where(r <= 1.0, 0.07, 0.09)
@@ -172,13 +160,7 @@ def ndbc_spectra():
     """Density over frequency alone, at a buoy."""
     frequency = np.concatenate([np.arange(0.02, 0.1, 0.005), np.arange(0.1, 0.49, 0.01)])
     return xr.Dataset(
-        {
-            "spectral_wave_density": (
-                ("time", "frequency"),
-                density(frequency),
-                {"units": "m2 Hz-1"},
-            )
-        },
+        {"spectral_wave_density": (("time", "frequency"), density(frequency), {"units": "m2 Hz-1"})},
         {"time": TIME, "frequency": frequency},
     )
 
@@ -230,10 +212,7 @@ def test_the_command_tells_the_place_and_the_conversions(commands, tmp_path):
 def test_directions_of_a_table_that_waves_go_to_are_turned(tmp_path):
     path = tmp_path / "sea.csv"
     head = "time,hs (m),tp (s),wave_to_direction (deg)\n"
-    lines = [
-        f"{t},{h},{p},{(d + 180) % 360}\n"
-        for t, h, p, d in zip(TIME, HEIGHT, PEAK, FROM, strict=True)
-    ]
+    lines = [f"{t},{h},{p},{(d + 180) % 360}\n" for t, h, p, d in zip(TIME, HEIGHT, PEAK, FROM, strict=True)]
     path.write_text(head + "".join(lines))
     record = read_record(path)
     np.testing.assert_allclose(record["wave_from_direction"].values, FROM)
@@ -258,12 +237,7 @@ def at_a_clock(tmp_path, of_time=None, of_file=None, units="hours since 2001-01-
 LOCAL = {
     "time_zone": ["UTC-6", "America/Chicago", "local", "CET", "+01:00", "GMT +3"],
     "utc_offset": [-6, "5.5 hours", "-03:00"],
-    "comment": [
-        "local time",
-        "time in UTC+1",
-        "times are in CST",
-        "Local standard time at the rig",
-    ],
+    "comment": ["local time", "time in UTC+1", "times are in CST", "Local standard time at the rig"],
 }
 
 
@@ -342,9 +316,7 @@ def test_values_beyond_a_valid_range_are_missing(tmp_path, seed, ends, packed):
 
 def test_flags_of_quality_are_named_as_left_out(tmp_path):
     flags = (np.array([1, 4] * 3, "i1"), "1", {"standard_name": "status_flag"})
-    xr.Dataset(over("time", swh=(HEIGHT, "m"), swh_qc=flags), {"time": TIME}).to_netcdf(
-        tmp_path / "r.nc"
-    )
+    xr.Dataset(over("time", swh=(HEIGHT, "m"), swh_qc=flags), {"time": TIME}).to_netcdf(tmp_path / "r.nc")
     assert "left out: quality flags swh_qc" in str(read_record(tmp_path / "r.nc", None).attrs)
 
 
@@ -356,11 +328,7 @@ def test_times_are_those_that_values_are_valid_at(tmp_path, hours, along):
     start = TIME - step if along == "time" else TIME[0] - step
     steps = step if along == "time" else TIME - start
     coordinates = {
-        "time": (
-            along if along == "time" else (),
-            start,
-            {"standard_name": "forecast_reference_time"},
-        ),
+        "time": (along if along == "time" else (), start, {"standard_name": "forecast_reference_time"}),
         "step": ((), steps) if along == "time" else ("step", steps),
         "valid_time": (along, TIME, {"standard_name": "time"}),
     }
@@ -378,8 +346,7 @@ def test_variables_that_are_not_used_are_named(tmp_path, seed):
         "tm01": over("time", tm01=(PEAK, "s")),
         "u10": over("time", u10=(EAST, "m/s")),  # without v10
         "hs_sea": over(
-            "time",
-            hs_sea=(HEIGHT, "m", {"standard_name": "sea_surface_wind_wave_significant_height"}),
+            "time", hs_sea=(HEIGHT, "m", {"standard_name": "sea_surface_wind_wave_significant_height"})
         ),
         "tp (over number)": over(("time", "number"), tp=(np.c_[PEAK, PEAK], "s")),
     }

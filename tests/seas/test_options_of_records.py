@@ -18,9 +18,7 @@ def written(tmp_path, periods, count=60):
     return path
 
 
-@pytest.mark.parametrize(
-    "words", ["--set top.z=free", "--seeds 9", "--error 0.2", "--most 30", "--cores 2"]
-)
+@pytest.mark.parametrize("words", ["--set top.z=free", "--seeds 9", "--error 0.2", "--most 30", "--cores 2"])
 def test_options_of_a_scene_are_refused_without_one(tmp_path, commands, words):
     path = written(tmp_path, "tp")
     code, _, said = commands("downtime", path, "--limit", "hs <= 2 m", *words.split())
@@ -37,9 +35,7 @@ def test_options_of_a_scene_are_refused_without_one(tmp_path, commands, words):
         ("tp", "", True),
     ],
 )
-def test_options_that_a_record_leaves_without_effect_are_refused(
-    tmp_path, commands, periods, words, fits
-):
+def test_options_that_a_record_leaves_without_effect_are_refused(tmp_path, commands, periods, words, fits):
     code, _, said = commands("seas", written(tmp_path, periods), *words.split())
     assert (code == 0) == fits
     assert fits or words.split()[0] in said
@@ -55,9 +51,7 @@ def test_options_that_a_record_leaves_without_effect_are_refused(
         (["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"], "the record's 1 h"),
     ],
 )
-def test_limits_and_windows_that_no_sea_has_are_refused_before_results(
-    tmp_path, commands, words, reason
-):
+def test_limits_and_windows_that_no_sea_has_are_refused_before_results(tmp_path, commands, words, reason):
     code, out, said = commands("downtime", written(tmp_path, "tp"), *words)
     assert (code, "workable" in out) == (2, False)
     assert reason in said

@@ -67,18 +67,7 @@ def test_a_limit_that_is_met_exactly_is_met_in_any_unit(tmp_path, seed, unit):
 
 
 @pytest.mark.parametrize(
-    "head",
-    [
-        "UTC+1",
-        "UTC-05:00",
-        "CET",
-        "local",
-        "h",
-        "s",
-        "days since 2000",
-        "YYYY-MM-DD HH:mm CET",
-        "EST",
-    ],
+    "head", ["UTC+1", "UTC-05:00", "CET", "local", "h", "s", "days since 2000", "YYYY-MM-DD HH:mm CET", "EST"]
 )
 def test_times_that_are_not_in_utc_are_refused(tmp_path, head):
     with pytest.raises(InputError, match="neither UTC nor a pattern"):
@@ -153,9 +142,7 @@ def test_a_clock_that_is_set_ends_no_window(tmp_path, seed):
     draw = np.random.default_rng(seed)
     first = pd.date_range("2001-01-01 00:50", periods=int(draw.integers(80, 200)), freq="h")
     after = pd.date_range(first[-1] + pd.Timedelta("50min"), periods=150, freq="h")
-    record = read_record(
-        written(tmp_path, {"hs (m)": np.ones(len(first) + 150)}, times=first.append(after))
-    )
+    record = read_record(written(tmp_path, {"hs (m)": np.ones(len(first) + 150)}, times=first.append(after)))
     found = hours(record, [sea_limit("hs <= 2 m")])
     assert (found.of_windows(200.0).number, found.share) == (1, 1.0)
 
@@ -191,9 +178,7 @@ def test_a_height_that_does_not_state_its_kind_is_noted(tmp_path, name, noted):
 @pytest.mark.parametrize("seed", range(8))
 @pytest.mark.parametrize("fill", [99, 999, 9999])
 @pytest.mark.parametrize("unit", ["cm", "mm", "ft", "netCDF"])
-def test_a_fill_far_from_the_values_beside_it_is_neither_a_value_nor_none(
-    tmp_path, unit, fill, seed
-):
+def test_a_fill_far_from_the_values_beside_it_is_neither_a_value_nor_none(tmp_path, unit, fill, seed):
     """Heights that wander, far below or above what is written for none: refused where it can be a height."""
     draw = np.random.default_rng(seed)
     factor = {"cm": 0.01, "mm": 0.001, "ft": 0.3048, "netCDF": 0.01}[unit]
@@ -238,9 +223,7 @@ def test_rows_some_minutes_early_or_late_are_next_to_each_other(tmp_path, seed):
         record = read_record(written(tmp_path, {"hs (m)": height}, times=clock[kept]))
         of = hours(record, [sea_limit("hs <= 2.2 m")])
         assert of.interval == interval
-        found.append(
-            [len(gaps(record)), of.of_windows(4.0 * interval), of.of_waits(4.0 * interval)]
-        )
+        found.append([len(gaps(record)), of.of_windows(4.0 * interval), of.of_waits(4.0 * interval)])
     np.testing.assert_equal(found[1], found[0])
     assert found[0][0] > 0
     assert found[0][1].number > 3

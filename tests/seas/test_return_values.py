@@ -42,9 +42,7 @@ def test_bands_of_ten_years_hold_the_true_value_about_nine_times_in_ten():
 
 def test_both_methods_agree_on_a_record_of_many_years_within_their_bands():
     record = synthetic(30, 7)
-    table = return_values(
-        record["time"].values, record["significant_wave_height"].values, 1.0, [10.0, 100.0]
-    )
+    table = return_values(record["time"].values, record["significant_wave_height"].values, 1.0, [10.0, 100.0])
     for _, value, low, high, other, below, above in table.rows:
         assert low < value < high
         assert below < other < above
@@ -71,8 +69,7 @@ def test_missing_values_and_another_unit_change_nothing_that_they_should_not():
     np.testing.assert_allclose(np.array(feet.rows)[:, 1:] * 0.3048, np.array(plain.rows)[:, 1:])
     values[::9] = np.where(values[::9] < 2.0, np.nan, values[::9])
     np.testing.assert_allclose(
-        np.array(return_values(time, values, 1.0, [20.0]).rows)[0, 1:4],
-        np.array(plain.rows)[0, 1:4],
+        np.array(return_values(time, values, 1.0, [20.0]).rows)[0, 1:4], np.array(plain.rows)[0, 1:4]
     )
 
 

@@ -35,9 +35,7 @@ def demands(height, limit=LARGEST, off=0.0, seeds=400, sign=1.0):
     step = np.timedelta64(6, "h")
     time = np.datetime64("2001-01-01T00", "h") + step * np.arange(len(height))
     flags = np.ones((len(height), 1), bool)
-    columns = [
-        one[:, None] for one in (sign * (mode + REDUCED * scale), np.full(len(height), off), scale)
-    ]
+    columns = [one[:, None] for one in (sign * (mode + REDUCED * scale), np.full(len(height), off), scale)]
     return Demands(time, INTERVAL, seeds, [limit], Met(flags, flags, flags, *columns))
 
 
@@ -51,11 +49,7 @@ def true_value(years):
     for _ in range(60):
         middle = 0.5 * (low + high)
         over = np.mean(-np.expm1(-np.exp(-(middle - mode) / scale)))
-        low, high = (
-            (middle, high)
-            if A_YEAR * math.log1p(-over) < math.log1p(-1.0 / years)
-            else (low, middle)
-        )
+        low, high = (middle, high) if A_YEAR * math.log1p(-over) < math.log1p(-1.0 / years) else (low, middle)
     return low
 
 

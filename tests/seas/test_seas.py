@@ -13,9 +13,7 @@ from riserstudy.seas.windows import statistics_of, stretches, waits, windows
 from riserstudy.seas.years import by_year
 
 ROWS = ["time,hs (m),tz (s)"] + [
-    f"2001-01-{day:02d} {hour:02d}:00,{1 + 0.1 * hour:.3f},5"
-    for day in range(1, 9)
-    for hour in range(24)
+    f"2001-01-{day:02d} {hour:02d}:00,{1 + 0.1 * hour:.3f},5" for day in range(1, 9) for hour in range(24)
 ]
 
 
@@ -98,17 +96,14 @@ def test_peak_periods_of_a_jonswap_spectrum_follow_from_its_moments():
         density = f**-5 * np.exp(-1.25 * (f * peak) ** -4) * bump
         zero = np.sqrt(np.trapezoid(density, f) / np.trapezoid(f**2 * density, f))
         record = xr.Dataset({"zero_crossing_period": ("time", [zero])})
-        assert with_peak_period(record, gamma)["peak_period"].item() == pytest.approx(
-            peak, rel=0.01
-        )
+        assert with_peak_period(record, gamma)["peak_period"].item() == pytest.approx(peak, rel=0.01)
 
 
 def counted(workable, joined, rows):
     """Windows and waits hour by hour, as one would count them by hand."""
     n = len(workable)
     starts = [
-        k + rows <= n and all(workable[k : k + rows]) and all(joined[k : k + rows - 1])
-        for k in range(n)
+        k + rows <= n and all(workable[k : k + rows]) and all(joined[k : k + rows - 1]) for k in range(n)
     ]
     found = []
     for k in range(n):
@@ -221,16 +216,7 @@ def test_the_commands_agree_with_each_other(tmp_path, capsys):
     record, table, picture = tmp_path / "sea.nc", tmp_path / "hours.csv", tmp_path / "hours.png"
     app(["seas", "--synthetic", "3", "-o", str(record)], standalone_mode=False)
     assert "26280 rows" in capsys.readouterr().out
-    words = [
-        "downtime",
-        str(record),
-        "--limit",
-        "hs <= 2 m",
-        "--window",
-        "24 h",
-        "--hold-back",
-        "1",
-    ]
+    words = ["downtime", str(record), "--limit", "hs <= 2 m", "--window", "24 h", "--hold-back", "1"]
     app([*words, "--csv", str(table), "--plot", str(picture)], standalone_mode=False)
     said = capsys.readouterr().out
     share = hours(read_record(record), [sea_limit("hs <= 2 m")]).share

@@ -141,9 +141,7 @@ def test_the_command_prints_bands_and_what_persistence_is_worth(commands, tmp_pa
     assert code == 0, err
     found = hours(record, [sea_limit("hs <= 2 m")])
     of = found.next_years(5)
-    assert (
-        f"next 5 years: {of.share:.2%} ({of.low:.2%} to {of.high:.2%} with 90 % probability)" in out
-    )
+    assert f"next 5 years: {of.share:.2%} ({of.low:.2%} to {of.high:.2%} with 90 % probability)" in out
     assert "persistence of years 0.66" in out
     persistent = commands(*asked, "--persistence", "0.9")[1]
     wide = found.next_years(5, 0.9)

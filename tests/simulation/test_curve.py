@@ -66,9 +66,7 @@ def test_a_curve_in_space_is_that_in_its_plane(tmp_path):
     assert "y" in space
     away = np.hypot(space["x"], space["y"])
     assert away.values == pytest.approx(plane["x"].values, rel=1e-6)
-    assert space["bending_moment"].values == pytest.approx(
-        abs(plane["bending_moment"].values), rel=1e-6
-    )
+    assert space["bending_moment"].values == pytest.approx(abs(plane["bending_moment"].values), rel=1e-6)
     for one in (plane, space):
         assert one.attrs["largest_bending_moment_s"] == pytest.approx(LENGTH / 2, rel=1e-6)
 

@@ -52,9 +52,7 @@ def test_counting_loses_nothing_of_the_way_that_stress_goes():
     for _ in range(50):
         values = np.round(draw.normal(size=int(draw.integers(2, 400))), 1)
         cycles = rainflow(values)
-        assert 2.0 * (cycles.ranges * cycles.counts).sum() == pytest.approx(
-            np.abs(np.diff(values)).sum()
-        )
+        assert 2.0 * (cycles.ranges * cycles.counts).sum() == pytest.approx(np.abs(np.diff(values)).sum())
         assert cycles.ranges.max(initial=0.0) == pytest.approx(np.ptp(values))
 
 
@@ -131,8 +129,7 @@ def test_a_spectral_method_from_outside_agrees_within_a_tenth(seed):
     f = np.fft.rfftfreq(n, 1.0 / rate)[1:]
     peaks = (0.08 + 0.02 * seed, 0.2 + 0.1 * seed)
     density = sum(
-        np.exp(-0.5 * ((f - p) / (0.1 * p)) ** 2) / w
-        for p, w in zip(peaks, (1.0, 3.0), strict=True)
+        np.exp(-0.5 * ((f - p) / (0.1 * p)) ** 2) / w for p, w in zip(peaks, (1.0, 3.0), strict=True)
     )
     size = np.sqrt(density) * np.exp(1j * draw.uniform(0.0, 2.0 * np.pi, len(f)))
     stress = np.fft.irfft(np.concatenate([[0.0], size]), n)
@@ -196,9 +193,7 @@ def test_the_estimated_error_of_damage_covers_the_true_one(seed, spatial):
 
     refinement = Refinement(scene)
     found = refinement.result()
-    fine = single(
-        scene, refinement.finest_mesh.halved().halved(), found.facts["step"] / 4.0, everywhere=True
-    )
+    fine = single(scene, refinement.finest_mesh.halved().halved(), found.facts["step"] / 4.0, everywhere=True)
     told = found.facts["error_estimate"]["damage"]
     assert told <= 0.05
     assert difference(found, fine)["damage"] <= 2.0 * told
@@ -219,16 +214,10 @@ def scene_with(**changes):
         ({"riser[0].contents": None, "riser[0].inner_diameter": None}, "young_modulus"),
         ({"fatigue.details[0].at": "nowhere"}, "no section 'nowhere'"),
         ({"fatigue.details[0].curve.detail_class": "Z"}, "detail_class 'Z' is not known"),
-        (
-            {"fatigue.details[0].stress_per_moment": "1 MPa/kN/m"},
-            "one of face and stress_per_moment",
-        ),
+        ({"fatigue.details[0].stress_per_moment": "1 MPa/kN/m"}, "one of face and stress_per_moment"),
         ({"fatigue.angles": 6}, "fatigue.angles"),
         ({"fatigue.details[0].safety_factor": None}, "missing"),
-        (
-            {"analysis.duration": None, "analysis.output": None, "analysis.step": None},
-            "no stress cycles",
-        ),
+        ({"analysis.duration": None, "analysis.output": None, "analysis.step": None}, "no stress cycles"),
     ],
 )
 def test_a_scene_that_tells_too_little_is_refused(changes, said):
@@ -261,9 +250,7 @@ def test_other_numbers_of_a_run_do_not_change():
 
 
 def test_a_dataset_names_details_and_places():
-    found = simulate(
-        SceneFile("rig.yaml", written(fatigued(moving(4), WELD, INSIDE))), progress=False
-    )
+    found = simulate(SceneFile("rig.yaml", written(fatigued(moving(4), WELD, INSIDE))), progress=False)
     assert found["damage_rate"].dims == ("detail", "wall_angle", "s_node")
     assert found["detail"].values.tolist() == ["weld", "inside"]
     assert found["wall_angle"].values.tolist() == [45.0 * k for k in range(8)]

@@ -85,10 +85,7 @@ def test_angles_converge_with_the_order_of_the_method(spatial):
     for k in range(5):
         analysis = {"mesh": {"elements": 40 * 2**k}, "step": period / (40.0 * 2**k)}
         runs.append(
-            run(
-                file_of(tree | {"analysis": tree["analysis"] | analysis}).resolved(),
-                estimated=False,
-            )
+            run(file_of(tree | {"analysis": tree["analysis"] | analysis}).resolved(), estimated=False)
         )
     changes = [difference(coarse, fine)["angle"] for coarse, fine in pairwise(runs)]
     falls = [before / after for before, after in pairwise(changes)]
@@ -159,9 +156,7 @@ VIBRATING = Path(__file__).parents[2] / "config/scenes/hard/vortices.yaml"
 SHEAR = [{"elevation": "0 m", "speed": "0 m/s"}, {"elevation": "10 m", "speed": "0.5 m/s"}]
 
 
-@pytest.mark.parametrize(
-    "own", [{}, {"mesh": {"elements": 24}, "step": "20 ms"}], ids=["found", "own"]
-)
+@pytest.mark.parametrize("own", [{}, {"mesh": {"elements": 24}, "step": "20 ms"}], ids=["found", "own"])
 @pytest.mark.parametrize("shear", [False, True])
 def test_an_angle_of_a_riser_that_vibrates_is_within_its_limit_only_with_its_error(shear, own):
     """Of mesh, step and chance, whether mesh and step are the scene's own or found."""

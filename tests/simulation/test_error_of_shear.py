@@ -75,8 +75,7 @@ def test_the_largest_shear_of_a_conductor_on_a_mesh_of_ones_own_is_covered(seed,
     found = run(file_of(tree | {"analysis": {"mesh": {"elements": 600}}}).resolved())
     fine = file_of(tree | {"analysis": {"mesh": {"elements": 4800}}}).resolved()
     largest, true = (
-        float(abs(one.arrays["shear_force_static"]).max())
-        for one in (found, run(fine, estimated=False))
+        float(abs(one.arrays["shear_force_static"]).max()) for one in (found, run(fine, estimated=False))
     )
     assert abs(true - largest) <= COVERED * found.facts["error_estimate"]["shear"] * largest
 

@@ -62,12 +62,7 @@ def test_extremes_do_not_depend_on_the_output_interval_and_hold_every_output(see
 @pytest.mark.parametrize("seed", range(8))
 def test_a_riser_that_stays_at_rest_has_the_extremes_of_its_state_at_rest(seed):
     tree = rig(seed)
-    tree["analysis"] = {
-        "duration": 2.0,
-        "step": 0.5,
-        "mesh": {"elements": 30},
-        "output": {"interval": 0.3},
-    }
+    tree["analysis"] = {"duration": 2.0, "step": 0.5, "mesh": {"elements": 30}, "output": {"interval": 0.3}}
     still = run_of(tree)
     for name in (*ALONG, "shear_force", "von_mises_stress"):
         if f"{name}_max" not in still:
@@ -81,9 +76,7 @@ def test_a_riser_that_stays_at_rest_has_the_extremes_of_its_state_at_rest(seed):
             assert (still["shear_force_min"] <= rest + 2e-7 * size).all()
             continue
         for side in ("_max", "_min"):
-            np.testing.assert_allclose(
-                still[name + side], rest, atol=2e-7 * size, err_msg=name + side
-            )
+            np.testing.assert_allclose(still[name + side], rest, atol=2e-7 * size, err_msg=name + side)
 
 
 @pytest.mark.parametrize("seed", range(6))

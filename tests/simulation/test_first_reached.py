@@ -22,11 +22,7 @@ def adrift(seed, limits, duration):
     tree = rig(seed, spatial=False, conductor=False)
     del tree["platform"]
     tree["top"]["x"], tree["top"]["z"] = "vessel", "held"
-    tree["vessel"] = {
-        "mass": 4.5e7,
-        "hull_drag": "400000 N*s^2/m^2",
-        "wave_drift": {"force": "2 MN"},
-    }
+    tree["vessel"] = {"mass": 4.5e7, "hull_drag": "400000 N*s^2/m^2", "wave_drift": {"force": "2 MN"}}
     tree["analysis"] = {
         "duration": duration,
         "step": 0.25,
@@ -47,9 +43,7 @@ def verdicts(file):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_ends_after_is_not(
-    seed,
-):
+def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_ends_after_is_not(seed):
     whole = verdicts(adrift(seed, [limit(name, 1e12) for name in OUTPUTS], DURATION))[1]
     rows = json.loads(whole.attrs["limits"])
     assert json.loads(whole.attrs["limits_reached"]) == ["never"] * len(OUTPUTS)
@@ -61,8 +55,7 @@ def test_a_run_that_ends_before_a_limit_is_reached_is_within_it_and_one_that_end
         if not 2.0 < time < DURATION - 2.0:
             continue  # exceeded at rest
         before, after = (
-            verdicts(adrift(seed, limits, round(2.0 * time) / 2.0 + shift))[1]
-            for shift in (-1.0, 1.0)
+            verdicts(adrift(seed, limits, round(2.0 * time) / 2.0 + shift))[1] for shift in (-1.0, 1.0)
         )
         row, later = (json.loads(one.attrs["limits"])[k] for one in (before, after))
         assert row["demand"] < row["allowable"]

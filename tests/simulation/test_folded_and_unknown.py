@@ -28,9 +28,7 @@ analysis: {mesh: {elements: 36}}
 
 
 @pytest.mark.parametrize("elements", [24, 30, 36, 42, 50])
-def test_a_platform_aside_across_the_first_shape_has_the_same_riser_on_every_mesh(
-    tmp_path, elements
-):
+def test_a_platform_aside_across_the_first_shape_has_the_same_riser_on_every_mesh(tmp_path, elements):
     file = tmp_path / "aside.yaml"
     file.write_text(FOLDS)
     run = simulate(load_scene(file, **{"analysis.mesh.elements": elements}), progress=False)

@@ -42,9 +42,7 @@ def test_short_runs_and_what_changes_later_are_not_forecast():
 
 def test_a_long_run_says_how_far_it_is():
     said = []
-    result = run(
-        surging("60 s"), notify=lambda what, share: said.append(what) if not share else None
-    )
+    result = run(surging("60 s"), notify=lambda what, share: said.append(what) if not share else None)
     assert len(said) == len(result.facts["refinements"])
     assert " to go" not in said[0]
     assert f"{result.facts['elements']} segments" in said[-1]

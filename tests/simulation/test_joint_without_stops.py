@@ -19,12 +19,7 @@ def recoiling(seed, *, spatial):
         of.pop(name, None)
     of["linear"] = {"tension": pull, "stiffness": 0.01 * pull}
     area = {"horizontal": "30 m^2", "vertical": "10 m^2"}
-    tree["bottom"]["body"] = {
-        "name": "LMRP",
-        "mass": 6e4,
-        "density": "7850 kg/m^3",
-        "drag_area": area,
-    }
+    tree["bottom"]["body"] = {"name": "LMRP", "mass": 6e4, "density": "7850 kg/m^3", "drag_area": area}
     for section in tree["riser"]:
         section["structural_damping"] = {"ratio": 0.01, "at_period": 4.0}
     tree["disconnect"] = {"at": "2 s", "over": "0.2 s"}

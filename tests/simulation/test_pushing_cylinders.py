@@ -9,12 +9,7 @@ import pytest
 from riserstudy import load_scene, simulate
 
 SCENE = Path(__file__).parents[2] / "config/scenes/chang2020/heave.yaml"
-ANALYSIS = {
-    "duration": "20 s",
-    "output": {"interval": "0.1 s"},
-    "mesh": {"elements": 1},
-    "step": "0.05 s",
-}
+ANALYSIS = {"duration": "20 s", "output": {"interval": "0.1 s"}, "mesh": {"elements": 1}, "step": "0.05 s"}
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -29,10 +24,7 @@ def test_cylinders_that_push_are_reported_with_time_and_force(seed):
             "platform.heave.amplitude": f"{amplitude} m",
             "top.tensioners.gas": None,
             "top.tensioners.damping": None,
-            "top.tensioners.linear": {
-                "tension": f"{tension} kN",
-                "stiffness": f"{stiffness} kN/m",
-            },
+            "top.tensioners.linear": {"tension": f"{tension} kN", "stiffness": f"{stiffness} kN/m"},
             "analysis": ANALYSIS,
         },
     )

@@ -16,8 +16,7 @@ RISER = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
 
 def in_a_sea(duration, **changes):
     operators = [
-        {"period": f"{period} s", "surge": "0.4 m/m", "surge_phase": "90 deg"}
-        for period in (2, 6, 12, 40)
+        {"period": f"{period} s", "surge": "0.4 m/m", "surge_phase": "90 deg"} for period in (2, 6, 12, 40)
     ]
     wave = {
         "significant_height": "4 m",

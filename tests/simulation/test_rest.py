@@ -58,6 +58,4 @@ def test_what_is_told_of_rest_is_not_told_of_the_last_moment_of_the_run(scene):
     resting = scene.model_copy(update={"analysis": still, "disconnect": None})
     moved, rest = single(scene, mesh, 0.1, everywhere=True), single(resting, mesh, None)
     for name in ("shear_force_static", "bending_moment_static", "effective_tension_static"):
-        np.testing.assert_allclose(
-            moved.arrays[name], rest.arrays[name], rtol=1e-9, atol=1e-6, err_msg=name
-        )
+        np.testing.assert_allclose(moved.arrays[name], rest.arrays[name], rtol=1e-9, atol=1e-6, err_msg=name)

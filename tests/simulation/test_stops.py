@@ -32,9 +32,7 @@ def test_the_first_touch_and_the_largest_force_are_told(rig):
     reach = np.zeros((5, rig.count))
     reach[2, 0], reach[3, -1] = -2.001, 2.003
     (said,) = stops_touched(rig, reach, 0.5 * np.arange(5) + 10.0)
-    assert said.startswith(
-        "stroke: touches its stop, first at t = 11 s or earlier, with at least 150 kN"
-    )
+    assert said.startswith("stroke: touches its stop, first at t = 11 s or earlier, with at least 150 kN")
     assert "outputs 0.5 s apart, from t = 10 s on" in said
 
 

@@ -13,9 +13,7 @@ from riserstudy.simulation.run import single
 from riserstudy.simulation.time_limit import Watch
 
 UNITS = {"axial_stiffness": "N", "speed": "m/s", "duration": "s", "interval": "s"}
-COVERED = (
-    2.0  # true over estimated error, at most, of any seed: by chance two runs differ as they do
-)
+COVERED = 2.0  # true over estimated error, at most, of any seed: by chance two runs differ as they do
 MEAN = 1.0  # over seeds
 WORK = 40.0  # times the work of one run on the mesh and step that were found
 
@@ -38,12 +36,7 @@ def river(seed, uniform):
         "submerged_weight": weight,
         "drag": {"coefficient": 1.1, "diameter": diameter},
         "added_mass": {"coefficient": 1.0, "diameter": diameter},
-        "viv": {
-            "model": "synchronisation",
-            "diameter": diameter,
-            "coefficient": 1.2,
-            "memory": 20.0,
-        }
+        "viv": {"model": "synchronisation", "diameter": diameter, "coefficient": 1.2, "memory": 20.0}
         | {"frequencies": [0.11, 0.18, 0.26], "seed": int(seed)},
     }
     return {
@@ -57,11 +50,7 @@ def river(seed, uniform):
             "profile": [{"elevation": 0.0, "speed": slow}, {"elevation": length, "speed": fast}],
             "beyond": "hold",
         },
-        "analysis": {
-            "duration": 70.0 * period,
-            "output": {"interval": period / 8.0},
-            "accuracy": "3 %",
-        },
+        "analysis": {"duration": 70.0 * period, "output": {"interval": period / 8.0}, "accuracy": "3 %"},
     }
 
 

@@ -32,10 +32,7 @@ SCENE = {
     "bottom": {"hold": "wellhead", "elevation": "0 m"},
     "top": {"x": "held", "z": "free", "tension": "1.2 kN"},
     "current": {
-        "profile": [
-            {"elevation": "0 m", "speed": "0.1 m/s"},
-            {"elevation": "13 m", "speed": "0.5 m/s"},
-        ],
+        "profile": [{"elevation": "0 m", "speed": "0.1 m/s"}, {"elevation": "13 m", "speed": "0.5 m/s"}],
         "beyond": "hold",
     },
     "analysis": {
@@ -126,9 +123,7 @@ def test_a_section_cut_in_two_is_the_same_riser(plain):
     tree = copy.deepcopy(SCENE) | {"riser": halves}
     cut = simulated(SceneFile("test", tree, {}))
     for name in ("x", "y", "bending_moment"):
-        assert (
-            abs(cut.arrays[name] - plain.arrays[name]).max() < 1e-9 * abs(plain.arrays[name]).max()
-        )
+        assert abs(cut.arrays[name] - plain.arrays[name]).max() < 1e-9 * abs(plain.arrays[name]).max()
 
 
 def test_outputs_do_not_change_the_run(plain):
@@ -198,9 +193,7 @@ def test_sections_begin_together(name, other):
 def test_a_frequency_is_that_of_a_sine(hertz):
     time = np.arange(0.0, 60.0, 0.05)  # a line fitted to part of a period leans
     motion = 3.0 + 0.2 * np.sin(2.0 * np.pi * hertz * time + 0.4)
-    assert frequency(time, vibration(motion[:, None], time, 0.0)[:, 0]) == pytest.approx(
-        hertz, rel=1e-3
-    )
+    assert frequency(time, vibration(motion[:, None], time, 0.0)[:, 0]) == pytest.approx(hertz, rel=1e-3)
 
 
 @pytest.mark.parametrize(
@@ -213,11 +206,7 @@ def test_a_run_says_where_its_vibration_includes_what_waves_and_platform_do(kind
     changes = {"riser[0].viv": viv, "analysis__duration": "20 s"}
     if kind == "wave":
         changes["water.surface"] = "14 m"
-        changes["wave"] = {
-            "amplitude": "0.2 m",
-            "period": f"{period} s",
-            "above_mean_level": "none",
-        }
+        changes["wave"] = {"amplitude": "0.2 m", "period": f"{period} s", "above_mean_level": "none"}
     elif kind == "surge":
         changes["top__x"] = "platform"
         changes["platform"] = {"surge": {"amplitude": "0.05 m", "period": f"{period} s"}}

@@ -121,18 +121,12 @@ def test_stress_at_the_foot_is_that_of_the_columns_above_it():
     assert tension == pytest.approx(2e6 - 1520.0 * (1440.0 * g * bore - 2500.0), rel=1e-9)
     stretched = float(found["z"][-1]) - 0.0
     inside, outside = 1440.0 * g * stretched, 1025.0 * g * 1500.0
-    told = four_stresses(
-        PIPE, np.array(tension), np.array(0.0), np.array(inside), np.array(outside)
-    )
+    told = four_stresses(PIPE, np.array(tension), np.array(0.0), np.array(inside), np.array(outside))
     assert found["von_mises_stress"][0] == pytest.approx(told.max(), rel=1e-9)
-    level = SceneFile("walled.yaml", tree).with_values(
-        {"riser[0].contents.level": "1600 m"}, "test"
-    )
+    level = SceneFile("walled.yaml", tree).with_values({"riser[0].contents.level": "1600 m"}, "test")
     higher = simulate(level)["von_mises_stress"][0]
     inside += 1440.0 * g * (1600.0 - stretched)
-    told = four_stresses(
-        PIPE, np.array(tension), np.array(0.0), np.array(inside), np.array(outside)
-    )
+    told = four_stresses(PIPE, np.array(tension), np.array(0.0), np.array(inside), np.array(outside))
     assert higher == pytest.approx(told.max(), rel=1e-9)
 
 

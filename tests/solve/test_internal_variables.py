@@ -111,9 +111,7 @@ def run(name, steps, bound=np.inf, times=(END,)):
 
 
 def exact(time):
-    rates = np.array(
-        [[0.0, 1.0, 0.0], [-(K + SOFT) / M, 0.0, SOFT / M], [1 / TIME, 0.0, -1 / TIME]]
-    )
+    rates = np.array([[0.0, 1.0, 0.0], [-(K + SOFT) / M, 0.0, SOFT / M], [1 / TIME, 0.0, -1 / TIME]])
     return expm(rates * time) @ START
 
 

@@ -61,9 +61,7 @@ def test_code_of_other_sources_is_not_loaded(cache, tmp_path):
     assert Path(tmp_path / "kernel.nbi").exists()
 
 
-def test_a_cache_that_cannot_be_written_is_read_and_asked_for_nothing_more(
-    cache, tmp_path, monkeypatch
-):
+def test_a_cache_that_cannot_be_written_is_read_and_asked_for_nothing_more(cache, tmp_path, monkeypatch):
     """What lies below a file can be made by nobody, not even root."""
     (tmp_path / "file").touch()
     monkeypatch.setattr(jit, "kernel_cache", lambda: tmp_path / "file" / "cache")

@@ -56,9 +56,7 @@ def density(tree):
 
 def stage_values(weights, tree):
     """Elementary weights of the stages."""
-    return prod(
-        (weights @ stage_values(weights, branch) for branch in tree), start=np.ones(len(weights))
-    )
+    return prod((weights @ stage_values(weights, branch) for branch in tree), start=np.ones(len(weights)))
 
 
 def order_of(weights, most=6):
@@ -154,9 +152,9 @@ def test_the_order_is_seen_on_a_pendulum_in_water(method):
             y = at
         return y
 
-    exact = solve_ivp(
-        lambda t, y: pendulum(y), (0.0, end), begin, method="DOP853", rtol=1e-13, atol=1e-14
-    ).y[:, -1]
+    exact = solve_ivp(lambda t, y: pendulum(y), (0.0, end), begin, method="DOP853", rtol=1e-13, atol=1e-14).y[
+        :, -1
+    ]
     errors = [abs(run(steps) - exact).max() for steps in (4, 8, 16)]
     seen = np.diff(-np.log2(errors))
     assert seen == pytest.approx(order, abs=0.25)

@@ -55,13 +55,9 @@ def table(place):
             {"LC_ALL": "de_DE.UTF-8", "LOCPATH": f"{place}/locales"},
             needs="localedef",
         ),
-        "ASCII": Varied(
-            "locale C, UTF-8 mode off", {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0"}
-        ),
+        "ASCII": Varied("locale C, UTF-8 mode off", {"LC_ALL": "C", "LANG": None, "PYTHONUTF8": "0"}),
         "time zone": Varied("time zone 14 hours ahead of Greenwich", {"TZ": "Pacific/Kiritimati"}),
-        "path": Varied(
-            "folder name with blanks, quotes, brackets, ß and 河", folder="a 'B' [c] {d} ß 河"
-        ),
+        "path": Varied("folder name with blanks, quotes, brackets, ß and 河", folder="a 'B' [c] {d} ß 河"),
         "no git": Varied("no git on the path", {"PATH": f"{place}/tools"}),
         "no home": Varied("variable HOME not set", {"HOME": None}),
         "home gone": Varied("HOME is a folder that does not exist", {"HOME": "/nowhere/at/all"}),
@@ -69,13 +65,10 @@ def table(place):
         "hash seed 4711": Varied("PYTHONHASHSEED=4711", {"PYTHONHASHSEED": "4711"}),
         "one core": Varied("one core", before=["taskset", "-c", "0"], needs="taskset"),
         "memory": Varied(
-            "4 GB of memory for each process",
-            before=["prlimit", f"--as={MEMORY}"],
-            needs="prlimit",
+            "4 GB of memory for each process", before=["prlimit", f"--as={MEMORY}"], needs="prlimit"
         ),
         "other systems": Varied(
-            "no fcntl, no os.fork, no AF_UNIX",
-            {"PYTHONPATH": str(Path(__file__).with_name("hidden"))},
+            "no fcntl, no os.fork, no AF_UNIX", {"PYTHONPATH": str(Path(__file__).with_name("hidden"))}
         ),
     }
 
@@ -179,9 +172,7 @@ def environment(folder, base):
     subprocess.run([base, "-m", "venv", "--without-pip", folder], check=True)
     packages = next(folder.glob("lib/python*/site-packages"))
     ours = next(path for path in sys.path if path.endswith("site-packages"))
-    line = (
-        f"import site, sys; site.addsitedir({ours!r}); sys.path.insert(0, {str(PACKAGE.parent)!r})"
-    )
+    line = f"import site, sys; site.addsitedir({ours!r}); sys.path.insert(0, {str(PACKAGE.parent)!r})"
     (packages / "ours.pth").write_text(f"{line}\n", "utf-8")
     return str(folder / "bin/python")
 
@@ -233,11 +224,7 @@ def write(page, rows):
     """Put the rows between the marks of a page."""
     head, _, rest = page.read_text("utf-8").partition(MARKS[0])
     tail = rest.partition(MARKS[1])[2]
-    lines = [
-        "| difference | result |",
-        "|---|---|",
-        *(f"| {a} | {b} |" for a, b in rows),
-    ]
+    lines = ["| difference | result |", "|---|---|", *(f"| {a} | {b} |" for a, b in rows)]
     page.write_text(head + MARKS[0] + "\n".join(lines) + "\n" + MARKS[1] + tail, "utf-8")
 
 

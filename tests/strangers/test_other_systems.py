@@ -26,17 +26,14 @@ def plain(tmp_path_factory):
 
 
 @pytest.mark.parametrize(
-    "name",
-    ["..\\riser.yaml", "scenes\\riser.yaml", "C:\\riser.yaml", "C:/riser.yaml", "/riser.yaml"],
+    "name", ["..\\riser.yaml", "scenes\\riser.yaml", "C:\\riser.yaml", "C:/riser.yaml", "/riser.yaml"]
 )
 def test_a_study_names_its_scene_as_every_system_does(tmp_path, name):
     lay_out(tmp_path / "study")
     file = tmp_path / "study/config/studies/example.yaml"
     text = file.read_text("utf-8").replace("scene: scenes/riser.yaml", f"scene: '{name}'")
     file.write_text(text, "utf-8")
-    with pytest.raises(
-        InputError, match=r"studies\.tension\.scene: .*(below the folder|/ between)"
-    ):
+    with pytest.raises(InputError, match=r"studies\.tension\.scene: .*(below the folder|/ between)"):
         read_studies(tmp_path / "study/config", "example")
 
 
@@ -57,9 +54,7 @@ def test_line_ends_and_marks_of_spreadsheets_change_no_scene(tmp_path, ends, mar
     for name in ("riser.yaml", "current.csv"):
         file = tmp_path / "other/config/scenes" / name
         file.write_bytes(mark.encode() + file.read_bytes())
-    read = [
-        read_scene(tmp_path / n / "config/scenes/riser.yaml").resolved() for n in ("plain", "other")
-    ]
+    read = [read_scene(tmp_path / n / "config/scenes/riser.yaml").resolved() for n in ("plain", "other")]
     assert key_of(read[0]) == key_of(read[1])
 
 

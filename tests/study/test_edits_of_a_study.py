@@ -62,11 +62,7 @@ STUDY = {
         },
         "phase": {"only": {"limits[2].mode": "drilling"}},
         "rule": "readings",
-        "sample": {
-            "count": {"preview": 2, "standard": 2, "reference": 4},
-            "seed": 7,
-            "readings": ["code"],
-        },
+        "sample": {"count": {"preview": 2, "standard": 2, "reference": 4}, "seed": 7, "readings": ["code"]},
     },
     "keep": ["effective_tension", "z"],
     "modes": 1,

@@ -148,10 +148,7 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
             "axes.b: sets 'platform.surge.amplitude', and so does axis 'a'",
             {"axes": {"a": AMPLITUDE, "b": AMPLITUDE}},
         ),
-        (
-            "and so does axis 'a'",
-            {"axes": {"a": AMPLITUDE | {"path": "platform.surge"}, "b": AMPLITUDE}},
-        ),
+        ("and so does axis 'a'", {"axes": {"a": AMPLITUDE | {"path": "platform.surge"}, "b": AMPLITUDE}}),
     ],
 )
 def test_names_and_paths_that_clash_are_refused_before_any_run(said, changed):

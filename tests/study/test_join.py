@@ -74,9 +74,7 @@ def test_a_study_in_parts_has_the_dataset_of_one_that_is_joined_at_once(
         xr.open_dataset(tmp_path / "whole.nc", engine="netcdf4") as whole,
         xr.open_dataset(tmp_path / "parts.nc", engine="netcdf4") as in_parts,
     ):
-        whole, in_parts = (
-            one.drop_vars(["wall_seconds", "solve_seconds"]) for one in (whole, in_parts)
-        )
+        whole, in_parts = (one.drop_vars(["wall_seconds", "solve_seconds"]) for one in (whole, in_parts))
         xr.testing.assert_identical(whole, in_parts)
         assert [*whole.variables] == [*in_parts.variables]
     assert {path.name for path in tmp_path.glob("*.nc*")} == {"whole.nc", "parts.nc"}

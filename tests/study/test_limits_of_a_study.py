@@ -16,9 +16,7 @@ from riserstudy.study.study import Study
 #: a string of 1 kN/m and 500 m: of the tension at its top 500 kN are left at its foot
 HUNG = {
     "title": "hung",
-    "riser": [
-        {"name": "all", "length": "500 m", "axial_stiffness": "5e9 N", "submerged_weight": "1 kN/m"}
-    ],
+    "riser": [{"name": "all", "length": "500 m", "axial_stiffness": "5e9 N", "submerged_weight": "1 kN/m"}],
     "bottom": {"hold": "wellhead", "elevation": "0 m"},
     "top": {"z": "free", "tension": "1 MN"},
     "analysis": {},
@@ -65,13 +63,9 @@ def test_every_point_says_what_it_uses_of_each_limit(tmp_path):
 
 def test_points_are_stored_without_their_limits(tmp_path, monkeypatch):
     first = dataset(tmp_path)
-    monkeypatch.setattr(
-        "riserstudy.study.simulate_points._simulate", lambda *_: pytest.fail("simulated")
-    )
+    monkeypatch.setattr("riserstudy.study.simulate_points._simulate", lambda *_: pytest.fail("simulated"))
     other = dataset(tmp_path, limits=[LIMITS[0] | {"smallest": "700 kN"}])
-    np.testing.assert_allclose(
-        other["use_of_limit"][:, 0], 2.0 * first["use_of_limit"][:, 0], rtol=1e-12
-    )
+    np.testing.assert_allclose(other["use_of_limit"][:, 0], 2.0 * first["use_of_limit"][:, 0], rtol=1e-12)
     assert study(tmp_path).digest != study(tmp_path, limits=LIMITS[:1]).digest
     assert "use_of_limit" not in dataset(tmp_path, limits=None)
 

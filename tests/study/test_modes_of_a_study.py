@@ -148,9 +148,7 @@ def test_a_point_with_modes_is_run_anew(tmp_path):
     assert max(found.changes.values()) <= 1e-9
     other = dataset.copy(deep=True)
     other["natural_period"].values[1, 0] *= 1.001
-    assert rerun(other, {"tension": "900.5"}).changes["natural_period"] == pytest.approx(
-        1e-3, rel=0.01
-    )
+    assert rerun(other, {"tension": "900.5"}).changes["natural_period"] == pytest.approx(1e-3, rel=0.01)
 
 
 def test_the_database_has_periods_and_leaves_shapes_to_the_dataset(tmp_path):
@@ -169,15 +167,8 @@ def test_what_is_needed_of_the_store_are_modes_too(tmp_path):
     tiers = {tier: {} for tier in ("preview", "standard", "reference")}
     config = {"papers": ["own"], "tier": "standard", "tiers": tiers}
     (tmp_path / "config.yaml").write_text(json.dumps(config))
-    model = {
-        "scene": "scenes/string.yaml",
-        "caption": "c",
-        "axes": {"tension": TENSION},
-        "modes": 3,
-    }
-    (tmp_path / "studies/own.yaml").write_text(
-        json.dumps({"paper": "own", "studies": {"one": model}})
-    )
+    model = {"scene": "scenes/string.yaml", "caption": "c", "axes": {"tension": TENSION}, "modes": 3}
+    (tmp_path / "studies/own.yaml").write_text(json.dumps({"paper": "own", "studies": {"one": model}}))
     keys = [point.key for point in study(tmp_path, scene="scenes/string.yaml").plan]
     assert prune.planned(tmp_path) == {*keys, *(of_study.key_of_modes(key, 3) for key in keys)}
 
@@ -188,9 +179,7 @@ def test_a_scene_without_mass_has_no_modes(tmp_path):
         made(tmp_path, set=massless, modes=2)
     file = read_scene(tmp_path / "string.yaml").with_values(massless, "test")
     with pytest.raises(SimulationError, match="need mass"):
-        riserstudy.sweep(
-            file, {"top.tension": ["900 kN", "1 MN"]}, modes=2, cores=1, progress=False
-        )
+        riserstudy.sweep(file, {"top.tension": ["900 kN", "1 MN"]}, modes=2, cores=1, progress=False)
 
 
 def test_a_sweep_has_modes_and_none_where_a_point_fails(tmp_path):

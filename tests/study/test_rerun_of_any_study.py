@@ -24,23 +24,14 @@ LIMITS = [
     {"output": "lfj_angle", "largest": "2 deg", "mode": "drilling"},
     {"output": "effective_tension", "smallest": "0 N", "mode": "connected"},
     {"output": "tensioner_stroke", "largest": "7 m", "mode": "connected"},  # not evaluated
-    {
-        "output": "bending_moment",
-        "largest": {"assumed": "1 MN*m", "because": "t"},
-        "mode": "drilling",
-    },
+    {"output": "bending_moment", "largest": {"assumed": "1 MN*m", "because": "t"}, "mode": "drilling"},
 ]
 TENSION = {"path": "top.tension", "unit": "kN", "values": [1500, 1600.5, 1700]}
 #: what a study may have, each of which adds variables, axes or another way to store them
 PARTS = {
     "axes": [
         {"tension": TENSION},
-        {
-            "allow": {
-                "tight": {"limits[0].largest": "0.1 deg"},
-                "loose": {"limits[0].largest": "9 deg"},
-            }
-        },
+        {"allow": {"tight": {"limits[0].largest": "0.1 deg"}, "loose": {"limits[0].largest": "9 deg"}}},
         {"allowed": {"path": "limits[1].smallest", "unit": "kN", "factor": 2, "values": [1, 0.05]}},
         {"length": {"path": "riser[0].length", "unit": "m", "values": [290, 300]}},
         {"mesh": {"path": "analysis.mesh.elements", "unit": "1", "values": [8, 12]}},
@@ -54,9 +45,7 @@ def drawn(seed):
     """A study with limits and several of these parts."""
     draw = random.Random(seed)
     axes = {k: v for part in draw.sample(PARTS["axes"], 2) for k, v in part.items()}
-    top = {
-        "riser[0].mass": {"assumed": "700 kg/m", "range": ["600 kg/m", "800 kg/m"], "because": "t"}
-    }
+    top = {"riser[0].mass": {"assumed": "700 kg/m", "range": ["600 kg/m", "800 kg/m"], "because": "t"}}
     moving = {"analysis.duration": "3 s", "analysis.mesh.elements": 12}
     return {
         "scene": "riser.yaml",
@@ -103,9 +92,7 @@ def several(seed, tmp_path, monkeypatch):
     }
     if tensioners := tree["top"].get("tensioners"):
         words["one more"] = {"top.tensioners.count": tensioners["count"] + 1}
-    keep = [None, ["ufj_angle", "x", "y", "z", "tensioner_force", "bending_moment_max"]][
-        seed // 2 % 2
-    ]
+    keep = [None, ["ufj_angle", "x", "y", "z", "tensioner_force", "bending_moment_max"]][seed // 2 % 2]
     model = {"scene": "riser.yaml", "caption": "c", "axes": {"what": words}, "keep": keep}
     file = StudyFile.model_validate({"paper": "own", "studies": {"one": model}})
     study = Study("own", "one", file.studies["one"], tmp_path, "standard")

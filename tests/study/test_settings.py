@@ -87,9 +87,7 @@ def study_of(tmp_path, monkeypatch):
     return short_study.studies_in(tmp_path, "settings", STUDIES)
 
 
-@pytest.mark.parametrize(
-    "setting", [GOOD, COARSE, Setting(20, (("top", 7.0),), 0.1, "TR-BDF2"), None]
-)
+@pytest.mark.parametrize("setting", [GOOD, COARSE, Setting(20, (("top", 7.0),), 0.1, "TR-BDF2"), None])
 def test_settings_are_read_as_they_were_written(tmp_path, setting):
     write_settings(settings_of(setting), tmp_path / "one.json")
     assert read_settings(tmp_path / "one.json") == settings_of(setting)
@@ -126,24 +124,17 @@ def test_every_point_says_how_it_was_run_and_runs_so_again(study_of, tmp_path, s
         assert not {"mesh", "step", "method"} & {k for k, v in analysis.items() if v is not None}
     for place in [*zip(*np.nonzero(~by_request), strict=True)][:3]:
         analysis = at(dataset, place).tree["analysis"]
-        assert (analysis["mesh"], analysis["step"]) == (
-            {"elements": setting.elements},
-            f"{setting.step:g} s",
-        )
+        assert (analysis["mesh"], analysis["step"]) == ({"elements": setting.elements}, f"{setting.step:g} s")
     assert json.loads(dataset.attrs["settings"])["accuracy"] == "2 %"
     some = [[*zip(*np.nonzero(which), strict=True)][:1] for which in (by_request, ~by_request)]
     for place in (place for places in some for place in places):
-        values = {
-            axis: str(dataset[axis].values[k]) for axis, k in zip(study.axes, place, strict=True)
-        }
+        values = {axis: str(dataset[axis].values[k]) for axis, k in zip(study.axes, place, strict=True)}
         assert max(rerun(dataset, values).changes.values()) < 1e-9  # ten digits are stored
 
 
 def at(dataset, place):
     """The scene behind a point."""
-    return scene_file_of(
-        dataset, dict(zip(dataset["by_request"].dims, map(int, place), strict=True))
-    )
+    return scene_file_of(dataset, dict(zip(dataset["by_request"].dims, map(int, place), strict=True)))
 
 
 def test_the_database_knows_the_parameters_of_points_by_request(study_of, tmp_path):

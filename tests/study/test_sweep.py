@@ -39,9 +39,7 @@ def swept(axes, **options):
 
 
 def test_a_point_of_a_sweep_is_what_simulate_makes_of_its_scene():
-    found = swept(
-        {"platform.surge.period": PERIODS, "bottom": TWO_WAYS}, keep=["x", "bending_moment_absmax"]
-    )
+    found = swept({"platform.surge.period": PERIODS, "bottom": TWO_WAYS}, keep=["x", "bending_moment_absmax"])
     assert found["x"].dims[:2] == ("platform_surge_period", "bottom")
     assert found["platform_surge_period"].attrs["units"] == "s"
     for period in PERIODS:
@@ -49,9 +47,7 @@ def test_a_point_of_a_sweep_is_what_simulate_makes_of_its_scene():
             alone = simulate(scene(**{"platform.surge.period": f"{period} s"}, **sets))
             point = found.sel(platform_surge_period=period, bottom=label)
             np.testing.assert_array_equal(point["x"], alone["x"])
-            np.testing.assert_array_equal(
-                point["bending_moment_absmax"], alone["bending_moment_absmax"]
-            )
+            np.testing.assert_array_equal(point["bending_moment_absmax"], alone["bending_moment_absmax"])
     assert (found["failure"] == "").all()
 
 
@@ -121,9 +117,7 @@ def test_a_slip_of_a_prefix_is_warned_of_whatever_the_scene_s_value(seed):
     right = planned({"top.tension": values}, **{"top.tension": f"{load} MN"})
     assert far_values(right) == []
     for slip in (1e3, 1e-3, 100.0 / 0.3):
-        wrong = planned(
-            {"top.tension": [v * slip for v in values]}, **{"top.tension": f"{load} MN"}
-        )
+        wrong = planned({"top.tension": [v * slip for v in values]}, **{"top.tension": f"{load} MN"})
         assert len(far_values(wrong)) == 1
 
 
@@ -204,9 +198,7 @@ def test_a_point_that_cannot_be_completed_has_no_numbers_and_says_why():
     ids=["asked for", "nothing is left"],
 )
 def test_failure_is_an_error_where_it_must_be(axes, options):
-    with pytest.raises(
-        SimulationError, match=r"points? cannot be completed; at top_tension = (25|30) kN:"
-    ):
+    with pytest.raises(SimulationError, match=r"points? cannot be completed; at top_tension = (25|30) kN:"):
         swept(axes, **options)
 
 
@@ -217,9 +209,7 @@ def test_failing_points_of_a_study_are_told_by_their_values_and_words(seed, monk
     study = planned(dict(reversed(axes.items())) if seed % 2 else axes)
     lost = study.plan[int(draw.integers(len(study.plan)))]
     failure = SimulationError("it does not stand")
-    monkeypatch.setattr(
-        simulate_points, "_simulate", lambda _, p: failure if p.key == lost.key else None
-    )
+    monkeypatch.setattr(simulate_points, "_simulate", lambda _, p: failure if p.key == lost.key else None)
     monkeypatch.setattr(store, "pack", lambda _: None)
     place = dict(zip(study.axes, lost.index, strict=True))
     tension = f"top_tension = {[2000, 2500, 3000][place['top_tension']]} kN"

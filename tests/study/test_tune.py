@@ -181,9 +181,7 @@ EDITS = {
 @pytest.mark.parametrize("edit", EDITS)
 def test_a_study_that_changes_during_the_tuning_stays_as_edited(commands, file, monkeypatch, edit):
     name, old, new = EDITS[edit]
-    found = Tuned(
-        "3 %", Setting(40, (), 0.1, "TR-BDF2"), [(0, 0, 0)], [(1, 1, 1)], 0.5, 0.6, 0.7, None
-    )
+    found = Tuned("3 %", Setting(40, (), 0.1, "TR-BDF2"), [(0, 0, 0)], [(1, 1, 1)], 0.5, 0.6, 0.7, None)
     path = file.parent.parent / name
     assert old in path.read_text()
 

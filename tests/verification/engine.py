@@ -19,9 +19,7 @@ METHODS = {
 
 def scene(name: str, **values):
     """A benchmark scene with values set by dotted path; dots are written as two underscores."""
-    return load_scene(
-        SCENES / f"{name}.yaml", **{k.replace("__", "."): v for k, v in values.items()}
-    )
+    return load_scene(SCENES / f"{name}.yaml", **{k.replace("__", "."): v for k, v in values.items()})
 
 
 def dataset(name: str, elements: int | None = None, **values):

@@ -103,12 +103,8 @@ def heave() -> None:
     """S3."""
     print("S3")
     times = 0.05 * np.arange(2001)
-    best = timed(
-        "characteristics", lambda: reference_heave.by_characteristics(times, tolerance=1e-12)
-    )
-    other = timed(
-        "spectral elements", lambda: reference_heave.by_spectral_elements(times, tolerance=1e-9)
-    )
+    best = timed("characteristics", lambda: reference_heave.by_characteristics(times, tolerance=1e-12))
+    other = timed("spectral elements", lambda: reference_heave.by_spectral_elements(times, tolerance=1e-9))
     for field in ("bottom", "top_tension", "bottom_tension"):
         a, b = getattr(other, field), getattr(best, field)
         peak = np.abs(b - b[0]).max()
@@ -132,9 +128,7 @@ def current() -> None:
         )
     for field in ("x", "z", "theta", "tension", "moment"):
         a, b = getattr(loose, field), getattr(best, field)
-        print(
-            f"  tolerance 1e-8 against 1e-10, {field}: {np.abs(a - b).max() / np.abs(b).max():.1e}"
-        )
+        print(f"  tolerance 1e-8 against 1e-10, {field}: {np.abs(a - b).max() / np.abs(b).max():.1e}")
 
 
 if __name__ == "__main__":

@@ -58,10 +58,7 @@ class StaticRod(NamedTuple):
 
 
 def static_current(
-    stations: np.ndarray,
-    riser: Riser = Riser(),
-    top_height: float | None = None,
-    tolerance: float = 1e-8,
+    stations: np.ndarray, riser: Riser = Riser(), top_height: float | None = None, tolerance: float = 1e-8
 ) -> StaticRod:
     """S1 (S1c): the extensible Kirchhoff rod in a sheared current, as a boundary value problem.
 
@@ -244,6 +241,4 @@ def catenary(
     lowest = (h * rise / span - v) / weight  # where the cable runs parallel to the chord
     x_low, z_low = shape(lowest, h, v)
     sag = rise / span * x_low - z_low
-    return Catenary(
-        np.asarray(s), x, z, np.hypot(h, v + weight * np.asarray(s)), float(h), float(sag)
-    )
+    return Catenary(np.asarray(s), x, z, np.hypot(h, v + weight * np.asarray(s)), float(h), float(sag))

@@ -58,9 +58,7 @@ class Chain:
             flow = profile(z) * min(time / self.ramp, 1.0)
             relative = (flow - u) * az + w * ax  # across, whose direction is (az, -ax)
             coefficient = np.where(z > -150.0, 1.2, 0.7)
-            across = (
-                0.5 * DENSITY * self.diameter * coefficient * share * np.abs(relative) * relative
-            )
+            across = 0.5 * DENSITY * self.diameter * coefficient * share * np.abs(relative) * relative
             if accelerating and time < self.ramp:
                 across += 2.0 * added * profile(z) / self.ramp * az
             fx, fz = fx + across * az, fz - across * ax
@@ -74,14 +72,7 @@ class Chain:
         near, own = sp.diags_array([1.0] * 5, offsets=range(-2, 3), shape=(n, n)), sp.eye_array(n)
         rows = [[None, None, own, None], [None, None, None, own], [near] * 4, [near] * 4]
         found = solve_ivp(
-            rate,
-            (0.0, until),
-            start,
-            "BDF",
-            [until],
-            rtol=1e-5,
-            atol=1e-5,
-            jac_sparsity=sp.block_array(rows),
+            rate, (0.0, until), start, "BDF", [until], rtol=1e-5, atol=1e-5, jac_sparsity=sp.block_array(rows)
         )
         assert found.success, found.message
         return found.y[n - 1, -1], found.y[2 * n - 1, -1]

@@ -89,6 +89,4 @@ def periodic(law, heave, guess):
 def equilibrium(law, a=0.0):
     """Heave of the ring at rest with the platform at rest at a."""
     lowest = a - VOLUME / AREA + 0.01 if law is gas_law else -50.0
-    return brentq(
-        lambda x: law(x - a) - MASS * GRAVITY - STIFFNESS * x, lowest, 50.0, xtol=1e-13, rtol=1e-14
-    )
+    return brentq(lambda x: law(x - a) - MASS * GRAVITY - STIFFNESS * x, lowest, 50.0, xtol=1e-13, rtol=1e-14)

@@ -46,9 +46,7 @@ class HeaveHistory(NamedTuple):
     bottom_tension: np.ndarray  # N, dynamic part
 
 
-def ramped_sine(
-    t: np.ndarray, amplitude: float, period: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def ramped_sine(t: np.ndarray, amplitude: float, period: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """A sin(2 pi t/P) r(t), r = (1 - cos(pi t/P))/2 before t = P and 1 after, with two derivatives."""
     w = 2.0 * np.pi / period
     ramp = np.asarray(t) < period
@@ -63,9 +61,7 @@ def ramped_sine(
     )
 
 
-def by_characteristics(
-    time: np.ndarray, hang: Hang = Hang(), tolerance: float = 1e-11
-) -> HeaveHistory:
+def by_characteristics(time: np.ndarray, hang: Hang = Hang(), tolerance: float = 1e-11) -> HeaveHistory:
     """Exact reduction to M v' = G(t - tau) - Z v - c|v|v, G(t) = G(t - 2 tau) - 2Z v(t - tau) + 2Z v_top.
 
     The delay equation is integrated over one travel time after the other; the error is that of
@@ -134,11 +130,7 @@ def _joined(solutions):
 
 
 def by_spectral_elements(
-    time: np.ndarray,
-    hang: Hang = Hang(),
-    elements: int = 40,
-    order: int = 6,
-    tolerance: float = 1e-8,
+    time: np.ndarray, hang: Hang = Hang(), elements: int = 40, order: int = 6, tolerance: float = 1e-8
 ) -> HeaveHistory:
     """The same by finite elements of Gauss-Lobatto nodes (diagonal mass) and Radau IIA.
 
@@ -167,9 +159,7 @@ def by_spectral_elements(
         return np.concatenate([v, a])
 
     def jacobian(_, y):
-        damping = csr_matrix(
-            ([-2.0 * hang.drag * abs(y[free]) / mass[0]], ([0], [0])), (free, free)
-        )
+        damping = csr_matrix(([-2.0 * hang.drag * abs(y[free]) / mass[0]], ([0], [0])), (free, free))
         return bmat([[None, identity(free)], [-spring, damping]], format="csc")
 
     run = solve_ivp(

@@ -72,9 +72,7 @@ def add_quadratic(total, weight, middle, b):
 
 
 @njit(cache=True)
-def assemble(
-    band, residual, stage, stages, weight_k, weight_c, weight_m, q, v, a, shape, gauss, rod
-):
+def assemble(band, residual, stage, stages, weight_k, weight_c, weight_m, q, v, a, shape, gauss, rod):
     """Add one stage's residual and its blocks of the tangent (one weight a coupled stage)."""
     ea, ei, gravity, mass, added, drag, current, length = rod
     upper = WIDTH * stages - 1
@@ -84,11 +82,7 @@ def assemble(
     force = np.zeros(6)
     for e in range(q.size // 6 - 1):
         first = 6 * e
-        big_k, big_c, big_m = (
-            np.zeros((WIDTH, WIDTH)),
-            np.zeros((WIDTH, WIDTH)),
-            np.zeros((WIDTH, WIDTH)),
-        )
+        big_k, big_c, big_m = (np.zeros((WIDTH, WIDTH)), np.zeros((WIDTH, WIDTH)), np.zeros((WIDTH, WIDTH)))
         for g in range(gauss.size):
             field, rate, accel = np.zeros(6), np.zeros(2), np.zeros(2)
             for d in range(3):
@@ -226,9 +220,7 @@ class Rod:
         kept = []
 
         def keep(now, q, v):
-            kept.append(
-                (now, *self._fields(q, at, where), self._support(now, q, v, amplitude, period))
-            )
+            kept.append((now, *self._fields(q, at, where), self._support(now, q, v, amplitude, period)))
 
         keep(0.0, q, v)
         for count in range(1, round(duration / step) + 1):
@@ -242,11 +234,7 @@ class Rod:
                 qs[:, [0, 3]] = vs[:, [0, 3]] = a[:, [0, 3]] = 0.0
                 qs[:, self.top], vs[:, self.top], a[:, self.top] = surge.T
                 if self.hold:
-                    qs[:, self.top + 3], vs[:, self.top + 3], a[:, self.top + 3] = (
-                        fixed_height,
-                        0.0,
-                        0.0,
-                    )
+                    qs[:, self.top + 3], vs[:, self.top + 3], a[:, self.top + 3] = (fixed_height, 0.0, 0.0)
                 residual, band = self._blocks(stages)
                 for i in range(stages):
                     self._add(
@@ -258,9 +246,7 @@ class Rod:
                 if np.abs(change).max() * step**2 < tolerance * self.riser.length:
                     break
             else:
-                raise RuntimeError(
-                    f"rod at t = {start + step:.4f} s: no convergence in 20 iterations"
-                )
+                raise RuntimeError(f"rod at t = {start + step:.4f} s: no convergence in 20 iterations")
             q = q + step * v + step**2 * weights_x @ a
             v = v + step * weights @ a
             q[self.top], v[self.top], _ = ramped_sine(start + step, amplitude, period)
@@ -271,9 +257,7 @@ class Rod:
         time, x, z, moment, force = (np.array(column) for column in zip(*kept, strict=True))
         return RodHistory(time, np.asarray(stations), x, z, moment, force)
 
-    def fields(
-        self, q: np.ndarray, stations: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def fields(self, q: np.ndarray, stations: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """x (m), z (m) and bending moment (N m) at the stations."""
         return self._fields(q, *self._rows(stations))
 
@@ -329,6 +313,4 @@ class Rod:
 
 def _extrapolate(a: np.ndarray, nodes: np.ndarray) -> np.ndarray:
     """First guess of the next step's stage accelerations: the last step's polynomial continued."""
-    return (1.0 + nodes)[:, None] ** np.arange(3) @ np.linalg.solve(
-        nodes[:, None] ** np.arange(3), a
-    )
+    return (1.0 + nodes)[:, None] ** np.arange(3) @ np.linalg.solve(nodes[:, None] ** np.arange(3), a)

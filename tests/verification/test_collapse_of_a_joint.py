@@ -53,9 +53,7 @@ def scene(**values):
                 "stop": {"collapse": f"{GAP} m", "stiffness": f"{STOP} N/m"},
             },
         },
-        "platform": {
-            "heave": {"points": [{"time": f"{t} s", "value": f"{-SPEED * t} m"} for t in range(5)]}
-        },
+        "platform": {"heave": {"points": [{"time": f"{t} s", "value": f"{-SPEED * t} m"} for t in range(5)]}},
         "analysis": {
             "duration": "2.5 s",
             "output": {"interval": "0.005 s"},

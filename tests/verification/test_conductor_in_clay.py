@@ -96,12 +96,7 @@ def beam(offset):
             y, turn, moment, q = state[4 * k : 4 * k + 4]
             held = TENSION - above[k] - weight * length * (1.0 - u)
             soil = resistance(BELOW * (1.0 - u), y) if k == 0 else 0.0 * y
-            rates += [
-                length * turn,
-                length * moment / stiff,
-                length * (q + held * turn),
-                -length * soil,
-            ]
+            rates += [length * turn, length * moment / stiff, length * (q + held * turn), -length * soil]
         return np.array(rates)
 
     def ends(low, up):
@@ -127,9 +122,7 @@ def test_the_conductor_is_that_of_a_beam_on_its_p_y_curves(offset):
     s = found["s_node"]
     # slopes of 2 % are small to 4e-4; springs stand 1 m apart
     assert np.interp(BELOW, s, found["x_static"]) == pytest.approx(head, rel=0.01)
-    assert np.abs(found["bending_moment_static"][s <= 81.0]).max() == pytest.approx(
-        moment, rel=0.01
-    )
+    assert np.abs(found["bending_moment_static"][s <= 81.0]).max() == pytest.approx(moment, rel=0.01)
 
 
 @pytest.mark.parametrize("elements", [40, 160])

@@ -30,9 +30,7 @@ def sand(loading):
         depth = np.maximum(depth, 1e-9)
         shallow = (C1 * depth + C2 * DIAMETER) * UNIT_WEIGHT * depth
         most = np.minimum(shallow, C3 * DIAMETER * UNIT_WEIGHT * depth)
-        most = most * (
-            0.9 if loading == "cyclic" else np.maximum(3.0 - 0.8 * depth / DIAMETER, 0.9)
-        )
+        most = most * (0.9 if loading == "cyclic" else np.maximum(3.0 - 0.8 * depth / DIAMETER, 0.9))
         return most * np.tanh(MODULUS * depth * y / most)
 
     return resistance
@@ -41,10 +39,7 @@ def sand(loading):
 def head_and_moment(of, elements=1090):
     found = single(of, even(of, elements), None).arrays
     s = found["s_node"]
-    return (
-        np.interp(BELOW, s, found["x_static"]),
-        np.abs(found["bending_moment_static"][s <= 81.0]).max(),
-    )
+    return (np.interp(BELOW, s, found["x_static"]), np.abs(found["bending_moment_static"][s <= 81.0]).max())
 
 
 @pytest.mark.parametrize(
@@ -70,11 +65,7 @@ def test_a_conductor_in_sand_is_a_beam_on_its_p_y_curves(offset, loading, monkey
 def table_of(resistance, depths, places):
     return {
         "table": [
-            {
-                "depth": f"{d} m",
-                "displacement": f"{y!r} m",
-                "resistance": f"{float(resistance(d, y))!r} N/m",
-            }
+            {"depth": f"{d} m", "displacement": f"{y!r} m", "resistance": f"{float(resistance(d, y))!r} N/m"}
             for d in depths
             for y in places
         ]
@@ -120,9 +111,7 @@ def test_a_conductor_of_two_sections_is_one(soil):
     """As where cement begins: both are in the soil, with the diameter of each."""
     whole = scene(15.0, **{"soil.resistance": soil})
     conductor, *above = SCENE["riser"]
-    parts = [
-        conductor | {"name": n, "length": f"{x} m"} for n, x in (("low", 45.0), ("high", 36.0))
-    ]
+    parts = [conductor | {"name": n, "length": f"{x} m"} for n, x in (("low", 45.0), ("high", 36.0))]
     cut = scene(15.0, **{"soil.resistance": soil, "riser": [*parts, *above]})
     assert head_and_moment(cut, 1090) == pytest.approx(head_and_moment(whole, 1090), rel=1e-6)
 

@@ -26,9 +26,7 @@ def moving(solver, **surge):
 
 
 @pytest.mark.parametrize(
-    "surge",
-    [{}, {"amplitude": "1.2 m", "phase": "200 deg"}],
-    ids=["as assumed", "another surge"],
+    "surge", [{}, {"amplitude": "1.2 m", "phase": "200 deg"}], ids=["as assumed", "another surge"]
 )
 def test_both_solvers_agree_under_wave_current_and_surge(surge):
     lumped, beam = moving(None, **surge), moving("hermite", **surge)
@@ -54,13 +52,7 @@ def at_rest():
         sine, cosine = np.sin(angle), np.cos(angle)
         longer = 1.0 + (across * sine + up * cosine) / pipe.axial
         normal = np.interp(z, heights, speeds) * cosine
-        load = (
-            drag
-            * np.abs(normal)
-            * normal
-            * 0.5
-            * (1.0 - np.tanh((s - section.total_length) / 0.05))
-        )
+        load = drag * np.abs(normal) * normal * 0.5 * (1.0 - np.tanh((s - section.total_length) / 0.05))
         return np.array([
             longer * sine, longer * cosine, moment / pipe.bending,
             longer * (up * sine - across * cosine),

@@ -28,9 +28,7 @@ LATERAL = ref.lateral_frequencies(5, 533.0, TAUT, BENT, 1006.0)
 AXIAL = ref.axial_frequencies(5, 1800.0, 8.3505393e9, 318.0)
 
 
-@pytest.mark.parametrize(
-    "name, motion, exact", [("s4a", "lateral", LATERAL), ("s4d", "axial", AXIAL)]
-)
+@pytest.mark.parametrize("name, motion, exact", [("s4a", "lateral", LATERAL), ("s4d", "axial", AXIAL)])
 def test_natural_frequencies_are_found_with_fourth_order(name, motion, exact):
     elements = [20, 28, 40, 56, 80]
     errors = np.array([np.abs(frequencies(name, motion, n) / exact - 1.0) for n in elements])

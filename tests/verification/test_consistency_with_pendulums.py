@@ -94,10 +94,7 @@ def test_the_end_carries_the_moment_of_the_body(scene):
         "riser[0].drag": {"coefficient": 1.0, "diameter": "0.5 m"},
         "bottom.body.drag_area": {"horizontal": "40 m^2"},
         "current": {
-            "profile": [
-                {"elevation": "-40 m", "speed": "2 m/s"},
-                {"elevation": "0 m", "speed": "2 m/s"},
-            ]
+            "profile": [{"elevation": "-40 m", "speed": "2 m/s"}, {"elevation": "0 m", "speed": "2 m/s"}]
         },
         "analysis.mesh.elements": 64,
     }

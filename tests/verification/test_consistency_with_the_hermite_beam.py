@@ -55,10 +55,7 @@ def test_a_small_surge_agrees_with_the_hermite_beam(amplitude):
         analysis__duration="60 s",
         analysis__output={"interval": "0.1 s"},
         **{f"riser[0].{name}": value for name, value in STIFF.items()},
-        **{
-            f"riser[0].{name}": None
-            for name in ("young_modulus", "outer_diameter", "inner_diameter")
-        },
+        **{f"riser[0].{name}": None for name in ("young_modulus", "outer_diameter", "inner_diameter")},
     ).arrays
     # strain of 2.7e-4 and slopes of 3e-3, which the beam leaves out
     assert off(found["x"], beam.displacement[:, ::2]) < 1e-3
@@ -83,9 +80,7 @@ def test_structural_damping_agrees_with_damping_in_proportion_to_bending_stiffne
                 "riser": [pipe],
                 "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "free"},
                 "top": {"x": "platform", "z": "free", "rotation": "free"},
-                "platform": {
-                    "surge": {"amplitude": f"{amplitude} m", "period": "1.5 s", "ramp": "3 s"}
-                },
+                "platform": {"surge": {"amplitude": f"{amplitude} m", "period": "1.5 s", "ramp": "3 s"}},
                 "analysis": {
                     "duration": "12 s",
                     "output": {"interval": "0.1 s"},
@@ -197,12 +192,7 @@ def test_the_default_accuracy_grades_the_mesh_towards_held_ends():
 def test_tension_that_a_held_top_would_add_is_told_and_is_what_lumped_masses_have(amplitude, told):
     changes = {"platform__surge__amplitude": f"{amplitude} m", "analysis__duration": "30 s"}
     beam = march(
-        "s2c",
-        80,
-        0.05,
-        analysis__solver="hermite",
-        analysis__method={"beta": 0.25, "gamma": 0.5},
-        **changes,
+        "s2c", 80, 0.05, analysis__solver="hermite", analysis__method={"beta": 0.25, "gamma": 0.5}, **changes
     )
     lumped = march("s2c", 80, 0.05, **changes).arrays
     warnings = [w for w in beam.facts["warnings"] if w.startswith("top.z is held")]
@@ -254,11 +244,7 @@ def rested(seed: int) -> dict:
     """A riser below a platform at a random place and with a random hold of its top, for 10 s."""
     draw = np.random.default_rng(seed)
     pull = f"{draw.uniform(1.5, 3.0)} MN"
-    hold = (
-        {"z": "platform", "held_at_tension": pull}
-        if draw.integers(2)
-        else {"z": "free", "tension": pull}
-    )
+    hold = {"z": "platform", "held_at_tension": pull} if draw.integers(2) else {"z": "free", "tension": pull}
     pipe = {
         "name": "riser",
         "length": "300 m",

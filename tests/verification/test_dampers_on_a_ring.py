@@ -18,9 +18,7 @@ SHORTEST = 0.6  # segment (m)
 
 def damped(seed, spatial):
     """A rig in motion on inclined cylinders with dampers, as a scene file has it, and its period (s)."""
-    seeds = (
-        k for k in range(seed, seed + 100) if has_arms(moving(k, spatial=spatial, conductor=False))
-    )
+    seeds = (k for k in range(seed, seed + 100) if has_arms(moving(k, spatial=spatial, conductor=False)))
     tree = moving(next(seeds), spatial=spatial, conductor=False)
     period = tree["platform"]["surge"]["period"]
     tree["analysis"] = {"duration": 0.7 * period, "output": {"interval": 0.1 * period}}

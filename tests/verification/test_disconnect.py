@@ -159,11 +159,7 @@ def test_a_riser_that_stands_on_the_stack_is_not_let_go(tmp_path):
             "implicit",
         ),
         ("hold: 0.98", "hold: 2.0", "not less than top.tension"),
-        (
-            "tension: 2000 kN",
-            "tension: 2000 kN, tension_loss: {share: 0.5, at: 1 s, over: 1 s}",
-            "valve",
-        ),
+        ("tension: 2000 kN", "tension: 2000 kN, tension_loss: {share: 0.5, at: 1 s, over: 1 s}", "valve"),
     ],
 )
 def test_what_cannot_be_let_go_is_refused(tmp_path, old, new, message):

@@ -72,9 +72,7 @@ def test_a_platform_on_a_string_feels_its_impedance_until_the_wave_is_back(tmp_p
         until = run["time"] < 1000.0 / speed + s / speed  # before the wave is back there
         expected = top(run["time"] - (1000.0 - s) / speed)
         expected = expected.where(s > 0.0, 0.0)
-        np.testing.assert_allclose(
-            found.where(until, 0.0), expected.where(until, 0.0), atol=2e-4 * largest
-        )
+        np.testing.assert_allclose(found.where(until, 0.0), expected.where(until, 0.0), atol=2e-4 * largest)
 
 
 PILE = """\
@@ -109,17 +107,13 @@ def test_a_conductor_in_linear_soil_is_a_beam_on_elastic_foundation(tmp_path):
     moment = load / b * np.exp(-b * u) * np.sin(b * u)
     # exp(-b 80 m) is 2e-4: the foot is that far away
     np.testing.assert_allclose(run["x"], shape, atol=1e-3 * float(shape.max()))
-    np.testing.assert_allclose(
-        abs(run["bending_moment"]), abs(moment), atol=1e-3 * float(moment.max())
-    )
+    np.testing.assert_allclose(abs(run["bending_moment"]), abs(moment), atol=1e-3 * float(moment.max()))
 
 
 @pytest.mark.parametrize("load", ["1 kN", "100 kN", "200 kN"])
 def test_soft_clay_needs_few_newton_iterations(tmp_path, load):
     """From rest; 3 MN of tension at a lower joint of 4 degrees push with 200 kN. 1 MN takes 11."""
-    text = PILE.replace("{stiffness: 1 MPa}", CLAY).replace(
-        "lateral_force: 10 kN", f"lateral_force: {load}"
-    )
+    text = PILE.replace("{stiffness: 1 MPa}", CLAY).replace("lateral_force: 10 kN", f"lateral_force: {load}")
     run = pile(tmp_path, text)
     assert run.attrs["statics_iterations"] <= 6
 
@@ -233,9 +227,7 @@ HELD = dict.fromkeys(("vessel.yaw", "vessel.sway", "vessel.thrusters.yaw", "vess
 
 def test_a_current_from_the_side_bends_the_riser_aside_and_not_a_platform_without_sway():
     grid = {"analysis.mesh": {"elements": 150}, "analysis.step": "0.2 s"}
-    across = {
-        f"{name}.heading": "90 deg" for name in ("current", "vessel.wind", "vessel.wave_drift")
-    }
+    across = {f"{name}.heading": "90 deg" for name in ("current", "vessel.wind", "vessel.wave_drift")}
     one = simulate(calm(REF, **grid, **HELD, **across))
     other = simulate(calm(REF, **grid, **HELD, **dict.fromkeys(across, "-90 deg")))
     assert float(abs(one["y"].isel(s=-1)).max()) == 0.0
@@ -277,9 +269,7 @@ def test_a_headed_drive_off_is_the_one_along_x_turned():
     along, turned = simulate(calm(REF, **COARSE)), headed(37.0)
     c, s = np.cos(np.deg2rad(37.0)), np.sin(np.deg2rad(37.0))
     for name in ("platform_surge", "riser_reaction_x", "thrust_x", "environment_force_x", "x"):
-        aside = turned[
-            name.replace("_x", "_y") if "_x" in name else {"x": "y"}.get(name, "platform_sway")
-        ]
+        aside = turned[name.replace("_x", "_y") if "_x" in name else {"x": "y"}.get(name, "platform_sway")]
         largest = float(abs(along[name]).max())
         np.testing.assert_allclose(turned[name], c * along[name], atol=1e-5 * largest)
         np.testing.assert_allclose(aside, s * along[name], atol=1e-5 * largest)
@@ -340,14 +330,8 @@ def test_thrust_that_lags_comes_up_exponentially(tmp_path):
 @pytest.mark.parametrize("lag", [None, "8 s"])
 def test_a_twisted_riser_is_the_spring_of_a_torsion_pendulum(tmp_path, lag):
     """I psi'' + (G I_p / L) psi = G_psi (psi_c - psi): two degrees of step response, with lag too."""
-    long = {
-        "analysis.duration": "4000 s",
-        "analysis.step": "2 s",
-        "analysis.output.interval": "20 s",
-    }
-    run = alone(
-        tmp_path, **long, **{"vessel.thrusters.lag": lag, "vessel.thrusters.command": "0 m"}
-    )
+    long = {"analysis.duration": "4000 s", "analysis.step": "2 s", "analysis.output.interval": "20 s"}
+    run = alone(tmp_path, **long, **{"vessel.thrusters.lag": lag, "vessel.thrusters.command": "0 m"})
     spring = 79e9 * np.pi / 32.0 * (0.5**4 - 0.45**4) / 1000.0
     gain, inertia, told = 4e5, 3e10, np.deg2rad(2.0)
     tau = float((lag or "0").split()[0])
@@ -362,9 +346,7 @@ def test_a_twisted_riser_is_the_spring_of_a_torsion_pendulum(tmp_path, lag):
         still = gain * told / (gain + spring)
         closed = still * (1.0 - np.cos(np.sqrt((gain + spring) / inertia) * run["time"]))
         np.testing.assert_allclose(exact.y[0], closed, atol=1e-9)
-    np.testing.assert_allclose(
-        run["platform_yaw"], exact.y[0], atol=2e-3 * np.abs(exact.y[0]).max()
-    )
+    np.testing.assert_allclose(run["platform_yaw"], exact.y[0], atol=2e-3 * np.abs(exact.y[0]).max())
 
 
 def test_its_natural_frequency_is_among_the_modes(tmp_path):

@@ -76,9 +76,7 @@ def largest_tension(name, elements, step, values):
 
 
 def test_a_step_above_the_stable_one_is_refused_with_both_numbers():
-    with pytest.raises(
-        SimulationError, match=r"analysis\.step 0\.02 s is above the stable step 0\.00\d"
-    ):
+    with pytest.raises(SimulationError, match=r"analysis\.step 0\.02 s is above the stable step 0\.00\d"):
         march("s2", 36, 0.02, **EXPLICIT)
 
 

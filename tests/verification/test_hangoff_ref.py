@@ -89,9 +89,7 @@ def test_a_current_integrated_inside_such_segments_would_be_no_nearer():
     elements = 50
     even = {"analysis": {"mesh": {"elements": elements}}}
     sampled, integrated = (
-        astern(
-            simulate(load_scene(SCENES / "hangoff_ref.yaml", **(FROM_THE_PLATFORM | even | sets)))
-        )
+        astern(simulate(load_scene(SCENES / "hangoff_ref.yaml", **(FROM_THE_PLATFORM | even | sets))))
         for sets in ({}, {"current.profile": as_integrated(elements)})
     )
     wanted = -reference("hangoff_ref")["x"][-1]
@@ -118,10 +116,7 @@ def as_integrated(elements, points=400):
             spread[own, own] += coefficient * 5.0 / 12.0
             spread[own, other] += coefficient / 12.0
     speeds = -np.sqrt(-np.linalg.solve(spread, load))
-    return [
-        {"elevation": f"{-size * i} m", "speed": f"{speeds[i]} m/s"}
-        for i in range(elements, -1, -1)
-    ]
+    return [{"elevation": f"{-size * i} m", "speed": f"{speeds[i]} m/s"} for i in range(elements, -1, -1)]
 
 
 SIX_KNOTS = {
@@ -171,8 +166,7 @@ def test_both_integrators_agree(name):
     implicit = {"analysis.step": "0.05 s"}
     explicit = {"analysis.step": "0.0015 s", "analysis.method": "explicit"}
     one, two = (
-        simulate(load_scene(SCENES / f"{name}.yaml", **(short | mesh | way)))
-        for way in (implicit, explicit)
+        simulate(load_scene(SCENES / f"{name}.yaml", **(short | mesh | way))) for way in (implicit, explicit)
     )
     away = one["x"] - one["x"].isel(s=-1)
     apart = abs(away - (two["x"] - two["x"].isel(s=-1))).max()

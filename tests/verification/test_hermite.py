@@ -153,9 +153,7 @@ def test_consistency_with_a_taper_s_closed_form():
     ei = ref.EI * (1.0 + (ratio - 1.0) * s / length)
     taper = np.column_stack([ei[:-1], ei[1:]])
     clamp, tip = End(rotation_stiffness=np.inf), End(held=False, force=1000.0)
-    found = statics(
-        beam(n, length=length, tension=0.0, bending_stiffness=taper, bottom=clamp, top=tip)
-    )
+    found = statics(beam(n, length=length, tension=0.0, bending_stiffness=taper, bottom=clamp, top=tip))
     b = (ratio - 1.0) / length
     rotation = 1000.0 / ref.EI * ((length + 1.0 / b) * np.log(1.0 + b * s) / b - s / b)
     np.testing.assert_allclose(found.rotation, rotation, rtol=2e-7, atol=1e-15)

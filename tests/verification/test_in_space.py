@@ -40,14 +40,7 @@ def test_envelopes_in_space_are_those_of_the_plane(step):
     space = ran("s2c", 40, step, platform__sway=STILL, **TIGHT).arrays
     assert (flat["bending_moment_min"] < 0.0).any()
     assert (flat["bending_moment_max"] > 0.0).any()
-    for name in (
-        "x_max",
-        "x_min",
-        "z_max",
-        "z_min",
-        "effective_tension_max",
-        "effective_tension_min",
-    ):
+    for name in ("x_max", "x_min", "z_max", "z_min", "effective_tension_max", "effective_tension_min"):
         assert off(space[name], flat[name]) < 1e-9, name
     assert off(space["bending_moment_absmax"], flat["bending_moment_absmax"]) < 1e-9
     between = np.abs([flat["mesh_moment_max"], flat["mesh_moment_min"]]).max(axis=0)
@@ -98,18 +91,9 @@ ROD = {
         }
     ],
     "bottom": {"hold": "wellhead", "elevation": "0 m", "rotation": "fixed"},
-    "top": {
-        "x": "free",
-        "z": "free",
-        "tension": "300 kN",
-        "lateral_force": "40 kN",
-        "rotation": "free",
-    },
+    "top": {"x": "free", "z": "free", "tension": "300 kN", "lateral_force": "40 kN", "rotation": "free"},
     "current": {
-        "profile": [
-            {"elevation": "-1 m", "speed": "1 m/s"},
-            {"elevation": "101 m", "speed": "1 m/s"},
-        ],
+        "profile": [{"elevation": "-1 m", "speed": "1 m/s"}, {"elevation": "101 m", "speed": "1 m/s"}],
         "heading": "90 deg",
     },
     "analysis": {"mesh": {"elements": 32}},
@@ -129,12 +113,7 @@ def kirchhoff():
         load = drag * np.sqrt((across**2).sum(axis=0)) * across
         load[2] -= weight
         return np.concatenate(
-            [
-                stretch * t,
-                np.cross(moment, t, axis=0) / bend,
-                -np.cross(stretch * t, force, axis=0),
-                -load,
-            ]
+            [stretch * t, np.cross(moment, t, axis=0) / bend, -np.cross(stretch * t, force, axis=0), -load]
         )
 
     def ends(low, top):
@@ -172,9 +151,7 @@ def test_a_rod_bent_out_of_every_plane_is_kirchhoff_s():
 def test_energy_is_accounted_for_ever_better_in_space_too():
     sway = {"amplitude": "2 m", "period": "11 s", "ramp": "10 s"}
     share = [
-        ran("s2", n, h, platform__sway=sway, analysis__duration="60 s").facts["audit"][
-            "unexplained_share"
-        ]
+        ran("s2", n, h, platform__sway=sway, analysis__duration="60 s").facts["audit"]["unexplained_share"]
         for n, h in ((20, 0.1), (40, 0.05))
     ]
     assert share[0] < 1e-3
@@ -263,12 +240,7 @@ def leaning_riser(lean):
     """Slope and moment of the riser at the ring with the platform at rest at an angle: beam-column
     with the linear tensioners and the pinned joint as its upper boundary, small slopes in the riser only.
     """
-    length, stiff, joint, weight = (
-        533.4,
-        206e9 * np.pi / 64.0 * (0.5334**4 - 0.4826**4),
-        24.0,
-        141.6,
-    )
+    length, stiff, joint, weight = (533.4, 206e9 * np.pi / 64.0 * (0.5334**4 - 0.4826**4), 24.0, 141.6)
     tension = 6 * 389e3
     ring_z = 533.4 + (tension - 0.5 * weight * length) * length / (
         206e9 * np.pi / 4.0 * (0.5334**2 - 0.4826**2)
@@ -277,9 +249,7 @@ def leaning_riser(lean):
     around = np.stack([np.cos(bearing), np.sin(bearing)])
     middle = np.sqrt(1.5**2 + (557.4 - ring_z) ** 2)
     c, s = np.cos(lean), np.sin(lean)
-    deck = np.stack(
-        [2.5 * around[0] * c + 4.5 * s, 2.5 * around[1], 552.9 + 4.5 * c - 2.5 * around[0] * s]
-    )
+    deck = np.stack([2.5 * around[0] * c + 4.5 * s, 2.5 * around[1], 552.9 + 4.5 * c - 2.5 * around[0] * s])
     top = np.array([4.5 * s, 552.9 + 4.5 * c])
 
     def at_ring(x, slope):

@@ -118,10 +118,7 @@ def test_a_jump_of_a_riser_that_bends_is_seen_by_the_error_estimate():
     file = scene("s1", current={"profile": points})
     fine = single(file.resolved(), even(file.resolved(), 2000), None).arrays
     found = simulate(file.with_values({"analysis": {"accuracy": "0.1 %"}}, "test"), progress=False)
-    for name, node, allowed in (
-        ("x", "x_static", 1e-3),
-        ("bending_moment", "bending_moment_static", 5e-3),
-    ):
+    for name, node, allowed in (("x", "x_static", 1e-3), ("bending_moment", "bending_moment_static", 5e-3)):
         right = np.interp(found["s"], fine["s_node"], np.abs(fine[node]))
         off = np.abs(np.abs(found[name].to_numpy()) - right).max() / np.abs(right).max()
         assert off < allowed, name

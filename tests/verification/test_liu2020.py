@@ -57,12 +57,7 @@ def test_methods_beside_the_engine_agree_on_a_spring_at_the_lower_end():
 
 
 SYSTEM = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"
-SHORT = {
-    "duration": "30 s",
-    "output": {"interval": "0.25 s"},
-    "mesh": {"elements": 40},
-    "step": "0.125 s",
-}
+SHORT = {"duration": "30 s", "output": {"interval": "0.25 s"}, "mesh": {"elements": 40}, "step": "0.125 s"}
 ROLLING = {"amplitude": "4 deg", "period": "10 s", "ramp": "10 s"}
 
 
@@ -73,13 +68,7 @@ def at(scene, **changes):
 def test_roll_out_of_the_plane_is_pitch_in_the_plane():
     """The chapter simulates roll as pitch; the cylinders are turned with the motion."""
     pitch = at(SYSTEM, **{"platform.pitch": ROLLING})
-    roll = at(
-        SYSTEM,
-        **{
-            "platform.roll": ROLLING,
-            "top.tensioners.arrangement.first_bearing": "90 deg",
-        },
-    )
+    roll = at(SYSTEM, **{"platform.roll": ROLLING, "top.tensioners.arrangement.first_bearing": "90 deg"})
     largest = float(abs(pitch["x"]).max())
     # roll about +x takes the deck towards -y, pitch about +y towards +x
     assert float(abs(roll["y"] + pitch["x"]).max()) < 1e-6 * largest
@@ -121,13 +110,7 @@ def test_the_whole_system_moves_in_space_as_in_the_plane():
     for name in ("x", "z", "stroke", "tensioner_stroke"):
         assert np.abs(space[name] - flat[name]).max() < 1e-9 * peak
     assert np.abs(space["y"]).max() < 1e-9 * peak
-    for name in (
-        "effective_tension",
-        "bending_moment",
-        "tensioner_force",
-        "ufj_angle",
-        "lfj_angle",
-    ):
+    for name in ("effective_tension", "bending_moment", "tensioner_force", "ufj_angle", "lfj_angle"):
         size = np.abs(flat[name])
         expected = flat[name] if name in ("effective_tension", "tensioner_force") else size
         assert np.abs(space[name] - expected).max() < 1e-9 * size.max()

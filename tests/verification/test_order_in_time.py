@@ -85,9 +85,7 @@ def test_added_mass_on_a_pipe_that_swings_is_of_second_order_in_the_step(method)
     best = run(steps[-1] / 8.0)
     found = [run(step) for step in steps]
     assert list(slopes(steps, [rms(one["x"], best["x"]) for one in found])) == [SECOND] * 2
-    support = [
-        rms(one["effective_tension"][:, -1], best["effective_tension"][:, -1]) for one in found
-    ]
+    support = [rms(one["effective_tension"][:, -1], best["effective_tension"][:, -1]) for one in found]
     assert list(slopes(steps, support)) == [SECOND] * 2
 
 

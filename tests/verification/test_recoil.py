@@ -54,18 +54,14 @@ def test_a_throttled_string_rises_to_the_speed_at_which_the_oil_takes_the_overpu
     np.testing.assert_allclose(v[-1], speed, rtol=1e-3)
     begun = np.arctanh(v[late][0] / speed) * tau  # the connector fades for 20 ms
     assert begun == pytest.approx(t[late][0] - 1.01, abs=2e-3)
-    np.testing.assert_allclose(
-        v[late], speed * np.tanh((begun + t[late] - t[late][0]) / tau), rtol=1e-3
-    )
+    np.testing.assert_allclose(v[late], speed * np.tanh((begun + t[late] - t[late][0]) / tau), rtol=1e-3)
     assert json.loads(found.attrs["audit"])["unexplained_share"] < 1e-3
 
 
 def test_a_closed_valve_pulls_nothing_and_the_string_falls_back(tmp_path):
     """The oil takes all of the pull while the string goes up: m a = -w."""
     shut = VALVE.replace("residual: 1.0, over: 1 s", "residual: 0.005, over: 0.2 s, delay: 0.5 s")
-    text = STRING.replace("duration: 4 s", "duration: 2 s").replace(
-        "interval: 0.05", "interval: 0.01"
-    )
+    text = STRING.replace("duration: 4 s", "duration: 2 s").replace("interval: 0.05", "interval: 0.01")
     found = run(tmp_path, text.replace("accuracy: 0.05 %", "accuracy: 2 %").replace("MORE", shut))
     t, v = found["time"].values, found["lift_rate"].values
     free = (t > 1.65) & (v > 0.1)
@@ -75,9 +71,7 @@ def test_a_closed_valve_pulls_nothing_and_the_string_falls_back(tmp_path):
 
 
 def test_a_failed_valve_stays_open(tmp_path):
-    shut = VALVE.replace(
-        "residual: 1.0, over: 1 s", "residual: 0.01, over: 0.2 s, failed: [0, 1, 2, 3, 4]"
-    )
+    shut = VALVE.replace("residual: 1.0, over: 1 s", "residual: 0.01, over: 0.2 s, failed: [0, 1, 2, 3, 4]")
     failed = run(tmp_path, STRING.replace("MORE", shut))
     opened = run(tmp_path, STRING.replace("MORE", VALVE))
     np.testing.assert_allclose(failed["lift"], opened["lift"], atol=1e-9)
@@ -86,12 +80,8 @@ def test_a_failed_valve_stays_open(tmp_path):
 @pytest.mark.parametrize("event", ["connector", "bottles", "lines"])
 def test_energy_passes_through_events_while_the_platform_is_away_from_its_middle(tmp_path, event):
     """Gas holds another energy at the top of a heave than at its middle: events there take none of it."""
-    text = STRING.replace("volume: 2000 m^3", "volume: 4 m^3").replace(
-        "accuracy: 0.05 %", "accuracy: 0.5 %"
-    )
-    text = text.replace(
-        "amplitude: 1e-9 m, period: 10 s", "amplitude: 1.5 m, period: 10 s, ramp: 2.5 s"
-    )
+    text = STRING.replace("volume: 2000 m^3", "volume: 4 m^3").replace("accuracy: 0.05 %", "accuracy: 0.5 %")
+    text = text.replace("amplitude: 1e-9 m, period: 10 s", "amplitude: 1.5 m, period: 10 s, ramp: 2.5 s")
     text = text.replace("duration: 4 s", "duration: 9 s").replace("at: 1 s", "at: 2.5 s")
     if event == "lines":
         text = text.replace("count: 5", "count: 5\n    failing: {at: 2.5 s, cylinders: [1]}")
@@ -106,9 +96,7 @@ def test_energy_passes_through_events_while_the_platform_is_away_from_its_middle
 
 def test_bottles_that_are_shut_off_leave_their_pressure_and_less_gas(tmp_path):
     """The pull goes on where it was; from there P V^k = const on what is left."""
-    small = STRING.replace("volume: 2000 m^3", "volume: 2 m^3").replace(
-        "accuracy: 0.05 %", "accuracy: 0.5 %"
-    )
+    small = STRING.replace("volume: 2000 m^3", "volume: 2 m^3").replace("accuracy: 0.05 %", "accuracy: 0.5 %")
     isolated = VALVE[:-1] + ", isolation: {after: 0.5 s, volume: 1.2 m^3}}"
     found = run(tmp_path, small.replace("MORE", isolated).replace("opening: 0.01", "opening: 10"))
     t, lift = found["time"].values, found["lift"].values
@@ -147,12 +135,7 @@ def test_a_column_without_friction_keeps_its_energy_until_contents_leave():
     height = 9.81 * (1000.0 * contents * (sea + 0.5 * contents) + 0.5 * 1025.0 * sea**2)
     # each metre of sea water brings its speed in, and the pressure of the sea
     given = -1025.0 * np.concatenate(
-        [
-            [0.0],
-            np.cumsum(
-                np.diff(swung.time) * _mean(swung.speed * (9.81 * 990.0 + 0.5 * swung.speed**2))
-            ),
-        ]
+        [[0.0], np.cumsum(np.diff(swung.time) * _mean(swung.speed * (9.81 * 990.0 + 0.5 * swung.speed**2)))]
     )
     total = kinetic + height - given
     assert np.ptp(total) < 1e-4 * np.ptp(height)
@@ -248,22 +231,16 @@ analysis: {{duration: 6 s, output: {{interval: 5 ms}}, mesh: {{elements: 400}}, 
     k = int(np.flatnonzero(lift < 0.0)[0])
     push = found["effective_tension"].isel(s=0).values
     after = np.arange(4, 16)
-    height = (
-        SPEED * 5e-3 * after
-    )  # of what arrives then, with the tension and the speed that it has now
+    height = SPEED * 5e-3 * after  # of what arrives then, with the tension and the speed that it has now
     segments = found["s"].values
     speed = np.gradient(found["z"].values[k - 4 : k], 5e-3, axis=0)[-1]
     tension = found["effective_tension"].values[k - 1]
     arriving = (
-        np.interp(height, segments, tension)
-        + IMPEDANCE * np.interp(height, segments, speed)
-        - 1e3 * height
+        np.interp(height, segments, tension) + IMPEDANCE * np.interp(height, segments, speed) - 1e3 * height
     )
     assert arriving.max() < -8e5
     np.testing.assert_allclose(push[k - 1 + after].mean(), arriving.mean(), rtol=0.01)
-    np.testing.assert_allclose(
-        -1e9 * lift[k - 1 + after].mean(), -push[k - 1 + after].mean(), rtol=0.01
-    )
+    np.testing.assert_allclose(-1e9 * lift[k - 1 + after].mean(), -push[k - 1 + after].mean(), rtol=0.01)
     assert json.loads(found.attrs["audit"])["unexplained_share"] < 1e-3
 
 
@@ -298,8 +275,7 @@ analysis: {duration: 2 s, output: {interval: 0.05 s}, mesh: {elements: 4}, step:
 
 
 @pytest.mark.parametrize(
-    "phase, at",
-    [("0 deg", 20.0), ("90 deg", 12.5), ("180 deg", 15.0), ("300 deg", 55.0 / 3.0)],
+    "phase, at", [("0 deg", 20.0), ("90 deg", 12.5), ("180 deg", 15.0), ("300 deg", 55.0 / 3.0)]
 )
 def test_the_release_waits_for_its_phase(tmp_path, phase, at):
     text = STRING.replace("MORE", f"phase: {phase}").replace("at: 1 s", "at: 11 s")
@@ -341,17 +317,12 @@ def test_a_recoil_that_does_not_fit_is_refused(tmp_path, old, new, message):
 
 
 def test_more_bottles_than_there_is_gas_is_told_when_it_happens(tmp_path):
-    small = STRING.replace("volume: 2000 m^3", "volume: 2 m^3").replace(
-        "accuracy: 0.05 %", "accuracy: 5 %"
-    )
+    small = STRING.replace("volume: 2000 m^3", "volume: 2 m^3").replace("accuracy: 0.05 %", "accuracy: 5 %")
     platform = "platform: {heave: {amplitude: 1e-9 m, period: 10 s}, position: {heave: 8 m}}"
     small = small.replace("platform: {heave: {amplitude: 1e-9 m, period: 10 s}}", platform)
     isolated = VALVE[:-1] + ", isolation: {after: 0.1 s, volume: 1.9 m^3}}"
     with pytest.raises(SimulationError, match="give a smaller volume"):
-        run(
-            tmp_path,
-            small.replace("MORE", isolated).replace("riser in equilibrium", "riser unstretched"),
-        )
+        run(tmp_path, small.replace("MORE", isolated).replace("riser in equilibrium", "riser unstretched"))
 
 
 def test_contents_that_run_out_altogether_are_told():

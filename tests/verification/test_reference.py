@@ -33,9 +33,7 @@ def test_the_rod_in_a_current_is_found_by_elements_too():
     np.testing.assert_allclose(x, exact.x, rtol=0.0, atol=2e-10 * np.abs(exact.x).max())
     np.testing.assert_allclose(z, exact.z, rtol=0.0, atol=1e-10)
     # the element's own curvature; fourth order, 8.0e-5, 5.6e-6, 3.6e-7 at 80, 160, 320 elements
-    np.testing.assert_allclose(
-        moment, exact.moment, rtol=0.0, atol=1e-5 * np.abs(exact.moment).max()
-    )
+    np.testing.assert_allclose(moment, exact.moment, rtol=0.0, atol=1e-5 * np.abs(exact.moment).max())
 
 
 def test_holding_the_static_height_gives_the_same_shape_as_holding_the_force():
@@ -151,9 +149,7 @@ def test_stored_surge_belongs_to_its_scene(name):
         straight = s + (weight * s + 0.5 * RISER.weight * s**2) / ref.EA
         np.testing.assert_allclose(data["z"][0], straight, rtol=1e-12)
         assert not data["x"][0].any()
-        np.testing.assert_allclose(
-            data["top_force"][0], [0.0, RISER.top_force], rtol=1e-9, atol=1e-6
-        )
+        np.testing.assert_allclose(data["top_force"][0], [0.0, RISER.top_force], rtol=1e-9, atol=1e-6)
         if name == "S2":
             np.testing.assert_allclose(data["top_force"][:, 1], RISER.top_force, rtol=1e-9)
         else:  # the scene: 43 % higher when the height is held

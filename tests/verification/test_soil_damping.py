@@ -52,12 +52,7 @@ def beam(s, period):
     roots = np.roots([STIFF, 0.0, -TENSION, 0.0, SPRING * (1.0 + lag) - MASS * w * w])
     up = np.exp(roots * LENGTH)
     ends = np.array(
-        [
-            roots**2,
-            STIFF * roots**3 - TENSION * roots,
-            up,
-            up * roots**2,
-        ]  # moment, shear; place, moment
+        [roots**2, STIFF * roots**3 - TENSION * roots, up, up * roots**2]  # moment, shear; place, moment
     )
     return np.exp(np.outer(s, roots)) @ np.linalg.solve(ends, [0.0, 0.0, 1.0, 0.0])
 
@@ -146,16 +141,8 @@ def test_sand_has_the_secant_of_its_curve(loading):
             {"ratio": 0.1, "at_period": "5 s", "at_displacement": "1 mm"},
             "soil.damping.at_displacement",
         ),
-        (
-            CLAY,
-            {"ratio": -0.1, "at_period": "5 s", "at_displacement": "1 mm"},
-            "soil.damping.ratio",
-        ),
-        (
-            CLAY,
-            {"ratio": 0.1, "at_period": "0 s", "at_displacement": "1 mm"},
-            "soil.damping.at_period",
-        ),
+        (CLAY, {"ratio": -0.1, "at_period": "5 s", "at_displacement": "1 mm"}, "soil.damping.ratio"),
+        (CLAY, {"ratio": 0.1, "at_period": "0 s", "at_displacement": "1 mm"}, "soil.damping.at_period"),
         (CLAY, {"ratio": 0.1, "at_displacement": "1 mm"}, "soil.damping.at_period"),
     ],
 )

@@ -52,9 +52,7 @@ def off(run, other, name):
 
 def force_of_the_riser(surge):
     """What the riser pulls with when its top is moved as told (N)."""
-    points = [
-        {"time": f"{t} s", "value": f"{float(x)!r} m"} for t, x in zip(TIMES, surge, strict=True)
-    ]
+    points = [{"time": f"{t} s", "value": f"{float(x)!r} m"} for t, x in zip(TIMES, surge, strict=True)]
     told = {"vessel": None, "top.x": "platform", "platform": {"surge": {"points": points}}}
     run = simulate(calm(REF, **GRID, **told))
     ends = run.isel(s=[-2, -1])

@@ -24,8 +24,7 @@ POINTS = ((0.0, 0.1, 150.0), (200.0, 0.3, 100.0), (400.0, 0.8, 40.0), (540.0, 1.
 
 def profile(points, turned=0.0):
     return [
-        {"elevation": f"{z} m", "speed": f"{v} m/s", "direction": f"{d + turned} deg"}
-        for z, v, d in points
+        {"elevation": f"{z} m", "speed": f"{v} m/s", "direction": f"{d + turned} deg"} for z, v, d in points
     ]
 
 
@@ -56,15 +55,7 @@ def rod(stations):
 
     def ends(low, up):
         return np.array(
-            [
-                *low[:3],
-                low[3:6] @ low[3:6] - 1.0,
-                *low[9:],
-                up[0],
-                up[1],
-                up[8] - TENSION,
-                *up[9:11],
-            ]
+            [*low[:3], low[3:6] @ low[3:6] - 1.0, *low[9:], up[0], up[1], up[8] - TENSION, *up[9:11]]
         )
 
     s = np.linspace(0.0, LENGTH, 201)
@@ -100,10 +91,7 @@ def test_directions_along_x_stay_in_the_plane():
     both = [(0.0, 0.5, 180.0), (300.0, 0.2, 180.0), (540.0, 1.0, 0.0)]
     file, found = ran(60, profile=profile(both))
     assert not file.spatial
-    signed = [
-        {"elevation": "0 m", "speed": "-0.5 m/s"},
-        {"elevation": "300 m", "speed": "-0.2 m/s"},
-    ]
+    signed = [{"elevation": "0 m", "speed": "-0.5 m/s"}, {"elevation": "300 m", "speed": "-0.2 m/s"}]
     _, plain = ran(60, profile=[*signed, {"elevation": "540 m", "speed": "1 m/s"}])
     assert off(found["x_static"], plain["x_static"]) < 1e-9
 

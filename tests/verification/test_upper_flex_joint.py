@@ -20,10 +20,7 @@ SPRUNG = {"top__rotation": {"stiffness": f"{SPRING} N*m/rad"}}
 def ran(elements=28, still=False, **values):
     """S2 about the riser's top, so that tilt moves the direction there and nothing else."""
     about = {"platform__centre_of_rotation": {"elevation": "533 m"}}
-    time = {
-        "analysis__duration": "1 s" if still else "30 s",
-        "analysis__output": {"interval": "0.5 s"},
-    }
+    time = {"analysis__duration": "1 s" if still else "30 s", "analysis__output": {"interval": "0.5 s"}}
     surge = {"platform__surge": None if still else SURGING}
     tight = {"analysis__newton_tolerance": 1e-12, "analysis__mesh": {"elements": elements}}
     file = scene("s2", analysis__step="0.1 s", **(about | time | surge | tight | values)).resolved()
@@ -32,9 +29,7 @@ def ran(elements=28, still=False, **values):
 
 def test_the_top_leans_away_from_a_platform_that_leans_and_hardly_moves():
     found = ran(still=True, platform__position=PITCHED)
-    assert abs(found["x_static"][-1]) < 0.2 * np.sin(
-        LEAN
-    )  # m, the riser stretches by less than 0.2 m
+    assert abs(found["x_static"][-1]) < 0.2 * np.sin(LEAN)  # m, the riser stretches by less than 0.2 m
     # about the top at rest, so that the riser is not aside and bends by nothing
     centre = {"elevation": f"{float(ran(still=True)['z_static'][-1])!r} m"}
     found = ran(still=True, platform__position=PITCHED, platform__centre_of_rotation=centre)

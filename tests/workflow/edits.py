@@ -105,9 +105,7 @@ def annotation_of_a_local(text, tree, draw):
         for function in ast.walk(tree)
         if isinstance(function, FUNCTIONS)
         for node in function.body
-        if isinstance(node, ast.Assign)
-        and len(node.targets) == 1
-        and isinstance(node.targets[0], ast.Name)
+        if isinstance(node, ast.Assign) and len(node.targets) == 1 and isinstance(node.targets[0], ast.Name)
     ]
     places = [node for node in places if node.targets[0].id not in _shared(tree)]
     if not places:

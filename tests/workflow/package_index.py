@@ -111,9 +111,7 @@ def served(packages, certificate=None):
 
 def certificate(folder):
     """An authority that nobody trusts; a certificate of this machine signed by it, and its key."""
-    authority, key, request, own = (
-        folder / name for name in ("ca.pem", "key.pem", "csr", "own.pem")
-    )
+    authority, key, request, own = (folder / name for name in ("ca.pem", "key.pem", "csr", "own.pem"))
     extensions = folder / "extensions"
     extensions.write_text("subjectAltName=IP:127.0.0.1\n")
     new = ["openssl", "req", "-newkey", "rsa:2048", "-nodes"]

@@ -37,11 +37,7 @@ mao_hangoff,N3,9,number,displacement,-2,-2,m,0,reproduced,,
 #: runs in motion, in small: study, and what else it sets
 RUNS = {
     "liu2020": {"analysis.duration": "40 s", "analysis.step": "0.2 s"},
-    "mao_hangoff": {
-        "analysis.duration": "40 s",
-        "analysis.mesh": {"elements": 40},
-        "analysis.step": "0.2 s",
-    },
+    "mao_hangoff": {"analysis.duration": "40 s", "analysis.mesh": {"elements": 40}, "analysis.step": "0.2 s"},
 }
 PATIENCE = 180.0  # s, with a machine that does much else
 IN_PLANE, IN_SPACE = "motion-liu2020", "motion-mao_hangoff"

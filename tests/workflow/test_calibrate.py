@@ -33,9 +33,7 @@ def items():
 
 def test_the_search_finds_the_least_of_a_worst_miss():
     """Two edges that meet in a valley, whose floor is lowest at one place."""
-    found = calibrate.search(
-        lambda x: max(abs(x[0] - 0.3), 2.0 * abs(x[1] - 0.8)) + 0.05, [0.9, 0.1]
-    )
+    found = calibrate.search(lambda x: max(abs(x[0] - 0.3), 2.0 * abs(x[1] - 0.8)) + 0.05, [0.9, 0.1])
     assert found.shares == pytest.approx([0.3, 0.8], abs=5e-3)
     assert found.miss == pytest.approx(0.05, abs=5e-3)
 
@@ -50,9 +48,7 @@ def test_free_are_the_calibrated_values_that_have_a_range(nearest):
     layer = free["current.profile.layer"]
     assert (layer.low, layer.high, layer.unit) == (10.0, 300.0, "m")
     assert set(free) == {
-        path
-        for path, value in nearest.model.set.items()
-        if isinstance(value, dict) and "calibrated" in value
+        path for path, value in nearest.model.set.items() if isinstance(value, dict) and "calibrated" in value
     }
 
 
@@ -71,9 +67,7 @@ def test_scenes_of_a_search_hold_what_is_tried_and_are_calibrated(nearest):
 
 def test_fitting_improves_on_where_it_began_and_tells_what_it_found(nearest, items, capsys):
     free = calibrate.free_values(nearest)
-    began = calibrate.with_values(
-        nearest, free, [(f.start - f.low) / (f.high - f.low) for f in free]
-    )
+    began = calibrate.with_values(nearest, free, [(f.start - f.low) / (f.high - f.low) for f in free])
     before = calibrate.worst_miss(calibrate.values_of(began, items, {}), items)
     fit = calibrate.calibrate(nearest, items, {}, 12)
     assert fit.miss < before

@@ -56,9 +56,7 @@ def process_of(job):
     return None
 
 
-def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(
-    fresh, finished, slurm
-):
+def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(fresh, finished, slurm):
     fresh.edit("config/config.yaml", "tier: standard", "tier: standard\npoints_per_job: 5")
     run = start(fresh, slurm, "chang2020", "--config", "points_per_job=5")
     while not (job := process_of(["riserstudy.jobs", "shard", "quasi_static"])):
@@ -145,9 +143,7 @@ def test_many_short_points_in_twenty_shards(fresh, slurm):
     (fresh / "config/scenes/string.yaml").write_text(STRING)
     (fresh / "config/studies/grids.yaml").write_text(GRID.replace("MOST", str(500 + masses)))
     part = masses * PLANE // SHARDS
-    settings = (
-        f"papers: [grids]\ntier: standard\ntiers: {{standard: {{}}}}\npoints_per_job: {part}\n"
-    )
+    settings = f"papers: [grids]\ntier: standard\ntiers: {{standard: {{}}}}\npoints_per_job: {part}\n"
     (fresh / "config/config.yaml").write_text(settings)
     run = start(fresh, slurm, "grids", "--config", f"points_per_job={part}")
     assert run.wait(10_000) == 0, (fresh / "said").read_text()

@@ -110,9 +110,7 @@ def test_hadolint_says_nothing():
     assert "DL3007" in done.stdout
 
 
-@pytest.mark.skipif(
-    "RISERSTUDY_CLEAN_ROOT" not in os.environ, reason="run by `make test-container`"
-)
+@pytest.mark.skipif("RISERSTUDY_CLEAN_ROOT" not in os.environ, reason="run by `make test-container`")
 def test_its_steps_make_an_environment_in_a_clean_root(tmp_path):
     """All steps but CMD, as its user; then a command that CMD rests on, and a run of a scene."""
     if os.geteuid() or not shutil.which("mmdebstrap"):

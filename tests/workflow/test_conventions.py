@@ -22,9 +22,7 @@ def aside(request, tmp_path_factory):
     file = tmp_path_factory.mktemp("aside") / "riser.yaml"
     file.write_text(SCENE)
     still = {"platform": None, "analysis.duration": None, "analysis.output": None, "top.x": "held"}
-    return request.param, simulate(
-        load_scene(file, **still, **{"top.offset": f"{request.param} m"})
-    )
+    return request.param, simulate(load_scene(file, **still, **{"top.offset": f"{request.param} m"}))
 
 
 def test_an_offset_is_positive_along_x_and_arclength_grows_upwards(aside):

@@ -160,9 +160,7 @@ def test_a_chapter_s_data_counts_where_the_module_names_it(chapter):
 
 
 @pytest.mark.parametrize("seed", range(8))
-def test_an_edit_of_what_a_chapter_imports_from_where_one_works_changes_its_digest(
-    seed, chapter, tmp_path
-):
+def test_an_edit_of_what_a_chapter_imports_from_where_one_works_changes_its_digest(seed, chapter, tmp_path):
     draw = random.Random(seed)
     name = draw.choice(["shared", "lib.tools", "lib.deep.table", "chapters.common.shared"])
     file = tmp_path.joinpath(*name.split(".")).with_suffix(".py")
@@ -209,9 +207,7 @@ def test_what_cannot_be_meant_in_a_chapter_is_told_in_one_line(chapter, text, to
 # What is known of a file is kept
 
 
-def test_what_was_found_out_is_kept_and_damage_of_it_changes_nothing(
-    tmp_path, monkeypatch, package
-):
+def test_what_was_found_out_is_kept_and_damage_of_it_changes_nothing(tmp_path, monkeypatch, package):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
     first = found()
     (kept,) = (tmp_path / "cache").glob("sources-*.json")
@@ -261,9 +257,7 @@ class WithoutProse(ast.NodeTransformer):
         return node
 
 
-def test_without_prose_the_package_has_the_same_digests_and_gives_the_same_numbers(
-    tmp_path, package
-):
+def test_without_prose_the_package_has_the_same_digests_and_gives_the_same_numbers(tmp_path, package):
     before, shortened = found(), 0
     for file in package.rglob("*.py"):
         text = file.read_text()
@@ -285,9 +279,7 @@ def test_without_prose_the_package_has_the_same_digests_and_gives_the_same_numbe
     # Twice the whole one: the process that compiles rounds otherwise than those that load.
     for place in (PACKAGE.parent, PACKAGE.parent, tmp_path):
         env = os.environ | {"PYTHONPATH": str(place), "RISERSTUDY_CACHE": str(cache_folder())}
-        ran = subprocess.run(
-            [sys.executable, "-c", program], env=env, capture_output=True, text=True
-        )
+        ran = subprocess.run([sys.executable, "-c", program], env=env, capture_output=True, text=True)
         assert ran.returncode == 0, ran.stderr
         said.append(ran.stdout.splitlines())
     assert said[1][0] != said[2][0]

@@ -91,8 +91,7 @@ def test_a_python_that_is_not_there_is_said_not_to_be(tmp_path):
 
 def test_a_python_without_venv_is_named_with_what_to_install(tmp_path):
     program(
-        tmp_path / "python3.12",
-        'case "$2" in *ensurepip*) exit 1;; *-venv*) echo python3.12-venv;; esac',
+        tmp_path / "python3.12", 'case "$2" in *ensurepip*) exit 1;; *-venv*) echo python3.12-venv;; esac'
     )
     done = with_python(tmp_path)
     assert done.returncode == 1
@@ -109,9 +108,7 @@ def test_uv_is_asked_for_a_python_where_none_serves(tmp_path):
     done = with_python(tmp_path)
     assert (done.returncode, done.stdout, done.stderr) == (0, "ran\n", "")
     brought = f"if [ -e {tmp_path}/brought ]; then echo {tmp_path}/found; else exit 2; fi"
-    program(
-        tmp_path / "uv", f'case "$2" in install) : > {tmp_path}/brought;; find) {brought};; esac'
-    )
+    program(tmp_path / "uv", f'case "$2" in install) : > {tmp_path}/brought;; find) {brought};; esac')
     done = with_python(tmp_path)
     assert (done.returncode, done.stdout) == (0, "ran\n")
     assert "uv brings 3.13" in done.stderr

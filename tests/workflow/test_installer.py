@@ -148,9 +148,7 @@ def test_another_file_than_the_locked_one_is_refused_by_both(uv, tmp_path, reach
 
 
 @pytest.mark.parametrize("fault", ["exit 2", "not a program"])
-def test_pip_installs_where_uv_fails_and_one_line_says_why(
-    fault, tmp_path, reached, monkeypatch, capfd
-):
+def test_pip_installs_where_uv_fails_and_one_line_says_why(fault, tmp_path, reached, monkeypatch, capfd):
     broken = tmp_path / "uv"
     broken.write_text("#!/bin/sh\necho its reason >&2\nexit 2\n" if fault == "exit 2" else "\0\0")
     broken.chmod(0o755)
@@ -165,9 +163,7 @@ def test_pip_installs_where_uv_fails_and_one_line_says_why(
     assert ("its reason" if fault == "exit 2" else "format") in line
 
 
-def test_where_the_index_has_no_uv_pip_installs_and_one_line_says_why(
-    tmp_path, reached, monkeypatch, capfd
-):
+def test_where_the_index_has_no_uv_pip_installs_and_one_line_says_why(tmp_path, reached, monkeypatch, capfd):
     monkeypatch.setattr(installer, "UV_CACHE", tmp_path / "cache")
     with served({NAME: {FILE: CONTENT}}) as (address, _):
         reached.setenv("PIP_INDEX_URL", f"{address}/simple")
@@ -189,14 +185,12 @@ def test_a_lock_is_the_blocks_of_its_packages(name):
 
 
 COMPILED = {
-    "pyproject.toml": '[build-system]\nrequires = ["setuptools"]\n'
-    'build-backend = "setuptools.build_meta"\n',
+    "pyproject.toml": '[build-system]\nrequires = ["setuptools"]\nbuild-backend = "setuptools.build_meta"\n',
     "setup.py": "from setuptools import setup, Extension\n"
     f'setup(name="{NAME}", version="1.0", packages=["{NAME}"],'
     f' ext_modules=[Extension("{NAME}._fast", ["fast.c"])])\n',
     "fast.c": "this compiles nowhere\n",
-    f"{NAME}/__init__.py": "try:\n    from ._fast import answer\n"
-    "except ImportError:\n    answer = 42\n",
+    f"{NAME}/__init__.py": "try:\n    from ._fast import answer\nexcept ImportError:\n    answer = 42\n",
 }
 
 

@@ -37,9 +37,7 @@ def test_a_large_study_leaves_half_of_the_cores_to_another(tmp_path, cores):
     study = tmp_path / "config/studies/example.yaml"
     text = study.read_text()
     study.write_text(text.replace("stop: 3450, step: 50", "stop: 3450, step: 5"))
-    status, said = dry_run(
-        tmp_path, os.environ, "results/example/tension.nc", "--cores", str(cores), "-p"
-    )
+    status, said = dry_run(tmp_path, os.environ, "results/example/tension.nc", "--cores", str(cores), "-p")
     assert status == 0, said
     assert "simulate example/tension" in said
     claimed = max((int(n) for n in re.findall(r" --threads (\d+)", said)), default=1)

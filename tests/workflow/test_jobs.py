@@ -59,17 +59,13 @@ def until(happened):
 def ask(folder, *command, **options):
     """Start a job that a server there would do."""
     environ = os.environ | {"RISERSTUDY_JOBS": ".jobs"}
-    return subprocess.Popen(
-        command, cwd=folder, env=environ, text=True, stderr=subprocess.PIPE, **options
-    )
+    return subprocess.Popen(command, cwd=folder, env=environ, text=True, stderr=subprocess.PIPE, **options)
 
 
 def waiting_job(server, folder):
     """A job that waits for its source to be written, and its process."""
     os.mkfifo(folder / "source")
-    earlier = set(
-        psutil.Process(server.pid).children()
-    )  # jobs that have told their end, not yet ended
+    earlier = set(psutil.Process(server.pid).children())  # jobs that have told their end, not yet ended
     asker = ask(folder, *JOIN, "joined", "source")
     until(lambda: set(psutil.Process(server.pid).children()) - earlier)
     [job] = set(psutil.Process(server.pid).children()) - earlier

@@ -62,9 +62,7 @@ def test_a_log_gets_a_line_only_for_a_change(handler, capsys, monkeypatch):
     assert out.count("simulate paper/one") == 1
 
 
-def test_a_failed_step_is_named_with_its_log_and_what_follows_from_it_is_not(
-    handler, tmp_path, capsys
-):
+def test_a_failed_step_is_named_with_its_log_and_what_follows_from_it_is_not(handler, tmp_path, capsys):
     (tmp_path / "one.log").write_text("\n".join(f"line {k}" for k in range(100)))
     begin(handler, 4, "simulate", "simulate paper/one")
     about = {"rule_name": "simulate", "jobid": 4, "output": ["results/one.nc"], "log": ["one.log"]}

@@ -68,16 +68,7 @@ def spoilt(content, rng):
     elif kind == "cut":
         del content[rng.randrange(len(content)) :]
     elif kind == "other":
-        others = [
-            b"[]",
-            b"3",
-            b'"text"',
-            b"null",
-            b"[1, 2]",
-            b'{"input": 3}',
-            b"[" * 50_000,
-            b"\\xff",
-        ]
+        others = [b"[]", b"3", b'"text"', b"null", b"[1, 2]", b'{"input": 3}', b"[" * 50_000, b"\\xff"]
         content = rng.choice(others)
     else:
         content = rng.randbytes(len(content))
@@ -130,9 +121,7 @@ def test_nothing_is_from_the_future_and_the_past_stays(tmp_path, seed):
     assert {*dated} == {path for path, when in times.items() if when > began}
     assert refused == []
     for path, when in times.items():
-        assert path.stat().st_mtime == pytest.approx(
-            min(when, began), abs=60.0 if when > began else 1e-3
-        )
+        assert path.stat().st_mtime == pytest.approx(min(when, began), abs=60.0 if when > began else 1e-3)
 
 
 @pytest.fixture
@@ -175,11 +164,7 @@ def test_an_edit_is_seen_whatever_became_of_the_records(folder, how):
 
 
 def test_inputs_and_results_of_tomorrow_stop_no_run(folder):
-    for path in [
-        *folder.glob("config/*"),
-        *folder.glob("chapters/*"),
-        folder / "results/paper/b.nc",
-    ]:
+    for path in [*folder.glob("config/*"), *folder.glob("chapters/*"), folder / "results/paper/b.nc"]:
         os.utime(path, (time.time() + DAY, time.time() + DAY))
     (folder / "results/paper/a.nc").unlink()
     status, said = snakemake(folder)

@@ -119,10 +119,7 @@ STUDY = "config/studies/example.yaml"
     [
         ("figures.a: no plot is named for it", "{caption: c, reads: [heave]}"),
         ("'heave' has 1 axes", "{caption: c, reads: [heave], plot: heat map}"),
-        (
-            "does not have one dataset",
-            "{caption: c, reads: [heave, heave_and_current], plot: lines}",
-        ),
+        ("does not have one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
         ("has an effect only with plot", "{caption: c, reads: [heave], of: [x]}"),
         ("pie", "{caption: c, reads: [heave], plot: pie}"),
         ("studies have no 'moment'", "{caption: c, reads: [heave], plot: lines, of: [moment]}"),
@@ -164,11 +161,7 @@ def test_targets_of_two_chapters_cannot_have_one_name(folder):
 
 
 def test_the_names_of_all_rules_are_taken():
-    rules = (
-        ROOT / "workflow/Snakefile",
-        *(ROOT / "workflow/rules").glob("*.smk"),
-        TEMPLATE / "Snakefile",
-    )
+    rules = (ROOT / "workflow/Snakefile", *(ROOT / "workflow/rules").glob("*.smk"), TEMPLATE / "Snakefile")
     found = {name for path in rules for name in re.findall(r"^rule (\w+):", path.read_text(), re.M)}
     assert found == RULES
 
@@ -325,7 +318,5 @@ def test_what_does_not_fit_the_model_of_a_chapter_stops_before_any_job(measuring
 
 def test_a_model_without_a_function_that_measures_is_refused(measuring):
     (measuring / "chapters/example/measured.py").unlink()
-    with pytest.raises(
-        InputError, match=r"chapters/example/measured\.py defines no function mesh_study"
-    ):
+    with pytest.raises(InputError, match=r"chapters/example/measured\.py defines no function mesh_study"):
         Workplan.read(measuring / "config", {}, only=[])

@@ -114,10 +114,7 @@ def test_enlarged_figures_have_captions_and_neighbours_and_are_worked_by_keyboar
     wait(
         browser,
         lambda: (
-            (
-                large.get_attribute("alt"),
-                browser.find_element(By.CSS_SELECTOR, "dialog .caption").text,
-            )
+            (large.get_attribute("alt"), browser.find_element(By.CSS_SELECTOR, "dialog .caption").text)
             != before
         ),
     )

@@ -30,9 +30,7 @@ def test_ratios_of_the_page_are_those_of_the_study():
 
 def test_every_number_of_the_table_is_a_mark():
     figure = peer_ratios.drawing(FOUND)
-    marks = sum(
-        len(line.get_xdata()) for line in figure.axes[0].lines if line.get_marker() != "None"
-    )
+    marks = sum(len(line.get_xdata()) for line in figure.axes[0].lines if line.get_marker() != "None")
     assert marks == sum(one.times is not None for one in FOUND) > 30
     assert {one.scene for one in FOUND} == {"S1", "S2c", "S3"}
 

@@ -123,9 +123,7 @@ def test_an_edit_of_what_kernels_do_compiles_and_simulates(checkout, seed):
 
 def test_a_figure_simulates_only_what_it_needs(fresh):
     fresh.edit(
-        STUDY,
-        "figures:",
-        "figures:\n  fig13:\n    caption: other\n    reads: [steady]\n    plot: lines",
+        STUDY, "figures:", "figures:\n  fig13:\n    caption: other\n    reads: [steady]\n    plot: lines"
     )
     assert fresh.planned("chang2020_fig14") - COMPILE == SIMULATE | AFTER
     only = {"simulate chang2020/steady", "draw chang2020/fig13"}
@@ -238,12 +236,7 @@ def test_damaged_kernels_are_compiled_anew(checkout, finished):
         ),
         (STUDY, "reads: [asymmetry]", "reads: [symmetry]", "figures.fig14.reads"),
         (STUDY, "studies:", "studies: [", "chang2020.yaml: line"),
-        (
-            "config/config.yaml",
-            "- chang2020",
-            "- nobody2020",
-            "studies/nobody2020.yaml: No such file",
-        ),
+        ("config/config.yaml", "- chang2020", "- nobody2020", "studies/nobody2020.yaml: No such file"),
     ],
 )
 def test_bad_input_stops_before_any_job(fresh, file, old, new, where):

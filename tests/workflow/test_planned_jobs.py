@@ -66,9 +66,7 @@ def planned(kind):
         digest = plan.figure_digest("example", "swing_over_heave")
         source = f"{results}/tension_swing.nc"
         return ["draw", "example", "swing_over_heave", *files, source, "--expect", digest]
-    tables = [
-        f"{results}/{name}.csv" for name in ("reproduction", "errata", "margins", "false_claims")
-    ]
+    tables = [f"{results}/{name}.csv" for name in ("reproduction", "errata", "margins", "false_claims")]
     source, digest = f"{results}/tension_swing.nc", plan.grade_digest("example")
     return ["grade", "example", *tables, source, "--expect", digest]
 

@@ -161,9 +161,7 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     assert "0.3 m 0.5389 m 80 % 25 % depends" in text
     assert "True in all 256 samples." in text
     assert "E1 Eq. 3 a slip read so says this" in text
-    pressure = (
-        r"top.tensioners.gas.pressure 190.2 bar absolute (\([^)]*\) )?assumed the table gives bar"
-    )
+    pressure = r"top.tensioners.gas.pressure 190.2 bar absolute (\([^)]*\) )?assumed the table gives bar"
     assert re.search(pressure, text)
     assert re.search(r"platform.heave.amplitude varied \([^)]*\) axis heave_amplitude", text)
     assert "tensioner model: gas law, linear" in text
@@ -220,22 +218,14 @@ def test_numbers_and_claims_are_those_of_the_graded_table(claims):
 
 def test_bands_options_margins_and_notes_are_told_apart(claims):
     found = {claim.id: claim for claim in claims}
-    assert [found[one].band for one in ("A1", "A2", "A10", "B0")] == [
-        None,
-        None,
-        (73, 83),
-        (97, 100),
-    ]
+    assert [found[one].band for one in ("A1", "A2", "A10", "B0")] == [None, None, (73, 83), (97, 100)]
     assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against (2)", 100)]
     assert found["A10"].sentences == [
         "Base case: 3, true.",
         "As in A1.",
         "Margin to a change of the outcome: +10 % (90 % range −2 to +30 %).",
     ]
-    assert found["A2"].sentences == [
-        "Base case: 1.5, true.",
-        "Margin to a change of the outcome: +25 %.",
-    ]
+    assert found["A2"].sentences == ["Base case: 1.5, true.", "Margin to a change of the outcome: +25 %."]
     assert found["B0"].sentences == []
     assert found["A10"].why == "Depends on the flow; U: m/s."
     assert found["A4"].why == "No single input or pair decides it."
@@ -280,13 +270,7 @@ def test_warnings_that_differ_in_numbers_alone_are_told_once_with_their_range():
 
 
 def test_numbers_read_well():
-    assert [share(x) for x in (0.00123, 0.5, 3.2, "", float("nan"))] == [
-        "0.12 %",
-        "50 %",
-        "320 %",
-        "",
-        "",
-    ]
+    assert [share(x) for x in (0.00123, 0.5, 3.2, "", float("nan"))] == ["0.12 %", "50 %", "320 %", "", ""]
     assert [seconds(x) for x in (0.0123, 3.14159, 119.0, 150.0, 165600.0)] == [
         "12 ms",
         "3.14 s",

@@ -44,9 +44,7 @@ def test_points_steps_and_files_are_those_of_the_workflow(asked):
     )
     assert counts["points"].sum() >= len(asked.stored())
     files = query("select path, kind from files", database=asked / NAME)
-    here = {
-        p.relative_to(asked / "results").as_posix() for p in asked.folder.glob("results/*/*.nc")
-    }
+    here = {p.relative_to(asked / "results").as_posix() for p in asked.folder.glob("results/*/*.nc")}
     assert {*files["path"][files["kind"] == "dataset"]} == here
     assert {"chang2020/fig14.png", "chang2020/fig14.pdf"} <= {*files["path"]}
 

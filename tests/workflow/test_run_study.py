@@ -55,12 +55,7 @@ def start(folder, *arguments):
     not_the_users = ("MAKELEVEL", "RISERSTUDY_CACHE")
     environment = {name: value for name, value in os.environ.items() if name not in not_the_users}
     return subprocess.Popen(
-        command,
-        cwd=folder,
-        env=environment,
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
+        command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
     )
 
 

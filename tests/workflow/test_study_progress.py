@@ -75,9 +75,7 @@ def test_time_left_is_that_of_the_last_run(run):
     assert first.seconds_left() is None  # nothing is left
     first.remember()
 
-    second = (
-        new()
-    )  # one after the other, as the first: on two cores, of which one may have been idle
+    second = new()  # one after the other, as the first: on two cores, of which one may have been idle
     assert second.seconds_left() == pytest.approx(60.0 + 20.0 + 4.0)
     second.begin(7, "simulate paper/one")
     clock.now += 15.0

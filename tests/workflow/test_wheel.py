@@ -101,9 +101,7 @@ def test_a_new_user_has_a_report_of_an_own_study(tmp_path):
     heave = xr.load_dataset(study / "results/example/heave.nc")
     force = heave["tensioner_force"].max(["time", "cylinder"])
     assert (force.diff("heave_amplitude") > 0.0).all()  # more heave, more pull
-    told = ", ".join(
-        f"{step} {clock:.0f} s ({work:.0f})" for step, (clock, work) in user.times.items()
-    )
+    told = ", ".join(f"{step} {clock:.0f} s ({work:.0f})" for step, (clock, work) in user.times.items())
     clock, work = (sum(times) for times in zip(*user.times.values(), strict=True))
     elsewhere = others() - before
     print(f"\n{told}; in all {clock:.0f} s ({work:.0f} s of processors; others {elsewhere:.0f} s)")

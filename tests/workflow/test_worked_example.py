@@ -49,9 +49,7 @@ def test_commands_say_what_the_page_prints(copy, number):
     if printed:
         said, page = (" ".join(NUMBER.sub("#", t).split()) for t in (done.stdout, printed))
         assert said == page  # but for the width of columns
-        told, numbers = (
-            [float(x) for x in NUMBER.findall(text)] for text in (done.stdout, printed)
-        )
+        told, numbers = ([float(x) for x in NUMBER.findall(text)] for text in (done.stdout, printed))
         assert told == pytest.approx(numbers, rel=0.02)  # the accuracy asked for
     for name in re.findall(r"-o (\S+)", commands):
         assert (copy / name).stat().st_size > 200

@@ -45,17 +45,11 @@ def test_an_edit_of_a_chapter_s_figures_redraws_those_it_defines():
     figures = PLAN.files["liu2020"].figures
     drawn = calls("liu2020", "figures/motion", figures)
     assert len(drawn) > 5
-    assert outputs_that_read("chapters/liu2020/figures/motion.py") == {
-        f"liu2020/{n}" for n in drawn
-    }
+    assert outputs_that_read("chapters/liu2020/figures/motion.py") == {f"liu2020/{n}" for n in drawn}
 
 
-def test_inputs_of_a_rule_are_the_files_of_its_chapter_and_only_where_one_works(
-    monkeypatch, tmp_path
-):
-    for paper, name in [
-        pair for pair in PLAN.figures() if not PLAN.files[pair[0]].figures.get(pair[1])
-    ]:
+def test_inputs_of_a_rule_are_the_files_of_its_chapter_and_only_where_one_works(monkeypatch, tmp_path):
+    for paper, name in [pair for pair in PLAN.figures() if not PLAN.files[pair[0]].figures.get(pair[1])]:
         assert chapter_files(paper, PLAN.figure_code(paper, name)) == []  # a schematic
     code = PLAN.figure_code("liu2020", "fig23") | PLAN.grade_code("fem_riser")
     monkeypatch.chdir(CONFIG.parent)
@@ -88,11 +82,7 @@ def test_an_edit_of_how_figures_look_redraws_figures_and_derives_nothing():
     "module",
     [
         *("riserstudy.simulation.refine", "riserstudy.report", "riserstudy.schematic"),
-        *(
-            "riserstudy.study.collect",
-            "riserstudy.grading.grade",
-            "chapters.numerics.measured.stability",
-        ),
+        *("riserstudy.study.collect", "riserstudy.grading.grade", "chapters.numerics.measured.stability"),
         *("chapters.liu2020.derived.codes", "chapters.fem_riser.figures"),
     ],
 )
@@ -158,9 +148,7 @@ def test_bytecode_beside_the_sources_is_nothing_that_counts(tmp_path, monkeypatc
                 (folder / "__pycache__").mkdir()
                 (folder / "__pycache__/module.cpython-313.pyc").write_bytes(b"\0")
         monkeypatch.setitem(digests.ROOTS, "riserstudy", package)
-        made.append(
-            [digest(dependencies(f"riserstudy.{x}")) for x in ("chapters.measure", "report")]
-        )
+        made.append([digest(dependencies(f"riserstudy.{x}")) for x in ("chapters.measure", "report")])
     assert made[0] == made[1]
 
 
@@ -168,9 +156,7 @@ def test_chapters_of_a_study_of_one_s_own_count_with_all_that_they_import(tmp_pa
     chapter = tmp_path / "chapters/mine"
     chapter.mkdir(parents=True)
     (chapter / "figures.py").write_text("from .helpers import colour\ndef fig01(a): ...\n")
-    (chapter / "helpers.py").write_text(
-        "from riserstudy.figures.style import COLOURS\ncolour = 1\n"
-    )
+    (chapter / "helpers.py").write_text("from riserstudy.figures.style import COLOURS\ncolour = 1\n")
     monkeypatch.chdir(tmp_path)
     names = {path.name for path in dependencies("chapters.mine.figures")}
     assert {"figures.py", "helpers.py", "style.py"} <= names
@@ -202,6 +188,4 @@ def test_early_results_come_first_then_kernels_then_what_takes_long():
             early = plan.study_priority(paper, study) > max(compiled)
             assert not early or plan.study(paper, study).kernel_groups == [FIRST]
         for name in file.measured:
-            assert (plan.measure_priority(paper, name) > STUDIES) != plan.measured(
-                paper, name
-            ).timed
+            assert (plan.measure_priority(paper, name) > STUDIES) != plan.measured(paper, name).timed

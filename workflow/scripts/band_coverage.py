@@ -32,9 +32,7 @@ LIMITS = (1.5, 2.5, 4.0)  # m, of the significant height
 def main() -> None:
     """Print a table."""
     year_bands.DRAWS = 2000
-    print(
-        "| years | known | next | Student, persistence 0.5 | Student, 0.66 | drawn with replacement |"
-    )
+    print("| years | known | next | Student, persistence 0.5 | Student, 0.66 | drawn with replacement |")
     print("|---|---|---|---|---|---|")
     methods: tuple[Bands, ...] = (at_exponent(0.5), at_exponent(PERSISTENCE), with_replacement)
     kinds: list[tuple[str, Callable[[int], Iterator[list[Year]]]]] = [
@@ -46,11 +44,7 @@ def main() -> None:
         for known in KNOWN:
             for ahead in AHEAD:
                 cells = coverage(list(records(known + ahead)), known, methods)
-                print(
-                    f"| {name} | {known} | {ahead} | "
-                    + " | ".join(f"{c:.1%}" for c in cells)
-                    + " |"
-                )
+                print(f"| {name} | {known} | {ahead} | " + " | ".join(f"{c:.1%}" for c in cells) + " |")
 
 
 def coverage(records: list[list[Year]], known: int, methods: tuple[Bands, ...]) -> list[float]:
@@ -78,9 +72,7 @@ def with_replacement(years: list[Year], count: int) -> Band:
     return Band(float(shares.mean()), *(float(q) for q in np.quantile(means, (0.05, 0.95))))
 
 
-def noise(
-    exponent: float, length: int, trials: int = TRIALS, seed: int = 0
-) -> Iterator[list[Year]]:
+def noise(exponent: float, length: int, trials: int = TRIALS, seed: int = 0) -> Iterator[list[Year]]:
     """Yield records of years whose shares persist: increments of fractional Brownian motion."""
     draw = np.random.default_rng(seed)
     at = np.arange(length + 1.0)

@@ -51,9 +51,7 @@ BED = box("g", 0, 0, 120, 14)
 
 def waves(height: float = 7.0, level: float = 88.0) -> str:
     """A water surface with waves."""
-    return line(
-        "w", *((x, level + height * math.cos(2 * math.pi * x / 80)) for x in range(0, 121, 3))
-    )
+    return line("w", *((x, level + height * math.cos(2 * math.pi * x / 80)) for x in range(0, 121, 3)))
 
 
 def rows(x: float, pairs: Iterable[tuple[float, float]], kind: str = "e") -> str:
@@ -179,11 +177,7 @@ _DRAWINGS: dict[str, list[str]] = {
         line("p", (14, 38), (14, 58)),
         line("p", (94, 38), (94, 58)),
     ],
-    "heading control": [
-        box("f", 38, 22, 44, 70),
-        line("p d", (60, 22), (60, 112)),
-        turn(60, 57, 46, 60, 90),
-    ],
+    "heading control": [box("f", 38, 22, 44, 70), line("p d", (60, 22), (60, 112)), turn(60, 57, 46, 60, 90)],
     "in-line vortex-induced vibration": [
         SEA,
         ring("r", 40, 52, 12),
@@ -277,12 +271,7 @@ _DRAWINGS: dict[str, list[str]] = {
         zigzag((70, 36), (70, 52), turns=2),
         arrow((92, 76), (92, 42)),
     ],
-    "stress gauge": [
-        PIPE,
-        box("e", 52, 48, 16, 24),
-        line("e", (68, 60), (92, 60)),
-        word("σ", 96, 56),
-    ],
+    "stress gauge": [PIPE, box("e", 52, 48, 16, 24), line("e", (68, 60), (92, 60)), word("σ", 96, 56)],
     "support": [
         line("r", (60, 26), (60, 114)),
         line("e", (60, 26), (46, 8), (74, 8), (60, 26)),
@@ -317,11 +306,7 @@ _DRAWINGS: dict[str, list[str]] = {
         line("p d", (84, 16), (84, 40)),
         both_ways((24, 26), (84, 26)),
     ],
-    "torsion": [
-        line("r", (60, 10), (60, 110)),
-        turn(60, 92, 24, 200, 340),
-        turn(60, 28, 24, 160, 20),
-    ],
+    "torsion": [line("r", (60, 10), (60, 110)), turn(60, 92, 24, 200, 340), turn(60, 28, 24, 160, 20)],
     "two-chamber gas tensioner": [
         ONE,
         box("p", 42, 46, 36, 52),

@@ -29,9 +29,7 @@ def main(memory: Path) -> None:
         if of.rule in ONE_BY_ONE
     }
     *rows, last = (f"    {json.dumps(m)}: {json.dumps(of)}" for m, of in first["steps"].items())
-    parts = [
-        f"  {json.dumps(key)}: {json.dumps(first[key])}" for key in ("about", "a_step", "a_point")
-    ]
+    parts = [f"  {json.dumps(key)}: {json.dumps(first[key])}" for key in ("about", "a_step", "a_point")]
     parts.append('  "steps": {\n' + ",\n".join([*rows, last]) + "\n  }")
     FIRST.write_text("{\n" + ",\n".join(parts) + "\n}\n", "utf-8")
 

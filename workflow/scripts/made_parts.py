@@ -29,9 +29,7 @@ if TYPE_CHECKING:
 
 ROOT = Path(__file__).resolve().parents[2]
 #: place of a generated part in a page, with the part itself if the page contains it
-MARK = re.compile(
-    r"<!-- made: (\w+)([^>]*?)-->(?P<kept>\n(?:(?!<!-- made:).)*?<!-- end -->)?", re.DOTALL
-)
+MARK = re.compile(r"<!-- made: (\w+)([^>]*?)-->(?P<kept>\n(?:(?!<!-- made:).)*?<!-- end -->)?", re.DOTALL)
 LONGEST_HELP = 1000  # characters; longer than any help text, which is thus never cut
 NO_EFFECT = ("catalogue", "registry")  # modules of the folder without an effect
 TABLE = "|---|---|---|---|"
@@ -52,9 +50,7 @@ def _with_whole_help(text: str, commands: Mapping[str, Any]) -> str:
     """Return the list of commands with the whole first sentence of each, which Typer truncates."""
     for name, command in commands.items():
         message = str(command.get_short_help_str(LONGEST_HELP))
-        text = re.sub(
-            rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {message}", text, flags=re.M
-        )
+        text = re.sub(rf"^\* `{name}`: .*$", f"* [`{name}`](#riserstudy-{name}): {message}", text, flags=re.M)
     return text
 
 
@@ -83,8 +79,7 @@ def files_of_effects(_: str) -> str:
 def quantities(_: str) -> str:
     """Return the variables of datasets with their units."""
     rows = [
-        f"| `{name}` | {about.get('units', '')} | {_in_words(about)} |"
-        for name, about in variables().items()
+        f"| `{name}` | {about.get('units', '')} | {_in_words(about)} |" for name, about in variables().items()
     ]
     return "\n".join(["| variable | unit | |", "|---|---|---|", *rows])
 
@@ -111,11 +106,7 @@ def known(found: xr.Dataset, kind: str) -> str:
     rows = []
     for k in np.flatnonzero(found["kind"] == kind.strip()):
         of = {str(name): variable.item() for name, variable in found.isel(row=k).data_vars.items()}
-        cells = [
-            f"{of['name']}: {of['quantity']}",
-            of["by"],
-            amount(of["reference"], of["unit"], 4),
-        ]
+        cells = [f"{of['name']}: {of['quantity']}", of["by"], amount(of["reference"], of["unit"], 4)]
         rows.append(f"| {' | '.join(cells)} | {allowed(of['tolerance'])}: {of['because']} |")
     return "\n".join(["| Number | Reference | Known | Tolerance, and why |", TABLE, *rows])
 
@@ -146,9 +137,7 @@ MAKERS: dict[str, Callable[[str], str]] = {
 def kept_pages() -> dict[Path, str]:
     """Return the correct texts of pages with generated parts; parts that need runs are unchanged."""
     texts = {path: path.read_text("utf-8") for path in sorted((ROOT / "docs").glob("*.md"))}
-    kept = {
-        path: text for path, text in texts.items() if any(m["kept"] for m in MARK.finditer(text))
-    }
+    kept = {path: text for path, text in texts.items() if any(m["kept"] for m in MARK.finditer(text))}
     return {path: with_parts(text, MAKERS) for path, text in kept.items()}
 
 

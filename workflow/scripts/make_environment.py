@@ -24,12 +24,8 @@ VENV = ROOT / ".venv"
 PYTHON = VENV / "bin" / "python"
 LOCKS = (ROOT / "build.lock", ROOT / "requirements.lock")
 #: modules that most processes of a study import
-IMPORTED = (
-    "snakemake.cli, snakemake.workflow, numba, xarray, netCDF4, scipy.optimize, scipy.interpolate"
-)
-IMPORTED += (
-    ", matplotlib.figure, matplotlib.backends.backend_agg, pint, pydantic, ruamel.yaml, typer"
-)
+IMPORTED = "snakemake.cli, snakemake.workflow, numba, xarray, netCDF4, scipy.optimize, scipy.interpolate"
+IMPORTED += ", matplotlib.figure, matplotlib.backends.backend_agg, pint, pydantic, ruamel.yaml, typer"
 
 
 def main(marker: Path) -> int:

@@ -65,26 +65,15 @@ def pinned(group: str) -> list[str]:
 def about_pure(uv: Path, env: dict[str, str]) -> str:
     """State whether `PURE`, used without its compiled part in newer Pythons, has a wheel for them now."""
     version = ".".join(map(str, PURE_FROM))
-    requested = (
-        uv,
-        "pip",
-        "compile",
-        "--quiet",
-        f"--python-version={version}",
-        "--only-binary=:all:",
-    )
-    found = subprocess.run(
-        [*map(str, requested), "-"], input=PURE, text=True, capture_output=True, env=env
-    )
+    requested = (uv, "pip", "compile", "--quiet", f"--python-version={version}", "--only-binary=:all:")
+    found = subprocess.run([*map(str, requested), "-"], input=PURE, text=True, capture_output=True, env=env)
     if not found.returncode:
         return (
             f"{PURE} has a wheel for Python {version} now: PURE and install_pure can leave "
             "workflow/scripts/installer.py."
         )
     if PURE not in found.stderr:
-        return (
-            f"Whether {PURE} has a wheel for Python {version} is not known: {found.stderr.strip()}"
-        )
+        return f"Whether {PURE} has a wheel for Python {version} is not known: {found.stderr.strip()}"
     return f"{PURE} has no wheel for Python {version} yet."
 
 

@@ -61,9 +61,7 @@ def drive_off() -> str:
     with xr.open_dataset(ROOT / f"results/liu2017/{displayed.study}.nc") as data:
         found = hero([("liu2017", motion_of(displayed, data))])
     if found is None:
-        raise LookupError(
-            f"liu2017/{displayed.study}: its top does not travel over a foot that stands"
-        )
+        raise LookupError(f"liu2017/{displayed.study}: its top does not travel over a foot that stands")
     head, _, rest = found[1].svg.partition(">")
     head = head.replace("<svg ", '<svg xmlns="http://www.w3.org/2000/svg" ')
     return f"{head}>{STYLE}{rest}\n"
@@ -80,11 +78,7 @@ def shrunk(name: str, width: int, target: Path) -> None:
 def gallery() -> list[str]:
     """Return the names of the gallery's figures, as `paper/figure`."""
     page = (ROOT / "docs/gallery.md").read_text("utf-8")
-    return [
-        name
-        for part in re.findall(r"<!-- made: gallery(.*?)-->", page, re.S)
-        for name in part.split()
-    ]
+    return [name for part in re.findall(r"<!-- made: gallery(.*?)-->", page, re.S) for name in part.split()]
 
 
 def overview() -> Figure:
@@ -105,9 +99,7 @@ def overview() -> Figure:
             ax.plot(shape["x"], shape["z"], color=colour, label=f"{time} s")
         gone = float(data["x"].sel(time=times[-1])[-1] - rest["x"][-1])
     ax.set_title(
-        f"(b) {gone:.0f} m away, {times[-1]} s after a drive-off began",
-        loc="left",
-        fontsize="medium",
+        f"(b) {gone:.0f} m away, {times[-1]} s after a drive-off began", loc="left", fontsize="medium"
     )
     ax.set(xlabel="x (m)", ylabel="elevation above the wellhead (m)")
     ax.grid(True, color="0.9", linewidth=0.6)

@@ -44,9 +44,7 @@ def one_run() -> Iterator[dict[str, str]]:
     LOCK.parent.mkdir(mode=0o700, exist_ok=True)
     with LOCK.open("a+", encoding="utf-8") as lock:
         if not take(lock):
-            raise Occupied(
-                f"another run {holder(lock)}is at work here; try again when it has ended."
-            )
+            raise Occupied(f"another run {holder(lock)}is at work here; try again when it has ended.")
         end_processes(former_run(lock))
         if locked() and (pid := foreign_snakemake()):
             raise Occupied(f"a snakemake (pid {pid}) is at work here; try again when it has ended.")

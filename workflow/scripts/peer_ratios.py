@@ -71,10 +71,7 @@ def drawing(found: list[Ratio]) -> Figure:
     key_below(figure, ax, 4)
     faster = [one for one in timed if one.times is not None and one.times < 1.0]
     who = " and ".join(dict.fromkeys(f"the {one.simulator}" for one in faster)) or "none"
-    headline(
-        figure,
-        f"At equal error only {who} is faster, in {len(faster)} of {len(timed)} comparisons",
-    )
+    headline(figure, f"At equal error only {who} is faster, in {len(faster)} of {len(timed)} comparisons")
     return figure
 
 

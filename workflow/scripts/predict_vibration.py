@@ -27,9 +27,7 @@ COLUMNS = (
 
 def at_speed(file: SceneFile, speed: float) -> SceneFile:
     """Return the scene with another current speed (m/s)."""
-    return file.with_values(
-        {f"current.profile[{k}].speed": f"{speed} m/s" for k in (0, 1)}, "predictions"
-    )
+    return file.with_values({f"current.profile[{k}].speed": f"{speed} m/s" for k in (0, 1)}, "predictions")
 
 
 def predicted(result: Result, diameter: float) -> list[float]:

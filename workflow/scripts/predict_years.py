@@ -19,11 +19,7 @@ from riserstudy.seas.record import read_record
 
 FOLDER = Path(__file__).resolve().parents[2] / "config/predictions"
 SEALED, OPENED = FOLDER / "hindcast_years.csv", FOLDER / "hindcast_years_opened.csv"
-FIRST, KNOWN, AHEAD = (
-    1965,
-    (3, 5, 10),
-    (1, 5, 10),
-)  # first year, numbers of known and of withheld years
+FIRST, KNOWN, AHEAD = (1965, (3, 5, 10), (1, 5, 10))  # first year, numbers of known and of withheld years
 LIMITS = (
     *("hs <= 1 m", "hs <= 1.5 m", "hs <= 2 m", "hs <= 3 m", "hs <= 4 m"),
     *("wind_speed <= 8 m/s", "wind_speed <= 12 m/s", "wind_speed <= 16 m/s"),

@@ -102,8 +102,7 @@ refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
 def units() -> str:
     """Return the section with the names of usual units, by SI unit."""
     rows = [
-        f"| `{unit}` | {', '.join(f'`{name}`' for name in names)} |"
-        for unit, names in usual_units().items()
+        f"| `{unit}` | {', '.join(f'`{name}`' for name in names)} |" for unit, names in usual_units().items()
     ]
     return UNITS + "\n".join(rows) + "\n"
 

@@ -100,9 +100,7 @@ def pitch(unit: Semisubmersible) -> Oscillator:
     return Oscillator(inertia, 2.0 * unit.pitch_damping * np.sqrt(inertia * stiffness), stiffness)
 
 
-def response(
-    unit: Semisubmersible, period: NDArray[np.float64]
-) -> dict[str, NDArray[np.complex128]]:
+def response(unit: Semisubmersible, period: NDArray[np.float64]) -> dict[str, NDArray[np.complex128]]:
     """Complex amplitudes of surge (m/m), heave (m/m) and pitch (rad/m, positive in wave direction)."""
     w = 2.0 * np.pi / np.asarray(period)
     k = w**2 / GRAVITY
@@ -141,10 +139,7 @@ def table(unit: Semisubmersible) -> str:
     lines = [",".join(["period (s)", *heading])]
     found["pitch"] *= 180.0 / np.pi
     for row, period in enumerate(PERIODS):
-        pairs = [
-            f"{abs(found[name][row]):.6f},{np.angle(found[name][row], deg=True):.3f}"
-            for name in units
-        ]
+        pairs = [f"{abs(found[name][row]):.6f},{np.angle(found[name][row], deg=True):.3f}" for name in units]
         lines.append(",".join([f"{period:g}", *pairs]))
     return "\n".join(lines) + "\n"
 

@@ -29,11 +29,7 @@ def software_metadata() -> dict[Path, str]:
 
 def codemeta(citation: dict[str, Any], project: dict[str, Any]) -> dict[str, Any]:
     """Return the metadata in the vocabulary of CodeMeta."""
-    systems = [
-        one.split(" :: ")[-1]
-        for one in project["classifiers"]
-        if one.startswith("Operating System")
-    ]
+    systems = [one.split(" :: ")[-1] for one in project["classifiers"] if one.startswith("Operating System")]
     return {
         "@context": "https://w3id.org/codemeta/3.0",
         "type": "SoftwareSourceCode",

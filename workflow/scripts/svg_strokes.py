@@ -27,10 +27,7 @@ def arrow(start: Point, end: Point, kind: str = "e") -> str:
     back = (u - 8 * a, w - 8 * b)
     head = [(u, w), (back[0] - 4 * b, back[1] + 4 * a), (back[0] + 4 * b, back[1] - 4 * a)]
     corners = " ".join(f"{short(p)},{short(SIZE - q)}" for p, q in head)
-    return (
-        line(kind, start, back)
-        + f'<polygon class="{"h" if kind == "e" else "b"}" points="{corners}"/>'
-    )
+    return line(kind, start, back) + f'<polygon class="{"h" if kind == "e" else "b"}" points="{corners}"/>'
 
 
 def both_ways(start: Point, end: Point) -> str:

@@ -58,11 +58,7 @@ def conventions() -> Figure:
         up = 1.3 if k == 0 else -1.3
         ax.plot([at[0], at[0]], [at[1], at[1] + up], ":", color=GREY)
         ax.annotate(
-            f"{name} angle > 0",
-            at,
-            (14, 8 if k == 0 else -22),
-            textcoords="offset points",
-            color=ORANGE,
+            f"{name} angle > 0", at, (14, 8 if k == 0 else -22), textcoords="offset points", color=ORANGE
         )
     along = np.array((x[-1] - x[-4], z[-1] - z[-4]))
     along /= np.hypot(*along)
@@ -88,9 +84,7 @@ def segments() -> Figure:
     nodes = np.array([(1.6, 0.5), (2.1, 2.4), (3.1, 4.2), (4.6, 5.7)])
     left.plot(*nodes.T, "-o", color="black", lw=2.2, ms=7)
     for k, name in enumerate(("i-1", "i", "i+1", "i+2")):
-        left.annotate(
-            f"$r_{{{name}}},\\ M_{{{name}}}$", nodes[k], (14, -6), textcoords="offset points"
-        )
+        left.annotate(f"$r_{{{name}}},\\ M_{{{name}}}$", nodes[k], (14, -6), textcoords="offset points")
     for k, name in enumerate(("i-1", "i")):
         low, up = nodes[k], nodes[k + 1]
         lean = np.degrees(np.arctan2(*(up - low)))
@@ -98,9 +92,7 @@ def segments() -> Figure:
         left.add_patch(Arc(tuple(low), 2.2, 2.2, theta1=90 - lean, theta2=90, color=BLUE, lw=1.5))
         side = low + np.array((-0.15, 1.2))
         left.text(side[0], side[1], f"$\\alpha_{{{name}}}$", color=BLUE, ha="right")
-        left.annotate(
-            f"$\\ell_{{{name}}}$", (low + 3 * up) / 4, (7, -8), textcoords="offset points"
-        )
+        left.annotate(f"$\\ell_{{{name}}}$", (low + 3 * up) / 4, (7, -8), textcoords="offset points")
     left.text(3.0, 6.5, "(a) nodes, segments, angles from the vertical", ha="center")
 
     low, up = np.array((1.8, 1.3)), np.array((3.6, 4.6))
@@ -157,9 +149,7 @@ def tensioner() -> Figure:
     left.text(2.0, 6.05, "platform", ha="center", va="center", fontsize="small")
     left.add_patch(Rectangle((1.5, 2.9), 1.0, 2.9, fill=False, lw=1.6, zorder=3))
     left.add_patch(Rectangle((1.5, 2.9), 1.0, 1.3, color="#cfe3f2"))
-    left.text(
-        2.65, 3.5, "gas: $P_0,\\ V_0$\nat mid-stroke", color=BLUE, va="center", fontsize="small"
-    )
+    left.text(2.65, 3.5, "gas: $P_0,\\ V_0$\nat mid-stroke", color=BLUE, va="center", fontsize="small")
     left.plot([1.5, 2.5], [4.25, 4.25], color="black", lw=5)
     left.text(2.65, 4.3, "piston, area $A$", va="center", fontsize="small")
     left.plot([2.0, 2.0], [4.25, 0.9], color="black", lw=2.2)

@@ -43,21 +43,14 @@ def fig06(quasi_static: xr.Dataset) -> Figure:
     slope = np.abs(curve(at, 1)) / 1e6
     (tangent,) = ax.plot(at, slope, ":", color=GAS_LAW, lw=1.8, label=r"tangent $|dF/dX|$")
     secant = np.abs((curve(at) - curve(0.0)) / at)
-    (chord,) = ax.plot(
-        at,
-        secant / 1e6,
-        color=GAS_LAW,
-        label="secant $|F(X) - F(0)| / |X|$ (Eq. 5)",
-    )
+    (chord,) = ax.plot(at, secant / 1e6, color=GAS_LAW, label="secant $|F(X) - F(0)| / |X|$ (Eq. 5)")
     ax.set_xlabel(PISTON)
     ax.set_ylabel("stiffness of four cylinders (MN/m)")
     label_line(ax, tangent, 0.15, (8.0, 4.0))
     label_line(ax, chord, 0.62, (4.0, 8.0))
     _per_cylinder(ax, "stiffness of one cylinder,\nas in Eq. 5 (MN/m)")
     exceeds = "exceeds" if bool((slope > secant / 1e6)[at < 0.0].all()) else "does not exceed"
-    headline(
-        figure, f"The tangent stiffness {exceeds} the secant stiffness of Eq. 5 in compression"
-    )
+    headline(figure, f"The tangent stiffness {exceeds} the secant stiffness of Eq. 5 in compression")
     return figure
 
 
@@ -86,9 +79,7 @@ def _law(quasi_static: xr.Dataset, model: str) -> xr.DataArray:
     force = rest["tensioner_force_static"].sum("cylinder")
     displacement = -rest["tensioner_stroke_static"].isel(cylinder=0)
     order = np.argsort(displacement.values)
-    return xr.DataArray(
-        force.values[order], dims="X", coords={"X": displacement.values[order]}, name="force"
-    )
+    return xr.DataArray(force.values[order], dims="X", coords={"X": displacement.values[order]}, name="force")
 
 
 def _per_cylinder(ax: Axes, label: str) -> None:

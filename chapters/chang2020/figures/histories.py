@@ -20,14 +20,7 @@ from chapters.chang2020.figures.shared import (
     of_amplitude,
 )
 from riserstudy.figures.direct import label_line, legible
-from riserstudy.figures.style import (
-    GREY,
-    headline,
-    key_below,
-    panel_title,
-    panels,
-    shades,
-)
+from riserstudy.figures.style import GREY, headline, key_below, panel_title, panels, shades
 
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # m, amplitudes among them that the paper's text states
@@ -64,9 +57,7 @@ def fig08(
                 1.2,
             ),
         }
-        for ax, quantity, label in zip(
-            axes[column::2], ("tension", "heave"), (TENSION, HEAVE), strict=True
-        ):
+        for ax, quantity, label in zip(axes[column::2], ("tension", "heave"), (TENSION, HEAVE), strict=True):
             for name, (run, colour, width) in runs.items():
                 ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
             panel_title(ax, f"{quantity}, {meant}")
@@ -74,9 +65,7 @@ def fig08(
             ax.margins(y=0.06)
             ranges = [float(np.ptp(run[quantity].values)) for run, *_ in runs.values()]
             states = ("from rest", STATES["steady"])
-            found.append(
-                {s: 1.0 - part / ranges[0] for s, part in zip(states, ranges[1:], strict=True)}
-            )
+            found.append({s: 1.0 - part / ranges[0] for s, part in zip(states, ranges[1:], strict=True)})
             _reductions(ax, found[-1], printed[quantity])
             bare, settled = (run[quantity] for run, *_ in (*runs.values(),)[::2])
             _printed_range(ax, bare, settled, printed[quantity])
@@ -199,9 +188,7 @@ def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
     histories = _histories(runs)
     start = float(runs["time"][0])
     for k, amplitude in enumerate((3.0, 10.0)):
-        for ax, quantity, label in zip(
-            axes[2 * k :], ("heave", "tension"), (HEAVE, TENSION), strict=False
-        ):
+        for ax, quantity, label in zip(axes[2 * k :], ("heave", "tension"), (HEAVE, TENSION), strict=False):
             for model, line in MODELS.items():
                 run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
                 ax.plot(run["time"] - start, run[quantity], line, color=OF_MODEL[model], lw=1.2,
@@ -274,9 +261,7 @@ def _amplitudes(ax: Axes, runs: xr.Dataset, quantity: str) -> None:
     for colour, amplitude in zip(shades(GAS_LAW, len(FOUR)), FOUR, strict=True):
         run = _gas(runs).sel(heave_amplitude=amplitude)
         start = float(run["time"][0])
-        (line,) = ax.plot(
-            run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m"
-        )
+        (line,) = ax.plot(run["time"] - start, run[quantity], color=colour, label=f"{amplitude:g} m")
         label_line(ax, line, 0.25, (0.0, 2.0))
     ax.margins(y=0.1)
 
@@ -285,11 +270,7 @@ def _histories(runs: xr.Dataset, when: str = "") -> xr.Dataset:
     """Heave (m) and riser tension (MN) at the ring over time, or in static equilibrium."""
     if when == "static":
         top = runs.isel(s_node=-1)
-        z, tension, zero = (
-            top["z_static"],
-            top["effective_tension_static"],
-            float(runs["s_node"][-1]),
-        )
+        z, tension, zero = (top["z_static"], top["effective_tension_static"], float(runs["s_node"][-1]))
     else:
         top = runs.isel(s=-1)
         z, tension, zero = top["z"], top["effective_tension"], float(runs["s"][-1])

@@ -8,11 +8,7 @@ NAMES = {"gas law": "gas law", "linear": "least-squares line"}
 AMPLITUDE, TIME = "heave amplitude of the platform (m)", "time (s)"
 AWAY = "displacement from equilibrium (m)"
 #: names of the states of motion in figures
-STATES = {
-    "steady": "steady state",
-    "from_rest": "transient from rest",
-    "quasi_static": "quasi-static",
-}
+STATES = {"steady": "steady state", "from_rest": "transient from rest", "quasi_static": "quasi-static"}
 
 GAS_LAW, FITTED = "#0072b2", "#d55e00"
 #: colours of the gas law and of the lines that replace it; keys: config/studies/chang2020.yaml, readings

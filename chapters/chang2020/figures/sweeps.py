@@ -42,10 +42,7 @@ LOW = 2.0  # m, amplitude up to which start-up transients hide the asymmetry
 def fig13(asymmetry: xr.Dataset) -> Figure:
     """Displacement above and below equilibrium over amplitude."""
     figure, axes = panels(1, 2, 3.6, sharey=True)
-    sides = {
-        "displacement_up": ("above, $x_p$", "-", "."),
-        "displacement_down": ("below, $x_n$", "--", "x"),
-    }
+    sides = {"displacement_up": ("above, $x_p$", "-", "."), "displacement_down": ("below, $x_n$", "--", "x")}
     for ax, model in zip(axes, MODELS, strict=True):
         for reading, label in READINGS.items():
             for side, (word, line, mark) in sides.items():
@@ -123,15 +120,10 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     moving = runs.sel(heave_amplitude=runs["heave_amplitude"] > 0)
     index = (moving["z_max"] - rest) / (rest - moving["z_min"])
     grows = (index.diff("heave_amplitude") > 0.0).all("heave_amplitude")
-    ramps = (
-        ("None", "platform motion without a ramp"),
-        ("40 s", "platform motion with a ramp of 40 s"),
-    )
+    ramps = (("None", "platform motion without a ramp"), ("40 s", "platform motion with a ramp of 40 s"))
     for ax, (ramp, title) in zip(axes, ramps, strict=True):
         for start, colour in OF_START.items():
-            chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (
-                runs["assumed_analysis_start"] == start
-            )
+            chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (runs["assumed_analysis_start"] == start)
             lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
             ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
             _decreases(ax, lines)
@@ -151,8 +143,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
     axes[0].set_ylabel("asymmetry index $S$")
     key_below(figure, axes[0], 2)
     headline(
-        figure,
-        f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples",
+        figure, f"Asymmetry increases with every amplitude step in {int(grows.sum())} of {grows.size} samples"
     )
     return figure
 
@@ -220,10 +211,7 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
         )
     ax.axhline(0.0, color="black", linewidth=0.8)
     ax.set_xticks(places, names)
-    for middle, text in (
-        (1.0, "$H$ = 5 m is the amplitude"),
-        (4.6, "$H$ = 5 m is twice the amplitude"),
-    ):
+    for middle, text in ((1.0, "$H$ = 5 m is the amplitude"), (4.6, "$H$ = 5 m is twice the amplitude")):
         ax.annotate(
             text,
             (middle, 0),

@@ -30,9 +30,7 @@ def recoil_outcome(recoil: xr.Dataset) -> xr.Dataset:
     others = [dim for dim in made["comes_down"].dims if dim != "gas_pressure"]
     shape = [made.sizes[dim] for dim in others]
     for name, values in zip(
-        ("recoil_minimum", "recoil_below", "recoil_maximum", "recoil_above"),
-        np.array(rows).T,
-        strict=True,
+        ("recoil_minimum", "recoil_below", "recoil_maximum", "recoil_above"), np.array(rows).T, strict=True
     ):
         made[name] = (others, values.reshape(shape))
     return described(made, PAPER, "outcome of emergency disconnects")

@@ -74,9 +74,6 @@ def _added(seas: xr.Dataset) -> dict[str, xr.DataArray]:
 def _fractile(each: xr.DataArray) -> xr.DataArray:
     """The fractile over the seeds."""
     values: xr.DataArray = xr.apply_ufunc(
-        lambda largest: gumbel(largest).fractile,
-        each,
-        input_core_dims=[["seed"]],
-        vectorize=True,
+        lambda largest: gumbel(largest).fractile, each, input_core_dims=[["seed"]], vectorize=True
     )
     return values

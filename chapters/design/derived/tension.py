@@ -44,9 +44,7 @@ def minimum_tension(muds: xr.Dataset, weight: float, buoyancy: float) -> xr.Data
         coords={"mud_weight": mud, "elevation": elevation},
     )
     made = xr.Dataset({"carrying_tension_along": along, "carrying_tension": along.max("elevation")})
-    made["governing_elevation"] = along["elevation"][along.argmax("elevation")].drop_vars(
-        "elevation"
-    )
+    made["governing_elevation"] = along["elevation"][along.argmax("elevation")].drop_vars("elevation")
     made["carrying_tension_engine"] = ("mud_weight", np.array(by_engine))
     made["slack_s"] = ("mud_weight", np.array(at))
     return described(made, PAPER, "minimum top tension by formula and by simulation")
@@ -104,9 +102,7 @@ def window_of(scene: Resolved, settings: dict[str, Any], failed: int) -> Window:
     return window_of_scene(scene, tolerances, _rig(settings, failed), overpull, _ceiling(settings))
 
 
-def _window(
-    scene: Resolved, settings: dict[str, Any], failed: int, needed: float, weighed: float
-) -> Window:
+def _window(scene: Resolved, settings: dict[str, Any], failed: int, needed: float, weighed: float) -> Window:
     """Return the window from the vertical tensions (N) with tolerances on the weights, and without."""
     off = lift_off(scene, to_si(settings["overpull"], "N"), weighed)
     return window(needed, off, _rig(settings, failed), *_ceiling(settings))

@@ -21,11 +21,7 @@ OF_LIMIT = {
     "smallest effective_tension": COLOURS[6],
 }
 #: activity that a mode allows, as written in the titles
-ALLOWED = {
-    "drilling": "drilling",
-    "connected": "staying connected",
-    "disconnect": "a disconnect",
-}
+ALLOWED = {"drilling": "drilling", "connected": "staying connected", "disconnect": "a disconnect"}
 
 
 def operability_drilling(operability: xr.Dataset) -> Figure:
@@ -76,13 +72,7 @@ def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str) -> None:
 def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
     low, high = (envelope.sel(offset_side=side).clip(-reach, reach) for side in ("low", "high"))
     ax.fill_between(
-        envelope["surface_speed"],
-        low,
-        high,
-        color="0.5",
-        alpha=0.18,
-        lw=0.0,
-        label="all limits met",
+        envelope["surface_speed"], low, high, color="0.5", alpha=0.18, lw=0.0, label="all limits met"
     )
 
 

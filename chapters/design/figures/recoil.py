@@ -12,12 +12,7 @@ from matplotlib.patches import Patch
 
 from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
-LABELS = (
-    "clear of BOP and end stops",
-    "LMRP re-contacts the BOP",
-    "cylinders stroke out",
-    "both, by phase",
-)
+LABELS = ("clear of BOP and end stops", "LMRP re-contacts the BOP", "cylinders stroke out", "both, by phase")
 FILL = ("#9fd8bd", "#f5c9a0", "#a9c9e8", "#d3a9c4")
 
 
@@ -102,10 +97,7 @@ def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
     panel_title(up, f"mud of {mud:g} kg/m³, heave of {heave:g} m")
     panel_title(stroke, f"disconnect at {phase:g}° of heave")
     rises = "raises" if highest[-1] > highest[0] else "lowers"
-    headline(
-        figure,
-        f"Higher tension {rises} the LMRP lift from {highest[0]:.1f} to {highest[-1]:.1f} m",
-    )
+    headline(figure, f"Higher tension {rises} the LMRP lift from {highest[0]:.1f} to {highest[-1]:.1f} m")
     return figure
 
 
@@ -163,7 +155,6 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
     key_below(figure, liu, 4)
     high = float(one.max("time").max()), float(recoil_mao["lift"].max())
     headline(
-        figure,
-        f"After a disconnect Liu et al.'s LMRP rises {high[0]:.1f} m, Mao et al.'s {high[1]:.1f} m",
+        figure, f"After a disconnect Liu et al.'s LMRP rises {high[0]:.1f} m, Mao et al.'s {high[1]:.1f} m"
     )
     return figure

@@ -21,23 +21,10 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
         widths = np.linspace(3.5, 1.2, len(heights))  # coinciding lines stay visible
         for colour, height, width in zip(_rising(len(heights)), heights, widths, strict=True):
             at = envelope.sel(mud_weight=mud, significant_height=height)
-            angle = np.rad2deg(
-                float(allowances["ufj_angle_allowance"].sel(significant_height=height))
-            )
-            for side, label in (
-                ("low", None),
-                ("high", f"$H_s$ = {height:g} m (UFJ angle +{angle:.1f}°)"),
-            ):
+            angle = np.rad2deg(float(allowances["ufj_angle_allowance"].sel(significant_height=height)))
+            for side, label in (("low", None), ("high", f"$H_s$ = {height:g} m (UFJ angle +{angle:.1f}°)")):
                 one = at.sel(offset_side=side)
-                ax.plot(
-                    one["surface_speed"],
-                    one,
-                    ".-",
-                    color=colour,
-                    lw=width,
-                    ms=5.0 + width,
-                    label=label,
-                )
+                ax.plot(one["surface_speed"], one, ".-", color=colour, lw=width, ms=5.0 + width, label=label)
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
         panel_title(ax, f"mud of {mud:g} kg/m³")
@@ -59,10 +46,7 @@ def _answer(of: xr.Dataset) -> str:
     taken = 100.0 * (1.0 - high / low)
     least, most = (f"{float(end):.0f}" for end in (taken.min(), taken.max()))
     by = most if least == most else f"{least} to {most}"
-    return (
-        f"Raising $H_s$ from {heights[0]:g} to {heights[-1]:g} m "
-        f"reduces the drilling window by {by} %"
-    )
+    return f"Raising $H_s$ from {heights[0]:g} to {heights[-1]:g} m reduces the drilling window by {by} %"
 
 
 def _rising(count: int) -> list[tuple[float, ...]]:

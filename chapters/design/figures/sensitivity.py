@@ -37,10 +37,7 @@ def sensitivity(sensitivity: xr.Dataset) -> Figure:
     axes[0].set_xlabel("tension window (MN)")
     axes[1].set_xlabel("drilling window at 1 m/s (m)")
     key_below(figure, axes[0], 2)
-    headline(
-        figure,
-        f"The {most[0]} governs the tension window, the {most[1]} the drilling window",
-    )
+    headline(figure, f"The {most[0]} governs the tension window, the {most[1]} the drilling window")
     return figure
 
 
@@ -54,9 +51,7 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
             inputs.setdefault(name, {})[value] = float(values.sel(varied_input=label))
     effect = {name: max(abs(v - base) for v in ends.values()) for name, ends in inputs.items()}
     largest = max(effect.values())
-    largest_ones = sorted(
-        (n for n in effect if effect[n] > LEAST * largest), key=lambda n: effect[n]
-    )
+    largest_ones = sorted((n for n in effect if effect[n] > LEAST * largest), key=lambda n: effect[n])
     for row, name in enumerate(largest_ones):
         for colour, end, (value, there) in zip(
             COLOURS, ("lower end", "upper end"), inputs[name].items(), strict=False

@@ -9,14 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import (
-    COLOURS,
-    GREY,
-    headline,
-    legend_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, panel_title, panels
 
 MUD = "mud density (kg/m³)"
 
@@ -46,16 +39,13 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
     headline(
         figure,
         f"The riser's lower end governs; formula and simulation differ by {100 * apart:.2g} %"
-        if float(minimum_tension["governing_elevation"].max())
-        == float(minimum_tension["elevation"].min())
+        if float(minimum_tension["governing_elevation"].max()) == float(minimum_tension["elevation"].min())
         else f"Formula and simulation of the minimum top tension differ by {100 * apart:.2g} %",
     )
     return figure
 
 
-def tension_window(
-    tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tension_ratio: float
-) -> Figure:
+def tension_window(tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
     """Floors and ceiling of the setting over mud density, one panel per number of failed units.
 
     The range between floor and ceiling is hatched. Green marks are settings that a simulated disconnect

@@ -42,9 +42,7 @@ def _answer(circles: xr.Dataset) -> str:
     for name in ("yellow", "red"):
         late = (at[f"{name}_circle_outcome"] == TOO_LATE).any("mud_weight").values
         if late.any():
-            labels.append(
-                f"{name} alarm is too late from {at['surface_speed'].values[late][0]:g} m/s"
-            )
+            labels.append(f"{name} alarm is too late from {at['surface_speed'].values[late][0]:g} m/s")
     if labels:
         return f"With {eds:g} s to disconnect, the {' and the '.join(labels)}"
     speed = float(at["surface_speed"].max())

@@ -24,15 +24,7 @@ from chapters.fem_riser.claims import (
 )
 from chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
 from riserstudy.figures.direct import label_ends, label_line
-from riserstudy.figures.style import (
-    COLOURS,
-    GREY,
-    headline,
-    key_below,
-    legend_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import COLOURS, GREY, headline, key_below, legend_below, panel_title, panels
 
 viridis = colormaps["viridis"]
 #: lines of the beam, and of lumped masses in front of it
@@ -69,13 +61,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
         for colour, reading, mark in zip(COLOURS, READINGS, "osD^", strict=False):
             curve = scale * reading_trends[f"{name}_by_factor"].sel(reading=reading)
             label = f"{reading}: {READINGS[reading]}"
-            style: dict[str, Any] = {
-                "color": colour,
-                "lw": 1.2,
-                "ms": 7.0,
-                "mfc": "none",
-                "mew": 1.3,
-            }
+            style: dict[str, Any] = {"color": colour, "lw": 1.2, "ms": 7.0, "mfc": "none", "mew": 1.3}
             ax.plot(curve["buoyant_factor"], curve, f"{mark}-", label=label, **style)
         ax.set_xlabel("buoyant factor")
         ax.set_ylabel(quantity)
@@ -88,12 +74,7 @@ def readings(reading_trends: xr.Dataset) -> Figure:
         reading
         for reading in READINGS
         if all(
-            bool(
-                (
-                    reading_trends[f"{name}_by_factor"].sel(reading=reading).diff("buoyant_factor")
-                    > 0
-                ).all()
-            )
+            bool((reading_trends[f"{name}_by_factor"].sel(reading=reading).diff("buoyant_factor") > 0).all())
             for name, *_ in fields
         )
     ]
@@ -208,9 +189,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     left.yaxis.set_major_formatter("{x:g}")
     left.set_xlabel("length of the elements (m)")
     left.set_ylabel("error of deflection or moment,\nthe larger (%)")
-    step = float(
-        own_setting["time_step"].min()
-    )  # the paper's time step, or the nearest to it at this tier
+    step = float(own_setting["time_step"].min())  # the paper's time step, or the nearest to it at this tier
     whole = float(own_setting["solve_seconds"].sel(time_step=step))
     length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
     steps_of = f"steps of {step:g} s"

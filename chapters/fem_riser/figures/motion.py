@@ -14,9 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from chapters.fem_riser.along import (
-    measures,
-)
+from chapters.fem_riser.along import measures
 from chapters.fem_riser.claims import (
     BEAM,
     LUMPED,
@@ -51,9 +49,7 @@ OTHER: dict[str, Any] = {
     "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
 }  # fmt: skip
 MEAN: dict[str, Any] = {"color": "0.6", "linewidth": 5.0, "zorder": 1.0}
-GREENS = ListedColormap(
-    colormaps["Greens"](np.linspace(0.4, 1.0, 256))
-)  # of heights along the riser
+GREENS = ListedColormap(colormaps["Greens"](np.linspace(0.4, 1.0, 256)))  # of heights along the riser
 plasma = colormaps["plasma"]  # of tides
 
 
@@ -86,10 +82,7 @@ def fig03(water: xr.Dataset) -> Figure:
         ax.set_ylabel("depth (m)")
     axes[2].set_ylim(float(water["below_surface"][-1]), 0.0)
     axes[2].set_xlim(left=0.0)
-    headline(
-        figure,
-        "Waves move the water near the surface only",
-    )
+    headline(figure, "Waves move the water near the surface only")
     return figure
 
 
@@ -154,9 +147,7 @@ def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
     panel_title(ax, "histories at heights s")
 
 
-def _profiles(
-    figure: Figure, ax: Axes, window: xr.DataArray, last: xr.DataArray, colours: Colormap
-) -> None:
+def _profiles(figure: Figure, ax: Axes, window: xr.DataArray, last: xr.DataArray, colours: Colormap) -> None:
     """Profiles of a window, coloured by time; circles: last profile by the other method."""
     shapes = window.isel(time=slice(None, None, max(1, window.sizes["time"] // 24)))
     times = Normalize(float(window["time"][0]), float(window["time"][-1]))
@@ -169,15 +160,11 @@ def _profiles(
 
 def fig05(settled: xr.Dataset) -> Figure:
     """Envelopes of the base case."""
-    figure = envelopes(
-        {"2000 m, tension ratio 1.3, buoyant factor 0.7 (assumed)": settled}, (BLUE,)
-    )
+    figure = envelopes({"2000 m, tension ratio 1.3, buoyant factor 0.7 (assumed)": settled}, (BLUE,))
     measured = measures(settled.sel(solver=BEAM))
     place = float(measured["deflection_place"])
     ends = [
-        float(measured[f"{name}_from_{end}"])
-        for name in ("stress", "angle")
-        for end in ("bottom", "top")
+        float(measured[f"{name}_from_{end}"]) for name in ("stress", "angle") for end in ("bottom", "top")
     ]
     headline(
         figure,
@@ -202,9 +189,7 @@ def tides(tides: xr.Dataset) -> Figure:
         f"printed: {printed:g} s", (printed, 0.01), xycoords=("data", "axes fraction"), rotation=90,
         xytext=(-3, 3), textcoords="offset points", ha="right", va="bottom", fontsize="small",
     )  # fmt: skip
-    axes[0].axhspan(
-        1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"steady: within {100 * SETTLED:g} %"
-    )
+    axes[0].axhspan(1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"steady: within {100 * SETTLED:g} %")
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("ratio of the mid-length deflection\nto its last mean")
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value

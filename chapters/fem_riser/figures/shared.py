@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from riserstudy.figures.style import (
-    COLOURS,
-)
+from riserstudy.figures.style import COLOURS
 
 HEIGHT, TIME = "s from the bottom (m)", "time (s)"
 DEFLECTION, STRESS, ANGLE = "deflection x (m)", "bending stress (MPa)", "angle (°)"

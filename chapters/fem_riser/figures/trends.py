@@ -23,25 +23,9 @@ from chapters.fem_riser.along import (
     stress_factor,
     without_drift,
 )
-from chapters.fem_riser.claims import (
-    BEAM,
-    LUMPED,
-)
-from chapters.fem_riser.figures.shared import (
-    ANGLE,
-    BLACK,
-    BLUE,
-    DEFLECTION,
-    HEIGHT,
-    RED,
-    STRESS,
-)
-from riserstudy.figures.style import (
-    GREY,
-    headline,
-    legend_below,
-    panels,
-)
+from chapters.fem_riser.claims import BEAM, LUMPED
+from chapters.fem_riser.figures.shared import ANGLE, BLACK, BLUE, DEFLECTION, HEIGHT, RED, STRESS
+from riserstudy.figures.style import GREY, headline, legend_below, panels
 from riserstudy.records.words import listed
 
 FILL = 0.25  # opacity of ranges, of which three overlap

@@ -42,9 +42,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         still_rising = largest - run["ufj_angle"].values < PASSED
         met = ax.contour(run["gain"], run["hull_drag"], largest.where(still_rising), **style)
         met.set_label(f"riser's weight in water: {weight}")
-        gain, drag = max(
-            (tuple(end) for line in met.allsegs[0] for end in line), default=(0.0, 0.0)
-        )
+        gain, drag = max((tuple(end) for line in met.allsegs[0] for end in line), default=(0.0, 0.0))
         ax.annotate(
             str(weight), (gain, drag), xytext=(5, 0), textcoords="offset points", va="center",
             color=legible(colour), fontsize="small",
@@ -70,10 +68,7 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
         ax.set_ylim(float(calibration["hull_drag"].min()), 1.2 * max(drag for _, drag in upper))
     ax.set_xlabel("thrusters' gain (kN/m)")
     ax.set_ylabel("hull drag (kN s²/m²)")
-    set_title(
-        figure,
-        f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s",
-    )
+    set_title(figure, f"Many pairs of gain and hull drag give the printed 12° at {deadline:g} s")
     return figure
 
 
@@ -163,10 +158,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
         colour = OF_HEADING["0° (along)"]
         (tick,) = axes[0].plot([deadline], [end], "_", color=colour, ms=14, mew=2.0, label="_")
         label_line(axes[0], tick, 0.0, (8.0, 0.0), name=f"{end:.0f}°")
-    set_title(
-        figure,
-        f"At the printed time the band along the environment spans {least:.0f}° to {most:.0f}°",
-    )
+    set_title(figure, f"At the printed time the band along the environment spans {least:.0f}° to {most:.0f}°")
     panel_title(axes[0], "median and band of 90 % of the samples")
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint angle (°)")

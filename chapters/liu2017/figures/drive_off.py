@@ -29,14 +29,7 @@ from chapters.liu2017.figures.shared import (
 from chapters.liu2017.limits import LIMITS, reached, shares
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.figures.direct import label_ends, label_line, legible, named
-from riserstudy.figures.style import (
-    COLOURS,
-    GREY,
-    PRINTED,
-    legend_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import COLOURS, GREY, PRINTED, legend_below, panel_title, panels
 
 SETS = {"ref": "unlimited thrust", "sat": "thrust limited to 4.5 MN"}
 EARLY = 20.0  # s, one of `TIMES`: the top has moved, the bottom hardly
@@ -55,10 +48,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         for heading, label in HEADINGS.items():
             for ending, line, word in (("", "-", "with"), ("_no_riser", "--", "without")):
                 run = beginning.sel(case=f"{kind}_{heading}{ending}")
-                for ax, name in (
-                    (axes[column], "platform_surge"),
-                    (axes[2 + column], "platform_speed_x"),
-                ):
+                for ax, name in ((axes[column], "platform_surge"), (axes[2 + column], "platform_speed_x")):
                     style: dict[str, Any] = {"linestyle": line, "color": OF_HEADING[label]}
                     before = _until_the_stop(ax, run, name, 1.0)
                     text = f"{label}, {word} riser"
@@ -74,8 +64,7 @@ def fig04(driveoff: xr.Dataset) -> Figure:
         axes[2 + column].set_xlabel(TIME)
     later = [_mark_arrivals(ax, driveoff, kind) for ax, kind in zip(axes, SETS, strict=False)]
     set_title(
-        figure,
-        f"Against the environment the platform reaches the false position {_range(later)} s later",
+        figure, f"Against the environment the platform reaches the false position {_range(later)} s later"
     )
     for row in (axes[:2], axes[2:]):
         ends = [end for ax in row for end in ax.get_ylim()]
@@ -118,9 +107,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     """Shapes of the riser; the panel against the environment is mirrored, so that both have one x scale."""
     figure, axes = panels(1, 2, 4.2, sharey=True)
     farthest = max(float(run["x"].sel(time=list(TIMES)).max()) for run in (ref_0, ref_180))
-    for ax, run, sign, label in zip(
-        axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True
-    ):
+    for ax, run, sign, label in zip(axes, (ref_0, ref_180), (1.0, -1.0), HEADINGS.values(), strict=True):
         rest = run.isel(time=0)
         (still,) = ax.plot(sign * rest["x"], rest["z"], "--", color=GREY, label="0 s")
         label_line(ax, still, 1.0, (-6.0 * sign, 3.0))
@@ -139,14 +126,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     for moved in ends:
         there = early.sel(s=moved["s"])
         axes[0].plot(
-            there["x"],
-            there["z"],
-            "o",
-            color=then.get_color(),
-            mfc="white",
-            ms=6,
-            zorder=4,
-            label="_",
+            there["x"], there["z"], "o", color=then.get_color(), mfc="white", ms=6, zorder=4, label="_"
         )
         up = moved is ends[1]
         axes[0].annotate(
@@ -264,16 +244,13 @@ def envelope(envelope: xr.Dataset) -> Figure:
     end, then = (float(still.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     mark_both(ax, end, then, "m")
     far = 1.5 * end
-    seen = [
-        float(part.max()) for part in (used.sel(offset=slice(0.0, far)), used.interp(offset=far))
-    ]
+    seen = [float(part.max()) for part in (used.sel(offset=slice(0.0, far)), used.interp(offset=far))]
     ax.set_xlim(0.0, far)
     ax.set_ylim(0.0, 1.03 * max(seen))
     ax.set_xlabel("static offset of the platform (m)")
     ax.set_ylabel("utilisation of the limit")
     set_title(
-        figure,
-        f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m",
+        figure, f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m"
     )
     lines = {str(line.get_label()): line for line in named(ax)}
     speeds = [float(speed) for speed in used["surface_speed"].values]

@@ -57,8 +57,7 @@ def forces(
     """
     both = calibrated["horizontal_force"]
     tuned, other = (
-        both.sel(calibration=f"8765 N by {counted}")
-        for counted in ("all cylinders", "one cylinder")
+        both.sel(calibration=f"8765 N by {counted}") for counted in ("all cylinders", "one cylinder")
     )
     fastest = force["horizontal_force"].sel(surface_speed=1.0)
     printed = {0.2: slow, 0.6: middle, 1.0: fast}
@@ -73,9 +72,7 @@ def forces(
         "spread": (max(apart) - min(apart)) / (max(apart) + min(apart)),
         "linear_all": float(needed.sel(current_profile="linear", counted="all cylinders")),
         "linear_one": float(needed.sel(current_profile="linear", counted="one cylinder")),
-        "surface_all": float(
-            needed.sel(current_profile="exponential 50 m", counted="all cylinders")
-        ),
+        "surface_all": float(needed.sel(current_profile="exponential 50 m", counted="all cylinders")),
     }
 
 
@@ -105,8 +102,7 @@ def varied(variants: xr.Dataset) -> dict[str, Any]:
         "base": float(base.sel(roll_period=10.0)) / 1e3,
         "pistons": float(pistons.sel(roll_period=5.0)),
         "pistons_slow": float(pistons.sel(roll_period=10.0)),
-        "shorter": float(moment.sel(variant="533 m to the upper flex joint", roll_period=10.0))
-        / 1e3,
+        "shorter": float(moment.sel(variant="533 m to the upper flex joint", roll_period=10.0)) / 1e3,
     }
 
 
@@ -131,9 +127,7 @@ def left_out(roll: xr.Dataset, heave: xr.Dataset) -> dict[str, Any]:
     return changes | {name: facts[name] for name in ("pistons", "pistons_slow")}
 
 
-def baselines(
-    readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Word
-) -> dict[str, Any]:
+def baselines(readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Word) -> dict[str, Any]:
     """Shares of samples in which the static (Q2) and dynamic claims (Q8, Q9) are true, by baseline.
 
     Also named are the baselines with which both Q2 and Q8 are almost always true.

@@ -19,9 +19,7 @@ def same_influence(motions: xr.Dataset, one: str, other: str, same: Word) -> Fou
 
 def no_influence(motions: xr.Dataset, none: str, compared: str, same: Word) -> Found:
     """A motion displaces the riser negligibly; value: ratio of its displacement to another motion's."""
-    aside = [
-        abs(motions[f"{axis}_{side}"]).max("s_node") for axis in "xy" for side in ("max", "min")
-    ]
+    aside = [abs(motions[f"{axis}_{side}"]).max("s_node") for axis in "xy" for side in ("max", "min")]
     farthest = xr.concat(aside, "of").max("of")
     share = farthest.sel(motion=none, drop=True) / farthest.sel(motion=compared, drop=True)
     return judged(share, below(share, same.bound))

@@ -86,8 +86,7 @@ def simple_model_differs(readings: xr.Dataset, larger: Word) -> Found:
     apart = []
     for name in ("largest_displacement", "largest_bending_moment"):
         gas, simple = (
-            readings[name].sel(tensioner_model=model, drop=True)
-            for model in ("gas law", WITHOUT[2])
+            readings[name].sel(tensioner_model=model, drop=True) for model in ("gas law", WITHOUT[2])
         )
         apart.append(abs(above(gas, simple)).max("surface_speed"))
     most = xr.concat(apart, "of").max("of")
@@ -193,9 +192,7 @@ def flexibility_makes_the_lag(surge: xr.Dataset, later: Word) -> Found:
 
 def largest_moment(roll: xr.Dataset, amplitude: float, period: float) -> Found:
     """Largest bending moment (kN m)."""
-    moment = roll["largest_bending_moment"].sel(
-        roll_amplitude=amplitude, roll_period=period, drop=True
-    )
+    moment = roll["largest_bending_moment"].sel(roll_amplitude=amplitude, roll_period=period, drop=True)
     return Found(moment / 1e3)
 
 
@@ -217,13 +214,9 @@ def grows_with_amplitude(roll: xr.Dataset, increases: Word) -> Found:
     return judged(smallest, all_along(grows, "roll_period"))
 
 
-def through_the_tensioners(
-    roll: xr.Dataset, amplitude: float, period: float, larger: Word
-) -> Found:
+def through_the_tensioners(roll: xr.Dataset, amplitude: float, period: float, larger: Word) -> Found:
     """Roll bends the riser more with cylinders than without; value: ratio without / with."""
-    moment = roll["largest_bending_moment"].sel(
-        roll_amplitude=amplitude, roll_period=period, drop=True
-    )
+    moment = roll["largest_bending_moment"].sel(roll_amplitude=amplitude, roll_period=period, drop=True)
     on, without = (moment.sel(tensioner_model=m, drop=True) for m in ("gas law", WITHOUT[2]))
     return judged(without / on, more(on, without, larger))
 

@@ -43,10 +43,7 @@ def codes(check_riser: xr.Dataset) -> xr.Dataset:
     at = length - depth
     ours = check_riser["x_static"].interp(s_node=at, method="cubic").drop_vars("s_node")
     curves = {"lumped masses": ours.assign_coords(depth=depth)}
-    for name, solve in (
-        ("Hermite elements", by_hermite_elements),
-        ("collocation", by_collocation),
-    ):
+    for name, solve in (("Hermite elements", by_hermite_elements), ("collocation", by_collocation)):
         other = curves["lumped masses"].copy(deep=True)
         for place, scene in scenes_of(check_riser):
             other.loc[place] = solve(beamlike(scene), at.values)
@@ -73,9 +70,7 @@ def codes_readings(check_open: xr.Dataset) -> xr.Dataset:
         apart.loc[place] = _apart(xr.DataArray(curves, dims=("code", "depth")))
     dataset = apart.squeeze("surface_speed", drop=True).to_dataset(name="codes_apart")
     dataset = dataset.assign(sampled(check_open))
-    return described(
-        dataset, PAPER, "difference of three methods, for samples of the unspecified inputs"
-    )
+    return described(dataset, PAPER, "difference of three methods, for samples of the unspecified inputs")
 
 
 def _apart(moved: xr.DataArray) -> xr.DataArray:

@@ -25,9 +25,7 @@ def heave_readings(heave_open: xr.Dataset) -> xr.Dataset:
     ring = ring_of(heave_open).rename("s")
     ends = heave_open["effective_tension"].sel(s=xr.concat([xr.zeros_like(ring), ring], "end"))
     dataset = _axial_force(ends.drop_vars("s").rename(end="s")).assign(sampled(heave_open))
-    return described(
-        dataset, PAPER, "amplitude of the axial force, for samples of the unspecified inputs"
-    )
+    return described(dataset, PAPER, "amplitude of the axial force, for samples of the unspecified inputs")
 
 
 def _at_ends(runs: xr.Dataset, model: str) -> xr.DataArray:
@@ -44,8 +42,7 @@ def _axial_force(tension: xr.DataArray) -> xr.Dataset:
             "axial_force_amplitude": swing.isel(s=0, drop=True),
             "axial_force_amplitude_top": swing.isel(s=-1, drop=True),
             "axial_force_lag": lag,
-            "axial_force_share": swing.isel(s=-1, drop=True)
-            / tension.isel(s=-1, drop=True).mean("time"),
+            "axial_force_share": swing.isel(s=-1, drop=True) / tension.isel(s=-1, drop=True).mean("time"),
             "settling": settling(tension, "heave_period").max("s"),
         }
     )

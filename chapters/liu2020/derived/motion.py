@@ -37,9 +37,7 @@ def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
     """Steady-state motion at four depths for every sample of the unspecified inputs."""
     x = at_depths(surge_open["x"], ring_of(surge_open), DEPTHS)
     dataset = _moved(x, _lag(x, SURGE_PERIOD, "depth")).assign(sampled(surge_open))
-    return described(
-        dataset, PAPER, "displacement under surge, for samples of the unspecified inputs"
-    )
+    return described(dataset, PAPER, "displacement under surge, for samples of the unspecified inputs")
 
 
 def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
@@ -175,9 +173,7 @@ def _rolled(runs: xr.Dataset, title: str) -> xr.Dataset:
     high = runs["bending_moment_max"].max("s_node")
     low = runs["bending_moment_min"].min("s_node")
     largest = runs["largest_bending_moment"]
-    dataset = xr.Dataset(
-        {"largest_bending_moment": largest, "settling": abs(high + low) / (high - low)}
-    )
+    dataset = xr.Dataset({"largest_bending_moment": largest, "settling": abs(high + low) / (high - low)})
     made = described(dataset.assign(sampled(runs)), PAPER, title)
     made["settling"].attrs["long_name"] = (
         "difference of largest and smallest moment, as magnitudes, divided by their sum"
@@ -213,9 +209,7 @@ def rao_table(rao_runs: xr.Dataset) -> xr.Dataset:
 def rao(rao_runs: xr.Dataset) -> xr.Dataset:
     """Largest stress amplitude along the riser by each motion, and the motion's share of the sum."""
     swing = half_swing(fibre_stress(rao_runs), "wave_period").max(["s", "side"])
-    return described(
-        _shared(swing), PAPER, "stress amplitude by each motion of the platform in waves of 3 m"
-    )
+    return described(_shared(swing), PAPER, "stress amplitude by each motion of the platform in waves of 3 m")
 
 
 def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
@@ -226,9 +220,7 @@ def rao_readings(rao_open: xr.Dataset) -> xr.Dataset:
         stress = fibre_stress(rao_open.sel(wave_period=period), ring)
         swings.append(half_swing(stress, float(period)).max(["s", "side"]))
     dataset = _shared(xr.concat(swings, rao_open["wave_period"])).assign(sampled(rao_open))
-    return described(
-        dataset, PAPER, "stress amplitude by motion, for samples of the unspecified inputs"
-    )
+    return described(dataset, PAPER, "stress amplitude by motion, for samples of the unspecified inputs")
 
 
 def waves(wave_runs: xr.Dataset) -> xr.Dataset:

@@ -60,9 +60,7 @@ def statics_tuned(statics_calibrated: xr.Dataset) -> xr.Dataset:
 def statics_readings(statics_open: xr.Dataset) -> xr.Dataset:
     """Displacement, moments and force of every sample, over (sample, tensioner_model, surface_speed)."""
     dataset = _at_rest(statics_open).assign(sampled(statics_open))
-    return described(
-        dataset, PAPER, "displacement and static moments, for samples of the unspecified inputs"
-    )
+    return described(dataset, PAPER, "displacement and static moments, for samples of the unspecified inputs")
 
 
 def _at_rest(runs: xr.Dataset) -> xr.Dataset:

@@ -7,23 +7,10 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chapters.liu2020.figures.colours import (
-    LINEAR,
-    LINEARISED,
-    ON_TENSIONERS,
-    VERTICAL_CYLINDERS,
-)
+from chapters.liu2020.figures.colours import LINEAR, LINEARISED, ON_TENSIONERS, VERTICAL_CYLINDERS
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.insets import enlarge
-from riserstudy.figures.style import (
-    GREY,
-    field,
-    headline,
-    key_below,
-    panel_title,
-    panels,
-    shades,
-)
+from riserstudy.figures.style import GREY, field, headline, key_below, panel_title, panels, shades
 
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
@@ -43,9 +30,7 @@ def fig13(heave_case: xr.Dataset) -> Figure:
     ax.set_xlabel(TIME)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()
-    top, bottom = (
-        0.5 * float(at.max() - at.min()) for at in (tension.isel(depth=0), tension.isel(depth=-1))
-    )
+    top, bottom = (0.5 * float(at.max() - at.min()) for at in (tension.isel(depth=0), tension.isel(depth=-1)))
     headline(
         figure,
         f"Heave varies the tension alike at all depths, by ±{0.5 * (top + bottom):.0f} kN"
@@ -102,9 +87,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[0].plot(at, line.sel(middle), "--", color=LINEAR, label=f"{LINEARISED}, 15 s")
     for amplitude in at.values:
         curve = law.sel(heave_amplitude=amplitude)
-        axes[1].plot(
-            curve["heave_period"], curve, ".-", color=ON_TENSIONERS, ms=4, label=f"{amplitude:g} m"
-        )
+        axes[1].plot(curve["heave_period"], curve, ".-", color=ON_TENSIONERS, ms=4, label=f"{amplitude:g} m")
     axes[0].set_xlabel(AMPLITUDE)
     axes[0].set_ylabel("amplitude of the effective tension (kN)")
     axes[1].set_xlabel(PERIOD)
@@ -113,8 +96,7 @@ def fig15(heave: xr.Dataset) -> Figure:
     spread = (law.max("heave_period") / law.min("heave_period") - 1.0).max()
     headline(
         figure,
-        "Heave amplitude sets the tension amplitude; the period adds at most "
-        f"{100.0 * float(spread):.1f} %",
+        f"Heave amplitude sets the tension amplitude; the period adds at most {100.0 * float(spread):.1f} %",
     )
     key_below(figure, axes[0], 3)
     label_ends(axes[1])
@@ -135,14 +117,7 @@ def heave_limit(heave_limit: xr.Dataset) -> Figure:
             for side in ("max", "min"):
                 ends = getattr(curve, side)("time")
                 label = f"stop stiffness {stiffness:g} MN/m" if side == "max" else None
-                ax.plot(
-                    ends["heave_amplitude"],
-                    ends,
-                    color=colour,
-                    linewidth=width,
-                    marker=".",
-                    label=label,
-                )
+                ax.plot(ends["heave_amplitude"], ends, color=colour, linewidth=width, marker=".", label=label)
     for limit, name in ((-STROKE, "stop, retracted"), (STROKE, "stop, extended")):
         axes[0].axhline(limit, color="black", linewidth=1.0)
         axes[0].annotate(

@@ -11,26 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.signal import find_peaks, peak_prominences
 
-from chapters.liu2020.figures.colours import (
-    CARRIED,
-    NAMES,
-    OF_TOP,
-    ON_PLATFORM,
-    ON_TENSIONERS,
-    WITHOUT,
-)
+from chapters.liu2020.figures.colours import CARRIED, NAMES, OF_TOP, ON_PLATFORM, ON_TENSIONERS, WITHOUT
 from chapters.liu2020.figures.motion_shared import DEPTH, RING, TIME, by_depth
 from riserstudy.figures.direct import label_ends, label_line
-from riserstudy.figures.style import (
-    GREY,
-    PRINTED,
-    field,
-    headline,
-    key_below,
-    panel_title,
-    panels,
-    shades,
-)
+from riserstudy.figures.style import GREY, PRINTED, field, headline, key_below, panel_title, panels, shades
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
@@ -61,10 +45,7 @@ def _surged(surge_case: xr.Dataset, model: str, title: str) -> Figure:
     x = x.sel(depth=slice(0.0, None))
     end = float(x["time"][-1])
     for ax, times, name in zip(
-        axes,
-        (slice(0.0, 60.0), slice(end - 60.0, None)),
-        ("transient", "steady state"),
-        strict=True,
+        axes, (slice(0.0, 60.0), slice(end - 60.0, None)), ("transient", "steady state"), strict=True
     ):
         label = DISPLACEMENT if ax is axes[-1] else ""
         field(figure, ax, x.sel(time=times), "time", "depth", label, signed=size)
@@ -226,11 +207,7 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
         most = abs(part).max("time")
         axes[2].plot(most, most["depth"], line, color=shade, label=name)
     figure.colorbar(
-        axes[0].collections[0],
-        ax=axes[:2],
-        location="bottom",
-        aspect=40,
-        label="bending moment (kN m)",
+        axes[0].collections[0], ax=axes[:2], location="bottom", aspect=40, label="bending moment (kN m)"
     )
     label = f"printed: {largest:g} kN m (centre of rotation calibrated to it)"
     axes[2].axvline(largest, label=label, **PRINTED)

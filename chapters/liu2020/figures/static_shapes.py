@@ -10,15 +10,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from chapters.liu2020.figures.colours import (
-    ALL,
-    CARRIED,
-    NAMES,
-    OF_TOP,
-    ON_PLATFORM,
-    ONE,
-    VERTICAL,
-)
+from chapters.liu2020.figures.colours import ALL, CARRIED, NAMES, OF_TOP, ON_PLATFORM, ONE, VERTICAL
 from chapters.liu2020.figures.motion_shared import DEPTH, RING
 from riserstudy.figures.direct import legible
 from riserstudy.figures.insets import enlarge
@@ -47,10 +39,7 @@ def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
     title = "1 m/s, tensioners and four interpretations of 232 t"
     figure = _at_rest(1.0 * statics_calibrated["x_static"], title, "lateral displacement (m)")
     low, high = _times(statics_tuned, "largest_displacement")
-    headline(
-        figure,
-        f"At all speeds a vertical force multiplies the displacement by {low:.1f} to {high:.1f}",
-    )
+    headline(figure, f"At all speeds a vertical force multiplies the displacement by {low:.1f} to {high:.1f}")
     _keys(figure)
     return figure
 
@@ -70,8 +59,7 @@ def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
         _compare_largest(left)
     low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
     headline(
-        figure,
-        f"At all speeds a vertical force multiplies the largest moment by {low:.0f} to {high:.0f}",
+        figure, f"At all speeds a vertical force multiplies the largest moment by {low:.0f} to {high:.0f}"
     )
     _keys(figure)
     return figure
@@ -82,21 +70,16 @@ def _compare_largest(ax: Axes) -> None:
     of_models = {}
     for model in (VERTICAL, "gas law"):
         (line,) = (
-            line
-            for line in ax.get_lines()
-            if line.get_label() == f"{SPEEDS[-1]:g} m/s, {NAMES[model]}"
+            line for line in ax.get_lines() if line.get_label() == f"{SPEEDS[-1]:g} m/s, {NAMES[model]}"
         )
         moments, depths = (np.asarray(values, float) for values in line.get_data())
         near = np.flatnonzero(depths <= NEAR)
         k = near[np.argmax(abs(moments[near]))]
         of_models[model] = moments[k], depths[k]
     (vertical, depth), (tensioners, _) = of_models.values()
-    vertically, tensioned = (
-        f"{float(f'{m:.3g}'):g} kN m".replace("-", "−") for m in (vertical, tensioners)
-    )
+    vertically, tensioned = (f"{float(f'{m:.3g}'):g} kN m".replace("-", "−") for m in (vertical, tensioners))
     text = (
-        f"{SPEEDS[-1]:g} m/s: {vertically}, {vertical / tensioners:.0f} times\n"
-        f"the {tensioned} on tensioners"
+        f"{SPEEDS[-1]:g} m/s: {vertically}, {vertical / tensioners:.0f} times\nthe {tensioned} on tensioners"
     )
     ax.annotate(
         text, (vertical, depth), xytext=(0.06, 0.8), textcoords="axes fraction", fontsize="small",
@@ -115,9 +98,7 @@ def _times(tuned: xr.Dataset, name: str) -> tuple[float, float]:
     return float(ratio.min()), float(ratio.max())
 
 
-def _at_rest(
-    values: xr.DataArray, title: str, across: str, right: Sequence[str] = tuple(NAMES)
-) -> Figure:
+def _at_rest(values: xr.DataArray, title: str, across: str, right: Sequence[str] = tuple(NAMES)) -> Figure:
     """One row per calibrated current: the paper's comparison; interpretations (``right``) at 1 m/s."""
     figure, axes = panels(2, 2, 4.2)
     for row, calibration in zip((axes[:2], axes[2:]), CALIBRATIONS, strict=True):
@@ -142,9 +123,7 @@ def _at_rest(
     return figure
 
 
-def _by_depth(
-    ax: Axes, curve: xr.DataArray, line: Any, colour: str, label: str, width: float
-) -> None:
+def _by_depth(ax: Axes, curve: xr.DataArray, line: Any, colour: str, label: str, width: float) -> None:
     riser = curve.where(curve["s_node"] < RING + 1e-6).dropna("s_node")
     style: dict[str, Any] = {"linestyle": line, "color": colour, "linewidth": width}
     ax.plot(riser, RING - riser["s_node"], label=label, **style)

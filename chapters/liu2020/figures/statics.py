@@ -11,15 +11,7 @@ from matplotlib.figure import Figure
 from chapters.liu2020.figures.colours import ALL, OF_CALIBRATION, OF_PROFILE, ONE
 from chapters.liu2020.figures.motion_shared import DEPTH
 from riserstudy.figures.direct import label_line
-from riserstudy.figures.style import (
-    GREY,
-    PRINTED,
-    headline,
-    key_below,
-    legend_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import GREY, PRINTED, headline, key_below, legend_below, panel_title, panels
 
 NAMED = 0.45  # share of the riser's length, from its top, at which curves of Fig 10 are labelled
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
@@ -39,9 +31,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
     share = current_profiles["current_share"]
     for speed in SPEEDS:
         curve = speed * share.sel(current_profile=f"calibrated: {ALL}")
-        (drawn,) = axes[0].plot(
-            curve, curve["depth"], color=OF_CALIBRATION[ALL], label=f"{speed:g} m/s"
-        )
+        (drawn,) = axes[0].plot(curve, curve["depth"], color=OF_CALIBRATION[ALL], label=f"{speed:g} m/s")
         label_line(axes[0], drawn, 0.0, (0.0, 4.0))
     for shape, colour in OF_PROFILE.items():
         curve = share.sel(current_profile=shape)
@@ -103,9 +93,7 @@ def fig10(codes: xr.Dataset) -> Figure:
         ax.margins(x=0.16)
         ax.set_xlim(left=-0.25 * float(abs(moved).max()))  # room for a label
         ax.set_xlabel("lateral displacement (m)")
-    key = axes[0].plot(
-        [], [], color=GREY, alpha=0.6, linewidth=3.0, label="lumped masses (riserstudy)"
-    )
+    key = axes[0].plot([], [], color=GREY, alpha=0.6, linewidth=3.0, label="lumped masses (riserstudy)")
     for code in ("Hermite elements", "collocation"):
         key += axes[0].plot(
             [], [], lines[code], color="black", linewidth=1.6, markersize=4, markerfacecolor="none",
@@ -114,10 +102,7 @@ def fig10(codes: xr.Dataset) -> Figure:
     axes[0].set_ylabel(DEPTH)
     axes[0].invert_yaxis()
     apart = 100.0 * float(codes["codes_apart"].max())
-    headline(
-        figure,
-        f"Three methods agree to {apart:.1f} % of the displacement",
-    )
+    headline(figure, f"Three methods agree to {apart:.1f} % of the displacement")
     legend_below(figure, key, [str(line.get_label()) for line in key], 3)
     return figure
 
@@ -128,25 +113,17 @@ def _on_two_rows(shape: object) -> str:
 
 
 def dat_force(
-    dat_force: xr.Dataset,
-    dat_force_calibrated: xr.Dataset,
-    slow: float,
-    middle: float,
-    fast: float,
+    dat_force: xr.Dataset, dat_force_calibrated: xr.Dataset, slow: float, middle: float, fast: float
 ) -> Figure:
     """Horizontal force of the tensioners / printed force; ``slow``, ``middle``, ``fast``: printed (N)."""
-    printed = xr.DataArray(
-        [slow, middle, fast], dims="surface_speed", coords={"surface_speed": list(SPEEDS)}
-    )
+    printed = xr.DataArray([slow, middle, fast], dims="surface_speed", coords={"surface_speed": list(SPEEDS)})
     figure, (wide, close) = panels(1, 2, 3.8)
     assumed = dat_force["horizontal_force"] / printed
     _profiles(wide, assumed)
     calibrated = dat_force_calibrated["horizontal_force"] / printed
     for calibration, colour in OF_CALIBRATION.items():
         over = calibrated.sel(calibration=calibration)
-        filled: dict[str, Any] = (
-            {"ms": 5} if calibration == ALL else {"ms": 11, "mfc": "none", "mew": 1.8}
-        )
+        filled: dict[str, Any] = {"ms": 5} if calibration == ALL else {"ms": 11, "mfc": "none", "mew": 1.8}
         close.plot(over["surface_speed"], 100.0 * (over - 1.0), "o", color=colour,
                    label=CALIBRATED[calibration], **filled)  # fmt: skip
     close.axhline(0.0, label="printed", **PRINTED)
@@ -158,13 +135,12 @@ def dat_force(
     close.margins(0.15)
     panel_title(close, "by surface speed; calibrated at 1 m/s")
     close.legend(fontsize="small", loc="center right")
-    misses = (
-        100.0 * float(abs(over - 1.0).max("surface_speed").min()) for over in (assumed, calibrated)
-    )
+    misses = (100.0 * float(abs(over - 1.0).max("surface_speed").min()) for over in (assumed, calibrated))
     headline(
         figure,
-        "Assumed profiles miss printed forces by at least {:.0f} %, "
-        "calibrated ones by {:.0f} %".format(*misses),
+        "Assumed profiles miss printed forces by at least {:.0f} %, calibrated ones by {:.0f} %".format(
+            *misses
+        ),
     )
     return figure
 

@@ -13,14 +13,7 @@ from chapters.liu2020.figures.colours import OF_MOTION, ON_TENSIONERS, WITH_WAVE
 from chapters.liu2020.figures.motion_shared import TIME
 from riserstudy.dataset.statistics import peaks
 from riserstudy.figures.direct import label_ends, label_line
-from riserstudy.figures.style import (
-    GREY,
-    headline,
-    key_below,
-    legend_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import GREY, headline, key_below, legend_below, panel_title, panels
 
 UNITS = {"small": "-", "medium": "--", "large": ":"}
 WAVE = "wave period (s)"
@@ -44,19 +37,14 @@ def fig21(rao_table: xr.Dataset) -> Figure:
         for unit, line in UNITS.items():
             curve = rao_table[f"rao_{name}"].sel(platform_unit=unit)
             label = f"{name}, {unit} {GENERIC}"
-            (drawn,) = ax.plot(
-                curve["wave_period"], curve, line, color=OF_MOTION[name], label=label
-            )
+            (drawn,) = ax.plot(curve["wave_period"], curve, line, color=OF_MOTION[name], label=label)
             if unit == "large":
                 offset = (-8.0, 0.0) if name == "heave" else (0.0, 5.0)
                 share = 0.71 if name == "heave" else 0.9
                 label_line(ax, drawn, share, offset, name=name, size="medium")
     ax.set_xlabel(WAVE)
     ax.set_ylabel("motion / wave amplitude (m/m)")
-    key = [
-        Line2D([], [], ls=line, color=GREY, label=f"{unit} {GENERIC}")
-        for unit, line in UNITS.items()
-    ]
+    key = [Line2D([], [], ls=line, color=GREY, label=f"{unit} {GENERIC}") for unit, line in UNITS.items()]
     ax.legend(handles=key, fontsize="small", loc="upper left")
     most = rao_table["rao_heave"].idxmax("wave_period")
     low, high = float(most.min()), float(most.max())
@@ -69,9 +57,7 @@ def fig22(rao_table: xr.Dataset) -> Figure:
     figure, (ax,) = panels(height=3.6)
     for unit, line in UNITS.items():
         curve = np.rad2deg(rao_table["rao_pitch"].sel(platform_unit=unit))
-        ax.plot(
-            curve["wave_period"], curve, line, color=OF_MOTION["pitch"], label=f"{unit} {GENERIC}"
-        )
+        ax.plot(curve["wave_period"], curve, line, color=OF_MOTION["pitch"], label=f"{unit} {GENERIC}")
     ax.set_xlabel(WAVE)
     ax.set_ylabel("pitch / wave amplitude (°/m)")
     ax.legend(fontsize="small")
@@ -101,9 +87,7 @@ def fig24(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
     share = 100.0 * rao["stress_share"]
     figure = _by_motion(share, "share of the stress amplitude (%)", elevations)
     of_medium = share.sel(platform_unit="medium")
-    leads = of_medium.argmax("motion") == xr.DataArray(
-        range(of_medium.sizes["motion"]), dims="leader"
-    )
+    leads = of_medium.argmax("motion") == xr.DataArray(range(of_medium.sizes["motion"]), dims="leader")
     span = float(share["wave_period"].max() - share["wave_period"].min())
     of_span = leads.astype(float).integrate("wave_period") / span  # share of periods
     first = int(of_span.min("reference").argmax("leader"))
@@ -150,16 +134,10 @@ def waves(waves: xr.Dataset) -> Figure:
     on_it = stress.drop_sel(waves=ALONE)
     low, high = on_it.min("waves"), on_it.max("waves")
     names = "none, constant or stretched above the mean level"
-    ax.fill_between(
-        low["wave_period"], low, high, color=WITH_WAVES, alpha=0.6, label=f"range: {names}"
-    )
+    ax.fill_between(low["wave_period"], low, high, color=WITH_WAVES, alpha=0.6, label=f"range: {names}")
     stretched = stress.sel(waves=STRETCHED)
     (on,) = ax.plot(
-        stretched["wave_period"],
-        stretched,
-        ".-",
-        color=WITH_WAVES,
-        label=f"on the riser, {STRETCHED}",
+        stretched["wave_period"], stretched, ".-", color=WITH_WAVES, label=f"on the riser, {STRETCHED}"
     )
     calm = alone.where(alone["wave_period"] > CALM, 0.0)
     crest = float(np.argmax(calm.values)) / max(1, alone.size - 1)
@@ -221,10 +199,7 @@ def sea(storm: xr.Dataset) -> Figure:
         engine.set(wspace=0.08)  # type: ignore[call-arg]
     key_below(figure, axes[2], 3)
     least, most = min(worst.values()), max(worst.values())
-    headline(
-        figure,
-        f"Moment, tension and stroke peak at {least:.1f} to {most:.1f} standard deviations",
-    )
+    headline(figure, f"Moment, tension and stroke peak at {least:.1f} to {most:.1f} standard deviations")
     return figure
 
 

@@ -36,9 +36,7 @@ def moment_of_fig9(runs: xr.Dataset, lmrp_mass: float, printed: float) -> Found:
     return Found(_either(cycle.isel(time=-1, drop=True), _nearest(cycle, printed)))
 
 
-def numbers_at_some_time(
-    runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
-) -> Found:
+def numbers_at_some_time(runs: xr.Dataset, heavy: float, light: float, moment: float, within: float) -> Found:
     """One interpretation meets all numbers, one at some time, one at some phase; value: largest error."""
     pairs = [
         (distance(runs).sel(lmrp_mass=140.0, drop=True), heavy),

@@ -85,10 +85,7 @@ def parts_of_samples(
     ramp : ramp time of the platform's speed (s).
     area : drag area of the LMRP (m2).
     """
-    claims = {
-        "C5": grows_in_time(runs, at_most),
-        "C10": distance_follows(runs, "lmrp_mass", -1.0, change),
-    }
+    claims = {"C5": grows_in_time(runs, at_most), "C10": distance_follows(runs, "lmrp_mass", -1.0, change)}
     sides = {
         "ramp": _drawn(runs, "platform_cruise_ramp", "s") > ramp,
         "area": _drawn(runs, "bottom_body_drag_area_horizontal", "m^2") > area,
@@ -112,10 +109,7 @@ def lighter(runs: xr.Dataset, heavy: float, light: float) -> dict[str, Any]:
     """Distance x (m) for the three masses of Fig 10, and its relative increase from 140 to 120 t."""
     x = distance(runs)
     distances = {f"x{mass:g}": float(x.sel(lmrp_mass=mass)) for mass in (120.0, 130.0, 140.0)}
-    return distances | {
-        "growth": distances["x120"] / distances["x140"] - 1.0,
-        "printed": light / heavy - 1.0,
-    }
+    return distances | {"growth": distances["x120"] / distances["x140"] - 1.0, "printed": light / heavy - 1.0}
 
 
 def variants(runs: xr.Dataset) -> dict[str, Any]:
@@ -178,11 +172,7 @@ def load_power(runs: xr.Dataset) -> dict[str, Any]:
 def flows(runs: xr.Dataset) -> dict[str, Any]:
     """Distance x (m) in every interpretation of direction and speed, for the base riser and profile."""
     x = distance(runs).sel(lmrp_mass=140.0).isel(riser_weight=0, current_profile=0)
-    words = {
-        "against": "against, 1 m/s",
-        "along": "along, 1 m/s",
-        "one": "both in one profile, 2 m/s",
-    }
+    words = {"against": "against, 1 m/s", "along": "along, 1 m/s", "one": "both in one profile, 2 m/s"}
     words |= {"fast_against": "against, 1.289 m/s", "fast_along": "along, 1.289 m/s"}
     return {short: float(x.sel(flow=name)) for short, name in words.items()}
 
@@ -219,8 +209,5 @@ def nearest_found(runs: xr.Dataset, heavy: float, light: float, moment: float) -
     """Distances (m) and moment (kN m) of the nearest result of a continuous search; its largest error."""
     x, m = distance(runs), largest(runs).sel(lmrp_mass=140.0, drop=True) / 1e3
     misses = misses_of_print(runs, heavy, light, moment)[list(PRINTED)].to_dataarray("number")
-    facts = {
-        f"x_{name}": float(x.sel(lmrp_mass=mass))
-        for name, mass in (("heavy", 140.0), ("light", 120.0))
-    }
+    facts = {f"x_{name}": float(x.sel(lmrp_mass=mass)) for name, mass in (("heavy", 140.0), ("light", 120.0))}
     return facts | {"m_heavy": float(m), "worst": float(misses.max())}

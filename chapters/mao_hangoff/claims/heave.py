@@ -14,11 +14,7 @@ import numpy as np
 import xarray as xr
 
 from chapters.mao_hangoff.hanging import largest_rise
-from chapters.mao_hangoff.runs import (
-    at_angle,
-    last_over_first,
-    with_printed_lmrp,
-)
+from chapters.mao_hangoff.runs import at_angle, last_over_first, with_printed_lmrp
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, everywhere
 from riserstudy.grading.word import Word
@@ -127,9 +123,7 @@ def harmonic(z: xr.DataArray, heave: xr.Dataset) -> xr.Dataset:
     def fit(z: Any, period: Any) -> tuple[float, float, float]:
         w = 2.0 * np.pi / period
         slow = np.stack([np.ones_like(t), t, t.values**2], axis=1)
-        terms = np.concatenate(
-            [slow, np.cos(w * t.values)[:, None], np.sin(w * t.values)[:, None]], 1
-        )
+        terms = np.concatenate([slow, np.cos(w * t.values)[:, None], np.sin(w * t.values)[:, None]], 1)
         fitted = np.linalg.lstsq(terms, z, rcond=None)[0]
         wave = z - slow @ fitted[:3]
         left = z - terms @ fitted
@@ -138,12 +132,7 @@ def harmonic(z: xr.DataArray, heave: xr.Dataset) -> xr.Dataset:
         return float(np.hypot(*fitted[3:])), drift, share
 
     amplitude, drift, share = xr.apply_ufunc(
-        fit,
-        z,
-        period,
-        input_core_dims=[["time"], []],
-        output_core_dims=[[], [], []],
-        vectorize=True,
+        fit, z, period, input_core_dims=[["time"], []], output_core_dims=[[], [], []], vectorize=True
     )
     return xr.Dataset({"amplitude": amplitude, "drift": drift, "share": share})
 

@@ -37,9 +37,7 @@ PLACES = 200  # number of equally spaced positions along the riser, for means
 # printed numbers
 
 
-def all_numbers(
-    runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
-) -> Found:
+def all_numbers(runs: xr.Dataset, heavy: float, light: float, moment: float, within: float) -> Found:
     """One interpretation meets the three numbers within a share; value: its largest error."""
     misses = misses_of_print(runs, heavy, light, moment)
     worst = xr.concat([misses[name] for name in PRINTED], "number").max("number")
@@ -52,13 +50,9 @@ def all_numbers(
 def grows_with_depth(runs: xr.Dataset, same: Word) -> Found:
     """Distance increases with depth at 130 s, except negligible decreases; value: x / largest distance."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=STATED, drop=True)
-    largest_above = (
-        away.sortby("s", ascending=False).rolling(s=away.sizes["s"], min_periods=1).max()
-    )
+    largest_above = away.sortby("s", ascending=False).rolling(s=away.sizes["s"], min_periods=1).max()
     short = (largest_above - away) / away.max("s")
-    return judged(
-        away.isel(s=0, drop=True) / away.max("s"), everywhere(below(short, same.bound), "s")
-    )
+    return judged(away.isel(s=0, drop=True) / away.max("s"), everywhere(below(short, same.bound), "s"))
 
 
 def upright_at_the_lmrp(runs: xr.Dataset, at_most: float) -> Found:
@@ -184,16 +178,12 @@ def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, chan
     return _all_follow(runs, lmrp_motion(heave)["amplitude"], axis, sign, change)
 
 
-def all_rise_with(
-    runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word
-) -> Found:
+def all_rise_with(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
     """x, M and the LMRP's largest rise all increase or decrease along an axis; value: last x / first."""
     return _all_follow(runs, largest_rise(heave), axis, sign, change)
 
 
-def _all_follow(
-    runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float, change: Word
-) -> Found:
+def _all_follow(runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float, change: Word) -> Found:
     x, m = distance(runs), largest(runs)
     every = all_of(*(growing(values, axis, change, sign) for values in (x, m, axial)))
     return judged(last_over_first(x, axis), every)

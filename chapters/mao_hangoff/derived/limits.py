@@ -17,12 +17,7 @@ KNOT = 1852.0 / 3600.0  # m/s
 
 
 def speed_limits(
-    steady: xr.Dataset,
-    joint_angle: str,
-    clearance: str,
-    keel: str,
-    yield_stress: str,
-    share_of_yield: float,
+    steady: xr.Dataset, joint_angle: str, clearance: str, keel: str, yield_stress: str, share_of_yield: float
 ) -> xr.Dataset:
     """Largest speed that meets all limits, over length, LMRP mass and current, and the governing limit.
 

@@ -38,10 +38,7 @@ def end_loads(readings: xr.Dataset) -> xr.Dataset:
     past, now = (readings["x"].sel(time=time, drop=True) for time in (STATED - MEAN_OVER, STATED))
     speed = (now - past) / MEAN_OVER
     axes = [str(dim) for dim in speed.dims if dim != "s"]
-    made = {
-        name: xr.zeros_like(speed.isel(s=0, drop=True))
-        for name in ("load_at_joint", "load_at_lmrp")
-    }
+    made = {name: xr.zeros_like(speed.isel(s=0, drop=True)) for name in ("load_at_joint", "load_at_lmrp")}
     for place, scene in scenes_of(readings):
         if scene.current is None or scene.water is None or scene.riser[0].drag is None:
             raise TypeError("a reading without a current or drag")
@@ -122,9 +119,7 @@ def towed(runs: xr.Dataset, name: str) -> xr.Dataset:
             "ufj_angle": runs["ufj_angle"],
         }
     )
-    made = described(
-        made, PAPER, f"{name}, displacements along the track from the upper flex joint"
-    )
+    made = described(made, PAPER, f"{name}, displacements along the track from the upper flex joint")
     made["bending_moment_size"].attrs["long_name"] += f" at {STATED:g} s"
     return made
 

@@ -14,14 +14,7 @@ from chapters.mao_hangoff.figures.colours import OF_WEIGHT
 from chapters.mao_hangoff.runs import PRINTED as NUMBERS
 from chapters.mao_hangoff.runs import distance, largest, misses_of_print
 from riserstudy.figures.insets import enlarge
-from riserstudy.figures.style import (
-    GREY,
-    PRINTED,
-    headline,
-    key_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import GREY, PRINTED, headline, key_below, panel_title, panels
 
 MARKS = ("o", "s", "^", "D", "v", "P")
 NEAR = (0.1, 0.09, 0.44, 0.25)  # empty part of a panel, for an enlarged part
@@ -29,18 +22,10 @@ AROUND = 0.25  # half size of it, as share of nearest distance and of printed gr
 LETTERS = 21  # most letters per line of a name within a panel
 NEAREST = "nearest to all three numbers"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
-RING: dict[str, Any] = {
-    "color": "black",
-    "marker": "o",
-    "ms": 13,
-    "mfc": "none",
-    "ls": "none",
-}
+RING: dict[str, Any] = {"color": "black", "marker": "o", "ms": 13, "mfc": "none", "ls": "none"}
 
 
-def readings(
-    readings: xr.Dataset, heavy: float, light: float, moment: float, within: float
-) -> Figure:
+def readings(readings: xr.Dataset, heavy: float, light: float, moment: float, within: float) -> Figure:
     """Every interpretation of riser weight, flow and profile, compared with the printed numbers.
 
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment
@@ -115,22 +100,15 @@ def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str], prin
     """Key of colours, marks and lines, one column each, below the panels."""
     colours = [_legend_line(weight, "o", colour) for weight, colour in weights.items()]
     marks = [_legend_line(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
-    others = [
-        Line2D([], [], label=printed, **PRINTED),
-        Line2D([], [], label=NEAREST, **RING),
-    ]
+    others = [Line2D([], [], label=printed, **PRINTED), Line2D([], [], label=NEAREST, **RING)]
     columns = [
         [_legend_line("weight in water"), *colours],
         [_legend_line("current, to the track"), *marks],
         [_legend_line("lines and rings"), *others],
     ]
     rows = max(len(column) for column in columns)
-    handles = [
-        one for column in columns for one in column + [_legend_line("")] * (rows - len(column))
-    ]
-    key = figure.legend(
-        handles=handles, loc="outside lower center", ncols=len(columns), fontsize="small"
-    )
+    handles = [one for column in columns for one in column + [_legend_line("")] * (rows - len(column))]
+    key = figure.legend(handles=handles, loc="outside lower center", ncols=len(columns), fontsize="small")
     for number in range(len(columns)):
         key.get_texts()[number * rows].set_fontweight("bold")
 
@@ -162,9 +140,7 @@ def open_choices(
     return figure
 
 
-def _around_print(
-    axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float
-) -> None:
+def _around_print(axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float) -> None:
     """Limit panels to the surroundings of the printed numbers; titles count the results within them."""
     for ax, (name, right, bottom, top) in zip(axes, _frames(heavy, light, moment), strict=True):
         ax.set_xlim(-0.1 * heavy, right)
@@ -175,9 +151,7 @@ def _around_print(
         panel_title(ax, f"{seen} in the frame")
 
 
-def _frames(
-    heavy: float, light: float, moment: float
-) -> tuple[tuple[str, float, float, float], ...]:
+def _frames(heavy: float, light: float, moment: float) -> tuple[tuple[str, float, float, float], ...]:
     """For each panel: quantity of the vertical axis, and the right end, bottom and top of the frame."""
     growth = light / heavy - 1.0
     return (

@@ -16,10 +16,7 @@ OF_INPUT = {
 }
 #: coordinates of a single run
 OF_COORDINATE = {"time": "#456882", "depth": "#882255"}
-FINE_MESH, MESH_OF_PAPER = (
-    "computed, fine mesh",
-    "computed, 50 elements and\n0.00163 s as the paper",
-)
+FINE_MESH, MESH_OF_PAPER = ("computed, fine mesh", "computed, 50 elements and\n0.00163 s as the paper")
 OF_MESH = {FINE_MESH: "#332288", MESH_OF_PAPER: "#ee3377"}
 #: the riser's weight in water; config/studies/mao_hangoff.yaml, readings
 OF_WEIGHT = {

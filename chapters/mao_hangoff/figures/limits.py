@@ -19,14 +19,7 @@ from numpy.typing import NDArray
 
 from chapters.mao_hangoff.figures.colours import OF_INPUT
 from riserstudy.figures.direct import label_ends
-from riserstudy.figures.style import (
-    GREY,
-    headline,
-    legend_below,
-    panel_title,
-    panels,
-    shades,
-)
+from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels, shades
 from riserstudy.scene.origin import unwrap
 
 PERIODS = (5.0, 8.0)  # s, of heave: the least, and one at which heavy risers keep positive tension
@@ -133,11 +126,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
     _bar(
-        figure,
-        axes[2:],
-        Normalize(0.0, most),
-        HEAVES,
-        "amplitude at negative tension (m)\n(darker is worse)",
+        figure, axes[2:], Normalize(0.0, most), HEAVES, "amplitude at negative tension (m)\n(darker is worse)"
     )
     kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {
@@ -179,18 +168,12 @@ def _two_digits(value: float) -> str:
 
 
 def _cells(
-    ax: Axes,
-    values: xr.DataArray,
-    norm: Normalize,
-    lost: xr.DataArray | None = None,
-    colours: str = KEPT,
+    ax: Axes, values: xr.DataArray, norm: Normalize, lost: xr.DataArray | None = None, colours: str = KEPT
 ) -> None:
     """A coloured table, one cell per pair of coordinates; NaN: beyond the scale."""
     up, across = values.dims
     kept = values if lost is None else values.where(~lost)
-    beyond = xr.where(
-        values.isnull(), norm.vmax, np.nan
-    )  # in the colour of the largest value shown
+    beyond = xr.where(values.isnull(), norm.vmax, np.nan)  # in the colour of the largest value shown
     layers = ((kept, colours), (values.where(kept.isnull()), LOST), (beyond, colours))
     for drawn, shade in layers:
         ax.pcolormesh(drawn.values, norm=norm, cmap=shade, edgecolors="white")

@@ -21,26 +21,12 @@ from chapters.mao_hangoff.figures.colours import (
     PROFILE,
     ordered,
 )
-from chapters.mao_hangoff.figures.towed_shared import (
-    AGAINST,
-    ASTERN,
-    NESTED,
-    TIME,
-    down,
-    name_upright,
-)
+from chapters.mao_hangoff.figures.towed_shared import AGAINST, ASTERN, NESTED, TIME, down, name_upright
 from chapters.mao_hangoff.runs import STATED, at_nodes_of_paper
 from chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_ends, label_line, legible
 from riserstudy.figures.insets import enlarge
-from riserstudy.figures.style import (
-    GREY,
-    PRINTED,
-    headline,
-    legend_below,
-    panel_title,
-    panels,
-)
+from riserstudy.figures.style import GREY, PRINTED, headline, legend_below, panel_title, panels
 
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
 START = (4.0, 8.0, 12.0)  # s, of Fig 4; it ends at the last
@@ -79,9 +65,7 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
     for ax, curves in zip(axes, (shapes, moments), strict=True):
         for colour, time in zip(ordered(OF_COORDINATE["time"], START), START, strict=True):
             at = curves.sel(time=time)
-            (line,) = ax.plot(
-                at.sel(integrator="implicit"), depth, color=colour, lw=1.2, label=f"{time:g} s"
-            )
+            (line,) = ax.plot(at.sel(integrator="implicit"), depth, color=colour, lw=1.2, label=f"{time:g} s")
             ax.plot(at.sel(integrator="explicit"), depth, ".", color=colour, ms=4)
             largest = float(at.sel(integrator="implicit").argmax("s")) / (depth.size - 1.0)
             share, offset = (0.1, (4.0, 0.0)) if ax is axes[0] else (largest, (0.0, 3.0))
@@ -149,9 +133,7 @@ def fig07(pe_pipe: xr.Dataset) -> Figure:
     ax.legend(handles=keys, fontsize="small")
     panel_title(ax, "numbers: speed, and deflection of the flooded pipe's tip")
     power = np.log(float(tip[-1] / tip[0])) / np.log(float(speeds[-1] / speeds[0]))
-    headline(
-        figure, f"The tip deflection increases with speed to the power {power:.1f} (speeds assumed)"
-    )
+    headline(figure, f"The tip deflection increases with speed to the power {power:.1f} (speeds assumed)")
     return figure
 
 
@@ -162,12 +144,8 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     depth, shapes = share["below_surface"], [str(one) for one in share["current_profile"].values]
     speeds = (1.0, 1.1, 1.2)
     for colour, speed in zip(ordered(OF_INPUT["current_speed"], speeds), speeds, strict=True):
-        axes[0].plot(
-            _while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:.1f} m/s"
-        )
-    axes[0].legend(
-        fontsize="small", loc="lower right", title="at the surface", title_fontsize="small"
-    )
+        axes[0].plot(_while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:.1f} m/s")
+    axes[0].legend(fontsize="small", loc="lower right", title="at the surface", title_fontsize="small")
     axes[0].set_xlabel("current speed (m/s)")
     panel_title(axes[0], "uniform to 100 m,\nzero below 300 m")
     for ax, family in zip(axes[1:], FAMILIES, strict=True):
@@ -239,10 +217,7 @@ def fig09(
     )
     legend_below(figure, [handle for handle, _ in known], [label for _, label in known], 4)
     away = float(-base["displacement_along"].sel(time=STATED).isel(s=0))
-    headline(
-        figure,
-        f"The LMRP trails by {away:.1f} m (calibrated), the moment reaches {largest:.1f} kN m",
-    )
+    headline(figure, f"The LMRP trails by {away:.1f} m (calibrated), the moment reaches {largest:.1f} kN m")
     label_ends(axes[3])
     return figure
 

@@ -30,9 +30,7 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
     return {name: 100.0 * (float(new) / float(old) - 1.0) for name, (old, new) in ratios.items()}
 
 
-def towed_panels(
-    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str
-) -> Figure:
+def towed_panels(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str) -> Figure:
     """Figs 11, 12, 14 without key: shapes, moments, axial motions; the motions' differences from the first.
 
     ``values``: of the axis; differences are from the first. ``current``: speed and direction, title of (a).

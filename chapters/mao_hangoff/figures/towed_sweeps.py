@@ -37,10 +37,7 @@ from riserstudy.figures.style import (
 )
 
 MASSES = (140.0, 130.0, 120.0)  # t, of the LMRP
-UPPER = (
-    (0.0, 9.0),
-    (-10.0, 290.0),
-)  # enlarged ranges of |moment| (kN m) and depth (m) in Figs 11 and 12
+UPPER = ((0.0, 9.0), (-10.0, 290.0))  # enlarged ranges of |moment| (kN m) and depth (m) in Figs 11 and 12
 TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
 ALIKE = 1.0  # %, largest difference of curves that are drawn inside each other
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
@@ -68,9 +65,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
         panel_title(ax, title)
         panel_title(below, f"differences from {MASSES[0]:g} t")
         down(below, f"difference ({unit})")
-    for ax, label, value, unit in zip(
-        axes, (ASTERN, MOMENT), (heavy, moment), ("m", "kN m"), strict=False
-    ):
+    for ax, label, value, unit in zip(axes, (ASTERN, MOMENT), (heavy, moment), ("m", "kN m"), strict=False):
         down(ax, label)
         ax.axvline(value, **PRINTED)
         name_upright(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
@@ -110,9 +105,7 @@ def fig12(platform_speed: xr.Dataset) -> Figure:
     return figure
 
 
-def _two_profiles(
-    runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str
-) -> Figure:
+def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str) -> Figure:
     """Panels in the first profile; dashed lines are shapes and moments in the other profile.
 
     ``held``: speed and direction that panel (a) states.
@@ -211,9 +204,7 @@ def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
         (-at["lmrp_displacement"], "-.", "along (positive astern)", 0.9, (-8.0, 0.0)),
         (across, ":", "across", 0.3, (-5.0, 2.0)),
     ):
-        (drawn,) = ax.plot(
-            at["track_angle"], values, line, color="black", lw=1.0, label=f"_{label}"
-        )
+        (drawn,) = ax.plot(at["track_angle"], values, line, color="black", lw=1.0, label=f"_{label}")
         label_line(ax, drawn, share, offset, name=label)
     most = across.isel(track_angle=int(across.argmax("track_angle")))
     ax.annotate(
@@ -230,9 +221,7 @@ def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
     """Title: tracks on which the LMRP is ahead or astern (m, by both interpretations) of the platform."""
     ahead = [angle for angle, found in astern.items() if max(found) < 0.0]
     trailing = [angle for angle, found in astern.items() if min(found) > 0.0]
-    if len(ahead) + len(trailing) < len(astern) or (
-        ahead and trailing and max(ahead) > min(trailing)
-    ):
+    if len(ahead) + len(trailing) < len(astern) or (ahead and trailing and max(ahead) > min(trailing)):
         return "Whether the LMRP is ahead of the platform depends on interpretation and track"
     if not (ahead and trailing):
         return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
@@ -254,8 +243,7 @@ def fig14(riser_length: xr.Dataset) -> Figure:
     least = min(change, key=lambda name: change[name])
     verb = "decreases" if change[least] < 0.0 else "increases"
     headline(
-        figure,
-        f"A longer riser {verb} the {least} by {abs(change[least]):.0f} %; published: an increase",
+        figure, f"A longer riser {verb} the {least} by {abs(change[least]):.0f} %; published: an increase"
     )
     return figure
 

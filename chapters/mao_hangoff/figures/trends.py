@@ -26,10 +26,7 @@ NAMES = {
 
 
 def trends(
-    lmrp_mass: xr.Dataset,
-    current_speed: xr.Dataset,
-    platform_speed: xr.Dataset,
-    riser_length: xr.Dataset,
+    lmrp_mass: xr.Dataset, current_speed: xr.Dataset, platform_speed: xr.Dataset, riser_length: xr.Dataset
 ) -> Figure:
     """Change of displacement, moment and joint angle at 130 s over the change of each input, both in %.
 

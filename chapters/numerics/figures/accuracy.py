@@ -48,9 +48,7 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     for ax in axes[: len(scenes)]:
         for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):
             drawn.setdefault(label, handle)
-    figure.legend(
-        drawn.values(), drawn.keys(), loc="outside lower center", ncols=4, fontsize="small"
-    )
+    figure.legend(drawn.values(), drawn.keys(), loc="outside lower center", ncols=4, fontsize="small")
     headline(figure, _answer(quickest))
     return figure
 

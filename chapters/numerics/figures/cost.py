@@ -42,9 +42,7 @@ def answer(accuracy: xr.Dataset) -> str:
     found = price(accuracy)
     if found is None:
         return "What accuracy costs"
-    return (
-        f"A tolerance {found.coarse / found.fine:.0f} times finer takes {found.words} times as long"
-    )
+    return f"A tolerance {found.coarse / found.fine:.0f} times finer takes {found.words} times as long"
 
 
 def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
@@ -53,10 +51,7 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
     ends: list[tuple[float, float, str, str]] = []
     for k, scene in enumerate(_scenes(accuracy)):
         here = accuracy["request_scene"].values == scene
-        requested, seconds = (
-            accuracy["requested"].values[here],
-            accuracy["request_seconds"].values[here],
-        )
+        requested, seconds = (accuracy["requested"].values[here], accuracy["request_seconds"].values[here])
         order = np.argsort(-requested)
         x, y = requested[order], seconds[order]
         if not np.isfinite(y).any():
@@ -132,9 +127,7 @@ def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
     found = []
     for peer in dict.fromkeys(accuracy["peer"].values[here]):
         of = here & (accuracy["peer"].values == peer)
-        found.append(
-            (str(peer), accuracy["peer_error"].values[of], accuracy["peer_ratio"].values[of])
-        )
+        found.append((str(peer), accuracy["peer_error"].values[of], accuracy["peer_ratio"].values[of]))
     return found
 
 
@@ -247,16 +240,7 @@ def _honesty(ax: Axes, drawn: xr.Dataset) -> None:
     ax.plot([LEAST, 1.0], [LEAST, 1.0], color=GREY, linewidth=0.8)
     ax.axvline(requested, color="black", linestyle=":", linewidth=1.0)
     label: dict[str, Any] = {"transform": ax.get_xaxis_transform(), "fontsize": "small"}
-    ax.text(
-        0.93 * requested,
-        0.03,
-        "tolerance",
-        rotation=90,
-        ha="right",
-        va="bottom",
-        color="0.3",
-        **label,
-    )
+    ax.text(0.93 * requested, 0.03, "tolerance", rotation=90, ha="right", va="bottom", color="0.3", **label)
     over = true > requested
     ax.plot(true[~over], estimated[~over], "o", color=COLOURS[0], markersize=4, alpha=0.7)
     ax.plot(true[over], estimated[over], "D", color=COLOURS[1], markersize=5)

@@ -55,9 +55,7 @@ def answer(effects: xr.Dataset) -> str:
     none = [one.name for one in never(ranked)[:1]]
     words = f"{top[:1].upper()}{top[1:]} change most results" if top else ""
     rest = f"{' and '.join(none)} changes none" if none else ""
-    return (
-        ", ".join(part for part in (words, rest) if part) or "Change of the results by one effect"
-    )
+    return ", ".join(part for part in (words, rest) if part) or "Change of the results by one effect"
 
 
 def _colour(one: Ranked) -> str:
@@ -83,8 +81,7 @@ def _changes(ax: Axes, ranked: list[Ranked]) -> None:
     ax.set_xlim(0.6 * LEAST, 1.6 * MOST)
     ticks = (1e-5, 1e-4, 1e-3, TOLERANCE, 1e-1)
     ax.set_xticks(
-        [LEAST, *ticks, MOST],
-        [f"≤ {100 * LEAST:g}", *(f"{100 * tick:g}" for tick in ticks), "≥ 100"],
+        [LEAST, *ticks, MOST], [f"≤ {100 * LEAST:g}", *(f"{100 * tick:g}" for tick in ticks), "≥ 100"]
     )
     ax.xaxis.set_minor_locator(NullLocator())
     top: dict[str, Any] = {"xycoords": ("data", "axes fraction"), "textcoords": "offset points"}
@@ -92,9 +89,7 @@ def _changes(ax: Axes, ranked: list[Ranked]) -> None:
     ax.annotate("negligible", (TOLERANCE, 1.0), xytext=(-5, 3), ha="right", **top)
     ax.annotate("changes the result", (TOLERANCE, 1.0), xytext=(5, 3), ha="left", **top)
     ax.annotate("scenes", (1.6 * MOST, 1.0), xytext=(5, 3), ha="left", **top)
-    ax.set_xlabel(
-        "largest change of displacement, moment or tension (%); one dot per scene; |: median"
-    )
+    ax.set_xlabel("largest change of displacement, moment or tension (%); one dot per scene; |: median")
     ax.set_title("(a) without the effect", loc="left", fontsize="small", pad=6)
 
 

@@ -23,9 +23,7 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
     for k, (ax, case) in enumerate(zip(axes, cases, strict=True)):
         here = long_runs.isel(run=np.flatnonzero(long_runs["case"].values == case))
         _panel(ax, here, candidates)
-        ax.set_title(
-            f"({'abcdef'[k]}) {case}{_lowest_cost(ax, here)}", loc="left", fontsize="medium"
-        )
+        ax.set_title(f"({'abcdef'[k]}) {case}{_lowest_cost(ax, here)}", loc="left", fontsize="medium")
     axes[-1].set_xlabel("CPU time of a run (s)")
     key_below(figure, axes[0], 3)
     headline(figure, answer(long_runs))

@@ -65,9 +65,7 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
     ax.set_xscale("log")
     ax.set_yscale("log")
     low = max(LEAST, 0.5 * float(of["true"].where(of["true"] > 0.0).min()))
-    ax.set_xlim(
-        low, max(3.0 * requested, *(1.5 * float(of[n].max()) for n in ("true", "estimated")))
-    )
+    ax.set_xlim(low, max(3.0 * requested, *(1.5 * float(of[n].max()) for n in ("true", "estimated"))))
     ax.set_ylim(ax.get_xlim())
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))

@@ -110,9 +110,7 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
         handles=[Patch(facecolor=ENDS[end], label=f"{ends.count(end)} {end}") for end in present],
         loc="center right", fontsize="small", frameon=False,
     )  # fmt: skip
-    ax.set_title(
-        "(a) one square per case, run as its scene is written", loc="left", fontsize="small"
-    )
+    ax.set_title("(a) one square per case, run as its scene is written", loc="left", fontsize="small")
 
 
 def _named(stability: xr.Dataset, case: int) -> str:
@@ -184,9 +182,7 @@ def _explicit_limit(stability: xr.Dataset, family: str) -> float:
     """Mean ratio of the predicted explicit limit to the default step, over the cases of its range."""
     of = stability.isel(case=np.flatnonzero(stability["family"].values.astype(str) == family))
     ratio = (of["explicit_limit"] / of["written_step"]).values
-    return _mean(
-        ratio[_drawable(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio
-    )
+    return _mean(ratio[_drawable(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio)
 
 
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
@@ -209,13 +205,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
             )
             mark = MORE if on[k] else LESS if stable < SHORTEST else "o"
             ax.plot(
-                max(stable, SHORTEST),
-                y,
-                mark,
-                color=colour,
-                markersize=7.5,
-                markerfacecolor="none",
-                zorder=3,
+                max(stable, SHORTEST), y, mark, color=colour, markersize=7.5, markerfacecolor="none", zorder=3
             )
         if np.isfinite(limit := _explicit_limit(stability, family)):
             y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
@@ -293,6 +283,4 @@ def _bearable(stability: xr.Dataset, families: list[str], methods: list[str]) ->
     others = f" ({tied} tied)" if tied else ""
     names = " and ".join(NAMES.get(methods[k], methods[k]) for k in leading)
     stays = "stays" if len(leading) == 1 else "stay"
-    return (
-        f"{names} {stays} accurate at the longest steps in {count} of {len(seen)} families{others}"
-    )
+    return f"{names} {stays} accurate at the longest steps in {count} of {len(seen)} families{others}"

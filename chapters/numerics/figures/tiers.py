@@ -30,9 +30,7 @@ def tiers(tiers: xr.Dataset) -> Figure:
         peaks = _drawable(of["error"].max("quantity"))
         right.plot(peaks, rows, marker, color=colour, markersize=6, markerfacecolor="none")
     left.set_yticks(
-        places,
-        [str(scene).replace(" deg", "°") for scene in tiers["scene"].values],
-        fontsize="small",
+        places, [str(scene).replace(" deg", "°") for scene in tiers["scene"].values], fontsize="small"
     )
     right.set_yticks(places, [""] * len(places))
     _across(left, "time of all runs (s)", 1.0)
@@ -48,9 +46,7 @@ def answer(tiers: xr.Dataset) -> str:
     if first == last:
         spent = float(tiers["wall_seconds"].median())
         return f"A scene of the {first} tier takes {spent:.2g} s in the median"
-    ratio = (tiers["wall_seconds"].sel(tier=last) / tiers["wall_seconds"].sel(tier=first)).dropna(
-        "scene"
-    )
+    ratio = (tiers["wall_seconds"].sel(tier=last) / tiers["wall_seconds"].sel(tier=first)).dropna("scene")
     if not ratio.size:
         return f"No scene was simulated at both {first} and {last}"
     middle = float(ratio.median())

@@ -22,14 +22,7 @@ from chapters.numerics.models import AccuracyStudy, Ladder, Method
 from chapters.numerics.outside import RADAU, outside
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.store import Wanted
-from chapters.numerics.references import (
-    OPINIONS,
-    QUANTITIES,
-    Reference,
-    differences,
-    reference,
-    solved,
-)
+from chapters.numerics.references import OPINIONS, QUANTITIES, Reference, differences, reference, solved
 from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
@@ -45,15 +38,7 @@ if TYPE_CHECKING:
     from riserstudy.study.axes import Tier
 
 
-COSTS = (
-    "wall_seconds",
-    "wall_seconds_min",
-    "cpu_seconds",
-    "newton_iterations",
-    "steps",
-    "step",
-    "elements",
-)
+COSTS = ("wall_seconds", "wall_seconds_min", "cpu_seconds", "newton_iterations", "steps", "step", "elements")
 EXPLICIT = "explicit"
 SOON = 1.0  # s, time of a run to a tolerance below which it is timed a second time
 SETTLED = 0.1  # relative change of an error, up to which a shorter step does not help
@@ -100,8 +85,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
         requested += [judged(one, best) for one in met]
     dims = ("scene", "method", "mesh_level", "step_level")
     data: dict[str, Any] = {
-        name: (dims, array.astype(str) if array.dtype == object else array)
-        for name, array in value.items()
+        name: (dims, array.astype(str) if array.dtype == object else array) for name, array in value.items()
     }
     data["opinion_difference"] = (("scene", "opinion", "quantity"), opinion)
     data["reference"] = ("scene", about)
@@ -177,9 +161,7 @@ class Climb:
             return Attempt(None, None, f"on a coarser mesh: {self._given_up[m]}", 0.0)
         if k in self._settled:
             return Attempt(None, None, "on this mesh a longer step errs as much", 0.0)
-        one = rung(
-            self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm
-        )
+        one = rung(self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm)
         if one.refused == Outcome.TOO_LONG:
             self._given_up[m] = one.message
         if one.result is not None:
@@ -314,10 +296,7 @@ ABOUT = {
     "reference_change": ("1", "change of riserstudy's reference solution by its last refinement"),
     "opinion_difference": ("1", "difference of fine runs by other methods from the reference"),
     "peer_error": ("1", "error of displacement of another simulator"),
-    "peer_ratio": (
-        "1",
-        "its time divided by the time of riserstudy's cheapest run with the same error",
-    ),
+    "peer_ratio": ("1", "its time divided by the time of riserstudy's cheapest run with the same error"),
     "requested": ("1", "requested accuracy"),
     "request_seconds": ("s", "wall time of all runs that a request took"),
     "request_last_seconds": ("s", "time of the last of them"),

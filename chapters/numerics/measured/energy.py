@@ -60,14 +60,9 @@ def energy(study: EnergyStudy, setting: Setting) -> xr.Dataset:
     return dataset
 
 
-def ledger_of(
-    file: SceneFile, case: EnergyCase, method: Method, duration: float
-) -> tuple[EnergyAudit, str]:
+def ledger_of(file: SceneFile, case: EnergyCase, method: Method, duration: float) -> tuple[EnergyAudit, str]:
     """Energy balance of a run with a duration (s); if the run is refused, an empty one and the message."""
-    cut = {
-        "analysis.duration": f"{duration!r} s",
-        "analysis.output": {"interval": f"{duration!r} s"},
-    }
+    cut = {"analysis.duration": f"{duration!r} s", "analysis.output": {"interval": f"{duration!r} s"}}
     alone = file.with_values(cut, "energy")
     mesh = even(alone.resolved(), case.elements)
     own = stepped(alone, method.set, mesh, case.step)

@@ -95,17 +95,10 @@ def candidates(
     return rows
 
 
-def candidate(
-    file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float, repeats: int
-) -> Attempt:
+def candidate(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float, repeats: int) -> Attempt:
     """Time a candidate after a run of a few steps has loaded its kernels."""
-    few = {
-        "analysis.duration": f"{FEW * step!r} s",
-        "analysis.output": {"interval": f"{FEW * step!r} s"},
-    }
-    attempt_on(
-        stepped(file.with_values(few, "few steps"), values, mesh, step), mesh, step, math.inf
-    )
+    few = {"analysis.duration": f"{FEW * step!r} s", "analysis.output": {"interval": f"{FEW * step!r} s"}}
+    attempt_on(stepped(file.with_values(few, "few steps"), values, mesh, step), mesh, step, math.inf)
     one = partial(attempt_on, stepped(file, values, mesh, step), mesh, step, math.inf)
     return timed(one, repeats, warm=True)
 
@@ -143,9 +136,7 @@ def solved(name: str, case: LongCase, file: SceneFile) -> Kept:
     return converged(name, file, finest.result, SMOOTH, mesh)
 
 
-def row(
-    name: str, case: LongCase, label: str, step: float, tried: Attempt, best: Result
-) -> dict[str, Any]:
+def row(name: str, case: LongCase, label: str, step: float, tried: Attempt, best: Result) -> dict[str, Any]:
     """Return the row of a candidate: its times and errors, or the message of its refusal."""
     numbers = {
         "case": name,

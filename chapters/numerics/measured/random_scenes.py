@@ -103,9 +103,7 @@ def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:
     return [one for item in families for one in draw(*item, study, config, tier)]
 
 
-def draw(
-    name: str, family: Family, study: RandomStudy, config: Path, tier: Tier
-) -> Iterator[Drawn]:
+def draw(name: str, family: Family, study: RandomStudy, config: Path, tier: Tier) -> Iterator[Drawn]:
     """Yield the scenes of a family: assumed and varied values from a seeded Sobol sequence."""
     base = read_scene(config / family.scene).with_values(FREE | family.set, f"{WHERE}: {name}")
     open_values = {
@@ -172,9 +170,7 @@ def least_work(one: Drawn, scene: Resolved, measure: Measure, known: list[Even])
     return found[-1] if found and found[-1].error <= achieved else None
 
 
-def search(
-    file: SceneFile, scene: Resolved, measure: Measure, spent: float, achieved: float
-) -> list[Even]:
+def search(file: SceneFile, scene: Resolved, measure: Measure, spent: float, achieved: float) -> list[Even]:
     """Try uniform meshes and steps, cheapest first, until an error does not exceed ``achieved``; return them.
 
     A mesh is not tried further when shorter steps no longer reduce its error enough, nor a step when finer
@@ -201,9 +197,7 @@ def search(
     return found
 
 
-def tried_on(
-    file: SceneFile, scene: Resolved, measure: Measure, elements: int, step: float
-) -> Even | None:
+def tried_on(file: SceneFile, scene: Resolved, measure: Measure, elements: int, step: float) -> Even | None:
     """Error and work of a uniform mesh and a step; None if they cannot be run."""
     mesh = even(scene, elements)
     tried = attempt_on(stepped(file, {}, mesh, step), mesh, step, math.inf)

@@ -16,15 +16,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from chapters.numerics.attempt import (
-    ACCURATE_TO,
-    Attempt,
-    Outcome,
-    attempt,
-    attempt_on,
-    judged,
-    mesh_of,
-)
+from chapters.numerics.attempt import ACCURATE_TO, Attempt, Outcome, attempt, attempt_on, judged, mesh_of
 from chapters.numerics.fixed_step import FREE, stepped, whole
 from chapters.numerics.models import Case, Method, StabilityStudy
 from chapters.numerics.reference.check import with_recomputed
@@ -133,12 +125,7 @@ def chosen(scene: Resolved, written: Attempt) -> Chosen | None:
 
 
 def rungs(
-    study: StabilityStudy,
-    method: Method,
-    file: SceneFile,
-    on: Chosen,
-    tier: Tier,
-    result: CaseResult,
+    study: StabilityStudy, method: Method, file: SceneFile, on: Chosen, tier: Tier, result: CaseResult
 ) -> list[Rung]:
     """Run a case by a method; for explicit stepping, also store the predicted limit of the step."""
     explicit = method.set.get("analysis.method") == EXPLICIT
@@ -186,9 +173,7 @@ def attempt_limit(scene: Resolved, mesh: Mesh) -> float | None:
     return limit if 0.0 < limit < math.inf else None
 
 
-def rung(
-    scene: Resolved, mesh: Mesh, step: float, *, budget: float, reference: Result | None
-) -> Rung:
+def rung(scene: Resolved, mesh: Mesh, step: float, *, budget: float, reference: Result | None) -> Rung:
     """Make one run of a ladder, and determine its outcome."""
     tried = attempt_on(scene, mesh, step, budget)
     return Rung(step, *judged(tried, reference), tried)
@@ -217,9 +202,7 @@ def wanted(study: StabilityStudy, config: Path) -> Iterator[Wanted]:
 
 def solved(name: str, file: SceneFile) -> Kept:
     """Compute the reference of a case, from the mesh and step that the default accuracy chooses."""
-    free = (
-        file.with_values(FREE, "reference") if file.resolved().analysis.mesh is not None else file
-    )
+    free = file.with_values(FREE, "reference") if file.resolved().analysis.mesh is not None else file
     first = attempt(lambda: run(whole(free.resolved())))
     if first.result is None:
         return none(name, file, first.message)
@@ -252,9 +235,7 @@ def stability(study: StabilityStudy, setting: Setting) -> xr.Dataset:
     return with_recomputed(dataset, setting, study, wanted(study, setting.config))
 
 
-def _case_result(
-    study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]
-) -> CaseResult:
+def _case_result(study: StabilityStudy, config: Path, tier: Tier, item: tuple[str, Case]) -> CaseResult:
     file = case_file(config, *item)
     return run_case(study, item[1], file, tier, standard_of(config, item[0], file.resolved()))
 

@@ -15,9 +15,7 @@ from riserstudy.errors import RiserStudyError
 
 def main(
     only: Annotated[list[str] | None, typer.Argument(help="a study, or study/case")] = None,
-    again: Annotated[
-        bool, typer.Option("--again", help="compute those that could be used, too")
-    ] = False,
+    again: Annotated[bool, typer.Option("--again", help="compute those that could be used, too")] = False,
     processes: Annotated[int, typer.Option(help="at a time")] = os.cpu_count() or 1,
 ) -> None:
     """Compute the reference solutions that the studies of the engine compare with."""

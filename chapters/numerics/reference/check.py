@@ -54,15 +54,10 @@ def recomputed(config: Path, study: str, wanted: Sequence[Wanted]) -> xr.Dataset
     import xarray as xr
 
     chosen = tenth(wanted)
-    off = [
-        deviation(read(config, study, one.case, one.file.resolved()), one.compute())
-        for one in chosen
-    ]
+    off = [deviation(read(config, study, one.case, one.file.resolved()), one.compute()) for one in chosen]
     words = "difference from the kept solution over the estimated errors of both"
     deviations = ("recomputed", off, {"units": "1", "long_name": words})
-    return xr.Dataset(
-        {"recomputed_deviation": deviations}, {"recomputed": [one.case for one in chosen]}
-    )
+    return xr.Dataset({"recomputed_deviation": deviations}, {"recomputed": [one.case for one in chosen]})
 
 
 def deviation(kept: Kept, anew: Kept) -> float:
@@ -75,7 +70,6 @@ def deviation(kept: Kept, anew: Kept) -> float:
         return 0.0 if kept.result is anew.result else math.inf
     found = errors(anew.result, kept.result)
     allowed = {
-        name: kept.error.get(name, 0.0) + anew.error.get(name, 0.0) + 2.0 * RESOLUTION
-        for name in found
+        name: kept.error.get(name, 0.0) + anew.error.get(name, 0.0) + 2.0 * RESOLUTION for name in found
     }
     return max((value / allowed[name] for name, value in found.items()), default=0.0)

@@ -47,9 +47,7 @@ def none(case: str, file: SceneFile, why: str) -> Kept:
     return Kept(case, scene_digest(file.resolved()), PHYSICS, engine_digest(), "", missing=why)
 
 
-def converged(
-    case: str, file: SceneFile, first: Result, recipe: Recipe, mesh: Mesh | None = None
-) -> Kept:
+def converged(case: str, file: SceneFile, first: Result, recipe: Recipe, mesh: Mesh | None = None) -> Kept:
     """Compute the reference of a scene by repeated halving of the mesh and step of a run.
 
     Parameters

@@ -137,9 +137,7 @@ def packed(kept: Kept) -> bytes:
             values = values - _zero(arrays, name)
             attributes["unit_of_differences"] = RESOLUTION * float(np.abs(values).max()) or 1.0
             whole = np.rint(values / attributes["unit_of_differences"]).astype(np.int32)
-            values = np.diff(
-                whole, n=2, axis=-1, prepend=np.zeros((*whole.shape[:-1], 2), np.int32)
-            )
+            values = np.diff(whole, n=2, axis=-1, prepend=np.zeros((*whole.shape[:-1], 2), np.int32))
         dataset[name] = (_dims(name), values, attributes)
         dataset[name].encoding["_FillValue"] = None
     content: bytes = bytes(dataset.to_netcdf(engine="scipy"))

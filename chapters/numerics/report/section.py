@@ -59,9 +59,7 @@ def references(datasets: Mapping[str, xr.Dataset]) -> list[str]:
         f"{study}, {case}": float(deviation)
         for study, of in datasets.items()
         if "recomputed" in of.coords
-        for case, deviation in zip(
-            of["recomputed"].values, of["recomputed_deviation"].values, strict=True
-        )
+        for case, deviation in zip(of["recomputed"].values, of["recomputed_deviation"].values, strict=True)
     }
     if not deviations:
         return []
@@ -106,11 +104,7 @@ def stable_steps(steps: xr.Dataset) -> str:
     return (
         f"Explicit stepping: the longest stable time step is {float(ratio.min()):.3f} to "
         f"{float(ratio.max()):.3f} times the predicted one; "
-        + (
-            f"predictions that were too long: {listed(named)}."
-            if named
-            else "no prediction was too long."
-        )
+        + (f"predictions that were too long: {listed(named)}." if named else "no prediction was too long.")
     )
 
 

@@ -14,11 +14,7 @@ from riserstudy.report.wording import number, seconds, share
 if TYPE_CHECKING:
     import xarray as xr
 
-CHANGES = {
-    "displacement_change": "displacement",
-    "moment_change": "moment",
-    "tension_change": "tension",
-}
+CHANGES = {"displacement_change": "displacement", "moment_change": "moment", "tension_change": "tension"}
 
 
 def tables(datasets: Mapping[str, xr.Dataset]) -> Iterator[Table]:
@@ -83,12 +79,7 @@ def changes(effects: xr.Dataset) -> Table:
             time = float(one["time_change"])
             signed = f"{100 * time:+.0f} %" if time == time else ""
             signed = "0 %" if signed in ("+0 %", "-0 %") else signed.replace("-", "−")
-            cells = [
-                Cell(str(scene)),
-                Cell(str(change)),
-                *map(_share, values),
-                Cell(signed, _order(time)),
-            ]
+            cells = [Cell(str(scene)), Cell(str(change)), *map(_share, values), Cell(signed, _order(time))]
             rows.append([*cells, Cell(f"not possible: {sentences}" if sentences else "")])
     about = (
         "Each row removes an effect from a scene (without) or adds one (with), on the same mesh and time "
@@ -104,8 +95,7 @@ def requests(accuracy: xr.Dataset) -> Table:
     for k in range(accuracy.sizes.get("request", 0)):
         of = accuracy.isel(request=k)
         errors = {
-            kind: [float(of[f"{kind}_{q}"]) for q in CHANGES.values()]
-            for kind in ("estimated", "reached")
+            kind: [float(of[f"{kind}_{q}"]) for q in CHANGES.values()] for kind in ("estimated", "reached")
         }
         largest = [np.nanmax(v) if np.isfinite(v).any() else np.nan for v in errors.values()]
         spent = float(of["request_seconds"])
@@ -156,17 +146,11 @@ def known(validation: xr.Dataset) -> Table:
     rows = []
     for k in range(validation.sizes["row"]):
         of = validation.isel(row=k)
-        text = {
-            name: str(of[name].values) for name in ("name", "quantity", "kind", "by", "because")
-        }
+        text = {name: str(of[name].values) for name in ("name", "quantity", "kind", "by", "because")}
         unit = str(of["unit"].values)
         unit = "" if unit == "1" else f" {unit}"
-        both = [
-            Cell(f"{float(of[name]):.8g}{unit}", float(of[name])) for name in ("reference", "value")
-        ]
-        allowed = [
-            Cell(f"{float(of[name]):.1e}", float(of[name])) for name in ("error", "tolerance")
-        ]
+        both = [Cell(f"{float(of[name]):.8g}{unit}", float(of[name])) for name in ("reference", "value")]
+        allowed = [Cell(f"{float(of[name]):.1e}", float(of[name])) for name in ("error", "tolerance")]
         verdict = Cell("holds" if bool(of["holds"]) else "does not hold")
         words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
         rows.append([*words, *both, *allowed, verdict, Cell(text["because"])])
@@ -175,9 +159,7 @@ def known(validation: xr.Dataset) -> Table:
         "reference. The last column gives the reason for the tolerance."
     )
     columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
-    return Table(
-        "Comparison with known results", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows
-    )
+    return Table("Comparison with known results", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows)
 
 
 def _share(value: float) -> Cell:

@@ -63,11 +63,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
-    silent = (
-        "none is"
-        if not counts.silent
-        else f"{counts.silent} {'is' if counts.silent == 1 else 'are'}"
-    )
+    silent = "none is" if not counts.silent else f"{counts.silent} {'is' if counts.silent == 1 else 'are'}"
     answer = f"hard cases end as expected; {silent} silently wrong."
     each = ", ".join(f"{ends.count(end)} {end}" for end in ENDS if end in ends)
     return f"{counts.met} of {counts.cases}", answer, _stack(parts) + _under(each)

@@ -176,9 +176,7 @@ def brief(scene: Resolved, step: float | None) -> Resolved:
         return scene
     output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
     return scene.model_copy(
-        update={
-            "analysis": scene.analysis.model_copy(update={"duration": FEW * step, "output": output})
-        }
+        update={"analysis": scene.analysis.model_copy(update={"duration": FEW * step, "output": output})}
     )
 
 

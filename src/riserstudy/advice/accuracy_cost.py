@@ -90,9 +90,7 @@ def plot(found: list[Price], title: str, target: Path) -> None:
     ax.loglog([p.seconds for p in found], [p.estimated for p in found], "o-", ms=5)
     for p in found:
         ax.annotate(
-            f"  {_requested(p.requested)}: {p.elements} segments",
-            (p.seconds, p.estimated),
-            fontsize=8,
+            f"  {_requested(p.requested)}: {p.elements} segments", (p.seconds, p.estimated), fontsize=8
         )
     ax.set_xlabel("wall time of a run, all refinements (s)")
     ax.set_ylabel("estimated error (-)")

@@ -55,9 +55,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     before, after = (f.resolved().analysis.duration for f in (file, base.file))
     step = f", step {base.step:.3g} s" if base.step else ""
     cut = f", over the first {after:.4g} s of {before:.4g} s" if before != after else ""
-    probe = (
-        f"Judged on {len(base.mesh.l0)} segments{step}{cut}; times are medians of {REPEATS} runs."
-    )
+    probe = f"Judged on {len(base.mesh.l0)} segments{step}{cut}; times are medians of {REPEATS} runs."
     return Advice(
         rows,
         [

@@ -23,10 +23,7 @@ from riserstudy.cli.targets import ForceOption, Writes
 
 
 def cost(
-    scene: SceneArgument,
-    settings: SetOption = None,
-    plot: PlotOption = None,
-    force: ForceOption = False,
+    scene: SceneArgument, settings: SetOption = None, plot: PlotOption = None, force: ForceOption = False
 ) -> None:
     """Estimate the run time of a scene for tolerances of 5, 1, 0.2 and 0.05 %.
 
@@ -58,9 +55,7 @@ def cost(
 def effects(
     scene: SceneArgument,
     settings: SetOption = None,
-    every: Annotated[
-        bool, typer.Option("--all", help="also list effects that need further inputs")
-    ] = False,
+    every: Annotated[bool, typer.Option("--all", help="also list effects that need further inputs")] = False,
     times: Annotated[
         bool, typer.Option("--times", help="also print the share of each effect in the run time")
     ] = False,
@@ -142,10 +137,7 @@ def modes(
     output: Annotated[
         Path | None,
         typer.Option(
-            "-o",
-            "--output",
-            help="also write frequencies and shapes to this file (netCDF)",
-            metavar="OUT.nc",
+            "-o", "--output", help="also write frequencies and shapes to this file (netCDF)", metavar="OUT.nc"
         ),
         Writes("dataset"),
     ] = None,

@@ -8,14 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import (
-    AtOption,
-    DatasetArgument,
-    FigureOutput,
-    UnitsOption,
-    place_of,
-    wrote,
-)
+from riserstudy.cli.shared import AtOption, DatasetArgument, FigureOutput, UnitsOption, place_of, wrote
 from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in
 from riserstudy.errors import InputError
@@ -81,11 +74,7 @@ def compare(
     check_output(output, ("figure",), [dataset, other], force)
     index = place(of_run, place_of(at))
     found, notes = compared(
-        complete(of_run.isel(index)),
-        other,
-        scene=_scene(of_run, index),
-        called=_called(column),
-        end_a=end_a,
+        complete(of_run.isel(index)), other, scene=_scene(of_run, index), called=_called(column), end_a=end_a
     )
     with reading_in(units), as_written():
         _print([(pair, difference(pair)) for pair in found])

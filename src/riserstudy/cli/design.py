@@ -68,8 +68,7 @@ FleetAngleOption = Annotated[
 DynamicLimitOption = Annotated[
     str | None,
     typer.Option(
-        help="dynamic tension limit of all units together, such as 6.7 MN; requires --share",
-        metavar="FORCE",
+        help="dynamic tension limit of all units together, such as 6.7 MN; requires --share", metavar="FORCE"
     ),
 ]
 ShareOption = Annotated[
@@ -90,8 +89,7 @@ OverpullOption = Annotated[
 ReachOption = Annotated[
     str,
     typer.Option(
-        help="largest offset to search, to either side of the well, such as '100 m'",
-        metavar="LENGTH",
+        help="largest offset to search, to either side of the well, such as '100 m'", metavar="LENGTH"
     ),
 ]
 
@@ -142,9 +140,7 @@ def tension(
     from riserstudy.design.tension_table import TensionRequest, lines, tension_table
 
     ceiling = None if limit is None or share is None else (limit, share)
-    requested = TensionRequest(
-        Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle)
-    )
+    requested = TensionRequest(Tolerances(weight, buoyancy), Rig(units, failed, tension_ratio, angle))
     rows = tension_table(riser, requested._replace(overpull=pulled, ceiling=ceiling))
     print("\n".join(lines(rows)))
     write_table(rows.table(), csv)
@@ -259,19 +255,15 @@ def viv(
         ),
     ] = 0.2,
     slowest: Annotated[
-        float,
-        typer.Option(help="lowest reduced velocity U / (f D) of lock-in; in the literature 3 to 5"),
+        float, typer.Option(help="lowest reduced velocity U / (f D) of lock-in; in the literature 3 to 5")
     ] = 4.0,
     fastest: Annotated[
         float, typer.Option(help="highest reduced velocity of lock-in; in the literature 7 to 10")
     ] = 8.0,
     lift: Annotated[
-        float,
-        typer.Option(help="lift coefficient in phase with velocity; in the literature 0.6 to 1.3"),
+        float, typer.Option(help="lift coefficient in phase with velocity; in the literature 0.6 to 1.3")
     ] = 1.2,
-    drag: Annotated[
-        float | None, typer.Option(help="drag coefficient; default: that of the scene")
-    ] = None,
+    drag: Annotated[float | None, typer.Option(help="drag coefficient; default: that of the scene")] = None,
     drag_gain: Annotated[
         float,
         typer.Option(
@@ -304,9 +296,7 @@ def viv(
         f"{strouhal:g}; the table depends on reduced velocities, not on this number"
     )
     if any(section.viv for section in file.resolved().riser):
-        print(
-            f"keys `viv` of sections are not used: lift of {lift:g} can act on the whole riser in water"
-        )
+        print(f"keys `viv` of sections are not used: lift of {lift:g} can act on the whole riser in water")
     if plot is not None:
         from riserstudy.figures.vortex_frequencies import vortex_frequencies
 

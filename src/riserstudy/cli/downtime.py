@@ -29,12 +29,7 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
-from riserstudy.study.persistence import (
-    LEAST_PERSISTENCE,
-    MOST_AHEAD,
-    MOST_PERSISTENCE,
-    PERSISTENCE,
-)
+from riserstudy.study.persistence import LEAST_PERSISTENCE, MOST_AHEAD, MOST_PERSISTENCE, PERSISTENCE
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -60,19 +55,15 @@ SceneOption = Annotated[
 LimitOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="limit on the sea, such as 'hs <= 2.5 m'; may be repeated, and all must be met",
-        metavar="LIMIT",
+        help="limit on the sea, such as 'hs <= 2.5 m'; may be repeated, and all must be met", metavar="LIMIT"
     ),
 ]
 WindowOption = Annotated[
     list[str] | None,
-    typer.Option(
-        help="length of a weather window, such as '24 h'; may be repeated", metavar="TIME"
-    ),
+    typer.Option(help="length of a weather window, such as '24 h'; may be repeated", metavar="TIME"),
 ]
 NextOption = Annotated[
-    int,
-    typer.Option("--next", min=1, max=MOST_AHEAD, help="number of future years that are predicted"),
+    int, typer.Option("--next", min=1, max=MOST_AHEAD, help="number of future years that are predicted")
 ]
 PersistenceOption = Annotated[
     float,
@@ -84,8 +75,7 @@ PersistenceOption = Annotated[
     ),
 ]
 HoldBackOption = Annotated[
-    int,
-    typer.Option(min=0, help="number of last years to hold back and predict from the earlier ones"),
+    int, typer.Option(min=0, help="number of last years to hold back and predict from the earlier ones")
 ]
 VaryOption = Annotated[
     list[str] | None,
@@ -112,9 +102,7 @@ XTowardsOption = Annotated[
 ]
 SeedsOption = Annotated[
     int | None,
-    typer.Option(
-        min=1, help="number of runs of each sea state, with different random phases; default: 5"
-    ),
+    typer.Option(min=1, help="number of runs of each sea state, with different random phases; default: 5"),
 ]
 ErrorOption = Annotated[
     float | None,
@@ -127,16 +115,11 @@ ErrorOption = Annotated[
 MostOption = Annotated[
     int | None, typer.Option(min=20, help="largest number of sea states to simulate; default: 400")
 ]
-CoresOption = Annotated[
-    int | None, typer.Option(min=1, help="number of processes; default: number of cores")
-]
+CoresOption = Annotated[int | None, typer.Option(min=1, help="number of processes; default: number of cores")]
 ResponsesOption = Annotated[
     Path | None,
     typer.Option(
-        "-o",
-        "--output",
-        help="also write the simulated responses to this file (netCDF)",
-        metavar="OUT.nc",
+        "-o", "--output", help="also write the simulated responses to this file (netCDF)", metavar="OUT.nc"
     ),
     Writes("dataset"),
 ]
@@ -297,11 +280,7 @@ def of_the_sea(
 
 
 def varied(
-    scene: Path,
-    settings: list[str],
-    vary: list[str],
-    simulated: Callable[[Any], Downtime],
-    ahead: Ahead,
+    scene: Path, settings: list[str], vary: list[str], simulated: Callable[[Any], Downtime], ahead: Ahead
 ) -> Table:
     """Print workable hours by mode for several settings, to show the gain of each."""
     from riserstudy.dataset.table import Cell, Table
@@ -321,9 +300,7 @@ def varied(
             for one in made.hours.modes
         ]  # fmt: skip
     heads = ["setting", "mode", "workable", "at worst", "at best", "hours a year"]
-    return Table(
-        [*heads, f"next {ahead.years} years from", "to"], ["", "", *["%"] * 3, *["h"] * 3], rows
-    )
+    return Table([*heads, f"next {ahead.years} years from", "to"], ["", "", *["%"] * 3, *["h"] * 3], rows)
 
 
 def _directions(sectors: int | None, x_towards: str | None) -> Directions | None:

@@ -80,9 +80,7 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
             "allowed are fewer years",
         )
     first = recorded[-last.years]
-    known, came = (
-        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
-    )
+    known, came = (hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first))
     predicted = known.next_years(*last)
     outcome = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
     print(

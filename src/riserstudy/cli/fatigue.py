@@ -34,12 +34,10 @@ StudyArgument = Annotated[
     ),
 ]
 ScatterOption = Annotated[
-    Path | None,
-    typer.Option(help="scatter table, with columns hs (m),tp (s),share (%)", metavar="TABLE.csv"),
+    Path | None, typer.Option(help="scatter table, with columns hs (m),tp (s),share (%)", metavar="TABLE.csv")
 ]
 SeasOption = Annotated[
-    Path | None,
-    typer.Option(help="record of sea states, instead of a scatter table", metavar="RECORD"),
+    Path | None, typer.Option(help="record of sea states, instead of a scatter table", metavar="RECORD")
 ]
 GammaOption = Annotated[
     float | None,
@@ -52,9 +50,7 @@ GammaOption = Annotated[
 ]
 CalmOption = Annotated[
     bool,
-    typer.Option(
-        "--calm", help="treat heights and periods below the lowest simulated value as this value"
-    ),
+    typer.Option("--calm", help="treat heights and periods below the lowest simulated value as this value"),
 ]
 WithoutOption = Annotated[
     Path | None,
@@ -111,9 +107,7 @@ def fatigue(
     for line in years.notes:
         print(line)
     if math.isnan(years.error_runs):
-        print(
-            "estimated error of damage in runs: unknown, no run that causes damage has an estimate"
-        )
+        print("estimated error of damage in runs: unknown, no run that causes damage has an estimate")
     else:
         known = sum(math.isfinite(sea.error) for sea in years.seas)
         print(
@@ -140,12 +134,7 @@ def fatigue(
 
 
 def _summed(
-    path: Path,
-    scatter: Path | None,
-    seas: Path | None,
-    gamma: float | None,
-    at: list[str] | None,
-    calm: bool,
+    path: Path, scatter: Path | None, seas: Path | None, gamma: float | None, at: list[str] | None, calm: bool
 ) -> Years:
     import numpy as np
 

@@ -41,8 +41,7 @@ def import_deck(
     deck: Annotated[
         Path,
         typer.Argument(
-            help="OrcaFlex text model, .4 file of WAMIT, or Capytaine dataset with RAOs",
-            metavar="DECK.yml",
+            help="OrcaFlex text model, .4 file of WAMIT, or Capytaine dataset with RAOs", metavar="DECK.yml"
         ),
     ],
     output: Annotated[
@@ -58,8 +57,7 @@ def import_deck(
     length: Annotated[
         str | None,
         typer.Option(
-            help="length ULEN of the WAMIT body, such as '1 m'; required for a .4 file",
-            metavar="LENGTH",
+            help="length ULEN of the WAMIT body, such as '1 m'; required for a .4 file", metavar="LENGTH"
         ),
     ] = None,
     force: ForceOption = False,
@@ -82,17 +80,13 @@ def import_deck(
         partial.write_text(as_text(deck_scene, deck), "utf-8")
     for line in deck_scene.left_out:
         print(f"left out: {line}")
-    print(
-        f"{output} is written. {len(deck_scene.left_out)} entries of the model are left out or differ"
-    )
+    print(f"{output} is written. {len(deck_scene.left_out)} entries of the model are left out or differ")
 
 
 def export_deck(
     scene: SceneArgument,
     output: Annotated[
-        Path,
-        typer.Option("-o", "--output", help="text model to write", metavar="DECK.yml"),
-        Writes("deck"),
+        Path, typer.Option("-o", "--output", help="text model to write", metavar="DECK.yml"), Writes("deck")
     ],
     orcaflex: Annotated[
         bool, typer.Option("--orcaflex", help="write OrcaFlex's text model, the only format so far")
@@ -131,9 +125,7 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
         operators = rao_files.from_capytaine(source)
     elif length is None:
         allowed = "give ULEN of the .gdf file, for example --length '1 m'"
-        raise InputError(
-            "--length", "", "missing: WAMIT multiplies rotations by this length", allowed
-        )
+        raise InputError("--length", "", "missing: WAMIT multiplies rotations by this length", allowed)
     else:
         allowed = "allowed is a length: 1 m"
         ulen = quantity("--length", length, "m", allowed)
@@ -144,14 +136,10 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
     for line in operators.left_out:
         print(f"left out: {line}")
     print(f"{output} is written; in a scene: {rao_files.lines_of_scene(operators, output)}")
-    print(
-        "Motions are those of the origin of the body's axes: give it as platform.centre_of_rotation"
-    )
+    print("Motions are those of the origin of the body's axes: give it as platform.centre_of_rotation")
 
 
-def new(
-    folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()],
-) -> None:
+def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()]) -> None:
     """Make a folder for your own study, with a Snakefile, a configuration and an example to edit."""
     from riserstudy.study.new import new_study
 

@@ -75,15 +75,11 @@ class Mode(StrEnum):
 def watch_circles(
     scene: SceneArgument,
     disconnect: Annotated[
-        str,
-        typer.Option(help="time from the red alarm to the disconnect of the LMRP", metavar="TIME"),
+        str, typer.Option(help="time from the red alarm to the disconnect of the LMRP", metavar="TIME")
     ],
-    prepare: Annotated[
-        str, typer.Option(help="time from the yellow alarm to the red alarm", metavar="TIME")
-    ],
+    prepare: Annotated[str, typer.Option(help="time from the yellow alarm to the red alarm", metavar="TIME")],
     mode: Annotated[
-        list[Mode] | None,
-        typer.Option(help="use only limits of this mode; may be repeated; default: all"),
+        list[Mode] | None, typer.Option(help="use only limits of this mode; may be repeated; default: all")
     ] = None,
     settings: SetOption = None,
     accuracy: AccuracyOption = None,
@@ -99,12 +95,9 @@ def watch_circles(
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)
     times = [
-        quantity(option, text, "s")
-        for option, text in (("--disconnect", disconnect), ("--prepare", prepare))
+        quantity(option, text, "s") for option, text in (("--disconnect", disconnect), ("--prepare", prepare))
     ]
-    for option, text, value in zip(
-        ("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True
-    ):
+    for option, text, value in zip(("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True):
         if value < 0.0:
             raise InputError(option, text, "below 0 s", "Give a time from 0 s")
     from riserstudy.design.watch_table import Times, circles, moves_off
@@ -115,10 +108,7 @@ def watch_circles(
     modes = [one for one in modes if any(limit.mode == one for limit in of.limits or [])]
     if not modes:
         raise InputError(
-            "--mode",
-            ", ".join(mode or []),
-            "no limit of the scene has this mode",
-            "Add such a limit",
+            "--mode", ", ".join(mode or []), "no limit of the scene has this mode", "Add such a limit"
         )
     compile_kernels(of)
     from riserstudy.simulation.simulate import simulate

@@ -53,9 +53,7 @@ def plot(
     ] = PlotKind.RANGE,
     of: Annotated[
         list[str] | None,
-        typer.Option(
-            help="quantity to plot, such as bending_moment; may be repeated", metavar="NAME"
-        ),
+        typer.Option(help="quantity to plot, such as bending_moment; may be repeated", metavar="NAME"),
     ] = None,
     at: AtOption = None,
     force: ForceOption = False,
@@ -92,16 +90,12 @@ def table(
     output: Annotated[
         Path,
         typer.Option(
-            "-o",
-            "--output",
-            help="table to write, or an .xlsx workbook of all tables",
-            metavar="OUT.csv",
+            "-o", "--output", help="table to write, or an .xlsx workbook of all tables", metavar="OUT.csv"
         ),
         Writes("table", "workbook"),
     ],
     kind: Annotated[
-        TableKind | None,
-        typer.Option(help="kind of table; default: extremes, or all in a workbook"),
+        TableKind | None, typer.Option(help="kind of table; default: extremes, or all in a workbook")
     ] = None,
     settings: SetOption = None,
     force: ForceOption = False,
@@ -160,9 +154,7 @@ def _run_of(source: Path) -> tuple[Any, Any]:
 def statistics(
     dataset: DatasetArgument,
     output: Annotated[
-        Path,
-        typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"),
-        Writes("table"),
+        Path, typer.Option("-o", "--output", help="table to write", metavar="OUT.csv"), Writes("table")
     ],
     start: Annotated[
         str, typer.Option(help="leave out times before this one, such as '200 s'", metavar="TIME")
@@ -219,9 +211,7 @@ def statistics(
     wrote(output)
 
 
-def _warnings(
-    scene: Resolved, begin: float, record: float, exposure: float | None
-) -> Iterator[str]:
+def _warnings(scene: Resolved, begin: float, record: float, exposure: float | None) -> Iterator[str]:
     """Reasons why statistics of a record (s) from a time (s) on may be wrong."""
     output, shortest = scene.analysis.output, scene.shortest_period
     if exposure and exposure > SHORT * record:

@@ -20,9 +20,7 @@ ResultsOption = Annotated[Path, typer.Option("--results", help="results folder",
 
 CsvOption = Annotated[
     Path | None,
-    typer.Option(
-        "--csv", help="write the result to this file instead of printing it", metavar="FILE.csv"
-    ),
+    typer.Option("--csv", help="write the result to this file instead of printing it", metavar="FILE.csv"),
     Writes("table"),
 ]
 
@@ -41,14 +39,12 @@ def results(
     where: Annotated[
         str | None,
         typer.Option(
-            help="list only points with this condition, such as 'heave_amplitude > 3'",
-            metavar="CONDITION",
+            help="list only points with this condition, such as 'heave_amplitude > 3'", metavar="CONDITION"
         ),
     ] = None,
     columns: Annotated[str | None, typer.Option(help="columns to show", metavar="A,B,...")] = None,
     sort: Annotated[
-        str | None,
-        typer.Option(help="columns to sort by; -A sorts from the largest", metavar="A,B,..."),
+        str | None, typer.Option(help="columns to sort by; -A sorts from the largest", metavar="A,B,...")
     ] = None,
     csv: CsvOption = None,
     as_json: JsonOption = False,
@@ -117,9 +113,7 @@ def _note_changes(db: sqlite3.Connection, folder: Path) -> None:
         print(f"riserstudy: note: {note}", file=sys.stderr)
 
 
-def _show(
-    answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | None = None
-) -> None:
+def _show(answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | None = None) -> None:
     import os
 
     from riserstudy.database import show
@@ -165,9 +159,9 @@ def prune(
         ),
     ] = False,
     yes: Annotated[bool, typer.Option("--yes", help="do not ask for confirmation")] = False,
-    config: Annotated[
-        Path, typer.Option(help="folder of the configuration", metavar="FOLDER")
-    ] = Path("config"),
+    config: Annotated[Path, typer.Option(help="folder of the configuration", metavar="FOLDER")] = Path(
+        "config"
+    ),
     folder: ResultsOption = IN_RESULTS,
 ) -> None:
     """Remove stored points that no result needs, after confirmation; their size is shown first.
@@ -181,16 +175,10 @@ def prune(
     from riserstudy.study import store
 
     superfluous = unneeded(folder / NAME, config)
-    size = {
-        name: sum(h.bytes for h in getattr(superfluous, name)) / 1e6 for name in ("old", "strange")
-    }
+    size = {name: sum(h.bytes for h in getattr(superfluous, name)) / 1e6 for name in ("old", "strange")}
     print(f"needed: {superfluous.needed} points")
-    print(
-        f"of other engines or formats, or damaged: {len(superfluous.old)} files, {size['old']:.1f} MB"
-    )
-    print(
-        f"of this engine, but of no study here: {len(superfluous.strange)} files, {size['strange']:.1f} MB"
-    )
+    print(f"of other engines or formats, or damaged: {len(superfluous.old)} files, {size['old']:.1f} MB")
+    print(f"of this engine, but of no study here: {len(superfluous.strange)} files, {size['strange']:.1f} MB")
     going = [*superfluous.old, *(superfluous.strange if every else [])]
     if not going:
         print("nothing to remove")
@@ -202,9 +190,7 @@ def prune(
 
 
 def crate(
-    output: Annotated[
-        Path, typer.Argument(help="archive to write, a new file", metavar="OUT.zip"), Writes()
-    ],
+    output: Annotated[Path, typer.Argument(help="archive to write, a new file", metavar="OUT.zip"), Writes()],
     study: Annotated[Path, typer.Option(help="folder of the study", metavar="FOLDER")] = HERE,
 ) -> None:
     """Pack a study, its results and their description as a run crate, which anyone can rerun.
@@ -274,9 +260,7 @@ def diff(
         for name, variable, change, why in changed.varied:
             table.add_row(name, variable, "" if why else f"{change:.2g}", why)
         console.print(table)
-    print(
-        f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed"
-    )
+    print(f"{len({one.item for one in changed.graded})} of {changed.rows} numbers and claims changed")
     apart = f"; {changed.apart} of them cannot be compared" if changed.apart else ""
     print(
         f"{len(changed.varied)} of {changed.variables} variables changed, "

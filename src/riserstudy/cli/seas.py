@@ -28,9 +28,7 @@ RecordArgument = Annotated[
 SyntheticOption = Annotated[
     int | None,
     typer.Option(
-        min=1,
-        max=100,
-        help="make a synthetic record of this number of years, instead of reading one",
+        min=1, max=100, help="make a synthetic record of this number of years, instead of reading one"
     ),
 ]
 GammaOption = Annotated[
@@ -44,9 +42,7 @@ GammaOption = Annotated[
 ]
 NearOption = Annotated[
     str | None,
-    typer.Option(
-        help="use the nearest place of a netCDF file with several places", metavar="'LAT, LON'"
-    ),
+    typer.Option(help="use the nearest place of a netCDF file with several places", metavar="'LAT, LON'"),
 ]
 ContourOption = Annotated[
     int | None,
@@ -73,8 +69,7 @@ def seas(
     record: RecordArgument = None,
     synthetic: SyntheticOption = None,
     seed: Annotated[
-        int | None,
-        typer.Option(min=0, help="seed (start value) of the random synthetic record; default: 1"),
+        int | None, typer.Option(min=0, help="seed (start value) of the random synthetic record; default: 1")
     ] = None,
     gamma: GammaOption = None,
     near: NearOption = None,
@@ -90,9 +85,7 @@ def seas(
     times in UTC.
     """
     if (record is None) == (synthetic is None):
-        raise InputError(
-            "RECORD", "", "no record, or both a file and --synthetic", "give one of them"
-        )
+        raise InputError("RECORD", "", "no record, or both a file and --synthetic", "give one of them")
     check_targets([record] if record else [], force, csv, output=output)
     if csv is not None and not contour:
         raise InputError("seas", "--csv", str(csv), "allowed only with --contour")
@@ -105,9 +98,7 @@ def seas(
         raise InputError("seas", "--seed", str(seed), "allowed only with --synthetic")
     place = _place(near) if near else None
     found = (
-        made(synthetic or 1, 1 if seed is None else seed)
-        if record is None
-        else read_record(record, place)
+        made(synthetic or 1, 1 if seed is None else seed) if record is None else read_record(record, place)
     )
     check_gamma("seas", gamma, found)
     found = with_peak_period(found, gamma or USUAL_GAMMA)
@@ -131,12 +122,8 @@ def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
     """
     if gamma is None or ("peak_period" not in record and "zero_crossing_period" in record):
         return
-    found = (
-        "the record has peak periods" if "peak_period" in record else "the record has no periods"
-    )
-    raise InputError(
-        command, "--gamma", f"{gamma:g}", f"{found}, which it does not convert; omit it"
-    )
+    found = "the record has peak periods" if "peak_period" in record else "the record has no periods"
+    raise InputError(command, "--gamma", f"{gamma:g}", f"{found}, which it does not convert; omit it")
 
 
 def _place(text: str) -> Place:
@@ -181,9 +168,7 @@ def described(record: xr.Dataset) -> list[str]:
     widest = sorted(holes, key=lambda g: g.before - g.after)[:3]
     for gap in widest:
         ends = (str(t.astype("datetime64[m]")).replace("T", " ") for t in gap)
-        lines.append(
-            f"  {(gap.after - gap.before) / np.timedelta64(1, 'h'):g} h: {' to '.join(ends)}"
-        )
+        lines.append(f"  {(gap.after - gap.before) / np.timedelta64(1, 'h'):g} h: {' to '.join(ends)}")
     if note := uneven_months(time):
         lines.append(note)
     if record.attrs["conversions"]:

@@ -52,13 +52,9 @@ AccuracyOption = Annotated[
         metavar="PERCENT",
     ),
 ]
-DatasetArgument = Annotated[
-    Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")
-]
+DatasetArgument = Annotated[Path, typer.Argument(help="dataset of a run or a study", metavar="FILE.nc")]
 FigureOutput = Annotated[
-    Path,
-    typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"),
-    Writes("figure"),
+    Path, typer.Option("-o", "--output", help="figure (PNG, PDF or SVG)", metavar="OUT.png"), Writes("figure")
 ]
 ReturnOption = Annotated[
     list[int] | None,
@@ -73,8 +69,7 @@ ReturnOption = Annotated[
 
 
 UnitsOption = Annotated[
-    UnitSystem,
-    typer.Option(help="units of the output: SI (si), kN and MPa (field), or feet and kips (us)"),
+    UnitSystem, typer.Option(help="units of the output: SI (si), kN and MPa (field), or feet and kips (us)")
 ]
 
 
@@ -88,9 +83,7 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     for setting in settings or []:
         name, equals, text = setting.partition("=")
         if not equals or not name.strip():
-            raise InputError(
-                "--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'"
-            )
+            raise InputError("--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
         overrides[name.strip()] = plain_yaml(text, f"--set {name.strip()}")
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:

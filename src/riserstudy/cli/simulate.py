@@ -203,9 +203,7 @@ def rerun(
     at: AtOption = None,
     output: Annotated[
         Path | None,
-        typer.Option(
-            "-o", "--output", help="also write the complete dataset of the run", metavar="OUT.nc"
-        ),
+        typer.Option("-o", "--output", help="also write the complete dataset of the run", metavar="OUT.nc"),
         Writes("dataset"),
     ] = None,
     force: ForceOption = False,

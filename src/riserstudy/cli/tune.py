@@ -20,23 +20,15 @@ FEWEST = 2  # smallest number of points for tuning
 
 def tune(
     studies: Annotated[Path, typer.Argument(help="study file (YAML)", metavar="STUDY.yaml")],
-    study: Annotated[
-        str | None, typer.Argument(help="study of the file to tune", metavar="[STUDY]")
-    ] = None,
+    study: Annotated[str | None, typer.Argument(help="study of the file to tune", metavar="[STUDY]")] = None,
     accuracy: Annotated[
-        str | None,
-        typer.Option(help="tolerance, such as 1%; default: that of the study", metavar="PERCENT"),
+        str | None, typer.Option(help="tolerance, such as 1%; default: that of the study", metavar="PERCENT")
     ] = None,
     points: Annotated[
-        int,
-        typer.Option(min=FEWEST, max=256, help="number of points at which the setting is selected"),
+        int, typer.Option(min=FEWEST, max=256, help="number of points at which the setting is selected")
     ] = 12,
-    seed: Annotated[
-        int, typer.Option(min=0, help="seed (start value) of the random draw of points")
-    ] = 1,
-    write: Annotated[
-        bool, typer.Option("--write", help="write the settings into the study file")
-    ] = False,
+    seed: Annotated[int, typer.Option(min=0, help="seed (start value) of the random draw of points")] = 1,
+    write: Annotated[bool, typer.Option("--write", help="write the settings into the study file")] = False,
 ) -> None:
     """Find the cheapest mesh, time step and method with which all points of a study meet a tolerance.
 

@@ -20,8 +20,7 @@ def of_former_results(study: Path) -> list[str]:
     return [
         out
         for out in outputs_of(study)
-        if out in made
-        and any(_is_replaced(study, name, made[out], made) for name in made[out].inputs)
+        if out in made and any(_is_replaced(study, name, made[out], made) for name in made[out].inputs)
     ]
 
 

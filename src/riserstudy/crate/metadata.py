@@ -136,18 +136,7 @@ def _graph(study: Path, root: Path, outputs: list[str], made: Mapping[str, Made]
         "hasPart": ref(flow["@id"], *ids),
         "mentions": ref(RUN, *(e["@id"] for e in claims if e["@type"] == "ClaimReview")),
     }
-    return [
-        _descriptor(),
-        dataset,
-        *_profiles(),
-        *licences,
-        flow,
-        *files,
-        run,
-        *steps,
-        *software(),
-        *claims,
-    ]
+    return [_descriptor(), dataset, *_profiles(), *licences, flow, *files, run, *steps, *software(), *claims]
 
 
 def _name(path: Path, root: Path) -> str:
@@ -175,12 +164,7 @@ def _descriptor() -> Entity:
 
 def _profiles() -> list[Entity]:
     profiles: list[Entity] = [
-        {
-            "@id": address,
-            "@type": "CreativeWork",
-            "name": name,
-            "version": address.rsplit("/", 1)[1],
-        }
+        {"@id": address, "@type": "CreativeWork", "name": name, "version": address.rsplit("/", 1)[1]}
         for address, name in PROFILES.items()
     ]
     language: Entity = {
@@ -200,9 +184,7 @@ def _steps(made: Mapping[str, Made], ids: Mapping[str, str]) -> list[Entity]:
         by_rule.setdefault(job.rule, []).append(name)
     entities: list[Entity] = []
     for position, (rule, names) in enumerate(by_rule.items()):
-        jobs = _action(
-            f"#jobs-{rule}", f"jobs of {rule}", f"#rule-{rule}", [made[n] for n in names]
-        )
+        jobs = _action(f"#jobs-{rule}", f"jobs of {rule}", f"#rule-{rule}", [made[n] for n in names])
         entities += [
             {"@id": f"#rule-{rule}", "@type": "SoftwareApplication", "name": f"rule {rule}"},
             {"@id": f"#step-{rule}", "@type": "HowToStep", "position": str(position)}

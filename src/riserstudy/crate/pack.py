@@ -38,9 +38,7 @@ def pack(study: Path, target: Path) -> int:
         found = "is absent: the last run was interrupted or failed, or the file was deleted"
         raise InputError(absent[0], "", found, "run the study again")
     if former := of_former_results(study):
-        found = (
-            "was made from former results: the last run was interrupted, or made only some files"
-        )
+        found = "was made from former results: the last run was interrupted, or made only some files"
         raise InputError(study / former[0], "", found, "run the study again")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
@@ -65,6 +63,4 @@ def _absent(study: Path) -> list[Path]:
     read = {name for out in outputs_of(study) if out in made for name in made[out].inputs}
     of_jobs = {study / name for name in read if name.startswith("results/")}
     seals = {path.relative_to(results / SEALS) for path in (results / SEALS).rglob("*.*")}
-    return sorted(
-        path for path in of_jobs | {results / seal for seal in seals} if not path.exists()
-    )
+    return sorted(path for path in of_jobs | {results / seal for seal in seals} if not path.exists())

@@ -39,9 +39,7 @@ def _records(folder: Path) -> Iterator[tuple[str, Made]]:
         try:
             name = urlsafe_b64decode("".join(p.removeprefix(LONG) for p in parts)).decode()
             record = json.loads(path.read_bytes())
-            began, ended = (
-                datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime")
-            )
+            began, ended = (datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime"))
             inputs, params = ((*map(str, record[key]),) for key in ("input", "params"))
             checksums = dict(record.get("input_checksums") or {})
             yield name, Made(str(record["rule"]), began, ended, inputs, checksums, params)

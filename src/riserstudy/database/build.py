@@ -57,9 +57,7 @@ def build(target: Path, sources: Sources) -> Built:
     except (OSError, sqlite3.OperationalError) as error:
         if not getattr(error, "sqlite_errorname", OF_A_DISK[0]).startswith(OF_A_DISK):
             raise
-        raise SimulationError(
-            f"{target} cannot be written: {error}; see whether the disk is full"
-        ) from error
+        raise SimulationError(f"{target} cannot be written: {error}; see whether the disk is full") from error
     return built
 
 

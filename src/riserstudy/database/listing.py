@@ -38,11 +38,7 @@ def table_of(db: sqlite3.Connection, study: str) -> str | None:
 
 
 def cells(
-    db: sqlite3.Connection,
-    table: str,
-    columns: list[str] | None,
-    where: str | None,
-    sort: list[str],
+    db: sqlite3.Connection, table: str, columns: list[str] | None, where: str | None, sort: list[str]
 ) -> Answer:
     """Return rows of a wide table.
 
@@ -80,17 +76,13 @@ def _sorted(name: str) -> str:
 
 def units(db: sqlite3.Connection, table: str) -> dict[str, str]:
     """Return the units of the columns of a wide table, for columns with a unit."""
-    statement = (
-        "select column_name, unit from columns where table_name = ? and unit not in ('', '1')"
-    )
+    statement = "select column_name, unit from columns where table_name = ? and unit not in ('', '1')"
     return dict(ask(db, statement, (table,)).rows)
 
 
 def points(db: sqlite3.Connection, words: list[str]) -> Answer:
     """List points that contain all given words in key, study, place, scene, engine, effects or warnings."""
-    text = (
-        "key || ' ' || study || ' ' || place || ' ' || coalesce(scene, '') || ' ' || points.engine"
-    )
+    text = "key || ' ' || study || ' ' || place || ' ' || coalesce(scene, '') || ' ' || points.engine"
     text += " || ' ' || coalesce(names, '') || ' ' || warnings"
     values: list[Any] = list(words)
     return ask(

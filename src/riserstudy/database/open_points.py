@@ -108,9 +108,7 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     wanted = [int(point) for point in points]
     places: dict[int, tuple[str, str, int]] = {}
     with connect(database) as db:
-        statement = (
-            "select study, path, position from points join studies using (study) where point = ?"
-        )
+        statement = "select study, path, position from points join studies using (study) where point = ?"
         for point in wanted:
             for row in ask(db, statement, (point,)).rows:
                 places[point] = row
@@ -156,6 +154,4 @@ def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr
             part = dataset.isel(at).load()
     number = {"units": "1", "long_name": "number of the point in the results database"}
     name = {"long_name": "study of the point"}
-    return part.assign_coords(
-        point=("point", points, number), study=("point", [study] * len(points), name)
-    )
+    return part.assign_coords(point=("point", points, number), study=("point", [study] * len(points), name))

@@ -39,9 +39,7 @@ class Varied(NamedTuple):
     at: NDArray[np.int64]
 
 
-def parameters_of(
-    attributes: Mapping[str, Any], grid: Grid
-) -> tuple[list[Parameter], list[Varied]]:
+def parameters_of(attributes: Mapping[str, Any], grid: Grid) -> tuple[list[Parameter], list[Varied]]:
     """Return the parameters that are equal at all points of a study, and those that vary."""
     tree = json.loads(attributes["scene"])
     origins = json.loads(attributes["origins"])
@@ -49,8 +47,7 @@ def parameters_of(
     plain = "published" if tree.get("paper") else "given"
     tree = {name: value for name, value in tree.items() if name not in TITLES}
     base = {
-        path: parameter(path, value, *_origin(path, origins, evidence, plain))
-        for path, value in leaves(tree)
+        path: parameter(path, value, *_origin(path, origins, evidence, plain)) for path, value in leaves(tree)
     }
     varied: dict[str, Varied] = {}
     known = PathIndex([*base])

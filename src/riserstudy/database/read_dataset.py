@@ -89,9 +89,7 @@ def read_dataset(path: Path) -> Contents:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             coordinates = {n: file[n][:] for n in WHERE if n in file.variables}
-            grids = [
-                (grid, [*without_repeats(grid.variables, coordinates)]) for grid in _grids(file)
-            ]
+            grids = [(grid, [*without_repeats(grid.variables, coordinates)]) for grid in _grids(file)]
             grids[0][1].extend(_statistics(file, grids[0][0]))
             return Contents(attributes, grids)
     except (OSError, RuntimeError, MemoryError) as error:  # the library's own are RuntimeErrors
@@ -109,9 +107,7 @@ def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:
     wanted = [
         v
         for name, v in file.variables.items()
-        if name not in file.dimensions
-        and not _is_reported(name, dims_of)
-        and SHAPED not in v.dimensions
+        if name not in file.dimensions and not _is_reported(name, dims_of) and SHAPED not in v.dimensions
     ]
     every = [tuple(d for d in v.dimensions if d not in OF_A_RUN) for v in wanted]
     spans = [dims for dims in every if not any(set(dims) < set(other) for other in every)]

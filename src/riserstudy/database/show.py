@@ -16,10 +16,7 @@ WIDEST = 60  # most characters of a text on a screen
 
 def as_table(answer: Answer, units: Mapping[str, str] | None = None) -> list[str]:
     """Return the lines of a table with aligned columns; numbers have six digits."""
-    heads = [
-        f"{name} ({units[name]})" if units and name in units else name or ""
-        for name in answer.columns
-    ]
+    heads = [f"{name} ({units[name]})" if units and name in units else name or "" for name in answer.columns]
     right = [
         all(value is None or isinstance(value, int | float) for value in values)
         for values in zip(*answer.rows, strict=True)

@@ -40,14 +40,10 @@ def verify(database: Path) -> Verified:
         files = {str(path): str(digest) for path, digest in recorded}
         keys = [str(key) for (key,) in ask(db, "select distinct key from points").rows]
     wrong += [*_files(database.parent, files)]
-    wrong += [
-        f"{database}: {printable(repr(key))} is no key" for key in keys if not _KEY.fullmatch(key)
-    ]
+    wrong += [f"{database}: {printable(repr(key))} is no key" for key in keys if not _KEY.fullmatch(key)]
     keys = [key for key in keys if _KEY.fullmatch(key)]
     damaged = [key for key in keys if store.has(key) and store.about(key) is None]
-    wrong += [
-        f"point {key}: damaged; the next run that needs it simulates it again" for key in damaged
-    ]
+    wrong += [f"point {key}: damaged; the next run that needs it simulates it again" for key in damaged]
     gone = sum(not store.has(key) for key in keys)
     return Verified(len(files), len(keys), wrong, gone)
 

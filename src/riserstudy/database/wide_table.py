@@ -48,12 +48,7 @@ def is_result(of: Statistic) -> bool:
 
 
 def write_wide_table(
-    db: sqlite3.Connection,
-    table: str,
-    study: str,
-    grid: Grid,
-    statistics: list[Statistic],
-    first: int | None,
+    db: sqlite3.Connection, table: str, study: str, grid: Grid, statistics: list[Statistic], first: int | None
 ) -> None:
     """Make the table and insert all cells; cells that are points have the numbers from ``first`` on."""
     columns = [_number(first, grid.cells), *_axes(grid), *map(_column_of, statistics)]
@@ -70,9 +65,7 @@ def write_wide_table(
 
 
 def _number(first: int | None, cells: int) -> Column:
-    name, label = (
-        ("cell", "number of the cell") if first is None else ("point", "number of the point")
-    )
+    name, label = ("cell", "number of the cell") if first is None else ("point", "number of the point")
     numbers = range(first or 0, (first or 0) + cells)
     return Column(name, "row", "integer primary key", None, label, numbers)
 

@@ -76,19 +76,14 @@ def _write_reads(db: sqlite3.Connection, paper: str, file: StudyFile, studies: s
 def _write_figures(
     db: sqlite3.Connection, paper: str, file: StudyFile, studies: set[str], paths: set[str]
 ) -> None:
-    captions = {
-        name: figure_model.caption
-        for name, figure_model in (file.schematics | file.figures).items()
-    }
+    captions = {name: figure_model.caption for name, figure_model in (file.schematics | file.figures).items()}
     for name, caption in captions.items():
         drawn = [f"{paper}/{name}.{kind}" for kind in ("png", "pdf")]
         if paths.issuperset(drawn):
             _insert(db, "figures", [(f"{paper}/{name}", paper, name, caption, *drawn)])
             figure = file.figures.get(name)
             read = {f"{paper}/{source}" for source in (figure.reads if figure else [])}
-            _insert(
-                db, "figure_reads", [(f"{paper}/{name}", one) for one in sorted(read & studies)]
-            )
+            _insert(db, "figure_reads", [(f"{paper}/{name}", one) for one in sorted(read & studies)])
 
 
 def _write_rests(

@@ -49,9 +49,7 @@ class Values:
         return np.arange(self._next_set - count, self._next_set)
 
 
-def write_same(
-    db: sqlite3.Connection, values: Values, study: str, same: Iterable[Parameter]
-) -> None:
+def write_same(db: sqlite3.Connection, values: Values, study: str, same: Iterable[Parameter]) -> None:
     """Insert the parameters that are equal at all points of a study."""
     pairs = zip(repeat(study), values.numbers(same), strict=False)  # the repeated item has no end
     db.executemany("insert or ignore into study_parameters values (?, ?)", pairs)
@@ -86,9 +84,7 @@ def _axes(at: NDArray[np.int64]) -> tuple[int, ...]:
     return tuple(k for k in range(at.ndim) if (at != at.take([0], axis=k)).any())
 
 
-def _numbers(
-    values: Values, numbered: dict[Parameter, int], at: NDArray[np.int64]
-) -> NDArray[np.int64]:
+def _numbers(values: Values, numbered: dict[Parameter, int], at: NDArray[np.int64]) -> NDArray[np.int64]:
     """Convert numbers within the study to numbers in the database; -1 (absent) stays -1."""
     used = np.isin(np.arange(len(numbered)), at)
     some = [parameter for parameter, number in numbered.items() if used[number]]

@@ -72,11 +72,7 @@ def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Cont
     row = (
         *(about.study, about.paper, about.name, about.kind, about.caption),
         *(json.dumps({a.name: len(a.values) for a in grid.axes}), grid.cells),
-        *(
-            attributes.get("scene_file"),
-            attributes.get("tier"),
-            scene.get("analysis", {}).get("accuracy"),
-        ),
+        *(attributes.get("scene_file"), attributes.get("tier"), scene.get("analysis", {}).get("accuracy")),
         *(attributes.get("engine"), table, about.path),
     )
     db.execute(f"insert into studies values ({marks(len(row))})", row)
@@ -148,16 +144,12 @@ def _write_results(db: sqlite3.Connection, statistics: list[Statistic], first: i
         for name in ("s", "time", "cylinder"):
             at = [t.at.get(name, nothing)[part] for t, _ in numeric]
             columns.append(np.stack(at, axis=1).ravel()[there].tolist())
-        db.executemany(
-            "insert into result_values values (?, ?, ?, ?, ?, ?)", zip(*columns, strict=True)
-        )
+        db.executemany("insert into result_values values (?, ?, ?, ?, ?, ?)", zip(*columns, strict=True))
 
 
 def _quantity_id(db: sqlite3.Connection, of: Statistic) -> int:
     about = (of.quantity, of.statistic, of.unit, of.long_name)
-    requested = (
-        "select quantity_id from quantities where quantity = ? and statistic = ? and unit is ?"
-    )
+    requested = "select quantity_id from quantities where quantity = ? and statistic = ? and unit is ?"
     row = db.execute(requested, about[:3]).fetchone()
     if row is None:
         statement = "insert into quantities values (null, ?, ?, ?, ?) returning quantity_id"

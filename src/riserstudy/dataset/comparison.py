@@ -24,9 +24,7 @@ FEWEST = 4  # smallest number of rows for a comparison
 SAME = 1e-6
 WALL, EFFECTIVE = "wall_tension", "effective_tension"
 #: quantities that other programs define differently from a run
-OTHERWISE = {
-    "end_force": "it is the effective tension at that end: write `effective_tension at 0 m`"
-}
+OTHERWISE = {"end_force": "it is the effective tension at that end: write `effective_tension at 0 m`"}
 
 
 class Pair(NamedTuple):
@@ -137,9 +135,7 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
         notes.append(f"the run is interpolated over {axis}")
     there = _both(theirs, mine, notes)
     if there.sum() < FEWEST:
-        found = (
-            f"{int(there.sum())} rows are between {known[0]:g} and {known[-1]:g} and have numbers"
-        )
+        found = f"{int(there.sum())} rows are between {known[0]:g} and {known[-1]:g} and have numbers"
         why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
         raise InputError(path, title, found, f"at least {FEWEST} are needed{why}")
     where = "" if place is None else f" at {place:g} m"
@@ -182,9 +178,7 @@ def _inside(
     inside = (along >= known[0]) & (along <= known[-1])
     if not inside.all():
         span = f"{axis} from {known[0]:g} to {known[-1]:g}"
-        notes.append(
-            f"left out: {int((~inside).sum())} of {len(along)} rows, beyond the run's {span}"
-        )
+        notes.append(f"left out: {int((~inside).sum())} of {len(along)} rows, beyond the run's {span}")
     return inside, known
 
 

@@ -16,10 +16,7 @@ def first_crossing(curve: xr.DataArray, level: float, along: str = "time") -> xr
     """
     place = curve[along].values
     times: xr.DataArray = xr.apply_ufunc(
-        lambda c: place_of_crossing(c, level, place),
-        curve,
-        input_core_dims=[[along]],
-        vectorize=True,
+        lambda c: place_of_crossing(c, level, place), curve, input_core_dims=[[along]], vectorize=True
     )
     return times
 

@@ -125,10 +125,7 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
         if set(places[0]) != set(places[1]):
             before, after, common = _at_common_points(axis, before, after)
             yield Varied(
-                name,
-                axis,
-                float("inf"),
-                f"{len(places[0])} values, now {len(places[1])}; {common} in both",
+                name, axis, float("inf"), f"{len(places[0])} values, now {len(places[1])}; {common} in both"
             )
         elif places[0] != places[1] and len(set(places[0])) == len(places[0]) == len(places[1]):
             before, after, _ = _at_common_points(axis, before, after)
@@ -143,9 +140,7 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
             yield _one(name, variable, before[variable], after[variable])
 
 
-def _at_common_points(
-    axis: str, old: xr.Dataset, new: xr.Dataset
-) -> tuple[xr.Dataset, xr.Dataset, int]:
+def _at_common_points(axis: str, old: xr.Dataset, new: xr.Dataset) -> tuple[xr.Dataset, xr.Dataset, int]:
     """Both datasets at the common values of an axis, and the number of these values."""
     import numpy as np
 

@@ -106,9 +106,7 @@ def as_variables(parts: Sequence[tuple[Sequence[int], list[Statistic]]]) -> dict
     ``parts``: indices of the runs of each group, and their statistics.
     """
     count = sum(len(places) for places, _ in parts)
-    labels = dict.fromkeys(
-        f"{of.quantity} {of.statistic}" for _, statistics in parts for of in statistics
-    )
+    labels = dict.fromkeys(f"{of.quantity} {of.statistic}" for _, statistics in parts for of in statistics)
     columns = {label: k for k, label in enumerate(labels)}
     data = {kind: np.full((count, len(labels)), np.nan) for kind in NAMES}
     for places, statistics in parts:
@@ -153,9 +151,7 @@ def largest_size(dataset: xr.Dataset, quantity: str) -> xr.DataArray | None:
     return abs(sides[0]).where(abs(sides[0]) >= abs(sides[1]), abs(sides[1]))
 
 
-def _statistics_of(
-    variable: Variable, coordinates: Mapping[str, NDArray[Any]]
-) -> Iterator[Statistic]:
+def _statistics_of(variable: Variable, coordinates: Mapping[str, NDArray[Any]]) -> Iterator[Statistic]:
     """Statistics of a variable: its value, or the statistics that represent an array."""
     quantity, kind = _split(variable.name)
     common = (variable.unit, variable.long_name)

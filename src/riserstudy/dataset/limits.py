@@ -153,9 +153,7 @@ def _with_mud_above(one: Checked, mud: float) -> Checked:
 
 def taken_by(mud: float) -> str:
     """What a smallest tension is not known for: the weight of the mud above the riser (N)."""
-    return (
-        f"contents above the riser's upper end, which decrease the tension by {1e-3 * mud:.3g} kN"
-    )
+    return f"contents above the riser's upper end, which decrease the tension by {1e-3 * mud:.3g} kN"
 
 
 def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str) -> Checked:
@@ -184,9 +182,7 @@ def takes(scene: Resolved, limit: Limit) -> str:
         return ""
     sections = [section.name for section in sections_of(scene, limit)]
     below = len(scene.riser) - len(sections)
-    parts = (
-        [] if limit.at else [f"{sections[0]} to {sections[-1]}" if sections[1:] else sections[0]]
-    )
+    parts = [] if limit.at else [f"{sections[0]} to {sections[-1]}" if sections[1:] else sections[0]]
     if below and not limit.at:
         parts.append("without stack and conductor below the flex joint")
     if limit.output == "von_mises_stress":

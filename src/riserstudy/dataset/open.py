@@ -38,10 +38,7 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
         raise InputError(folder, "", "no datasets", "run `make study` first")
     for file in files:
         refuse_other_files(file)
-    nodes = {
-        f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4")
-        for file in files
-    }
+    nodes = {f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4") for file in files}
     return xr.DataTree.from_dict(nodes)
 
 

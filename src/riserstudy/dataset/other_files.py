@@ -23,10 +23,7 @@ SUPERBLOCK = b"\x89HDF\r\n\x1a\n"
 LINK = re.compile(rb"\x01[\x08-\x1f]\x40", re.DOTALL)
 #: kinds of heaps, with the beginnings of messages that give their addresses: names of external files, with
 #: numbers of slots above zero; sources of a virtual dataset
-MESSAGES = {
-    b"HEAP\x00": rb"\x01\x00\x00\x00(?!\x00\x00)..(?!\x00\x00)..",
-    b"GCOL\x01": rb"\x04\x03",
-}
+MESSAGES = {b"HEAP\x00": rb"\x01\x00\x00\x00(?!\x00\x00)..(?!\x00\x00)..", b"GCOL\x01": rb"\x04\x03"}
 ORDERED, CODED = 0x04, 0x10  # flags of a link: it has an order of creation; it has a character set
 FILTERED_HEAP = re.compile(rb"FRHP\x00..(?!\x00\x00)", re.DOTALL)
 
@@ -67,9 +64,7 @@ def _is_link(data: mmap.mmap, at: int) -> bool:
     name = at + width + int.from_bytes(data[at : at + width], "little")
     length = int.from_bytes(data[name : name + 2], "little")
     target = data[name + 2 : name + 2 + length]
-    return (
-        len(target) == length > 3 and target[0] == 0 and target[1:].count(0) == 2 and not target[-1]
-    )
+    return len(target) == length > 3 and target[0] == 0 and target[1:].count(0) == 2 and not target[-1]
 
 
 def _places(data: mmap.mmap, text: bytes) -> Iterator[int]:

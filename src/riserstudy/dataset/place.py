@@ -64,11 +64,7 @@ def complete(run: xr.Dataset) -> xr.Dataset:
     """
     reasons = run["failure"].values.reshape(-1).tolist() if "failure" in run else []
     if failed := [reason for reason in reasons if reason]:
-        which = (
-            "this point has"
-            if len(reasons) == 1
-            else f"{len(failed)} of {len(reasons)} points have"
-        )
+        which = "this point has" if len(reasons) == 1 else f"{len(failed)} of {len(reasons)} points have"
         raise SimulationError(f"{which} no results: {failed[0]}")
     run = own_values(run)
     within = [name for name, values in run.data_vars.items() if {*OF_RUNS} & {*values.dims}]

@@ -6,9 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 
-def place_of_crossing(
-    curve: NDArray[np.float64], level: float, place: NDArray[np.float64]
-) -> float:
+def place_of_crossing(curve: NDArray[np.float64], level: float, place: NDArray[np.float64]) -> float:
     """Place at which a curve first reaches a level, linear between points; infinite if never.
 
     The curve ends with its last value: missing values after it belong to a shorter run. The place is not

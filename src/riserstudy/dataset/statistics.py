@@ -94,9 +94,7 @@ def _most_probable(found: FloatArray, count: float) -> float:
     if found.std() <= ALIKE * found.mean():
         return float(found.max())  # a regular motion, for which no shape can be fitted
     higher = np.sort(found)
-    not_exceeded = (np.arange(len(higher)) + 1.0 - GRINGORTEN) / (
-        len(higher) + 1.0 - 2.0 * GRINGORTEN
-    )
+    not_exceeded = (np.arange(len(higher)) + 1.0 - GRINGORTEN) / (len(higher) + 1.0 - 2.0 * GRINGORTEN)
     some = (not_exceeded > LOWER) & (higher > 0.0)
     slope, log_scale = np.polyfit(np.log(-np.log1p(-not_exceeded[some])), np.log(higher[some]), 1)
     return float(np.exp(log_scale) * math.log(count) ** slope)

@@ -100,9 +100,7 @@ def _least(value: float, size: bool) -> float:
     return float(np.maximum(value, 0.0)) if size else value
 
 
-def _histories(
-    run: xr.Dataset, start: float
-) -> Iterator[tuple[str, float | None, str, xr.DataArray]]:
+def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | None, str, xr.DataArray]]:
     """Name, arclength (m), unit and history from a time (s) on, of all outputs that vary with time."""
     if "time" not in run:
         raise InputError("dataset", "time", "a static run", "statistics need analysis.duration")

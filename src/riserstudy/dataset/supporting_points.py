@@ -16,9 +16,7 @@ def parent(source: xr.Dataset) -> dict[str, Any]:
 
     The digest covers scene, axes and points.
     """
-    about = {
-        name: source.attrs[name] for name in ("tier", "engine", "digest") if name in source.attrs
-    }
+    about = {name: source.attrs[name] for name in ("tier", "engine", "digest") if name in source.attrs}
     if "parents" in source.attrs:
         return about | {"parents": json.loads(source.attrs["parents"])}
     return about | ({"axes": axes_of(source)} if "point_key" in source else {})

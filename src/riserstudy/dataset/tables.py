@@ -23,15 +23,7 @@ _STATION = re.compile(r" at (\S+) m$")
 
 def extremes(dataset: xr.Dataset) -> Table:
     """Largest and smallest value of every output and place, with arclength and time, in SI units."""
-    keys = [
-        "largest",
-        "largest_s",
-        "largest_time",
-        "smallest",
-        "smallest_s",
-        "smallest_time",
-        "mean",
-    ]
+    keys = ["largest", "largest_s", "largest_time", "smallest", "smallest_s", "smallest_time", "mean"]
     rows: list[list[Cell]] = []
     for row in json.loads(dataset.attrs.get("extremes", "[]")):
         unit = attributes(row["output"])["units"]
@@ -104,9 +96,7 @@ def in_units(table: Table, system: UnitSystem) -> Table:
                 cells.append(reading.factor * cell)
         return cells
 
-    units = [
-        unit if unit == OF_ROW else one.unit for unit, one in zip(table.units, whole, strict=True)
-    ]
+    units = [unit if unit == OF_ROW else one.unit for unit, one in zip(table.units, whole, strict=True)]
     return Table(columns, units, [converted(row) for row in table.rows])
 
 
@@ -117,9 +107,7 @@ def in_columns(table: Table) -> list[str]:
     """
     heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
     texts = [[_cell_text(cell) for cell in row] for row in table.rows]
-    numeric = [
-        not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)
-    ]
+    numeric = [not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)]
     return aligned([heads, *texts], numeric)
 
 

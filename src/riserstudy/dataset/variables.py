@@ -12,12 +12,7 @@ from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.records.facts import point_columns
 from riserstudy.scene.outputs import QUANTITIES
 
-ENDINGS = {
-    "_max": "largest ",
-    "_min": "smallest ",
-    "_absmax": "largest size of ",
-    "_static": "static ",
-}
+ENDINGS = {"_max": "largest ", "_min": "smallest ", "_absmax": "largest size of ", "_static": "static "}
 OVER_TIME = {"_deviation": "standard deviation of ", "_spectrum": "spectral density of "}
 
 

@@ -58,9 +58,7 @@ class Walls:
         """Force at a place (m from the lower end) at times (s), (n,)."""
         force = self._force(np.array([place]))[..., 0]
         if np.isnan(force).any():
-            raise self._refused(
-                f"walls of two sections meet at {place:g} m", "give a place 1 mm away"
-            )
+            raise self._refused(f"walls of two sections meet at {place:g} m", "give a place 1 mm away")
         if self._time is not None:
             force = np.interp(time, self._time, force)
         return Added(np.broadcast_to(force, time.shape), self._places_in_words([place]))
@@ -101,9 +99,7 @@ class Walls:
         near = SAME * self._ends[-1]
         if min(needed) < self._s[0] - near or max(needed) > self._s[-1] + near:
             found = f"the run has elevations from {self._s[0]:g} to {self._s[-1]:g} m alone"
-            allowed = (
-                "run it with stations at the ends of its contents, or compare effective_tension"
-            )
+            allowed = "run it with stations at the ends of its contents, or compare effective_tension"
             raise self._refused(found, allowed)
         z = np.apply_along_axis(lambda one: np.interp(stations, self._s, one), -1, self._z)
         at = np.searchsorted(stations, self._ends)
@@ -123,15 +119,11 @@ class Walls:
         near = SAME * self._ends[-1]
         inside = [
             section
-            for section, low, high in zip(
-                self._scene.riser, self._ends[:-1], self._ends[1:], strict=True
-            )
+            for section, low, high in zip(self._scene.riser, self._ends[:-1], self._ends[1:], strict=True)
             if low - near <= place <= high + near
         ]
         if not inside:
-            raise self._refused(
-                f"{place:g} m is not on the riser", f"allowed is 0 to {self._ends[-1]:g} m"
-            )
+            raise self._refused(f"{place:g} m is not on the riser", f"allowed is 0 to {self._ends[-1]:g} m")
         return inside
 
     def _discs(self, section: Section) -> tuple[float, float]:

@@ -21,9 +21,7 @@ def lacks_library(target: Path) -> InputError | None:
     if find_spec("openpyxl") is not None:
         return None
     allowed = "install it with `pip install 'riserstudy[workbook]'`, or write .csv"
-    return InputError(
-        "--output", str(target), "workbooks need openpyxl, which is not installed", allowed
-    )
+    return InputError("--output", str(target), "workbooks need openpyxl, which is not installed", allowed)
 
 
 def _cell(value: Cell) -> Cell:
@@ -58,12 +56,8 @@ def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
                     cell.data_type = "s"  # a name that begins like a formula is text
         for k, cell in enumerate(sheet[1], start=1):
             cell.font, cell.alignment = Font(bold=True), Alignment(wrap_text=True, vertical="top")
-            words = [
-                len(str(row[k - 1])) for row in table.rows[:200] if isinstance(row[k - 1], str)
-            ]
-            sheet.column_dimensions[get_column_letter(k)].width = min(
-                WIDEST, max([12, *words]) + 1.0
-            )
+            words = [len(str(row[k - 1])) for row in table.rows[:200] if isinstance(row[k - 1], str)]
+            sheet.column_dimensions[get_column_letter(k)].width = min(WIDEST, max([12, *words]) + 1.0)
         sheet.freeze_panes = "B2"
     with whole_file(target) as partial:
         book.save(partial)

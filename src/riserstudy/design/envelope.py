@@ -128,9 +128,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
         own = math.hypot(x, y) if current.turns else x * math.cos(turn) + y * math.sin(turn)
         if abs(own) <= STILL * max(abs(point.speed) for point in profile):
             raise InputError("current.profile", "0 m/s", "no current at the surface", allowed)
-        changed = [
-            point.model_copy(update={"speed": point.speed * speed / own}) for point in profile
-        ]
+        changed = [point.model_copy(update={"speed": point.speed * speed / own}) for point in profile]
     else:
         raise InputError("current.profile", "", "a sum or a wind drift", allowed)
     return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
@@ -156,9 +154,6 @@ def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_]) -> list[Cell
         return [None, None, "", "", "; ".join([note, untold]) if untold else note]
     return [
         *(end if math.isfinite(end) else None for end in ends),
-        *(
-            name if math.isfinite(end) else "not reached"
-            for name, end in zip(names, ends, strict=True)
-        ),
+        *(name if math.isfinite(end) else "not reached" for name, end in zip(names, ends, strict=True)),
         untold,
     ]

@@ -146,9 +146,7 @@ def moved(scene: Resolved, offset: float) -> Resolved:
             moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
         return scene.model_copy(update=moved)
     allowed = "Give `held`, `platform` or `vessel`"
-    raise InputError(
-        "top.x", f"{top.x or 'absent'}", "nothing holds the riser at an offset", allowed
-    )
+    raise InputError("top.x", f"{top.x or 'absent'}", "nothing holds the riser at an offset", allowed)
 
 
 def _fine_enough(scene: Resolved, reach: float) -> Mesh:
@@ -205,8 +203,7 @@ def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
         return found
     most = f"{100.0 * SURE:g} %{'' if bounded else ' of its allowable'}"
     missing = (
-        f"{error.words}, below {most}; give more analysis.mesh.elements, "
-        "or analysis.accuracy without a mesh"
+        f"{error.words}, below {most}; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
     )
     return Offsets(math.nan, math.nan, missing)
 

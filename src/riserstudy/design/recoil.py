@@ -59,9 +59,7 @@ class Limits(NamedTuple):
     above: float  # the next larger setting, with stroke-out; NaN: none was tried
 
 
-def limits(
-    setting: FloatArray, recontact: NDArray[np.bool_], stroked_out: NDArray[np.bool_]
-) -> Limits:
+def limits(setting: FloatArray, recontact: NDArray[np.bool_], stroked_out: NDArray[np.bool_]) -> Limits:
     """Smallest and largest of increasing settings (N), (settings,), without re-contact and stroke-out."""
     serves = np.flatnonzero(~recontact & ~stroked_out)
     if not len(serves):

@@ -66,9 +66,7 @@ def _extremes(scene: Resolved) -> list[dict[str, Any]]:
     return rows
 
 
-def _added(
-    scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
-) -> float:
+def _added(scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]) -> float:
     """The demand of a run minus the demand at rest; NaN if one of them is missing."""
     still, moving = demand_of(scene, limit, rest), demand_of(scene, limit, rows)
     if limit.side == "mean":

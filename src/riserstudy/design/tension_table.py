@@ -61,10 +61,7 @@ def tension_table(scene: Resolved, request: TensionRequest) -> Rows:
         for k, (name, value) in enumerate(zip(names, needed, strict=True))
     ]
     of = formula.governing(scene, request.tolerances)
-    totals = [
-        Found("formula", of.tension, f"governed by the {names[of.end]}"),
-        _engine(scene, request),
-    ]
+    totals = [Found("formula", of.tension, f"governed by the {names[of.end]}"), _engine(scene, request)]
     units = f"with {request.rig.failed} of {request.rig.units} units out"
     least = Found("setting", setting(of.tension, request.rig), units)
     return Rows(ends, [*totals, least, *_window(scene, request, of.tension)])
@@ -102,8 +99,7 @@ def _window(scene: Resolved, request: TensionRequest, minimum: float) -> list[Fo
 def lines(rows: Rows) -> list[str]:
     """The rows as readable lines in kN."""
     texts = [
-        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.quantity}"
-        + (f"  ({row.note})" if row.note else "")
+        f"{(row.tension or 0.0) / 1e3:10.2f} kN  {row.quantity}" + (f"  ({row.note})" if row.note else "")
         for row in rows.ends
     ]
     for row in rows.totals:

@@ -166,9 +166,7 @@ def _checked(given: Coefficients) -> Coefficients:
         if value is not None and not (math.isfinite(value) and value > 0.0):
             raise InputError("screening", name, str(value), "allowed is a finite number above 0")
     if given.slowest >= given.fastest:
-        raise InputError(
-            "screening", "fastest", str(given.fastest), f"allowed is above {given.slowest:g}"
-        )
+        raise InputError("screening", "fastest", str(given.fastest), f"allowed is above {given.slowest:g}")
     return given
 
 
@@ -315,10 +313,7 @@ ABOUT = {
     "slowest_current": ("m s-1", "lowest speed across the riser at which the mode may lock in"),
     "fastest_current": ("m s-1", "highest speed across the riser at which the mode may lock in"),
     "amplitude": ("1", "largest amplitude divided by diameter"),
-    "amplitude_limit": (
-        "1",
-        "amplitude divided by diameter at which lift equals drag at one place",
-    ),
+    "amplitude_limit": ("1", "amplitude divided by diameter at which lift equals drag at one place"),
     "drag_factor": ("1", "drag coefficient divided by that of a riser without vibration"),
 }
 ALONG = {

@@ -16,9 +16,7 @@ MEANINGS = "no_limit_is_reached even_an_alarm_at_the_start_is_too_late circle no
 FLAGS = {"flag_values": np.arange(4, dtype=np.int8), "flag_meanings": MEANINGS}
 
 
-def watch_circle(
-    first: xr.DataArray, offset: xr.DataArray, before: xr.DataArray | float
-) -> xr.Dataset:
+def watch_circle(first: xr.DataArray, offset: xr.DataArray, before: xr.DataArray | float) -> xr.Dataset:
     """Offset at which a disconnect must start in order to end when the first limit is reached.
 
     Parameters

@@ -127,9 +127,7 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
     missing = False
     for mode in modes:
         first, earliest, lost = math.inf, math.inf, False
-        for limit, time, error, row in zip(
-            scene.limits or [], reached, errors, verdicts, strict=True
-        ):
+        for limit, time, error, row in zip(scene.limits or [], reached, errors, verdicts, strict=True):
             if limit.mode != mode:
                 continue
             why = _unknown(limit.side, time, row)

@@ -60,6 +60,4 @@ def energy(axial, s):
     return total
 
 
-register(
-    Axial, Called("axial elasticity", "riser"), string=force, tangent=tangent, potential=energy
-)
+register(Axial, Called("axial elasticity", "riser"), string=force, tangent=tangent, potential=energy)

@@ -20,18 +20,7 @@ from riserstudy.effects.registry import Called, register
 from riserstudy.solve.blocktri import flexibility_solve
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, VELOCITY
-from riserstudy.solve.vec import (
-    add,
-    at,
-    cross,
-    mul,
-    outer,
-    plus,
-    plus_block,
-    skew,
-    sub,
-    transposed,
-)
+from riserstudy.solve.vec import add, at, cross, mul, outer, plus, plus_block, skew, sub, transposed
 
 
 class BendingDamping(NamedTuple):
@@ -66,10 +55,7 @@ def tangent(damping, s):
         t, inverse = at(s.dim, s.tangent, e), s.inverse_length[e]
         apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
         by_velocity = mul(s.rate[VELOCITY] * inverse, skew(t))
-        turning = add(
-            mul(inverse * inverse, skew(apart)),
-            mul(2.0 * inverse, outer(_segment_rate(s, e), t)),
-        )
+        turning = add(mul(inverse * inverse, skew(apart)), mul(2.0 * inverse, outer(_segment_rate(s, e), t)))
         slope = mul(damping.time, transposed(sub(by_velocity, turning)))
         plus_block(s.turn_low, e, slope)
         plus_block(s.turn_up, e, mul(-1.0, slope))

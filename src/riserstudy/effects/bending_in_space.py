@@ -23,18 +23,7 @@ from riserstudy.effects.bending import compliance
 from riserstudy.effects.registry import register
 from riserstudy.effects.rotation import by_chord, rotation, rotation_by_first, rotation_by_second
 from riserstudy.solve.jit import inner
-from riserstudy.solve.vec import (
-    add,
-    at,
-    cross,
-    dot,
-    mul,
-    outer,
-    plus,
-    plus_block,
-    skew,
-    sub,
-)
+from riserstudy.solve.vec import add, at, cross, dot, mul, outer, plus, plus_block, skew, sub
 
 
 class SpatialBending(NamedTuple):

@@ -117,9 +117,7 @@ def drive(cylinders, s):
     _base(cylinders, s, base)
     _tilt(cylinders, s, w)
     tx, ty, tz = w[0, 0], w[0, 1], w[0, 2]
-    for c in range(
-        cylinders.length.shape[0]
-    ):  # the smallest rotation that takes z into (tx, ty, tz)
+    for c in range(cylinders.length.shape[0]):  # the smallest rotation that takes z into (tx, ty, tz)
         x, y, z = cylinders.ring[0, c], cylinders.ring[1, c], cylinders.ring[2, c]
         turn = (tx * x + ty * y) / (1.0 + tz)
         arm[0, c] = x + tx * z - tx * turn

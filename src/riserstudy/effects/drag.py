@@ -147,9 +147,7 @@ register(
         "drag",
         "riser.drag, and lateral freedom",
         (
-            taken_out(
-                "drag", "riser[*].drag", "lateral", sets={"riser[*].drag": None, "current": None}
-            ),
+            taken_out("drag", "riser[*].drag", "lateral", sets={"riser[*].drag": None, "current": None}),
             put_in(
                 "drag",
                 "riser[*].drag",

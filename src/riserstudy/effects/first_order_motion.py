@@ -66,9 +66,4 @@ def probe(motion, s):
     return 0.0
 
 
-register(
-    FirstOrderMotion,
-    Called("first-order motion", "vessel, and a platform"),
-    place=place,
-    probe=probe,
-)
+register(FirstOrderMotion, Called("first-order motion", "vessel, and a platform"), place=place, probe=probe)

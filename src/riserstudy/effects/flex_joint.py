@@ -100,17 +100,9 @@ register(
         "rotation.stiffness, and lateral freedom",
         (
             taken_out(
-                "lower flex joint",
-                "bottom.rotation.stiffness",
-                "lateral",
-                sets={"bottom.rotation": "free"},
+                "lower flex joint", "bottom.rotation.stiffness", "lateral", sets={"bottom.rotation": "free"}
             ),
-            taken_out(
-                "upper flex joint",
-                "top.rotation.stiffness",
-                "lateral",
-                sets={"top.rotation": "free"},
-            ),
+            taken_out("upper flex joint", "top.rotation.stiffness", "lateral", sets={"top.rotation": "free"}),
         ),
     ),
     Called("clamp", "rotation: fixed, and lateral freedom"),

@@ -78,11 +78,4 @@ def energy(inertia, s):
     return total
 
 
-register(
-    Inertia,
-    Called("inertia", "riser.mass"),
-    string_inertia=force,
-    mass=mass,
-    lump=lump,
-    kinetic=energy,
-)
+register(Inertia, Called("inertia", "riser.mass"), string_inertia=force, mass=mass, lump=lump, kinetic=energy)

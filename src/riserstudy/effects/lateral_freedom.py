@@ -13,11 +13,7 @@ call(
         "lateral freedom",
         "a lateral load or motion",
         (
-            taken_out(
-                "large rotation and axial motion",
-                "lateral",
-                sets={"analysis.solver": "hermite"},
-            ),
+            taken_out("large rotation and axial motion", "lateral", sets={"analysis.solver": "hermite"}),
             put_in(
                 "motion out of the plane",
                 "spatial",

@@ -87,9 +87,5 @@ def energy(munk, s):
 
 
 register(
-    Munk,
-    Called("Munk moment", "vessel.yaw, and a current"),
-    device=force,
-    tangent=tangent,
-    potential=energy,
+    Munk, Called("Munk moment", "vessel.yaw, and a current"), device=force, tangent=tangent, potential=energy
 )

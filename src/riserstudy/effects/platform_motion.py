@@ -86,11 +86,7 @@ def drive_harmonic(harmonic, s):
     t, first = s.clock[0], 0
     while first < motion.shape[0]:
         after = first  # end of a group with the same motion and ramp, which is summed together
-        while (
-            after < motion.shape[0]
-            and motion[after] == motion[first]
-            and ramp[after] == ramp[first]
-        ):
+        while after < motion.shape[0] and motion[after] == motion[first] and ramp[after] == ramp[first]:
             after += 1
         place = speed = acceleration = 0.0
         for k in range(first, after):

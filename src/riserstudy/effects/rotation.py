@@ -12,19 +12,7 @@ from __future__ import annotations
 from math import atan, sqrt
 
 from riserstudy.solve.jit import inner
-from riserstudy.solve.vec import (
-    add,
-    at,
-    cross,
-    dot,
-    mul,
-    outer,
-    skew,
-    sub,
-    times,
-    transposed,
-    unity,
-)
+from riserstudy.solve.vec import add, at, cross, dot, mul, outer, skew, sub, times, transposed, unity
 
 
 @inner

@@ -213,13 +213,7 @@ def linear_energy(soil, s):
 
 
 register(
-    LinearSoil,
-    Called("soil", "soil"),
-    device=linear_force,
-    tangent=linear_tangent,
-    potential=linear_energy,
+    LinearSoil, Called("soil", "soil"), device=linear_force, tangent=linear_tangent, potential=linear_energy
 )
 register(SoftClay, "soil", device=clay_force, tangent=clay_tangent, potential=clay_energy)
-register(
-    TabulatedSprings, "soil", device=table_force, tangent=table_tangent, potential=table_energy
-)
+register(TabulatedSprings, "soil", device=table_force, tangent=table_tangent, potential=table_energy)

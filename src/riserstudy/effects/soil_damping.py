@@ -61,11 +61,7 @@ def power(dashpots, s):
 
 register(
     SoilDamping,
-    Called(
-        "soil damping",
-        "soil.damping",
-        (taken_out("soil damping", "soil.damping", "dynamics"),),
-    ),
+    Called("soil damping", "soil.damping", (taken_out("soil damping", "soil.damping", "dynamics"),)),
     device=force,
     tangent=tangent,
     power=power,

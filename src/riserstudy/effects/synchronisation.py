@@ -39,12 +39,7 @@ from riserstudy.solve.vec import at, dot, mul, norm, sub
 
 PHASE, OF_VELOCITY, OF_ACCELERATION = 0, 1, 2  # rows of a node's internal variables
 VARIABLES = 3  # number of these rows
-FREE, FALL, RISE, MEMORY = (
-    0,
-    1,
-    2,
-    3,
-)  # rows of a record's ``shedding``: f_0, f_0 - f_min, f_max - f_0, T
+FREE, FALL, RISE, MEMORY = (0, 1, 2, 3)  # rows of a record's ``shedding``: f_0, f_0 - f_min, f_max - f_0, T
 STILL = 1e-9  # (m/s) flow speed below which no vortices are shed
 # epsilon: ratio of the pipe's velocity to the flow speed below which the pipe counts as at rest
 LEAST = 1e-3
@@ -145,7 +140,5 @@ def synchronise(record, s, i, speed, y_v, y_a):
     p_by_speed = -p * (mine * (y_v * y_v - mean_v) / speed + 2.0 * least * LEAST) / (2.0 * square_v)
     slow = (LEAST * f0 * turn) ** 2 * speed
     r_by_speed = -r * (mine * (y_a * y_a - mean_a) / speed + 4.0 * slow) / (2.0 * square_a)
-    by_speed = (
-        by_p * p_by_speed + by_r * r_by_speed + share * turn / speed * (f0 + gain * slip) / damping
-    )
+    by_speed = by_p * p_by_speed + by_r * r_by_speed + share * turn / speed * (f0 + gain * slip) / damping
     return by_p * p_by_y, by_r * r_by_y, by_speed

@@ -71,6 +71,4 @@ def energy(law, s):
     return total
 
 
-register(
-    TabulatedLaw, Called("tabulated tensioner", "top.tensioners.table"), law=force, potential=energy
-)
+register(TabulatedLaw, Called("tabulated tensioner", "top.tensioners.table"), law=force, potential=energy)

@@ -21,18 +21,7 @@ import numpy as np
 from riserstudy.effects.registry import Called, put_in, register, taken_out
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, SUPPLIED, VELOCITY
-from riserstudy.solve.vec import (
-    add,
-    at,
-    dot,
-    mul,
-    outer,
-    plus,
-    plus_block,
-    sub,
-    unity,
-    upward,
-)
+from riserstudy.solve.vec import add, at, dot, mul, outer, plus, plus_block, sub, unity, upward
 
 
 class TangentialDrag(NamedTuple):
@@ -110,10 +99,7 @@ register(
                 "tangential drag",
                 "riser[*].tangential_drag",
                 {
-                    "riser[*].tangential_drag": {
-                        "coefficient": 0.02,
-                        "diameter": "=outer diameter",
-                    },
+                    "riser[*].tangential_drag": {"coefficient": 0.02, "diameter": "=outer diameter"},
                     "water.density": "=water",
                 },
                 "coefficient 0.02 on the outer diameter, in sea water",

@@ -60,11 +60,7 @@ def power(loss, s):
 
 register(
     TensionLoss,
-    Called(
-        "tension loss",
-        "top.tension_loss",
-        (taken_out("tension loss", "top.tension_loss", "dynamics"),),
-    ),
+    Called("tension loss", "top.tension_loss", (taken_out("tension loss", "top.tension_loss", "dynamics"),)),
     device=force,
     power=power,
 )

@@ -61,10 +61,7 @@ def attitude(vessel, s):
     if vessel.yaw == 0:
         return vessel.heading, 0.0
     up = len(s.dim) - 1
-    return (
-        vessel.heading + s.r[up, vessel.yaw] / vessel.radius,
-        s.v[up, vessel.yaw] / vessel.radius,
-    )
+    return (vessel.heading + s.r[up, vessel.yaw] / vessel.radius, s.v[up, vessel.yaw] / vessel.radius)
 
 
 @inner

@@ -29,15 +29,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.effects.registry import Called, register, taken_out
-from riserstudy.effects.synchronisation import (
-    PHASE,
-    STILL,
-    VARIABLES,
-    grown,
-    past,
-    rest,
-    synchronise,
-)
+from riserstudy.effects.synchronisation import PHASE, STILL, VARIABLES, grown, past, rest, synchronise
 from riserstudy.effects.vortex_lift import EXAMPLE
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep, spread_stiffness
@@ -55,9 +47,7 @@ class VortexDrag(NamedTuple):
     shedding: np.ndarray  # (4, n+1) f_0, f_0 - f_min, f_max - f_0, T (1)
     ramp: float  # time over which the force increases to its full value (s)
     first: int  # row of the phases among the internal variables
-    follow: (
-        np.ndarray
-    )  # (3, n+1) scratch: phase by velocity along n, along e, by acceleration along n
+    follow: np.ndarray  # (3, n+1) scratch: phase by velocity along n, along e, by acceleration along n
 
 
 @inner

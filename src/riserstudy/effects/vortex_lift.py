@@ -25,15 +25,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.effects.registry import Called, register, taken_out
-from riserstudy.effects.synchronisation import (
-    PHASE,
-    STILL,
-    VARIABLES,
-    grown,
-    past,
-    rest,
-    synchronise,
-)
+from riserstudy.effects.synchronisation import PHASE, STILL, VARIABLES, grown, past, rest, synchronise
 from riserstudy.solve.jit import inner
 from riserstudy.solve.spread import spread_and_keep, spread_stiffness
 from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
@@ -57,9 +49,7 @@ class VortexLift(NamedTuple):
     shedding: np.ndarray  # (4, n+1) f_0, f_0 - f_min, f_max - f_0, T (1)
     ramp: float  # time over which the lift increases to its full value (s)
     first: int  # row of the phases among the internal variables
-    follow: (
-        np.ndarray
-    )  # (3, n+1) scratch: phase by velocity along e, along n, by acceleration along e
+    follow: np.ndarray  # (3, n+1) scratch: phase by velocity along e, along n, by acceleration along e
 
 
 @inner
@@ -119,8 +109,7 @@ def tangent(lift, s):
         across = sub(mul(2.0 * by_v * c, outer(e, n)), mul(by_v * c, outer(n, e)))
         by_height = sub(mul(2.0 * c * dot(n, h), e), mul(c * dot(e, h), n))
         follows = add(
-            mul(by_v * lift.follow[0, i] + by_a * lift.follow[2, i], e),
-            mul(by_v * lift.follow[1, i], n),
+            mul(by_v * lift.follow[0, i] + by_a * lift.follow[2, i], e), mul(by_v * lift.follow[1, i], n)
         )
         block = add(across, mul(sine, outer(e, follows)))
         put_block(s.block, i, sub(block, outer(by_height, up)))

@@ -49,11 +49,7 @@ register(
     Called(
         "weight",
         "riser.submerged_weight",
-        (
-            taken_out(
-                "weight", "riser[*].submerged_weight", sets={"riser[*].submerged_weight": "0 N/m"}
-            ),
-        ),
+        (taken_out("weight", "riser[*].submerged_weight", sets={"riser[*].submerged_weight": "0 N/m"}),),
     ),
     Called("line load", "riser.lateral_load"),
     string=force,

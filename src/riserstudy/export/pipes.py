@@ -27,9 +27,7 @@ def runs(deck: Deck) -> list[Run]:
     riser = deck.scene.riser
     for k in range(len(riser) - 1, -1, -1):
         above = riser[k + 1] if k + 1 < len(riser) else None
-        same = (
-            above is not None and not above.flex_joint_below and _inside(above) == _inside(riser[k])
-        )
+        same = above is not None and not above.flex_joint_below and _inside(above) == _inside(riser[k])
         if same:
             found[-1].append(k)
         else:
@@ -106,9 +104,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
                 f"{own:.6g} m is written as StressOD; OD is {outer:.6g} m, from the submerged weight"
             )
     if section.lines:
-        deck.otherwise[f"{path}.lines"] = (
-            "included in the mass, weight and stiffness of the line type"
-        )
+        deck.otherwise[f"{path}.lines"] = "included in the mass, weight and stiffness of the line type"
     return entry | _water(deck, section, k, outer, bool(pipe))
 
 

@@ -53,10 +53,7 @@ def _current(deck: Deck, surface: float) -> dict[str, Any]:
         turn = np.degrees(np.arctan2(velocity[1], velocity[0]))
     else:
         factor, turn = along @ velocity, np.zeros(len(z))
-    rows = [
-        [float(surface - level), float(f), float(t)]
-        for level, f, t in zip(z, factor, turn, strict=True)
-    ]
+    rows = [[float(surface - level), float(f), float(t)] for level, f, t in zip(z, factor, turn, strict=True)]
     return {
         "CurrentModel": "Variation scheme", "CurrentRamped": flow.ramp is not None,
         "VerticalCurrentVariationMethod": "Interpolated", "RefCurrentSpeed": 1,
@@ -88,29 +85,17 @@ def _needed(z: np.ndarray, velocity: np.ndarray) -> list[int]:
 def _waves(deck: Deck) -> dict[str, Any]:
     wave = deck.scene.wave
     if wave is None:
-        calm = {
-            "Name": "Wave1",
-            "WaveType": "Airy",
-            "WaveDirection": 0,
-            "WaveHeight": 0,
-            "WavePeriod": 10,
-        }
+        calm = {"Name": "Wave1", "WaveType": "Airy", "WaveDirection": 0, "WaveHeight": 0, "WavePeriod": 10}
         return {"KinematicStretchingMethod": "Vertical stretching", "WaveTrains": [calm]}
-    deck.carried |= {
-        f"wave.{n}" for n in ("heading", "above_mean_level", "height", "amplitude", "period")
-    }
+    deck.carried |= {f"wave.{n}" for n in ("heading", "above_mean_level", "height", "amplitude", "period")}
     train: dict[str, Any] = {"Name": "Wave1", "WaveDirection": math.degrees(wave.heading or 0.0)}
     if isinstance(wave, RegularWave):
         height = wave.height or 2.0 * (wave.amplitude or 0.0)
         train = {**train, "WaveType": "Airy", "WaveHeight": height, "WavePeriod": wave.period}
     else:
-        deck.carried |= {
-            f"wave.{n}" for n in ("significant_height", "peak_period", "peak_enhancement")
-        }
+        deck.carried |= {f"wave.{n}" for n in ("significant_height", "peak_period", "peak_enhancement")}
         deck.carried |= {"wave.components", "wave.seed"}
-        deck.otherwise["wave.seed"] = (
-            "the sea record differs, because OrcaFlex generates other random phases"
-        )
+        deck.otherwise["wave.seed"] = "the sea record differs, because OrcaFlex generates other random phases"
         train |= {
             "WaveType": "JONSWAP", "WaveJONSWAPParameters": "Partially specified",
             "WaveHs": wave.significant_height, "WaveTp": wave.peak_period,
@@ -142,9 +127,7 @@ def stages(deck: Deck) -> dict[str, Any]:
         deck.carried.add(path)
         if ramp != first:
             reason = "none" if ramp is None else f"{ramp:g} s"
-            deck.otherwise[path] = (
-                f"{reason}; the OrcaFlex model builds up over its first stage, {first:g} s"
-            )
+            deck.otherwise[path] = f"{reason}; the OrcaFlex model builds up over its first stage, {first:g} s"
     made["StageDuration"] = [first, a.duration - first] if a.duration > first else [first]
     every = a.output.interval if a.output else 0.1
     return made | {"TargetLogSampleInterval": every, "ImplicitConstantTimeStep": a.step or 0.1}
@@ -201,16 +184,12 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
     tables: list[dict[str, Any]] = []
     origin = [0.0, 0.0, 0.0]
     if response:
-        deck.carried |= {
-            f"platform.response.{n}" for n in ("operators", "phases", "headings", "symmetry")
-        }
+        deck.carried |= {f"platform.response.{n}" for n in ("operators", "phases", "headings", "symmetry")}
         deck.carried |= {"platform.response.motions", "platform.centre_of_rotation"}
         made["RAOPhaseConvention"] = "leads" if response.phases == "lead" else "lags"
         origin = [centre.x or 0.0, centre.y or 0.0, centre.elevation] if centre else origin
         names = ["RAOPeriodOrFrequency"]
-        names += [
-            f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")
-        ]
+        names += [f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")]
         tables = [
             {
                 "RAODirection": math.degrees(heading or 0.0),
@@ -223,9 +202,7 @@ def _vessel_type(deck: Deck) -> dict[str, Any]:
     if not tables:
         still = [[w, *[0.0] * 12] for w in (0.1, 10.0)]
         names = ["RAOPeriodOrFrequency"]
-        names += [
-            f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")
-        ]
+        names += [f"RAO{name.capitalize()}{ending}" for name in MOTIONS for ending in ("Amp", "Phase")]
         tables = [{"RAODirection": 0, ", ".join(names): still}]
     place = [deck.scene.top.offset or 0.0, 0.0]  # the phases of a scene refer to it
     crest = [None, None, None] if origin[:2] == place else [*place, None]
@@ -237,11 +214,7 @@ def _operator(row: Any, moving: list[str]) -> list[float]:
     cells = [row.circular]
     for name in MOTIONS:
         given = name in moving
-        cells += (
-            [getattr(row, name) or 0.0, getattr(row, f"{name}_phase") or 0.0]
-            if given
-            else [0.0, 0.0]
-        )
+        cells += [getattr(row, name) or 0.0, getattr(row, f"{name}_phase") or 0.0] if given else [0.0, 0.0]
     return cells
 
 

@@ -70,9 +70,7 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
         _body(deck, of.body, SLIDE, 0.0)
     pulls(deck, SLIDE, rest, along=None)
     if scene.top.x is None:
-        deck.otherwise["top.x"] = (
-            "missing in the scene; OrcaFlex holds the upper end above the lower end"
-        )
+        deck.otherwise["top.x"] = "missing in the scene; OrcaFlex holds the upper end above the lower end"
     return [SLIDE, 0, 0, 0], stiffness(of.rotation)
 
 
@@ -89,8 +87,7 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
     of = deck.scene.top
     if of.tensioners is None or of.tensioners.arrangement is None:
         allowed = (
-            "no part of an OrcaFlex model pulls vertically on a free end. "
-            "Add top.tensioners.arrangement"
+            "no part of an OrcaFlex model pulls vertically on a free end. Add top.tensioners.arrangement"
         )
         raise deck.refused("top.x", "free", allowed)
     if of.rotation not in (None, "free"):
@@ -242,9 +239,7 @@ def _law(deck: Deck, rig: Tensioners, length: float) -> dict[str, Any]:
         tension, slope = linear_law(rig, gravity)
         if rig.linearised:
             line = f"the straight line of {1e-3 * tension:.6g} kN and {1e-3 * slope:.6g} kN/m at mid-stroke"
-            deck.otherwise |= {
-                f"top.tensioners.{name}": line for name in (_named(rig), "linearised")
-            }
+            deck.otherwise |= {f"top.tensioners.{name}": line for name in (_named(rig), "linearised")}
         if slope:
             unstretched = length - tension / slope
             return {

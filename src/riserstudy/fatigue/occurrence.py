@@ -73,16 +73,12 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
     often = []
     for number, row in enumerate(rows[1:], start=2):
         if len(row) != len(rows[0]):
-            raise InputError(
-                f"{path}, row {number}", "", f"{len(row)} cells", f"allowed are {len(rows[0])}"
-            )
+            raise InputError(f"{path}, row {number}", "", f"{len(row)} cells", f"allowed are {len(rows[0])}")
         for k, (axis, factor) in factors.items():
             columns[axis].append(factor * _number(path, number, rows[0][k], row[k]))
         often.append(_number(path, number, rows[0][weight], row[weight]))
         if often[-1] < 0.0:
-            raise InputError(
-                f"{path}, row {number}", rows[0][weight], row[weight], "allowed is 0 and more"
-            )
+            raise InputError(f"{path}, row {number}", rows[0][weight], row[weight], "allowed is 0 and more")
     name = _head(path, rows[0][weight])[0]
     shares = np.array(often) / {"share": 100.0, "time": HOURS, "count": sum(often) or 1.0}[name]
     notes, some = _summed(path, shares), shares > 0.0
@@ -143,9 +139,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
             columns[axis] = factor * record[name].values
             irregular += [axis] if name.lower() in OF_SEAS else []
     if not columns:
-        allowed = (
-            f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
-        )
+        allowed = f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
         raise InputError("--seas", "", "nothing of the record is an axis of the study", allowed)
     table = np.stack(list(columns.values()), axis=1)
     whole = np.asarray(np.isfinite(table).all(axis=1))
@@ -185,9 +179,7 @@ def axis_of(name: str, axes: list[str]) -> str | None:
         return name
     alike = next((names for names in ALSO if name in names), ())
     ends = tuple(f"_{one}" for one in alike)  # axes of a sweep, such as wave_significant_height
-    return next(
-        (a for a in axes if a.lower() in alike or (ends and a.lower().endswith(ends))), None
-    )
+    return next((a for a in axes if a.lower() in alike or (ends and a.lower().endswith(ends))), None)
 
 
 def _head(path: Path, text: str) -> tuple[str, str]:
@@ -236,9 +228,7 @@ def _summed(path: Path, shares: Array) -> tuple[str, ...]:
     return ()
 
 
-def within(
-    of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping[str, str]
-) -> Occurrence:
+def within(of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping[str, str]) -> Occurrence:
     """Sea states within the range that a study simulates.
 
     Angles outside this range are changed by whole turns if they are then within it. Raises InputError when

@@ -35,9 +35,7 @@ class Response(NamedTuple):
         corners = np.zeros((len(shares), *self.rates.shape[count:]))
         sides = []
         for axis, places in self.grid.items():
-            e = np.clip(
-                np.searchsorted(places, values[axis], "right") - 1, 0, max(len(places) - 2, 0)
-            )
+            e = np.clip(np.searchsorted(places, values[axis], "right") - 1, 0, max(len(places) - 2, 0))
             width = np.diff(places, append=places[-1] + 1.0)[e]
             sides.append((e, np.clip((values[axis] - places[e]) / width, 0.0, 1.0)))
         for corner in product((0, 1), repeat=count):

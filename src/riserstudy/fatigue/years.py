@@ -100,9 +100,7 @@ def axes_of(study: xr.Dataset) -> list[str]:
     return [str(dim) for dim in study["damage_rate"].dims if dim not in PLACES]
 
 
-def over_years(
-    study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], calm: bool = False
-) -> Years:
+def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], calm: bool = False) -> Years:
     """Damage per year of a study's details in the given sea states.
 
     Seeds have equal weights. Between simulated sea states, the fourth root of damage is interpolated
@@ -154,9 +152,7 @@ def over_years(
     )
 
 
-def _at(
-    study: xr.Dataset, axes: list[str], occurs: Occurrence, at: Mapping[str, str]
-) -> xr.Dataset:
+def _at(study: xr.Dataset, axes: list[str], occurs: Occurrence, at: Mapping[str, str]) -> xr.Dataset:
     """The study at the given values, and at the single value of axes with one value."""
     if unknown := [axis for axis in at if axis not in axes]:
         raise InputError("--at", unknown[0], "no axis", f"allowed are {', '.join(axes) or 'none'}")
@@ -185,9 +181,7 @@ def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
         paths = _paths(study, axis) if axis in study.dims else set()
         if paths and all(path.rpartition(".")[2] in OF_WAVES for path in paths):
             found = f"sets {', '.join(sorted(paths))} of a regular wave, not of an irregular sea"
-            allowed = (
-                f"allowed is a study of irregular seas, or a table of waves with a column {axis}"
-            )
+            allowed = f"allowed is a study of irregular seas, or a table of waves with a column {axis}"
             raise InputError("sea states", axis, found, allowed)
 
 
@@ -213,9 +207,7 @@ def _worst(
         rate = float(total[place])
         here = Response(response.grid, response.rates[(..., *place)])
         each = [
-            float(
-                in_parts(Response(response.grid, run[(..., *place)]), occurs.values, occurs.shares)
-            )
+            float(in_parts(Response(response.grid, run[(..., *place)]), occurs.values, occurs.shares))
             for run in runs
         ]
         chance = math.nan
@@ -282,8 +274,7 @@ def _seas(
     here = Response(response.grid, response.rates[(..., *place)])
     each = here.sums(occurs.values, occurs.shares)
     nearest = [
-        np.abs(occurs.values[axis][:, None] - places).argmin(axis=1)
-        for axis, places in here.grid.items()
+        np.abs(occurs.values[axis][:, None] - places).argmin(axis=1) for axis, places in here.grid.items()
     ]
     index = np.ravel_multi_index(nearest, tuple(map(len, here.grid.values())))
     vibrating, errors = _vibrating(study, here), _errors(study, here)

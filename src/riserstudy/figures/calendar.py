@@ -18,10 +18,7 @@ def calendar(shares: Table, title: str) -> Figure:
     """
     months = shares.columns[1:13]
     values = np.array(
-        [
-            [float(cell) if isinstance(cell, float) else np.nan for cell in row[1:13]]
-            for row in shares.rows
-        ]
+        [[float(cell) if isinstance(cell, float) else np.nan for cell in row[1:13]] for row in shares.rows]
     )
     years = [str(row[0]) for row in shares.rows]
     figure = Figure((7.2, 1.6 + CELL * len(years)), dpi=150, layout="constrained")

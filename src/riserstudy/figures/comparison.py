@@ -25,12 +25,7 @@ def comparison(pairs: Sequence[Pair], title: str, other: str) -> Figure:
         factor, unit = read_in(pair.unit)
         ax.plot(pair.along, factor * pair.ours, color=COLOURS[0], linewidth=1.2, label="run")
         ax.plot(
-            pair.along,
-            factor * pair.theirs,
-            color=COLOURS[1],
-            linestyle="--",
-            linewidth=1.2,
-            label=other,
+            pair.along, factor * pair.theirs, color=COLOURS[1], linestyle="--", linewidth=1.2, label=other
         )
         panel_title(ax, in_words(pair.name))
         ax.set_ylabel(unit if unit != "1" else "")

@@ -178,9 +178,7 @@ def _places(edges: Array) -> Array:
 
 def _columns(x: Any, y: Any, colour: Any = None) -> Array:
     x, y = (np.ma.filled(np.ma.asarray(v, float), np.nan) for v in (x, y))
-    shade = (
-        np.full(len(x), np.nan) if colour is None else np.ma.filled(colour.astype(float), np.nan)
-    )
+    shade = np.full(len(x), np.nan) if colour is None else np.ma.filled(colour.astype(float), np.nan)
     return np.column_stack([x, y, shade])
 
 

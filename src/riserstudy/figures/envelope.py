@@ -34,8 +34,6 @@ def envelope(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
 
 def _sides(dataset: xr.Dataset, name: str) -> list[str]:
     """Variables with the extremes of a quantity along the riser, or with its static state."""
-    there = [
-        str(n) for n, v in dataset.items() if {"s", "s_node"} & {*v.dims} and "time" not in v.dims
-    ]
+    there = [str(n) for n, v in dataset.items() if {"s", "s_node"} & {*v.dims} and "time" not in v.dims]
     both = [name + end for end in ENDINGS if name + end in there]
     return both or [one for one in (name + SIZE, name) if one in there][:1]

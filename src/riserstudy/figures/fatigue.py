@@ -34,11 +34,7 @@ def _along(ax: Axes, years: Years) -> None:
         chosen = here & (damage > LEAST * most)
         mark = {"marker": "o", "linestyle": ""} if here.sum() == 1 else {"linewidth": 1.2}
         ax.plot(
-            np.where(chosen, damage, np.nan)[here],
-            years.s[here],
-            color=colour,
-            label=worst.detail,
-            **mark,
+            np.where(chosen, damage, np.nan)[here], years.s[here], color=colour, label=worst.detail, **mark
         )
         ax.plot([worst.factored], [worst.s], "o", color=colour, markersize=4)
     if most > 0.0:
@@ -59,9 +55,7 @@ def _by_sea(figure: Figure, ax: Axes, years: Years) -> None:
             sum(sea.damage for sea in years.seas if sea.values[:1] == (value,)) / total
             for value in (places[0] if places else [0.0])
         ]
-        ax.bar(
-            [f"{value:g}" for value in (places[0] if places else [0.0])], 100.0 * np.array(of_each)
-        )
+        ax.bar([f"{value:g}" for value in (places[0] if places else [0.0])], 100.0 * np.array(of_each))
         ax.set_xlabel(_named(years, 0) if places else "sea state")
         ax.set_ylabel("share of the damage (%)")
         return
@@ -69,11 +63,7 @@ def _by_sea(figure: Figure, ax: Axes, years: Years) -> None:
     for sea in years.seas:
         shares[places[0].index(sea.values[0]), places[1].index(sea.values[1])] += sea.damage / total
     image = ax.pcolormesh(
-        range(len(places[1])),
-        range(len(places[0])),
-        100.0 * shares,
-        shading="nearest",
-        cmap="viridis",
+        range(len(places[1])), range(len(places[0])), 100.0 * shares, shading="nearest", cmap="viridis"
     )
     for ticks, of in ((ax.set_xticks, places[1]), (ax.set_yticks, places[0])):
         ticks(range(len(of)), [f"{value:g}" for value in of])

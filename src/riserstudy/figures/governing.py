@@ -35,9 +35,7 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     """
     responses, heading = _worst_heading(responses)
     surface, simulated, held = _surface(responses)
-    periods, heights = (
-        np.linspace(simulated[:, k].min(), simulated[:, k].max(), CELLS) for k in (1, 0)
-    )
+    periods, heights = (np.linspace(simulated[:, k].min(), simulated[:, k].max(), CELLS) for k in (1, 0))
     plane = np.stack(np.meshgrid(heights, periods, indexing="ij"), axis=-1)
     excess = _excess(responses, surface.at(plane.reshape(-1, 2))).reshape(CELLS, CELLS, -1)
     unknown = np.isnan(excess).any(axis=-1)
@@ -85,9 +83,7 @@ def _worst_heading(responses: xr.Dataset) -> tuple[xr.Dataset, str]:
 
 def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:
     """The response surface, the sea states that it uses, and the sea states for comparison."""
-    states = np.column_stack(
-        [responses[name].values for name in ("significant_wave_height", "peak_period")]
-    )
+    states = np.column_stack([responses[name].values for name in ("significant_wave_height", "peak_period")])
     held = responses["held_out"].values.astype(bool)
     surface = Surface(states[~held], responses["demand_of_limit"].values[~held])
     return surface, states[~held], states[held]

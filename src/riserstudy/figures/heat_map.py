@@ -38,17 +38,13 @@ def heat_map(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     across, up = along(dataset, 2)
     names = of or present(dataset, EXTREMES)[:PANELS]
     ends = [
-        n
-        if ends_of(dataset, n) == [n] or n.endswith((*ENDINGS, SIZE))
-        else n + EXTREMES.get(n, "_max")
+        n if ends_of(dataset, n) == [n] or n.endswith((*ENDINGS, SIZE)) else n + EXTREMES.get(n, "_max")
         for n in names
     ]
     extremes = xr.Dataset({end: extreme(dataset, end) for end in ends})
     slices = points(extremes, over=[across, up])
     displayed = [
-        (called, point[end])
-        for called, point in slices
-        for end in ends[: 1 if slices[1:] else None]
+        (called, point[end]) for called, point in slices for end in ends[: 1 if slices[1:] else None]
     ]
     figure, axes = laid_out(len(displayed))
     ranges = {end: _range(extremes[end]) for end in ends}
@@ -102,9 +98,7 @@ def _allowables(dataset: xr.Dataset, name: str) -> list[float]:
     return sorted({*levels, *(-level for level in levels if both)})
 
 
-def _draw(
-    figure: Figure, ax: Axes, values: xr.DataArray, levels: Range, limits: list[float]
-) -> None:
+def _draw(figure: Figure, ax: Axes, values: xr.DataArray, levels: Range, limits: list[float]) -> None:
     up, across = (values[dim] for dim in values.dims)
     x, y = places_of(across, ax.set_xticks), places_of(up, ax.set_yticks)
     displayed = read(values)

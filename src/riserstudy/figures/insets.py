@@ -37,12 +37,7 @@ def enlarge(
     inset.tick_params(labelsize="x-small")
     inset.grid(True, color="0.9", linewidth=0.6)
     inset.set_axisbelow(True)
-    frame: dict[str, Any] = {
-        "facecolor": "none",
-        "edgecolor": GREY,
-        "linewidth": 0.8,
-        "zorder": 3.0,
-    }
+    frame: dict[str, Any] = {"facecolor": "none", "edgecolor": GREY, "linewidth": 0.8, "zorder": 3.0}
     ax.add_patch(Rectangle((min(x), min(y)), abs(x[1] - x[0]), abs(y[1] - y[0]), **frame))
     to_share = ax.transData + ax.transAxes.inverted()
     corners = to_share.transform([(min(x), min(y)), (max(x), max(y))])
@@ -65,11 +60,7 @@ def _copy(line: Line2D, ax: Axes, inset: Axes, widest: float) -> Line2D:
 
 
 def _lead(
-    ax: Axes,
-    inset: Axes,
-    place: tuple[float, float, float, float],
-    across: list[float],
-    up: list[float],
+    ax: Axes, inset: Axes, place: tuple[float, float, float, float], across: list[float], up: list[float]
 ) -> None:
     """Lines between the facing sides of a part (in shares of its panel) and the enlarged part."""
     left, bottom, width, height = place

@@ -6,17 +6,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.grid import (
-    along,
-    ends_of,
-    extreme,
-    key,
-    label,
-    laid_out,
-    points,
-    present,
-    read,
-)
+from riserstudy.figures.grid import along, ends_of, extreme, key, label, laid_out, points, present, read
 from riserstudy.figures.style import COLOURS, GREY
 from riserstudy.study.plots import USUAL
 
@@ -39,9 +29,7 @@ def lines(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         for end, style in zip(ends, STYLES, strict=False):
             _draw(ax, extremes, end, axis, style)
         ax.set_xlabel(label(dataset[axis]))
-        ax.set_ylabel(
-            label(extremes[ends[0]] if len(ends) == 1 else dataset.get(name, extremes[ends[0]]))
-        )
+        ax.set_ylabel(label(extremes[ends[0]] if len(ends) == 1 else dataset.get(name, extremes[ends[0]])))
     both = any(len(ends_of(dataset, name)) > 1 for name in names)
     for style, word in zip(STYLES, ("largest", "smallest") if both else (), strict=False):
         axes[0].plot([], [], style, color=GREY, label=word)

@@ -28,12 +28,7 @@ PRINTED: dict[str, Any] = {"color": "black", "linestyle": (0, (6, 3)), "linewidt
 
 
 def panels(
-    rows: int = 1,
-    columns: int = 1,
-    height: float = 3.4,
-    *,
-    sharex: bool = False,
-    sharey: bool = False,
+    rows: int = 1, columns: int = 1, height: float = 3.4, *, sharex: bool = False, sharey: bool = False
 ) -> tuple[Figure, list[Axes]]:
     """Empty figure with a grid of panels, with letters if there are several."""
     width = WIDTH if columns == 1 else WIDE * WIDTH
@@ -101,9 +96,7 @@ def legend_below(figure: Figure, handles: list[Any], labels: list[Any], columns:
     """A legend below the panels, with as many columns as fit, up to ``columns``."""
     renderer = FigureCanvasAgg(figure).get_renderer()
     for count in range(columns, 0, -1):
-        key = figure.legend(
-            handles, labels, loc="outside lower center", ncols=count, fontsize="small"
-        )
+        key = figure.legend(handles, labels, loc="outside lower center", ncols=count, fontsize="small")
         if count == 1 or key.get_window_extent(renderer).width <= figure.bbox.width:
             return
         key.remove()

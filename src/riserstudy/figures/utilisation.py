@@ -115,9 +115,7 @@ def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
     x, y = _frame(ax, use, "limit that governs", called)
     which = _which(use)
     colours = ListedColormap([GREY, *(_colour(k) for k in range(use.sizes["limit"]))])
-    ax.pcolormesh(
-        x, y, which, shading="nearest", cmap=colours, vmin=-1.5, vmax=use.sizes["limit"] - 0.5
-    )
+    ax.pcolormesh(x, y, which, shading="nearest", cmap=colours, vmin=-1.5, vmax=use.sizes["limit"] - 0.5)
     return {int(k) for k in which.ravel()}
 
 

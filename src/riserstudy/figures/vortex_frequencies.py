@@ -30,11 +30,7 @@ def vortex_frequencies(found: xr.Dataset, title: str) -> Figure:
         if k < LABELLED:
             place = (frequency, 1.01)
             left.annotate(
-                str(mode),
-                place,
-                xycoords=("data", "axes fraction"),
-                ha="center",
-                fontsize="x-small",
+                str(mode), place, xycoords=("data", "axes fraction"), ha="center", fontsize="x-small"
             )
     if found.sizes["mode"]:
         _amplitudes(right, found)
@@ -42,9 +38,7 @@ def vortex_frequencies(found: xr.Dataset, title: str) -> Figure:
     left.set_ylabel("elevation (m)")
     right.set_xlabel("amplitude over diameter")
     count = found.sizes["mode"]
-    modes = {0: "no mode may lock in", 1: "one mode may lock in"}.get(
-        count, f"{count} modes may lock in"
-    )
+    modes = {0: "no mode may lock in", 1: "one mode may lock in"}.get(count, f"{count} modes may lock in")
     headline(figure, f"{title}: {modes}")
     displayed = [ax.get_legend_handles_labels() for ax in (left, right)]
     handles, labels = (displayed[0][k] + displayed[1][k] for k in range(2))

@@ -128,9 +128,7 @@ def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     ax.set_xlabel("length of work in one go (h)")
     ax.set_ylabel("wait (h)")
     panel_title(ax, "wait: 50 % (line), 90 % (dashes) of starts")
-    if not any(
-        np.isfinite(one[name].isel(riser_mode=0)).any() for _, one in drawn for name in _OF_WINDOWS
-    ):
+    if not any(np.isfinite(one[name].isel(riser_mode=0)).any() for _, one in drawn for name in _OF_WINDOWS):
         first = drawn[0][1]
         windows = " or ".join(f"{hours:g}" for hours in first["window"].values)
         text = f"no {windows} h of {first['riser_mode'].values[0]}\nin one go in the record"

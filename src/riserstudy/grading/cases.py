@@ -92,15 +92,12 @@ def regrade(
     known = not all(base) or len(base) == sum(case.base for case in cases)
     missing = [case for case in left if case.met is None]
     verdicts = {
-        _with_missing(kind, judged, missing, hit)
-        for hit in ([all(base)] if known else [True, False])
+        _with_missing(kind, judged, missing, hit) for hit in ([all(base)] if known else [True, False])
     }
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
-def _with_missing(
-    kind: Kind, judged: Sequence[Case], missing: Sequence[Case], base: bool
-) -> Verdict:
+def _with_missing(kind: Kind, judged: Sequence[Case], missing: Sequence[Case], base: bool) -> Verdict:
     """The verdict of the judged cases, if the missing cases could not change it."""
     ways = [[replace(case, met=met) for case in missing] for met in (True, False)]
     could = {_verdict(kind, [*judged, *way], base) for way in ways}

@@ -120,9 +120,7 @@ def falsified(
     return changed
 
 
-def _those_with(
-    datasets: Mapping[str, xr.Dataset], variables: Sequence[str], where: str
-) -> list[str]:
+def _those_with(datasets: Mapping[str, xr.Dataset], variables: Sequence[str], where: str) -> list[str]:
     """Names of the datasets that have all of some variables or axes."""
     there = [name for name, dataset in datasets.items() if all(v in dataset for v in variables)]
     if not there:
@@ -149,6 +147,4 @@ def _with_values(dataset: xr.Dataset, axis: str, values: Any) -> xr.Dataset:
 
 
 def _missing(where: str, kind: str, there: Iterable[str]) -> InputError:
-    return InputError(
-        where, kind, "is in no dataset of the claim", f"allowed are {', '.join(there)}"
-    )
+    return InputError(where, kind, "is in no dataset of the claim", f"allowed are {', '.join(there)}")

@@ -12,16 +12,7 @@ import xarray as xr
 
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Sources, places_of, regrade
-from riserstudy.grading.found import (
-    FALSE,
-    NO_DIFFERENCE,
-    TRUE,
-    Found,
-    answers,
-    at_cell,
-    consistent,
-    judged,
-)
+from riserstudy.grading.found import FALSE, NO_DIFFERENCE, TRUE, Found, answers, at_cell, consistent, judged
 from riserstudy.grading.grounds import MANY, explained, outcome_of, settled, share_with_interval
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
@@ -101,9 +92,7 @@ def graded(
         about = task.about if space is every else task.about.sel(sample=found["sample"])
         shares = replace(
             grounds,
-            share=base_share(found, item.base)
-            if axes_of_readings(found)
-            else share_with_interval(found),
+            share=base_share(found, item.base) if axes_of_readings(found) else share_with_interval(found),
             readings=readings_of(item.kind, found, about, called),
         )
         grounds = explained(shares, found, about, known or verdict, hit, called)
@@ -149,10 +138,7 @@ class Task(NamedTuple):
             return answer
         if item.kind == "number" and isinstance(answer, int | float | xr.DataArray):
             return Found(xr.DataArray(answer))
-        where, found = (
-            f"config/published/{self.paper}.yaml",
-            f"{item.check} returns {answer!r}"[:60],
-        )
+        where, found = (f"config/published/{self.paper}.yaml", f"{item.check} returns {answer!r}"[:60])
         allowed = "a claim needs judged(value, margin), a number the number itself"
         raise InputError(where, f"{item.id}.check", found, allowed)
 
@@ -282,9 +268,7 @@ def _margin(item: Item, found: Found) -> xr.DataArray | None:
 def _room(item: Item, value: xr.DataArray) -> xr.DataArray:
     """Distance of a value from the end of its tolerance; -1 to 1."""
     published, rounding = item.published or 0.0, item.rounding or 0.0
-    return below(abs(value - published), tolerance(published, rounding, item.within)).clip(
-        -1.0, 1.0
-    )
+    return below(abs(value - published), tolerance(published, rounding, item.within)).clip(-1.0, 1.0)
 
 
 def _answers(item: Item, found: Found) -> xr.DataArray:
@@ -313,9 +297,7 @@ def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Erra
 
 
 def _answer(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: Datasets) -> Any:
-    return checks(entry.check or "")(
-        **{name: datasets[of] for name, of in reads.items()}, **entry.options
-    )
+    return checks(entry.check or "")(**{name: datasets[of] for name, of in reads.items()}, **entry.options)
 
 
 def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:

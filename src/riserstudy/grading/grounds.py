@@ -16,16 +16,7 @@ from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding, shares_by_option
 from riserstudy.grading.sequential import SURE, decided_after
 from riserstudy.grading.verdict import ALMOST_ALWAYS, few
-from riserstudy.records.graded import (
-    Grounds,
-    Influence,
-    Kind,
-    Outcome,
-    Reading,
-    Settled,
-    Share,
-    Verdict,
-)
+from riserstudy.records.graded import Grounds, Influence, Kind, Outcome, Reading, Settled, Share, Verdict
 
 MANY = 100  # smallest number of samples for an interval of a share
 
@@ -33,12 +24,7 @@ Called = Mapping[str, str] | None  # names of inputs, as in ``riserstudy.grading
 
 
 def explained(
-    grounds: Grounds,
-    found: xr.DataArray,
-    about: xr.Dataset,
-    verdict: Verdict,
-    base: bool,
-    called: Called,
+    grounds: Grounds, found: xr.DataArray, about: xr.Dataset, verdict: Verdict, base: bool, called: Called
 ) -> Grounds:
     """The grounds, with the deciding inputs: interpretations if their answers differ, else other inputs.
 
@@ -63,9 +49,7 @@ def explained(
     decides = deciding(found, about)
     options = shares_by_option(found, about, decides.names)
     influences = [
-        Influence(
-            name, input_name(name, called), decides.total_effects.get(name), options.get(name, {})
-        )
+        Influence(name, input_name(name, called), decides.total_effects.get(name), options.get(name, {}))
         for name in decides.names
     ]
     return replace(grounds, because="inputs", decided_by=influences, explained=decides.explained)

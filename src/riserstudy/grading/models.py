@@ -107,15 +107,11 @@ class Item(Checked):
     def _fits(self) -> Self:
         if (self.kind == "number") != (self.published is not None):
             raise Misfit(
-                "published",
-                "is inconsistent",
-                "every number has a printed value, and no claim has one",
+                "published", "is inconsistent", "every number has a printed value, and no claim has one"
             )
         if (self.published is None) != (self.rounding is None):
             raise Misfit(
-                "rounding",
-                "is inconsistent",
-                "the unit of the last printed digit needs a printed value",
+                "rounding", "is inconsistent", "the unit of the last printed digit needs a printed value"
             )
         if self.rounding and self.published and self.rounding > abs(self.published):
             raise Misfit(

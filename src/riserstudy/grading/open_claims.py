@@ -57,14 +57,10 @@ class Assumed(Strict):
             raise ValueError("needs one of range and options")
         if self.options is not None and len({*self.options}) < len(self.options):
             raise Misfit(
-                "options",
-                "is inconsistent",
-                "an option occurs twice, so it would be sampled twice as often",
+                "options", "is inconsistent", "an option occurs twice, so it would be sampled twice as often"
             )
         if self.options is not None and self.assumed not in self.options:
-            raise Misfit(
-                "assumed", "is inconsistent", f"{self.assumed!r} is not one of the options"
-            )
+            raise Misfit("assumed", "is inconsistent", f"{self.assumed!r} is not one of the options")
         if self.range is not None:
             low, high = self.range
             if isinstance(self.assumed, str) or not low <= self.assumed <= high or low == high:

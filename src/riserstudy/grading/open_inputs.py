@@ -85,9 +85,7 @@ def _spread(one: Assumed, share: NDArray[np.float64]) -> NDArray[Any]:
 
 
 def _rows(draws: Mapping[str, NDArray[Any]]) -> list[dict[str, Value]]:
-    columns = [
-        [value if isinstance(value, str) else float(value) for value in c] for c in draws.values()
-    ]
+    columns = [[value if isinstance(value, str) else float(value) for value in c] for c in draws.values()]
     return [dict(zip(draws, row, strict=True)) for row in zip(*columns, strict=True)]
 
 
@@ -124,20 +122,14 @@ def _dataset(
     answers: list[Found], fitted: bool, draws: Mapping[str, NDArray[Any]] | None = None
 ) -> xr.Dataset:
     """Answers over samples, with the assumptions of each sample."""
-    columns = {
-        name: [getattr(answer, name) for answer in answers] for name in ("value", "margin", "same")
-    }
+    columns = {name: [getattr(answer, name) for answer in answers] for name in ("value", "margin", "same")}
     data: dict[str, Any] = {
         name: ("sample", [value.item() for value in column])
         for name, column in columns.items()
         if column[0] is not None
     }
     for name, values in (draws or {}).items():
-        data[f"assumed_{name}"] = (
-            "sample",
-            np.array([str(v) for v in values]),
-            {"long_name": name},
-        )
+        data[f"assumed_{name}"] = ("sample", np.array([str(v) for v in values]), {"long_name": name})
     return xr.Dataset(data, {"sample": np.arange(len(answers))}, {FITTED: int(fitted)})
 
 
@@ -147,7 +139,6 @@ def _looked_up(answers: xr.Dataset, **_: Any) -> Found:
     if "margin" not in answers:
         return Found(value)
     parts = [
-        answers[name] if value.ndim else answers[name].drop_vars("sample")
-        for name in ("margin", "same")
+        answers[name] if value.ndim else answers[name].drop_vars("sample") for name in ("margin", "same")
     ]
     return judged(value, Condition(*parts))

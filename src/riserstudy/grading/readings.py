@@ -42,11 +42,7 @@ def readings_of(
 
 
 def _each(
-    kind: Kind,
-    found: xr.DataArray,
-    axes: Sequence[str],
-    about: xr.Dataset,
-    called: Mapping[str, str] | None,
+    kind: Kind, found: xr.DataArray, axes: Sequence[str], about: xr.Dataset, called: Mapping[str, str] | None
 ) -> Iterator[Reading]:
     beginnings = found.isel({dim: 0 for dim in found.dims if dim not in axes}, drop=True)
     for _, place in places_of(beginnings.transpose(*axes)):

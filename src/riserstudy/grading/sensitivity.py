@@ -78,10 +78,7 @@ def _known_hits(outcome: xr.DataArray) -> tuple[NDArray[np.bool_], NDArray[np.bo
 
 
 def _best(
-    outcomes: NDArray[np.float64],
-    groups: dict[str, NDArray[np.int64]],
-    count: int,
-    containing: str = "",
+    outcomes: NDArray[np.float64], groups: dict[str, NDArray[np.int64]], count: int, containing: str = ""
 ) -> tuple[list[str], float, NDArray[np.float64]]:
     """The one or two inputs that explain most of the first outcome, with ``containing`` first.
 
@@ -118,8 +115,7 @@ def _of_a_grid(outcome: xr.DataArray) -> Deciding:
     effects = total_effects(outcome)
     largest = max(effects.values(), default=0.0)
     names = sorted(
-        (name for name, effect in effects.items() if effect >= 0.5 * largest),
-        key=lambda name: -effects[name],
+        (name for name, effect in effects.items() if effect >= 0.5 * largest), key=lambda name: -effects[name]
     )
     return Deciding(names, total_effects=effects)
 

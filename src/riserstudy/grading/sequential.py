@@ -16,12 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.stats import binomtest
 
-from riserstudy.grading.verdict import (
-    ALMOST_ALWAYS,
-    ALMOST_NEVER,
-    verdict_of_claim,
-    verdict_of_number,
-)
+from riserstudy.grading.verdict import ALMOST_ALWAYS, ALMOST_NEVER, verdict_of_claim, verdict_of_number
 from riserstudy.records.graded import Kind, Verdict
 
 SURE = 0.99  # confidence that a share is on the indicated side of a bound

@@ -76,11 +76,7 @@ def depends_on(kind: Kind, grounds: Grounds) -> str:
 def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     """Results by interpretation: first certain answers, then shares within interpretations."""
     true, false = _HIT[kind]
-    words: dict[ReadingAnswer, str] = {
-        "true": true,
-        "no difference": "no difference",
-        "false": false,
-    }
+    words: dict[ReadingAnswer, str] = {"true": true, "no difference": "no difference", "false": false}
     parts, many = [], len(readings) > MANY
     for answer, word in words.items():
         names = [reading_name(r) for r in readings if r.answer == answer]
@@ -102,8 +98,7 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
 def reading_name(reading: Reading) -> str:
     """Name of an interpretation by its place on the axes; in quotation marks if it contains a comma."""
     name = " / ".join(
-        option_name(value) if isinstance(value, str) else f"{value:g}"
-        for value in reading.place.values()
+        option_name(value) if isinstance(value, str) else f"{value:g}" for value in reading.place.values()
     )
     return f"“{name}”" if "," in name else name
 

@@ -58,11 +58,7 @@ def growing(values: xr.DataArray, axis: str, word: Word, sign: float = 1.0) -> C
 
 
 def more_on_the_whole(
-    value: xr.DataArray,
-    other: xr.DataArray,
-    word: Word,
-    axis: str,
-    within: xr.DataArray | None = None,
+    value: xr.DataArray, other: xr.DataArray, word: Word, axis: str, within: xr.DataArray | None = None
 ) -> Condition:
     """Condition: the mean along an axis exceeds another by the bound of a word, and no value is less.
 

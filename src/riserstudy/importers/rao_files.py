@@ -35,11 +35,7 @@ FloatArray = NDArray[np.float64]
 ROUNDED = 2e-3
 SAME = 1e-4  # largest difference of headings that count as equal (deg)
 HEADING = "heading (deg)"
-FREQUENCIES = {
-    "omega": ("frequency", "rad/s"),
-    "freq": ("frequency", "Hz"),
-    "period": ("period", "s"),
-}
+FREQUENCIES = {"omega": ("frequency", "rad/s"), "freq": ("frequency", "Hz"), "period": ("period", "s")}
 
 
 #: units that attributes may state, and their factors to the units of the table
@@ -79,12 +75,9 @@ def from_wamit(path: Path, length: float) -> Operators:
     rows = [*_rows_of_wamit(path)]
     waves = [row for row in rows if math.isfinite(row.period) and row.period > 0.0]
     left_out = [
-        f"period {p:g}: no wave"
-        for p in sorted({r.period for r in rows} - {r.period for r in waves})
+        f"period {p:g}: no wave" for p in sorted({r.period for r in rows} - {r.period for r in waves})
     ]
-    left_out += [
-        f"mode {m}: no motion of a platform" for m in sorted({r.mode for r in waves if r.mode > 6})
-    ]
+    left_out += [f"mode {m}: no motion of a platform" for m in sorted({r.mode for r in waves if r.mode > 6})]
     values = {(r.heading, r.period, r.mode): r.value for r in waves if r.mode <= 6}
     if not values:
         allowed = "the file needs the modes 1 to 6 at periods above 0"
@@ -101,9 +94,7 @@ def from_wamit(path: Path, length: float) -> Operators:
             for mode in modes:
                 if (heading, period, mode) not in values:
                     found = f"no mode {mode} at {heading:g} deg and {period:g} s"
-                    raise InputError(
-                        path, "", found, "each mode needs a line for every heading and period"
-                    )
+                    raise InputError(path, "", found, "each mode needs a line for every heading and period")
                 value = values[heading, period, mode] / (length if mode > 3 else 1.0)
                 cells += [abs(value), math.degrees(cmath.phase(value))]
             table.append(cells)
@@ -120,9 +111,7 @@ def _rows_of_wamit(path: Path) -> list[Row]:
             cells = [float(word.replace("D", "E").replace("d", "e")) for word in words]
         except ValueError:
             if rows:
-                raise InputError(
-                    path, f"line {number}", line.strip()[:40], "allowed are numbers"
-                ) from None
+                raise InputError(path, f"line {number}", line.strip()[:40], "allowed are numbers") from None
             continue  # a heading
         if not cells:
             continue
@@ -132,9 +121,7 @@ def _rows_of_wamit(path: Path) -> list[Row]:
         value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
         if not abs(value - polar) <= ROUNDED * abs(value) + 1e-6:
             found = f"modulus and phase give {polar:.4g}, real and imaginary part {value:.4g}"
-            raise InputError(
-                path, f"line {number}", found, "both must be the same; check the columns"
-            )
+            raise InputError(path, f"line {number}", found, "both must be the same; check the columns")
         rows.append(Row(cells[0], cells[1], int(cells[2]), value))
     return rows
 
@@ -149,9 +136,7 @@ def from_capytaine(path: Path) -> Operators:
     by = next((name for name in FREQUENCIES if name in rao.dims), None)
     if by is None or "radiating_dof" not in rao.dims:
         allowed = "allowed are radiating_dof, wave_direction and one of omega, freq, period"
-        raise InputError(
-            path, "RAO", f"has the dimensions {', '.join(map(str, rao.dims))}", allowed
-        )
+        raise InputError(path, "RAO", f"has the dimensions {', '.join(map(str, rao.dims))}", allowed)
     _refuse_speed(path, rao)
     dofs = _motions(path, [str(name) for name in rao["radiating_dof"].values])
     if "wave_direction" not in rao.coords:
@@ -161,19 +146,14 @@ def from_capytaine(path: Path) -> Operators:
     extra = set(rao.dims) - {"radiating_dof", "wave_direction", by}
     if extra:
         raise InputError(
-            path,
-            "RAO",
-            f"has several values along {sorted(map(str, extra))[0]}",
-            "select one value of it",
+            path, "RAO", f"has several values along {sorted(map(str, extra))[0]}", "select one value of it"
         )
     rao = rao.transpose("wave_direction", by, "radiating_dof")
     waves = _in_unit(path, rao[by], FREQUENCIES[by][1])
     headings = _headings(path, rao["wave_direction"])
     good = np.isfinite(waves) & (waves > 0.0)
     left_out = [f"{by} {wave:g}: no wave" for wave in waves[~good]]
-    left_out += [
-        f"{name}: no motion of a platform" for name, motion in dofs.items() if motion is None
-    ]
+    left_out += [f"{name}: no motion of a platform" for name, motion in dofs.items() if motion is None]
     left_out += [f"variable {name}" for name in dataset.data_vars if name != "RAO"]
     taken = [k for k, motion in enumerate(dofs.values()) if motion]
     table: list[list[float]] = []
@@ -262,9 +242,7 @@ def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
         raise InputError(path, "RAO", found, "allowed are re and im along complex")
     parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
     if sorted(parts) != ["im", "re"]:
-        raise InputError(
-            path, "RAO", f"has the parts {parts}", "allowed are re and im along complex"
-        )
+        raise InputError(path, "RAO", f"has the parts {parts}", "allowed are re and im along complex")
     return rao.sel(complex="re", drop=True) + 1j * rao.sel(complex="im", drop=True)
 
 
@@ -279,9 +257,7 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
             raise InputError(path, "radiating_dof", f"{name} twice", "allowed is each once")
     short = {name: name.rpartition("__")[2].lower() for name in names}
     if not set(short.values()) & set(MOTIONS):
-        raise InputError(
-            path, "radiating_dof", ", ".join(names), f"allowed are {', '.join(MOTIONS)}"
-        )
+        raise InputError(path, "radiating_dof", ", ".join(names), f"allowed are {', '.join(MOTIONS)}")
     return {name: one if one in MOTIONS else None for name, one in short.items()}
 
 
@@ -333,6 +309,4 @@ def write_table(found: Operators, target: Path) -> None:
 def lines_of_scene(found: Operators, target: Path) -> str:
     """Return the lines that the scene needs in addition to the table."""
     headed = ", headings: towards" if HEADING in found.columns else ""
-    return (
-        f"platform.response: {{operators: {{file: {target.name}}}, phases: {found.phases}{headed}}}"
-    )
+    return f"platform.response: {{operators: {{file: {target.name}}}, phases: {found.phases}{headed}}}"

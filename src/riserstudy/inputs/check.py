@@ -34,8 +34,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
 
     def distance(faults: list[Any]) -> tuple[bool, int, int]:
         another_kind = any(
-            fault["type"].endswith(("_type", "literal_error"))
-            and _names_alternative(fault["loc"][-1])
+            fault["type"].endswith(("_type", "literal_error")) and _names_alternative(fault["loc"][-1])
             for fault in faults
         )
         other_keys = sum(fault["type"] in ("extra_forbidden", "missing") for fault in faults)
@@ -52,9 +51,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
     kind, found = first["type"], first["input"]
     value_text = repr(found) if not isinstance(found, dict | list) else "the value found"
     if kind == "extra_forbidden":
-        return InputError(
-            source, where, "unknown key", "see `riserstudy schema` for what is allowed"
-        )
+        return InputError(source, where, "unknown key", "see `riserstudy schema` for what is allowed")
     if kind == "missing":
         return InputError(source, where, "missing", "it has no default: add it")
     misfit = first.get("ctx", {}).get("error")

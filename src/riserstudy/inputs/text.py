@@ -34,9 +34,7 @@ def read_text(path: Path, most: int) -> str:
         allowed = "name the file itself" if link else "allowed is a readable file"
         raise InputError(path, "", reason, allowed) from None
     except ValueError:
-        raise InputError(
-            repr(str(path)), "", "no file name", "allowed is a readable file"
-        ) from None
+        raise InputError(repr(str(path)), "", "no file name", "allowed is a readable file") from None
     if len(content) > most:
         raise InputError(path, "", f"larger than {most // 10**6} MB", "allowed is a smaller file")
     try:

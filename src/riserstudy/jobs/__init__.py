@@ -59,9 +59,7 @@ def start_server(compiled: str, cores: int) -> None:
         listener.listen(128)
         number = listener.fileno()
         command = [sys.executable, "-m", "riserstudy.jobs.server", str(number), compiled]
-        server = subprocess.Popen(
-            command, stdin=subprocess.PIPE, stdout=log, stderr=log, pass_fds=[number]
-        )
+        server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=log, stderr=log, pass_fds=[number])
     atexit.register(address.unlink, missing_ok=True)
     atexit.register(server.communicate)  # closes the server's input and waits for its end
     os.environ["RISERSTUDY_JOBS"] = str(address)

@@ -26,9 +26,7 @@ FEW = 5  # files that are listed by name
 _held = FileLock(SNAKEMAKE / "riserstudy.lock")
 
 
-def begin(
-    papers: list[str], outputs: Iterable[str], at_work: bool, tier: str
-) -> tuple[list[str], list[str]]:
+def begin(papers: list[str], outputs: Iterable[str], at_work: bool, tier: str) -> tuple[list[str], list[str]]:
     """Prepare a run in the current folder, unless another run is at work there.
 
     Raises InputError when a leftover file cannot be removed.
@@ -55,9 +53,7 @@ def begin(
     remade = [file.as_posix() for file in (*damaged, *former)]
     records = mend.unreadable(SNAKEMAKE)
     if not at_work:
-        return remade, lines + _listed(
-            records, "damaged, and Snakemake may stop at it; a run mends it"
-        )
+        return remade, lines + _listed(records, "damaged, and Snakemake may stop at it; a run mends it")
     lines += _listed(records, "damaged; the files of its job are made again when needed")
     lines += _dated()
     lines += _other_tier(tier)

@@ -89,9 +89,7 @@ def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> 
 
 def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) -> dict[str, float]:
     """Simulate a study; return the simulated values of numbers whose checks read this study alone."""
-    results = [
-        run(study.grid.file(point.index).resolved(), estimated=False) for point in study.plan
-    ]
+    results = [run(study.grid.file(point.index).resolved(), estimated=False) for point in study.plan]
     runs = dataset_of(study, results)
     values = {}
     for item in items:
@@ -115,9 +113,7 @@ def worst_miss(found: dict[str, float], items: Sequence[Item]) -> float:
     return max(abs(found[item.id] / (item.published or 0.0) - 1.0) for item in items)
 
 
-def search(
-    miss: Callable[[Sequence[float]], float], start: Sequence[float], most: int = MOST
-) -> Fit:
+def search(miss: Callable[[Sequence[float]], float], start: Sequence[float], most: int = MOST) -> Fit:
     """Find the point of the unit cube at which a function (here the largest error) is least.
 
     References

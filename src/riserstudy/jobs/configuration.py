@@ -47,9 +47,7 @@ class Configuration:
         When any part of the configuration, a scene or a grid point is invalid.
     """
 
-    def __init__(
-        self, config: Path, settings: dict[str, Any], only: list[tuple[str, str]] | None = None
-    ):
+    def __init__(self, config: Path, settings: dict[str, Any], only: list[tuple[str, str]] | None = None):
         self.config = config
         self.settings = check(Config, dict(settings), config / "config.yaml")
         self.tier: Tier = self.settings.tier
@@ -71,9 +69,7 @@ class Configuration:
         if only is None:
             for seas in self._seas.values():
                 refuse_seas(seas)
-            schematics = [
-                self.schematic(p, n) for p, of in self.files.items() for n in of.schematics
-            ]
+            schematics = [self.schematic(p, n) for p, of in self.files.items() for n in of.schematics]
             for scene in schematics:
                 scene.resolved()
             own = {self.config / study.model.scene for study in self.studies}
@@ -85,9 +81,7 @@ class Configuration:
         return self.settings.units or UnitSystem.FIELD.value
 
     @classmethod
-    def read(
-        cls, config: Path, overrides: dict[str, Any], only: list[tuple[str, str]] | None = None
-    ) -> Self:
+    def read(cls, config: Path, overrides: dict[str, Any], only: list[tuple[str, str]] | None = None) -> Self:
         """Read config.yaml; overrides replace its values.
 
         Raises InputError when the file cannot be read, or is invalid.
@@ -179,7 +173,5 @@ class Configuration:
     def figures(self) -> list[tuple[str, str]]:
         """All figures as (paper, name), the schematics of a paper first."""
         return [
-            (paper, name)
-            for paper, file in self.files.items()
-            for name in (*file.schematics, *file.figures)
+            (paper, name) for paper, file in self.files.items() for name in (*file.schematics, *file.figures)
         ]

@@ -53,15 +53,9 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
             raise InputError(where, f"schematics.{name}.remarks.{path}", found, allowed)
     rig = scene.top.tensioners
     if standing and (rig is None or rig.arrangement):
-        found = "standing, but the scene " + (
-            "arranges its tensioners" if rig else "has no tensioners"
-        )
+        found = "standing, but the scene " + ("arranges its tensioners" if rig else "has no tensioners")
         allowed = "tensioners without an arrangement, or 'hanging'"
         raise InputError(where, f"schematics.{name}.cylinders", found, allowed)
     return schematic(
-        scene,
-        standing=standing,
-        remarks=model.remarks,
-        assumed=file.assumed,
-        calibrated=file.calibrated,
+        scene, standing=standing, remarks=model.remarks, assumed=file.assumed, calibrated=file.calibrated
     )

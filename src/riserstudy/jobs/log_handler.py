@@ -28,10 +28,7 @@ class LogHandlerSettings(LogHandlerSettingsBase):
 
     tier: str = field(
         default="standard",
-        metadata={
-            "help": "tier of the run; times are remembered separately for each tier",
-            "env_var": False,
-        },
+        metadata={"help": "tier of the run; times are remembered separately for each tier", "env_var": False},
     )
 
 
@@ -138,9 +135,7 @@ class LogHandler(LogHandlerBase):
         last: tuple[object, ...] = ()
         while not self._ended.wait(ON_TERMINAL if self._terminal else IN_LOG):
             state = self._progress.state()
-            if (self._progress.steps or self._progress.at_work) and (
-                self._terminal or state != last
-            ):
+            if (self._progress.steps or self._progress.at_work) and (self._terminal or state != last):
                 self._print_line(self._progress.text())
                 last = state
 

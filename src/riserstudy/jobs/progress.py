@@ -130,8 +130,7 @@ class Progress:
         for steps in (*others, self.before.get(self.tier, {})):
             every |= steps
         return {
-            message: (step.rule, self._scaled(step, self._points(message)))
-            for message, step in every.items()
+            message: (step.rule, self._scaled(step, self._points(message))) for message, step in every.items()
         }
 
     def _scaled(self, step: Taken, points: float) -> float:
@@ -287,8 +286,7 @@ def _remembered(memory: Path) -> dict[str, dict[str, Taken]]:
     try:
         tiers = json.loads(memory.read_text())
         return {
-            tier: {message: Taken(*step) for message, step in steps.items()}
-            for tier, steps in tiers.items()
+            tier: {message: Taken(*step) for message, step in steps.items()} for tier, steps in tiers.items()
         }
     except (OSError, ValueError, TypeError, AttributeError):
         return {}

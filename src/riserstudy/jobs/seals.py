@@ -36,9 +36,7 @@ def damaged(files: Iterable[str]) -> list[Path]:
     """Return the files that exist, but are not as they were written."""
     there = [path for path in map(Path, files) if path.exists()]
     with ThreadPoolExecutor() as pool:  # hashing does not block other threads
-        return [
-            path for path, whole in zip(there, pool.map(is_intact, there), strict=True) if not whole
-        ]
+        return [path for path, whole in zip(there, pool.map(is_intact, there), strict=True) if not whole]
 
 
 def dropped(papers: Collection[str], wanted: Collection[str]) -> Iterator[Path]:

@@ -18,14 +18,7 @@ import typer
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, printable
 from riserstudy.jobs import processes
-from riserstudy.jobs.planned import (
-    CONFIG,
-    PointsDone,
-    check_unchanged,
-    datasets_of,
-    read_plan,
-    text_of,
-)
+from riserstudy.jobs.planned import CONFIG, PointsDone, check_unchanged, datasets_of, read_plan, text_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -139,13 +132,7 @@ def shard(
 
 @job
 def simulate(
-    paper: str,
-    study: str,
-    target: Path,
-    tier: Tier,
-    threads: Threads,
-    expect: Expect,
-    settings: Tuned = None,
+    paper: str, study: str, target: Path, tier: Tier, threads: Threads, expect: Expect, settings: Tuned = None
 ) -> None:
     """Simulate the points of a study that the store lacks, and write its dataset."""
     from riserstudy.study.join import write_study
@@ -179,9 +166,7 @@ def sea_states(
 
 
 @job
-def hours(
-    paper: str, study: str, target: Path, tier: Tier, threads: Threads, expect: Expect
-) -> None:
+def hours(paper: str, study: str, target: Path, tier: Tier, threads: Threads, expect: Expect) -> None:
     """Write the dataset of the hours of a record.
 
     Raises SimulationError when the largest number of sea states does not suffice.
@@ -199,13 +184,7 @@ def _notify(line: str) -> None:
 
 @job
 def measure(
-    paper: str,
-    study: str,
-    target: Path,
-    tier: Tier,
-    papers: Papers,
-    threads: Threads,
-    expect: Expect,
+    paper: str, study: str, target: Path, tier: Tier, papers: Papers, threads: Threads, expect: Expect
 ) -> None:
     """Make a dataset by measuring code of its chapter, instead of simulating a grid."""
     from riserstudy.chapters.measure import measure
@@ -259,13 +238,7 @@ def draw(
 
 @job
 def grade(
-    paper: str,
-    graded: Path,
-    errata: Path,
-    margins: Path,
-    false: Path,
-    sources: list[Path],
-    expect: Expect,
+    paper: str, graded: Path, errata: Path, margins: Path, false: Path, sources: list[Path], expect: Expect
 ) -> None:
     """Grade the numbers, claims and errata of a paper, and the false claims about it."""
     from riserstudy.chapters import checks_of

@@ -65,9 +65,7 @@ class Workplan(Configuration):
 
     def settings_option(self, paper: str, study: str, *_shard: str) -> str:
         """Command-line option that passes this file to a job; empty without a file."""
-        return " ".join(
-            f"--settings {shlex.quote(file)}" for file in self.settings_files(paper, study)
-        )
+        return " ".join(f"--settings {shlex.quote(file)}" for file in self.settings_files(paper, study))
 
     def settings_digest(self, paper: str, study: str) -> str:
         """Digest of axes and point keys of a study, and of the code that tunes."""
@@ -291,9 +289,7 @@ class Workplan(Configuration):
     def figure_files(self, paper: str | None = None) -> list[str]:
         """Files of all figures, or of the figures of one paper."""
         figures = [(p, name) for p, name in self.figures() if paper in (None, p)]
-        return [
-            f"results/{p}/{name}.{kind}" for p, name in figures for kind in ("png", "pdf", "csv")
-        ]
+        return [f"results/{p}/{name}.{kind}" for p, name in figures for kind in ("png", "pdf", "csv")]
 
     def dataset_files(self, paper: str | None = None) -> list[str]:
         """Files of all datasets, simulated and derived, or of the datasets of one paper."""

@@ -33,9 +33,7 @@ def shared_flexibility(of: Layout) -> NDArray[np.float64]:
     own, other = np.full(of.last, OWN), np.full(of.last, OTHER)
     straight = [0] if flexibility_of(of.scene.bottom.rotation) is not None else []
     straight += [-1] if flexibility_of(of.scene.top.rotation) is not None else []
-    straight += (
-        [-1, -2] if of.scene.top.telescopic_joint else []
-    )  # the moment has a corner at the ring
+    straight += [-1, -2] if of.scene.top.telescopic_joint else []  # the moment has a corner at the ring
     for k in of.cornered:
         straight += [of.mesh.foot(k) - 1, of.mesh.foot(k)]
     own[straight], other[straight] = 1.0 / 3.0, 1.0 / 6.0

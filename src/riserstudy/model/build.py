@@ -31,9 +31,7 @@ from riserstudy.solve.state import OTHER, OWN
 TAUT = 1e-6  # strain of a hanging riser in the initial shape
 
 
-def build(
-    scene: Resolved, mesh: Mesh, ring_elevation: float | None = None, d: int | None = None
-) -> Model:
+def build(scene: Resolved, mesh: Mesh, ring_elevation: float | None = None, d: int | None = None) -> Model:
     """Model of a scene on a mesh.
 
     Parameters
@@ -59,9 +57,7 @@ def build(
         cylinders=cylinders,
         probes=probes,
         loose=of.loose,
-        internal=sum(
-            VARIABLES for effect in effects if isinstance(effect.record, VortexLift | VortexDrag)
-        ),
+        internal=sum(VARIABLES for effect in effects if isinstance(effect.record, VortexLift | VortexDrag)),
         ring=mesh.ring if mesh.joint else None,
     )
     model = Model(unknowns, effects, fixed(of), afloat(of))

@@ -56,9 +56,7 @@ def within(width: float, at: float, low: float, high: float) -> float:
     return max(min(width, 2.0 * (at - low), 2.0 * (high - at)), EDGE * width)
 
 
-def up_to_surface(
-    z: FloatArray, velocity: FloatArray, surface: float
-) -> tuple[FloatArray, FloatArray]:
+def up_to_surface(z: FloatArray, velocity: FloatArray, surface: float) -> tuple[FloatArray, FloatArray]:
     """The table up to the still-water surface (m); above it, the velocity at the surface applies.
 
     The loads of a segment that crosses the surface are multiplied by its wet share. A jump of the current at
@@ -75,9 +73,7 @@ def up_to_surface(
     return np.append(z[:below], surface), np.column_stack([velocity[:, :below], there])
 
 
-def _one_spread(
-    z: FloatArray, velocity: FloatArray, k: int, width: float
-) -> tuple[FloatArray, FloatArray]:
+def _one_spread(z: FloatArray, velocity: FloatArray, k: int, width: float) -> tuple[FloatArray, FloatArray]:
     """The table without the jump between points k and k + 1, which have the same elevation."""
     low, high = z[k] - 0.5 * width, z[k] + 0.5 * width
     levels = low + width * SHARES

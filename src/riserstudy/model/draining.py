@@ -27,9 +27,7 @@ def draining(scene: Resolved, mesh: Mesh, model: Model) -> Iterator[Effect]:
     inside = next((e.record for e in model.effects if e.because == "riser.contents"), None)
     if not isinstance(weight, Weight):
         raise TypeError("contents without weight")  # the scene has gravity
-    moving = (
-        (inside.mass, inside.minus) if isinstance(inside, AddedMass) else np.zeros((2, len(full)))
-    )
+    moving = (inside.mass, inside.minus) if isinstance(inside, AddedMass) else np.zeros((2, len(full)))
     record = Draining(
         time=scene.disconnect.at + column.time,
         acceleration=column.acceleration,

@@ -49,9 +49,7 @@ def without_tension(model: Model, share: float) -> Model:
     def changed(effect: Effect) -> Effect:
         if not (isinstance(effect.record, DeadLoad) and effect.because == "top.tension"):
             return effect
-        return effect._replace(
-            record=effect.record._replace(load=(1.0 - share) * effect.record.load)
-        )
+        return effect._replace(record=effect.record._replace(load=(1.0 - share) * effect.record.load))
 
     return model.changed([changed(effect) for effect in model.effects], model.pairs)
 
@@ -80,9 +78,7 @@ def without_bottles(model: Model, volume: float) -> Model:
             pressure, left = shut(record.area, record.pressure, record.volume, record.exponent)
             return record._replace(pressure=pressure, volume=left)
         if isinstance(record, TwoChamberGas):
-            pressure, left = shut(
-                record.high_area, record.high_pressure, record.high_volume, record.exponent
-            )
+            pressure, left = shut(record.high_area, record.high_pressure, record.high_volume, record.exponent)
             return record._replace(high_pressure=pressure, high_volume=left)
         return record
 

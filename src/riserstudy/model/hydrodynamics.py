@@ -22,13 +22,7 @@ from riserstudy.model.current_jump import spread, up_to_surface
 from riserstudy.model.layout import Layout
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect
-from riserstudy.model.sea import (
-    components_of,
-    current_table,
-    current_velocity,
-    still_surface,
-    wave_numbers,
-)
+from riserstudy.model.sea import components_of, current_table, current_velocity, still_surface, wave_numbers
 from riserstudy.model.vortices import vortex_forces
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sea import IrregularSea, RegularWave
@@ -134,14 +128,10 @@ def _drag(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
             low, up = np.zeros((2, len(mesh.l0)))
             elevation, coefficient = np.array(table).T.copy()
             slope, whole = np.zeros((3, len(mesh.l0))), over(mesh, scale)
-            record = DragOverDepth(
-                low, up, scratch, horizontal, whole, elevation, coefficient, slope
-            )
+            record = DragOverDepth(low, up, scratch, horizontal, whole, elevation, coefficient, slope)
             yield Effect("drag", record, "riser.drag")
             continue
-        whole = over(
-            mesh, [x * a.constant if a else 0.0 for x, a in zip(scale, these, strict=True)]
-        )
+        whole = over(mesh, [x * a.constant if a else 0.0 for x, a in zip(scale, these, strict=True)])
         if np.any(whole):
             yield Effect("drag", Drag(whole, whole, scratch, horizontal), "riser.drag")
 
@@ -149,9 +139,7 @@ def _drag(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
 def _tangential(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
     """Drag along the pipe."""
     around = [s.tangential_drag for s in scene.riser]
-    scale = over(
-        mesh, [0.5 * rho * math.pi * a.coefficient * a.diameter if a else 0.0 for a in around]
-    )
+    scale = over(mesh, [0.5 * rho * math.pi * a.coefficient * a.diameter if a else 0.0 for a in around])
     if np.any(scale):
         yield Effect("tangential drag", TangentialDrag(scale), "riser.tangential_drag")
 
@@ -176,15 +164,11 @@ def _waterline(
         full = np.stack([drag, mass, wave])
         record = Waterline(scene.water.surface, full, np.ones(n), drag, mass, minus, wave)
         yield Effect(
-            "waterline",
-            record,
-            "water.surface, riser.drag, riser.tangential_drag, riser.added_mass",
+            "waterline", record, "water.surface, riser.drag, riser.tangential_drag, riser.added_mass"
         )
 
 
-def wave_of(
-    sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray
-) -> Wave:
+def wave_of(sea: RegularWave | IrregularSea, water: Water, gravity: float, heading: FloatArray) -> Wave:
     """The record of a wave or sea that travels along a horizontal unit vector, (d - 1,); gravity in m/s2."""
     if water.surface is None or water.seabed is None:
         raise TypeError("waves on water without levels")  # refused by the scene

@@ -15,9 +15,7 @@ FloatArray = NDArray[np.float64]
 MOST = 0.01  # largest strain of the initial shape
 
 
-def between_ends(
-    mesh: Mesh, offset: float, rise: float, weight: float, stiffness: float
-) -> FloatArray:
+def between_ends(mesh: Mesh, offset: float, rise: float, weight: float, stiffness: float) -> FloatArray:
     """A straight line from end to end, or a sagging curve if the riser is longer than this line.
 
     A sagging string is stretched by its tension, W L / (8 sag). Without tension it would have no lateral
@@ -43,9 +41,7 @@ def between_ends(
     return np.stack([offset * share, 0.0 * share, rise * share])
 
 
-def under_a_joint(
-    mesh: Mesh, foot: int, strain: FloatArray, offset: float, rise: float
-) -> FloatArray:
+def under_a_joint(mesh: Mesh, foot: int, strain: FloatArray, offset: float, rise: float) -> FloatArray:
     """Upright below its flex joint and inclined above it; the telescopic joint fills the rest.
 
     Parameters

@@ -135,9 +135,7 @@ def layout_of(scene: Resolved, mesh: Mesh, ring_elevation: float | None, d: int)
     )
 
 
-def per_segment(
-    scene: Resolved, mesh: Mesh, value: Callable[[int], float], joint: float = 0.0
-) -> FloatArray:
+def per_segment(scene: Resolved, mesh: Mesh, value: Callable[[int], float], joint: float = 0.0) -> FloatArray:
     """Values of the sections, in their unit, over the segments, (n,); ``joint`` of a telescopic joint."""
     values = [float(value(k)) for k in range(len(scene.riser))]
     return np.array([*values, joint])[mesh.section]

@@ -59,9 +59,7 @@ class Mesh(NamedTuple):
             cuts = np.full(len(self.l0), 2)
             cuts[self.ring :] = 1
             cuts[: int(self.body)] = 1
-            return self._replace(
-                l0=np.repeat(self.l0 / cuts, cuts), section=np.repeat(self.section, cuts)
-            )
+            return self._replace(l0=np.repeat(self.l0 / cuts, cuts), section=np.repeat(self.section, cuts))
         return self._scaled(2.0)
 
     def _scaled(self, times: float) -> Mesh:
@@ -71,8 +69,7 @@ class Mesh(NamedTuple):
         counts[: int(self.body)] = 1
         l0, section = _laid(self.mapping, list(counts))
         return self._replace(
-            l0=np.append(l0, self.l0[self.ring :]),
-            section=np.append(section, self.section[self.ring :]),
+            l0=np.append(l0, self.l0[self.ring :]), section=np.append(section, self.section[self.ring :])
         )
 
     def with_about(self, elements: int) -> Mesh:
@@ -141,10 +138,7 @@ class Layer(NamedTuple):
 
 
 def graded(
-    scene: Resolved,
-    layers: list[Layer],
-    elements: int = GRADED,
-    longest: dict[int, float] | None = None,
+    scene: Resolved, layers: list[Layer], elements: int = GRADED, longest: dict[int, float] | None = None
 ) -> Mesh:
     """Segments of about equal length, finer towards places where bending is confined to a layer.
 
@@ -160,9 +154,7 @@ def graded(
         for layer in layers:
             away = np.abs(start + s - layer.place)
             size = np.minimum(size, LAYER * layer.length + GROWTH * away)
-        count = np.concatenate(
-            [[0.0], np.cumsum(0.5 * (1.0 / size[1:] + 1.0 / size[:-1]) * np.diff(s))]
-        )
+        count = np.concatenate([[0.0], np.cumsum(0.5 * (1.0 / size[1:] + 1.0 / size[:-1]) * np.diff(s))])
         whole = k == 0 and _has_body(scene)
         counts.append(1 if whole else max(1, round(count[-1])))
         mapping.append(np.interp(np.linspace(0.0, count[-1], FINE + 1), count, s))

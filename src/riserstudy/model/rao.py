@@ -96,11 +96,7 @@ def doubts(scene: Resolved) -> list[str]:
     amplitude, frequency, _ = components_of(wave)
     sentences = slips(response, scene.gravity or GRAVITY)
     if _beyond(response, frequency).any():
-        held = (
-            "cause no motion"
-            if response.beyond == "zero"
-            else "use the operator at the nearest period"
-        )
+        held = "cause no motion" if response.beyond == "zero" else "use the operator at the nearest period"
         sentences.append(f"{_uncovered(response, amplitude, frequency)}; they {held}")
     return sentences
 
@@ -192,9 +188,7 @@ def harmonics(response: Response, wave: Swell | Storm, lag: FloatArray | float =
         raise InputError("scene", "platform.response.operators", outside, allowed)
     heading = (wave.heading if isinstance(wave, Wave) else response.heading) or 0.0
     share = np.where(beyond & (response.beyond == "zero"), 0.0, 1.0)
-    operators = {
-        name: share * operator(response, name, frequency, heading) for name in response.moving
-    }
+    operators = {name: share * operator(response, name, frequency, heading) for name in response.moving}
     # cos(w t - e + phi) as a sine
     return Harmonics(
         [name for name in operators for _ in frequency],

@@ -99,9 +99,7 @@ def _spiral(part: WindDrift, span: tuple[float, float], z: FloatArray, wind: flo
     return drift * _unit(wind + side * angle)
 
 
-def _drift(
-    part: WindDrift, span: tuple[float, float], inside: FloatArray
-) -> tuple[FloatArray, FloatArray]:
+def _drift(part: WindDrift, span: tuple[float, float], inside: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Speed of the drift (m/s), and its angle from the wind (rad): 45 degrees at the surface, more below."""
     strength = part.wind_speed / math.sqrt(math.sin(part.latitude))
     fall = math.pi * (inside - span[1]) / (part.depth_factor * strength)
@@ -140,9 +138,7 @@ def profile(part: Shape | WindDrift, span: tuple[float, float], z: FloatArray) -
         "uniform": lambda: np.ones_like(z),
         "power": lambda: ((inside - low) / (high - low)) ** (part.power or 1.0),
         "exponential": lambda: np.exp((inside - high) / (part.scale or 1.0)),
-        "layer": lambda: np.interp(
-            high - inside, (part.layer or 0.0, part.vanishes or 1.0), (1, 0)
-        ),
+        "layer": lambda: np.interp(high - inside, (part.layer or 0.0, part.vanishes or 1.0), (1, 0)),
     }[part.shape]()
     return np.asarray(part.surface_speed * share)
 

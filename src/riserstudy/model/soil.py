@@ -82,14 +82,10 @@ def secant_stiffness(
         raise TypeError("the secant of a curve needs a displacement")
     curve = py_of_clay if isinstance(springs, SoftClay) else py_of_table
     count = len(springs.node)
-    return (
-        np.array([curve.py_func(springs, k, displacement)[0] for k in range(count)]) / displacement
-    )
+    return np.array([curve.py_func(springs, k, displacement)[0] for k in range(count)]) / displacement
 
 
-def ultimate_resistance(
-    clay: Matlock, depth: FloatArray, diameter: float | FloatArray
-) -> FloatArray:
+def ultimate_resistance(clay: Matlock, depth: FloatArray, diameter: float | FloatArray) -> FloatArray:
     """Largest resistance per length of conductor (N/m), in the shape of the depths below the mudline (m).
 
     References
@@ -177,9 +173,7 @@ def _py_of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
     return found
 
 
-def _tabulated(
-    node: NDArray[np.int64], length: FloatArray, curves: list[PPoly]
-) -> TabulatedSprings:
+def _tabulated(node: NDArray[np.int64], length: FloatArray, curves: list[PPoly]) -> TabulatedSprings:
     """Springs with curves per length of conductor, one for each node."""
     force = [own * curve.c for own, curve in zip(length, curves, strict=True)]
     energy = [own * curve.antiderivative().c for own, curve in zip(length, curves, strict=True)]

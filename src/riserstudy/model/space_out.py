@@ -110,9 +110,7 @@ def _pull(scene: Resolved) -> Callable[[float], float]:
     return lambda e: constant + vertical(e)
 
 
-def _vertical(
-    place: Arrangement, ring: float, pulls: Callable[[float], float]
-) -> Callable[[float], float]:
+def _vertical(place: Arrangement, ring: float, pulls: Callable[[float], float]) -> Callable[[float], float]:
     """Vertical pull of inclined cylinders (N), as a function of the stretch of the riser (m).
 
     Parameters

@@ -33,10 +33,7 @@ def stops_touched(
 
 
 def joint_stops_touched(
-    joint: TelescopicJoint,
-    length: FloatArray,
-    time: FloatArray | None = None,
-    all_steps: bool = False,
+    joint: TelescopicJoint, length: FloatArray, time: FloatArray | None = None, all_steps: bool = False
 ) -> list[str]:
     """Warnings when a telescopic joint reaches a stop, one for each stop.
 
@@ -54,11 +51,7 @@ def joint_stops_touched(
         sentence
         for how, over in beyond.items()
         for sentence in _forces_in_words(
-            f"telescopic joint {how}",
-            joint.stop.stiffness * np.maximum(over, 0.0),
-            "",
-            time,
-            all_steps,
+            f"telescopic joint {how}", joint.stop.stiffness * np.maximum(over, 0.0), "", time, all_steps
         )
     ]
 
@@ -91,9 +84,7 @@ def _forces_in_words(
     if not force.any():
         return []
     if time is None:
-        return [
-            f"{stop}: touches its stop in static equilibrium, with {newtons(force.max())}{each}"
-        ]
+        return [f"{stop}: touches its stop in static equilibrium, with {newtons(force.max())}{each}"]
     first = float(time[force.any(axis=1).argmax()])
     after = f", from t = {time[0]:.6g} s on" if time[0] > 0.0 else ""
     touch = f"{stop}: touches its stop, first at t = {first:.6g} s"

@@ -91,10 +91,7 @@ def supports(of: Layout) -> Iterator[Effect]:
 def fixed(of: Layout) -> Pairs:
     """Unknowns that solvers do not change: held positions, moments of free ends, unused loose unknowns."""
     pairs = [
-        (hold.node, of.m + k)
-        for hold in holds(of)
-        for k, axis in enumerate(AXES[of.d])
-        if hold.held[axis]
+        (hold.node, of.m + k) for hold in holds(of) for k, axis in enumerate(AXES[of.d]) if hold.held[axis]
     ]
     for node, end in ((0, of.scene.bottom), (of.last, of.scene.top)):
         if flexibility_of(end.rotation) is None:

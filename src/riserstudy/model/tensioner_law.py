@@ -118,9 +118,7 @@ def tension_at_mid_stroke(rig: Tensioners, gravity: float = 0.0) -> float:
 
 def _stiffness(gas: Gas | TwoChamberGas, reach: float) -> float:
     """Slope of the law (N/m) at a reach from mid-stroke (m)."""
-    chambers = (
-        ((gas.high, 1.0), (gas.low, -1.0)) if isinstance(gas, TwoChamberGas) else ((gas, 1.0),)
-    )
+    chambers = ((gas.high, 1.0), (gas.low, -1.0)) if isinstance(gas, TwoChamberGas) else ((gas, 1.0),)
     slope = 0.0
     for c, sign in chambers:
         ratio = c.volume / (c.volume - sign * c.area * reach)

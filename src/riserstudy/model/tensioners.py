@@ -59,9 +59,7 @@ def laws(rig: Tensioners, gravity: float, throttled: Iterable[Effect] = ()) -> I
     if rig.gas and not rig.linearised:
         gas = rig.gas
         ones = np.ones(rig.count)
-        record = GasSpring(
-            gas.area * each, gas.pressure * ones, gas.volume * ones, gas.exponent * ones
-        )
+        record = GasSpring(gas.area * each, gas.pressure * ones, gas.volume * ones, gas.exponent * ones)
         yield Effect("gas tensioner", record, "top.tensioners.gas")
         yield from outside(gas.outside_force * each, "gas tensioner", "top.tensioners.gas")
     elif rig.two_chamber_gas and not rig.linearised:
@@ -112,11 +110,7 @@ def recoil_valve(rig: Tensioners, valve: RecoilValve, scene: Resolved) -> Iterat
     residual = np.full(rig.count, valve.residual)
     residual[valve.failed or []] = 1.0
     record = throttle.RecoilValve(
-        resistance=each
-        * 0.5
-        * valve.oil_density
-        * gas.area**3
-        / (valve.discharge * valve.opening) ** 2,
+        resistance=each * 0.5 * valve.oil_density * gas.area**3 / (valve.discharge * valve.opening) ** 2,
         residual=residual,
         start=release.at + (valve.delay or 0.0),
         over=valve.over,

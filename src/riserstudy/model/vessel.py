@@ -71,16 +71,12 @@ def floating(scene: Resolved, d: int, node: int, probe: Report) -> Iterator[Effe
         heading=heading,
         mass=mass,
         turning=inertia / radius**2,
-        hull=np.array(
-            [of.hull_drag or 0.0, sway.hull_drag or 0.0 if of.sway else of.hull_drag or 0.0]
-        ),
+        hull=np.array([of.hull_drag or 0.0, sway.hull_drag or 0.0 if of.sway else of.hull_drag or 0.0]),
         spin=((yaw.hull_drag or 0.0) if yaw else 0.0) / radius**3,
         current=current,
         area=wind.drag if wind else 0.0,
         wind=_towards(wind.speed, wind.heading) if wind else np.zeros(2),
-        drift=_towards(of.wave_drift.force, of.wave_drift.heading)
-        if of.wave_drift
-        else np.zeros(2),
+        drift=_towards(of.wave_drift.force, of.wave_drift.heading) if of.wave_drift else np.zeros(2),
         cylinders=rig.count if rig and rig.arrangement else 0,
         probe=probe(*names, *([YAW] if yaw else [])),
     )

@@ -38,8 +38,7 @@ def vortex_forces(of: Layout) -> Iterator[Effect]:
         yield Effect("vortex-induced vibration", VortexLift(*_record(of, across, 0)), "riser.viv")
     if any(v and v.in_line for v in sections):
         along = [
-            (v.in_line.coefficient, v.in_line.frequencies, v) if v and v.in_line else None
-            for v in sections
+            (v.in_line.coefficient, v.in_line.frequencies, v) if v and v.in_line else None for v in sections
         ]
         record = VortexDrag(*_record(of, along, VARIABLES))
         yield Effect("in-line vortex-induced vibration", record, "riser.viv.in_line")
@@ -53,9 +52,7 @@ def _record(of: Layout, each: list[Shed], first: int) -> tuple[Any, ...]:
     scales = [0.5 * of.density * one[0] * one[2].diameter if one else 0.0 for one in each]
     scale = of.per_segment(lambda k: scales[k]) * of.mesh.l0
     columns = [[0.0] * 5 if one is None else _column(one[1], one[2]) for one in each]
-    diameter, *frequencies = at_nodes(
-        of.mesh, np.array(columns), np.array([one is not None for one in each])
-    )
+    diameter, *frequencies = at_nodes(of.mesh, np.array(columns), np.array([one is not None for one in each]))
     nodes = of.last + 1
     return (
         scale, scale, np.zeros((3, nodes)), diameter, np.array(frequencies),
@@ -107,8 +104,7 @@ def shedding_period(scene: Resolved, free: bool = False) -> float:
     if speed == 0.0:
         return math.inf
     return min(
-        v.diameter / ((v.frequencies[1] if free else v.highest_frequency) * speed)
-        for v in shedding(scene)
+        v.diameter / ((v.frequencies[1] if free else v.highest_frequency) * speed) for v in shedding(scene)
     )
 
 

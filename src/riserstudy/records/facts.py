@@ -100,10 +100,7 @@ class RunFacts(TypedDict, total=False):
             part="angle",
         ),
         Column(
-            _ERROR + "shear force, which the tolerance does not limit",
-            "1",
-            name="error_shear",
-            part="shear",
+            _ERROR + "shear force, which the tolerance does not limit", "1", name="error_shear", part="shear"
         ),
         Column(
             _ERROR + "fatigue damage",
@@ -131,9 +128,7 @@ class RunFacts(TypedDict, total=False):
     largest_bending_moment_s: Annotated[
         float, Column("arclength, from the bottom, at which the bending moment is largest", "m")
     ]
-    warnings: Annotated[
-        list[str], Column("warnings of the run, one per line", kind="text", repeats=False)
-    ]
+    warnings: Annotated[list[str], Column("warnings of the run, one per line", kind="text", repeats=False)]
     #: effects by name, each with the input that includes it
     effects: Annotated[
         dict[str, str],
@@ -148,8 +143,7 @@ class RunFacts(TypedDict, total=False):
         float, Column("largest root mean square of the vibration along the riser", "m", **_VIBRATES)
     ]
     vibration_rms_max_s: Annotated[
-        float,
-        Column("arclength, from the bottom, at which the vibration is largest", "m", **_VIBRATES),
+        float, Column("arclength, from the bottom, at which the vibration is largest", "m", **_VIBRATES)
     ]
     vibration_frequency: Annotated[
         float, Column("frequency where the vibration is largest", "Hz", **_VIBRATES)
@@ -174,23 +168,9 @@ class RunFacts(TypedDict, total=False):
             part="displacement",
             **_VIBRATES,
         ),
-        Column(
-            _SAMPLING + "bending moment",
-            "1",
-            name="sampling_error_moment",
-            part="moment",
-            **_VIBRATES,
-        ),
-        Column(
-            _SAMPLING + "tension", "1", name="sampling_error_tension", part="tension", **_VIBRATES
-        ),
-        Column(
-            _SAMPLING + "fatigue damage",
-            "1",
-            name="sampling_error_damage",
-            part="damage",
-            **_VIBRATES,
-        ),
+        Column(_SAMPLING + "bending moment", "1", name="sampling_error_moment", part="moment", **_VIBRATES),
+        Column(_SAMPLING + "tension", "1", name="sampling_error_tension", part="tension", **_VIBRATES),
+        Column(_SAMPLING + "fatigue damage", "1", name="sampling_error_damage", part="damage", **_VIBRATES),
     ]
 
     statistics: dict[str, Any]  # statistics of a vibration, for runs that are kept for comparisons

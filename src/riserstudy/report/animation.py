@@ -101,9 +101,7 @@ def _riser_traces(motion: Motion) -> tuple[go.Scatter, list[go.Scatter], Moving]
     return _from_the_side(motion, shade, bar)
 
 
-def _from_the_side(
-    motion: Motion, shade: Trace, bar: Trace
-) -> tuple[go.Scatter, list[go.Scatter], Moving]:
+def _from_the_side(motion: Motion, shade: Trace, bar: Trace) -> tuple[go.Scatter, list[go.Scatter], Moving]:
     rest = go.Scatter(
         x=small(motion.rest[0]),
         y=small(motion.rest[1]),
@@ -142,9 +140,7 @@ def _from_the_side(
     return rest, [riser, platform][: len(moving(0))], moving
 
 
-def _in_space(
-    motion: Motion, shade: Trace, bar: Trace
-) -> tuple[go.Scatter3d, list[go.Scatter3d], Moving]:
+def _in_space(motion: Motion, shade: Trace, bar: Trace) -> tuple[go.Scatter3d, list[go.Scatter3d], Moving]:
     y = motion.y if motion.y is not None else 0.0 * motion.x
     trail = go.Scatter3d(
         x=small(motion.x[:, 0]),
@@ -299,11 +295,7 @@ def _controls(figure: go.Figure, motion: Motion) -> None:
         sliders=[
             {
                 "steps": steps,
-                "currentvalue": {
-                    "prefix": "t = ",
-                    "suffix": " s",
-                    "font": {"size": 12, "color": "#22282e"},
-                },
+                "currentvalue": {"prefix": "t = ", "suffix": " s", "font": {"size": 12, "color": "#22282e"}},
                 "x": 0.13,
                 "len": 0.87,
                 "y": -0.1,

@@ -129,8 +129,7 @@ def relevant_errors(keep: list[str] | None) -> list[str]:
     if keep is None:
         return list(ERRORS)
     names = {
-        error: [name for name in keep if name.startswith(begins)]
-        for error, begins in RELEVANT_ERRORS.items()
+        error: [name for name in keep if name.startswith(begins)] for error, begins in RELEVANT_ERRORS.items()
     }
     others = set(keep).difference(*names.values())
     return [*(["displacement"] if others else []), *(error for error, of in names.items() if of)]

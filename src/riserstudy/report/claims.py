@@ -92,9 +92,7 @@ class Claim(ItemResult):
             return f"True in {every.get(self.met or 0, f'{self.met} of {self.samples}')} samples."
         if self.verdict == "calibrated":
             return "True with a fitted input."
-        return (
-            f"{'True' if self.verdict == 'holds' else 'Not true'}; no unspecified input affects it."
-        )
+        return f"{'True' if self.verdict == 'holds' else 'Not true'}; no unspecified input affects it."
 
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:

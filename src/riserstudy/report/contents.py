@@ -22,14 +22,7 @@ from riserstudy.report.machine import made_on
 from riserstudy.report.motion import Motion, motion_of
 from riserstudy.report.of_chapters import section_of, tiles_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
-from riserstudy.report.pictures import (
-    Figure,
-    Picture,
-    claims_by_figure,
-    heading,
-    labels,
-    picture_of,
-)
+from riserstudy.report.pictures import Figure, Picture, claims_by_figure, heading, labels, picture_of
 from riserstudy.report.scenes import SceneTable, scene_tables
 from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
@@ -102,8 +95,7 @@ def contents(sources: Sources) -> dict[str, Any]:
             for study, path in paths.items()
         }
         tables = {
-            p: scene_tables(_own(p, files[p], datasets), files[p], sources.config)
-            for p in sources.papers
+            p: scene_tables(_own(p, files[p], datasets), files[p], sources.config) for p in sources.papers
         }
         figures = _figures(db, sources, files, claims, paths, tables, known, pictures)
         drawn_runs = curves(db, sources.config, claims, datasets)
@@ -133,9 +125,7 @@ def contents(sources: Sources) -> dict[str, Any]:
         "claims": [claim for claim in claims if claim.kind != "number"],
         "false_claims": false_claims(sources.folder),
         "chapters": [
-            *_chapters(
-                files, claims, errata, figures, datasets, tables, _moving(motions, files, paths)
-            )
+            *_chapters(files, claims, errata, figures, datasets, tables, _moving(motions, files, paths))
         ],
         "short": {paper: short_of(files, paper) for paper in sources.papers},
         "figures_of": _figures_of(figures),
@@ -194,9 +184,7 @@ def _moving(
     for paper, motion in motions.items():
         drawn_runs = files[paper].in_motion
         name = drawn_runs.study if drawn_runs else ""
-        runs[paper] = MovingRun(
-            paper, name, paths[f"{paper}/{name}"], motion.title, animation(motion)
-        )
+        runs[paper] = MovingRun(paper, name, paths[f"{paper}/{name}"], motion.title, animation(motion))
     return runs
 
 

@@ -26,10 +26,7 @@ SEEN = 0.02  # least share of the margin's variance that an input must explain t
 PARTS = 3  # parts of a range, with equal numbers of cases
 #: pixels: left and right end of the columns, total width, heights of the margins, of a row, of the head
 LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 285, 585, 640, 90, 17, 18
-VARY = (
-    "with little effect also varies and is not shown",
-    "with little effect also vary and are not shown",
-)
+VARY = ("with little effect also varies and is not shown", "with little effect also vary and are not shown")
 SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 
 
@@ -65,10 +62,7 @@ def ordered(cases: Cases, first: Sequence[str]) -> Cases:
     Inputs that are equal in all cases are left out; others that explain almost nothing are only counted.
     """
     varied = {n: v for n, v in cases.inputs.items() if len(set(v.tolist())) > 1}
-    rank = {
-        name: float(correlation_ratio(cases.margin, _groups(values)))
-        for name, values in varied.items()
-    }
+    rank = {name: float(correlation_ratio(cases.margin, _groups(values))) for name, values in varied.items()}
     names = sorted(varied, key=lambda name: (name not in first, -rank[name]))
     few = len(cases.margin) <= FEW
     chosen = [n for n in names if few or n in first or rank[n] >= SEEN][:MOST_INPUTS]
@@ -205,8 +199,7 @@ def _runs(has: NDArray[np.bool_], y: float) -> str:
     edges = np.diff(np.concatenate([[0], has.astype(int), [0]]))
     starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
     return "".join(
-        f"M{LEFT + a * width:.1f} {y:.0f}h{(b - a) * width:.1f}"
-        for a, b in zip(starts, ends, strict=True)
+        f"M{LEFT + a * width:.1f} {y:.0f}h{(b - a) * width:.1f}" for a, b in zip(starts, ends, strict=True)
     )
 
 

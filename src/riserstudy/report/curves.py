@@ -66,9 +66,7 @@ def _samples(dataset: xr.Dataset | None) -> Samples:
     return Samples(assumed, {number: k for k, number in enumerate(numbers)})
 
 
-def _cases(
-    db: sqlite3.Connection, claim: Claim, samples: Samples, called: Mapping[str, str]
-) -> Cases | None:
+def _cases(db: sqlite3.Connection, claim: Claim, samples: Samples, called: Mapping[str, str]) -> Cases | None:
     rows = db.execute(
         "select place, met, same, margin, judged, base from margins where paper = ? and id = ?",
         (claim.paper, claim.id),

@@ -71,8 +71,7 @@ def _drawn(motion: Motion) -> Hero:
     play = f'dur="{SECONDS:g}s" fill="freeze" begin="0.6s"'
     moving = f'<animate attributeName="points" {play} values="{";".join(shapes)}"/>'
     carried = (
-        f'<animateTransform attributeName="transform" type="translate" {play} '
-        f'values="{";".join(rig)}"/>'
+        f'<animateTransform attributeName="transform" type="translate" {play} values="{";".join(rig)}"/>'
     )
     label = escape(motion.title)
     svg = f"""<svg viewBox="0 0 {WIDTH:g} {HEIGHT:g}" class="hero" role="img" aria-label="{label}">

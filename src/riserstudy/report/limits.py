@@ -42,9 +42,7 @@ class LimitTable(NamedTuple):
         """Number of limits that are exceeded at some point, in words."""
         exceeded = sum(row.verdict.startswith(EXCEEDED) for row in self.rows)
         many = counted(len(self.rows), "limit")
-        return (
-            f"{many}, {exceeded} exceeded at some point" if exceeded else f"{many}, none exceeded"
-        )
+        return f"{many}, {exceeded} exceeded at some point" if exceeded else f"{many}, none exceeded"
 
 
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
@@ -64,29 +62,21 @@ def _about(name: str, dataset: xr.Dataset) -> str:
 def _rows(dataset: xr.Dataset) -> list[LimitRow]:
     axes = [str(dim) for dim in dataset["point_key"].dims]
     limits = json.loads(dataset.attrs["limits"])
-    return [
-        _row(dataset.isel(limit=k).transpose(*axes, ...), axes, limits[k])
-        for k in range(len(limits))
-    ]
+    return [_row(dataset.isel(limit=k).transpose(*axes, ...), axes, limits[k]) for k in range(len(limits))]
 
 
 def _row(of: xr.Dataset, axes: list[str], values: Mapping[str, str | float | None]) -> LimitRow:
     use, verdicts = of["use_of_limit"].values, of["verdict_of_limit"].values
     factor, unit = read_in(str(values["unit"]))
     differ = values["allowable"] is None
-    allowables = (
-        of["allowable_of_limit"].values if differ else np.full(use.shape, values["allowable"])
-    )
+    allowables = of["allowable_of_limit"].values if differ else np.full(use.shape, values["allowable"])
     words, origin = _in_words(str(of["limit"].item())), str(values["origin"])
     if np.isnan(use).all():
         ends = sorted({float(allowables.min()), float(allowables.max())})
         allowed = " to ".join(_figure(factor * end) for end in ends)
         return LimitRow(words, f"{allowed} {unit}", origin, "–", "–", "–", UNKNOWN)
     demand = of["demand_of_limit"].values
-    nearest = (
-        np.where(np.isnan(use), np.inf, -use),
-        demand if values["side"] == "smallest" else -demand,
-    )
+    nearest = (np.where(np.isnan(use), np.inf, -use), demand if values["side"] == "smallest" else -demand)
     place = np.unravel_index(int(np.lexsort([n.ravel() for n in nearest[::-1]])[0]), use.shape)
     at = ", ".join(called(of[axis][k]) for axis, k in zip(axes, place, strict=True))
     value = f"{_figure(factor * float(demand[place]))} {unit}"

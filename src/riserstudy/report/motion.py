@@ -94,9 +94,7 @@ def motion_of(of_run: RunInMotion, dataset: xr.Dataset) -> Motion:
         signed=of_run.colour == "bending_moment",
         platform=place,
         moments=time[moments],
-        histories=_histories(
-            run.isel(time=moments), scene, None if moved is None else moved[moments]
-        ),
+        histories=_histories(run.isel(time=moments), scene, None if moved is None else moved[moments]),
     )
 
 

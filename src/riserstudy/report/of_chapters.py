@@ -25,8 +25,7 @@ def tiles_of(paper: str, datasets: Datasets, figures: Iterable[Figure]) -> list[
     made: list[Tile] = (_function(paper, "tiles") or _nothing)(datasets) or []
     return [
         tile._replace(
-            figure=drawn[tile.figure].anchor,
-            answer=tile.answer or sentence(drawn[tile.figure].picture.title),
+            figure=drawn[tile.figure].anchor, answer=tile.answer or sentence(drawn[tile.figure].picture.title)
         )
         for tile in made
         if tile.figure in drawn

@@ -18,10 +18,7 @@ PLURALS = {
     "holds": ("holds", "hold"),
     "depends": ("depends on inputs that the papers omit", "depend on inputs that the papers omit"),
     "fails": ("fails", "fail"),
-    "not comparable": (
-        "is defined differently in the paper",
-        "are defined differently in the papers",
-    ),
+    "not comparable": ("is defined differently in the paper", "are defined differently in the papers"),
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }
 
@@ -107,16 +104,12 @@ def short_of(files: dict[str, StudyFile], paper: str) -> str:
     return title_of(files, paper).partition(":")[0]
 
 
-def findings(
-    claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure]
-) -> list[Finding]:
+def findings(claims: list[Claim], files: dict[str, StudyFile], figures: list[Figure]) -> list[Finding]:
     """Return the number or claim that each study file selects, with the words of one of its figures."""
     rows = []
     for paper, file in files.items():
         for claim in (c for c in claims if c.paper == paper and c.id == file.finding):
-            chosen = _figure_with_title(
-                [f for f in figures if f.paper == paper and claim in f.claims]
-            )
+            chosen = _figure_with_title([f for f in figures if f.paper == paper and claim in f.claims])
             sentences = sentence(chosen.picture.title) if chosen and chosen.picture.title else ""
             anchor, short = (chosen.anchor, chosen.label) if chosen else ("", "")
             rows.append(Finding(claim, short_of(files, paper), sentences, anchor, short))
@@ -132,9 +125,7 @@ def _figure_with_title(own: list[Figure]) -> Figure | None:
 def amounts(claims: list[Claim], datasets: int, figures: int, points: int) -> str:
     """Return the amounts of claims, datasets, figures and points in one line."""
     things = [
-        counted(len(claims), "published value or claim").replace(
-            "value or claims", "values and claims"
-        ),
+        counted(len(claims), "published value or claim").replace("value or claims", "values and claims"),
         counted(figures, "figure"),
         counted(datasets, "dataset"),
         counted(points, "grid point"),

@@ -54,18 +54,14 @@ def picture_of(path: Path) -> Picture:
         texts = {str(key): str(value) for key, value in getattr(image, "text", {}).items()}
         plain = Image.new("RGB", image.size, "white")
         plain.paste(image, mask=image.getchannel("A") if image.mode == "RGBA" else None)
-    if (
-        rows := int(texts.get(HEAD_ROWS, 0))
-    ) < plain.height:  # the page has the title as its heading
+    if (rows := int(texts.get(HEAD_ROWS, 0))) < plain.height:  # the page has the title as its heading
         plain = plain.crop((0, rows, plain.width, plain.height))
     coverage = Image.Quantize.MAXCOVERAGE
     few = plain.quantize(COLOURS, method=coverage, dither=Image.Dither.NONE).convert("RGB")
     data = io.BytesIO()
     few.save(data, "WEBP", lossless=True, quality=80, method=4)
     address = "data:image/webp;base64," + base64.b64encode(data.getvalue()).decode()
-    return Picture(
-        address, plain.width, plain.height, texts.get("Title", ""), texts.get("Description", "")
-    )
+    return Picture(address, plain.width, plain.height, texts.get("Title", ""), texts.get("Description", ""))
 
 
 def labels(names: Iterable[str], short: str, *, printed: bool) -> dict[str, str]:
@@ -143,9 +139,7 @@ def claims_by_figure(
     return claims_of
 
 
-def _strictly(
-    claim: Claim, names: list[str], rest: set[str], reads: Mapping[str, set[str]]
-) -> list[str]:
+def _strictly(claim: Claim, names: list[str], rest: set[str], reads: Mapping[str, set[str]]) -> list[str]:
     """Return the figures that a claim names, and figures not in the paper that show only its datasets."""
     own = [name for name in names if belongs(claim, name)]
     if not own:

@@ -51,9 +51,7 @@ class SceneTable(NamedTuple):
         return {f"{paper}/{name}" for name in self.datasets}
 
 
-def scene_tables(
-    datasets: dict[str, xr.Dataset], file: StudyFile, config: Path
-) -> list[SceneTable]:
+def scene_tables(datasets: dict[str, xr.Dataset], file: StudyFile, config: Path) -> list[SceneTable]:
     """Return one table for each scene; datasets that set values of a common scene share its table."""
     inputs = cache(partial(printed_inputs, config))
     scenes: dict[str, dict[str, xr.Dataset]] = {}
@@ -66,9 +64,7 @@ def scene_tables(
 def _table(
     title: str, datasets: dict[str, xr.Dataset], file: StudyFile, config: Path, inputs: Printed
 ) -> SceneTable:
-    values = {
-        name: _values(name, dataset, file, config, inputs) for name, dataset in datasets.items()
-    }
+    values = {name: _values(name, dataset, file, config, inputs) for name, dataset in datasets.items()}
     paths = dict.fromkeys(path for parameters in values.values() for path in parameters)
     rows = []
     for path in paths:
@@ -76,12 +72,8 @@ def _table(
         for name, parameters in values.items():
             by_value.setdefault(parameters.get(path, ("–", "absent", "")), []).append(name)
         single = len(by_value) == 1
-        rows.append(
-            (path, [Value(*v, "" if single else ", ".join(w)) for v, w in by_value.items()])
-        )
-    varied = dict.fromkeys(
-        f"{name}: {text}" for name in datasets for text in _varied(datasets[name])
-    )
+        rows.append((path, [Value(*v, "" if single else ", ".join(w)) for v, w in by_value.items()]))
+    varied = dict.fromkeys(f"{name}: {text}" for name in datasets for text in _varied(datasets[name]))
     return SceneTable(title, list(datasets), list(varied), rows)
 
 
@@ -150,9 +142,7 @@ def _varied(dataset: xr.Dataset) -> list[str]:
         name = str(axis).replace("_", " ")
         if values.dtype.kind == "f":
             unit = dataset[axis].attrs.get("units", "")
-            words.append(
-                f"{name}: {len(values)} values, {values.min():g} to {values.max():g} {unit}"
-            )
+            words.append(f"{name}: {len(values)} values, {values.min():g} to {values.max():g} {unit}")
         elif values.dtype.kind in "iu":
             words.append(f"{name}: {len(values)} samples of the unspecified inputs")
         else:

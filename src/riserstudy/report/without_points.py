@@ -83,12 +83,8 @@ def cases_of(db: sqlite3.Connection, verdict: Verdict) -> Iterable[Case]:
 
 def places(db: sqlite3.Connection, study: str, points: Iterable[int]) -> list[Place]:
     """Return the positions of points of a study on its axes."""
-    axes, table = db.execute(
-        "select axes, table_name from studies where study = ?", (study,)
-    ).fetchone()
-    query = (
-        "select column_name from columns where table_name = ? and role = 'axis' order by position"
-    )
+    axes, table = db.execute("select axes, table_name from studies where study = ?", (study,)).fetchone()
+    query = "select column_name from columns where table_name = ? and role = 'axis' order by position"
     columns = [quoted(name) for (name,) in db.execute(query, (table,))]
     names, wanted = [*json.loads(axes)], {*points}
     rows = db.execute(f"select {', '.join(['point', *columns])} from {quoted(table)}")

@@ -60,9 +60,7 @@ def sentence(text: str) -> str:
 
 def with_links(text: str) -> Markup:
     """Return a text whose DOIs are links."""
-    return Markup(
-        _DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text)))
-    )
+    return Markup(_DOI.sub(lambda m: f'<a href="https://doi.org/{m[0]}">{m[0]}</a>', str(escape(text))))
 
 
 def unit(name: str) -> str:
@@ -81,11 +79,7 @@ def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
     for warning in warnings:
         kinds.setdefault(_NUMBER.sub("\0", warning), []).append(warning)
     return [
-        (
-            _filled(kind, [_NUMBER.findall(w) for w in numbers]),
-            list(dict.fromkeys(numbers)),
-            len(numbers),
-        )
+        (_filled(kind, [_NUMBER.findall(w) for w in numbers]), list(dict.fromkeys(numbers)), len(numbers))
         for kind, numbers in kinds.items()
     ]
 

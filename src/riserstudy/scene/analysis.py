@@ -100,9 +100,7 @@ class Analysis(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.duration is None) != (self.output is None):
-            raise ValueError(
-                "give both duration and output for a dynamic run, or neither for a static run"
-            )
+            raise ValueError("give both duration and output for a dynamic run, or neither for a static run")
         if self.accuracy is not None and (self.mesh or self.step):
             raise ValueError("give accuracy, or mesh and step, not both")
         if self.duration is not None and (self.mesh is None) != (self.step is None):
@@ -146,7 +144,5 @@ class Analysis(Strict):
             )
         if self.step is not None and duration / self.step > MOST_STEPS:
             raise Misfit(
-                "",
-                f"step {self.step:g} s requires more than {MOST_STEPS} time steps",
-                "take a longer one",
+                "", f"step {self.step:g} s requires more than {MOST_STEPS} time steps", "take a longer one"
             )

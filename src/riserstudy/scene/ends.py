@@ -72,9 +72,7 @@ class Body(Strict):
         """
         if self.centre_below is None:
             return 0.0
-        return self.centre_below + (self.rotary_inertia or 0.0) / (
-            self.horizontal_mass * self.centre_below
-        )
+        return self.centre_below + (self.rotary_inertia or 0.0) / (self.horizontal_mass * self.centre_below)
 
     @property
     def weightless(self) -> bool:
@@ -220,9 +218,7 @@ class Top(Strict):
         if self.elevation is not None and self.held_at_tension is not None:
             raise ValueError("give elevation or held_at_tension, not both")
         if self.z == "free" and (self.elevation is not None or self.held_at_tension is not None):
-            raise ValueError(
-                "elevation and held_at_tension need a z that is held or on the platform"
-            )
+            raise ValueError("elevation and held_at_tension need a z that is held or on the platform")
         if self.tension_loss and self.tension is None:
             raise ValueError("tension_loss needs tension")
         pulled = self.tension is not None or self.tensioners is not None
@@ -241,7 +237,5 @@ class Top(Strict):
             raise ValueError("lateral_force needs 'x: free', or a telescopic_joint")
         place = self.tensioners and self.tensioners.arrangement
         if place and place.ring_radius > 0.0 and not self.telescopic_joint:
-            raise ValueError(
-                "ring_radius above 0 needs a telescopic_joint, which carries the ring's moment"
-            )
+            raise ValueError("ring_radius above 0 needs a telescopic_joint, which carries the ring's moment")
         return self

@@ -13,9 +13,7 @@ from riserstudy.scene.models import Scene
 from riserstudy.scene.paths import within, without_indices
 
 
-def attribute_error(
-    error: InputError, layers: dict[str, str], tables: dict[str, str]
-) -> InputError:
+def attribute_error(error: InputError, layers: dict[str, str], tables: dict[str, str]) -> InputError:
     """The same error, located at the file that set the value.
 
     Where this file is not certain, the error names the scene together with all files that may have set it.
@@ -35,9 +33,7 @@ def attribute_error(
     else:
         place = error.field.rpartition(".")[0] if missing else error.field
         below = [path for path in every if within(path, place)] if place else []
-        where = _together(
-            error, {every[path] for path in above or below or ([] if error.field else layers)}
-        )
+        where = _together(error, {every[path] for path in above or below or ([] if error.field else layers)})
     return InputError(where, error.field, error.found, error.allowed)
 
 

@@ -92,9 +92,7 @@ class StandardCurve(Strict):
     def _known(self) -> Self:
         if self.detail_class not in (known := sn_curves()["curves"]):
             raise Misfit(
-                "",
-                f"detail_class {self.detail_class!r} is not known",
-                f"allowed are {', '.join(known)}",
+                "", f"detail_class {self.detail_class!r} is not known", f"allowed are {', '.join(known)}"
             )
         return self
 

@@ -112,9 +112,7 @@ class TimeSeries(Strict, Generic[P]):
     def _fits(self) -> Self:
         if any(a.time >= b.time for a, b in pairwise(self.points)):
             raise Misfit(
-                "points",
-                "has times that do not increase",
-                "times must increase from point to point",
+                "points", "has times that do not increase", "times must increase from point to point"
             )
         return self
 
@@ -174,9 +172,7 @@ class Platform(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         given = self.response.moving if self.response else []
-        turns = [
-            t for t in TILTS if getattr(self, t) or getattr(self.position, t, None) or t in given
-        ]
+        turns = [t for t in TILTS if getattr(self, t) or getattr(self.position, t, None) or t in given]
         if turns and self.centre_of_rotation is None:
             raise ValueError(f"{turns[0]} needs centre_of_rotation")
         return self
@@ -241,9 +237,7 @@ def _within_a_turn(name: str, angle: float | None) -> None:
     """Check that an angle is at most a turn, and so no number of degrees in a column of radians."""
     if angle is not None and abs(angle) > TURN:
         raise Misfit(
-            "",
-            f"{name}: {math.degrees(angle):.4g} deg is more than 360 deg",
-            "allowed is up to 360 deg",
+            "", f"{name}: {math.degrees(angle):.4g} deg is more than 360 deg", "allowed is up to 360 deg"
         )
 
 
@@ -354,9 +348,7 @@ class Current(Strict):
         directed = {point.direction is not None for point in points}
         if len(directed) > 1:
             raise Misfit(
-                "profile",
-                "has a direction in some lines only",
-                "give direction in every line or in none",
+                "profile", "has a direction in some lines only", "give direction in every line or in none"
             )
         _within_a_turn("heading", self.heading)
         if True in directed and self.heading is not None:

@@ -68,9 +68,7 @@ class Limit(Strict):
             raise ValueError("give one of largest, smallest and mean")
         if self.at is not None and self.output not in ALONG:
             allowed = f"allowed with {', '.join(ALONG)}"
-            raise Misfit(
-                "at", f"{self.output} is a quantity of one place, so it needs no 'at'", allowed
-            )
+            raise Misfit("at", f"{self.output} is a quantity of one place, so it needs no 'at'", allowed)
         if self.mean is not None and self.output in ALONG and not self.place.startswith(ENDS):
             raise Misfit(
                 "mean",
@@ -82,9 +80,7 @@ class Limit(Strict):
             remedy = "write largest or mean, and a positive value"
             raise Misfit(self.side, f"{found} of {self.output}, a magnitude", remedy)
         if self.allowable == 0.0 and self.side != "smallest":
-            raise Misfit(
-                self.side, "an allowable of 0 gives no utilisation", "allowed is any other value"
-            )
+            raise Misfit(self.side, "an allowable of 0 gives no utilisation", "allowed is any other value")
         return self
 
     @property
@@ -136,9 +132,7 @@ def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
     first, last = names.index(ends[0]), names.index(ends[-1])
     last += names[last] + ABOVE in names
     if first > last:
-        raise Misfit(
-            "", f"{ends[0]!r} is above {ends[-1]!r}", "allowed is the lowest section first"
-        )
+        raise Misfit("", f"{ends[0]!r} is above {ends[-1]!r}", "allowed is the lowest section first")
     return list(names[first : last + 1])
 
 

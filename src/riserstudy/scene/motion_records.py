@@ -28,9 +28,7 @@ def uncovered(scene: Parts) -> list[str]:
     for name in (*TRANSLATIONS, *TILTS):
         motion = getattr(platform, name)
         if isinstance(motion, TimeSeries):
-            sentences += [
-                f"platform.{name}: {what}" for what in _of_points(motion.points, duration)
-            ]
+            sentences += [f"platform.{name}: {what}" for what in _of_points(motion.points, duration)]
     return sentences
 
 

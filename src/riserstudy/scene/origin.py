@@ -88,9 +88,7 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
     if kind == "chosen" and "because" not in tree:
         faults.append((path, "a choice without a reason", "add 'because: one line'"))
     if kind == "calibrated" and "to" not in tree:
-        faults.append(
-            (path, "no number that it is calibrated to", "add 'to: paper/ID' of this number")
-        )
+        faults.append((path, "no number that it is calibrated to", "add 'to: paper/ID' of this number"))
     why = str(tree.get("because") or tree.get("from") or tree.get("to") or "")
     origin = Origin(kind, tree[kind], tuple(span) if span else None, tuple(options), why)
     return tree[kind], {path: origin}, faults

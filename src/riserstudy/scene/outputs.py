@@ -101,17 +101,13 @@ QUANTITIES: dict[str, Quantity] = {
     "ufj_angle": Quantity(
         "top.x that is held, on the platform or a vessel", lambda s: bool(s.lateral), "rad"
     ),
-    "lfj_angle": Quantity(
-        "a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral), "rad"
-    ),
+    "lfj_angle": Quantity("a held lower end, or a riser.flex_joint_below", lambda s: bool(s.lateral), "rad"),
     "stroke": Quantity(
         "motion, and top.tensioners, top.telescopic_joint, or a platform below which top.z is free",
         _has_stroke,
         "m",
     ),
-    "joint_stroke": Quantity(
-        "top.telescopic_joint", lambda s: s.top.telescopic_joint is not None, "m"
-    ),
+    "joint_stroke": Quantity("top.telescopic_joint", lambda s: s.top.telescopic_joint is not None, "m"),
     "tensioner_stroke": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "m"),
     "tensioner_force": Quantity("top.tensioners", lambda s: s.top.tensioners is not None, "N"),
     "lower_end_tension": Quantity(limit_unit="N", at_foot_of="effective_tension"),
@@ -121,9 +117,7 @@ QUANTITIES: dict[str, Quantity] = {
         "N/m^2",
     ),
     "overpull": Quantity("disconnect", lambda s: s.disconnect is not None, "N", is_array=False),
-    "lmrp_clearance": Quantity(
-        "disconnect", lambda s: s.disconnect is not None, "m", is_array=False
-    ),
+    "lmrp_clearance": Quantity("disconnect", lambda s: s.disconnect is not None, "m", is_array=False),
     "damage_rate": Quantity("fatigue", lambda s: s.fatigue is not None),
     "lift": Quantity("disconnect", lambda s: s.disconnect is not None),
     "lift_rate": Quantity("disconnect", lambda s: s.disconnect is not None),
@@ -139,16 +133,13 @@ QUANTITIES: dict[str, Quantity] = {
     "platform_yaw": Quantity("vessel.yaw", _of_vessel("yaw")),
     "low_frequency_surge": Quantity("vessel with a platform", _with_platform(_of_vessel())),
     "low_frequency_speed_x": Quantity("vessel with a platform", _with_platform(_of_vessel())),
-    "low_frequency_sway": Quantity(
-        "vessel.sway with a platform", _with_platform(_of_vessel("sway"))
-    ),
+    "low_frequency_sway": Quantity("vessel.sway with a platform", _with_platform(_of_vessel("sway"))),
     "low_frequency_speed_y": Quantity(
         f"vessel.sway with a platform, and {_OUT}", _with_platform(_of_vessel("sway", spatial=True))
     ),
     "thrust_x": Quantity("vessel.thrusters", _of_vessel("thrusters")),
     "thrust_y": Quantity(
-        f"vessel.thrusters and vessel.sway with {_OUT}",
-        _of_vessel("thrusters", "sway", spatial=True),
+        f"vessel.thrusters and vessel.sway with {_OUT}", _of_vessel("thrusters", "sway", spatial=True)
     ),
     "thrust_moment": Quantity(f"vessel.thrusters.yaw with {_OUT}", _yaw_of_thrusters),
 }

@@ -170,8 +170,7 @@ class Parts(Strict):
             and ({"surge", "pitch"} & set(platform.response.moving) or None),
             "platform.cruise": platform.cruise,
             "top.offset": self.top.offset,
-            "top.tensioners.failed": (self.top.tensioners and self.top.tensioners.pulls_aside)
-            or None,
+            "top.tensioners.failed": (self.top.tensioners and self.top.tensioners.pulls_aside) or None,
             "top.lateral_force": self.top.lateral_force,
             "riser.lateral_load": [s for s in self.riser if s.lateral_load] or None,
         }

@@ -28,9 +28,7 @@ FloatArray = NDArray[np.float64]
 TENSIONS = ("effective_tension", "lower_end_tension", "overpull")
 
 
-def pressures(
-    scene: Parts, places: Sequence[slice], elevation: FloatArray
-) -> tuple[FloatArray, FloatArray]:
+def pressures(scene: Parts, places: Sequence[slice], elevation: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Gauge pressures (Pa) inside and outside, both of the shape of the elevations.
 
     Parameters

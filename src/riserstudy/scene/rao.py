@@ -153,9 +153,7 @@ class Response(Strict):
         self._check_headings()
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
             raise Misfit(
-                "operators",
-                "has different motions in its lines",
-                "every line must have the same motions",
+                "operators", "has different motions in its lines", "every line must have the same motions"
             )
         given = self.motions or []
         if again := next((name for k, name in enumerate(given) if name in given[:k]), None):
@@ -163,18 +161,14 @@ class Response(Strict):
         missing = set(given) - self.operators[0].motions
         if missing:
             raise Misfit(
-                "motions",
-                "names a motion without operators",
-                f"the operators have no {sorted(missing)[0]}",
+                "motions", "names a motion without operators", f"the operators have no {sorted(missing)[0]}"
             )
         return self
 
     def _check_headings(self) -> None:
         if len(self.by_heading) > 1 and None in self.by_heading:
             raise Misfit(
-                "operators",
-                "has a heading in some lines only",
-                "give heading in every line or in none",
+                "operators", "has a heading in some lines only", "give heading in every line or in none"
             )
         if (self.headings is None) != (None in self.by_heading):
             raise Misfit(
@@ -184,15 +178,11 @@ class Response(Strict):
             )
         if self.symmetry and self.headings is None:
             raise Misfit(
-                "symmetry",
-                "is given for operators without headings",
-                "needs operators with headings",
+                "symmetry", "is given for operators without headings", "needs operators with headings"
             )
         if self.heading is not None and self.wave is None:
             raise Misfit(
-                "heading",
-                "is not needed",
-                "leave it out, since the wave of the scene has a heading",
+                "heading", "is not needed", "leave it out, since the wave of the scene has a heading"
             )
         if self.heading is not None and self.headings is None:
             raise Misfit(

@@ -74,9 +74,7 @@ def _carried(scene: Resolved) -> Resolved:
         raise Misfit(path, "needs gravity", "add gravity", ("gravity",))
     weight, mass = scene.hanging
     if weight <= 0.0:
-        raise Misfit(
-            path, f"{weight:g} N is the weight that they carry", "must be above 0 N", ("riser",)
-        )
+        raise Misfit(path, f"{weight:g} N is the weight that they carry", "must be above 0 N", ("riser",))
     top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass)})
     return scene.model_copy(update={"top": top})
 

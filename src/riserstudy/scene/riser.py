@@ -87,9 +87,7 @@ class AddedMass(Strict):
 def _must_rise(frequencies: list[float]) -> None:
     if any(a >= b for a, b in pairwise(frequencies)):
         raise Misfit(
-            "frequencies",
-            f"{frequencies} do not increase",
-            "lowest, free and highest must increase",
+            "frequencies", f"{frequencies} do not increase", "lowest, free and highest must increase"
         )
 
 
@@ -275,9 +273,7 @@ class Section(Strict):
         if (self.modules or self.lines) and not (self.mass or self.wall_density):
             raise ValueError("modules and lines need the mass of the pipe, or its wall_density")
         if self.modules and self.buoyancy_lift is not None:
-            raise ValueError(
-                "give modules or buoyancy_lift, not both, since modules also give lift"
-            )
+            raise ValueError("give modules or buoyancy_lift, not both, since modules also give lift")
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
             raise Misfit("lines", "has two lines with one name", "names must differ")
         if self.wall_density:

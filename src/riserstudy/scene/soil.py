@@ -79,9 +79,7 @@ class TabulatedSoil(Strict):
                 "depths must increase, with all rows of one depth together",
             )
         for depth, rows in self.curves.items():
-            for name, values in zip(
-                ("displacement", "resistance"), zip(*rows, strict=True), strict=True
-            ):
+            for name, values in zip(("displacement", "resistance"), zip(*rows, strict=True), strict=True):
                 steps = [b - a for a, b in pairwise(values)]
                 if any(step < 0.0 or (step == 0.0 and name == "displacement") for step in steps):
                     raise Misfit(

@@ -129,9 +129,7 @@ def names_of_tables(tree: Any) -> Iterator[str]:
             yield from names_of_tables(part)
 
 
-def texts_of_tables(
-    tree: Any, folder: Path, held: Mapping[str, str] | None = None
-) -> dict[str, str]:
+def texts_of_tables(tree: Any, folder: Path, held: Mapping[str, str] | None = None) -> dict[str, str]:
     """Texts of the tables that a tree refers to, by name; ``held`` as in `fill_in_tables`.
 
     Raises InputError when a table cannot be read.
@@ -142,9 +140,7 @@ def texts_of_tables(
     return {name: read_text(_file(folder, name), MOST_BYTES) for name in names}
 
 
-def _rows_of(
-    name: object, place: Place, folder: Path, held: Mapping[str, str] | None
-) -> list[Strict]:
+def _rows_of(name: object, place: Place, folder: Path, held: Mapping[str, str] | None) -> list[Strict]:
     """Rows of a table by its name in the scene."""
     if held is None:
         field = ".".join((*place.way, place.name, "file"))

@@ -109,9 +109,7 @@ class Linearised(Strict):
     def _fits(self) -> Self:
         ranged = self.by != "tangent"
         if ranged != (self.shortest is not None) or ranged != (self.longest is not None):
-            raise ValueError(
-                "least squares and a chord need shortest and longest, a tangent neither"
-            )
+            raise ValueError("least squares and a chord need shortest and longest, a tangent neither")
         if ranged and self.at is not None:
             raise ValueError("at is only for a tangent")
         if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
@@ -232,9 +230,7 @@ class Tensioners(Strict):
         reach, force = [row.reach for row in table], [row.force for row in table]
         for k in range(1, len(table)):
             if reach[k] <= reach[k - 1]:
-                raise Misfit(
-                    "table", f"reach {reach[k]:g} m in row {k + 1}", "must increase from row to row"
-                )
+                raise Misfit("table", f"reach {reach[k]:g} m in row {k + 1}", "must increase from row to row")
             if force[k] < force[k - 1]:
                 raise Misfit(
                     "table",
@@ -253,9 +249,7 @@ class Tensioners(Strict):
                 )
             first, last = shortest, longest
         if not first < 0 < last:
-            raise Misfit(
-                "table", f"from {first:g} m to {last:g} m", "must have mid-stroke, 0 m, within it"
-            )
+            raise Misfit("table", f"from {first:g} m to {last:g} m", "must have mid-stroke, 0 m, within it")
 
     def _stays_open(self, part: str, reach: float | None) -> None:
         """Refuse an extension at which a gas volume would be zero or less."""

@@ -165,9 +165,7 @@ class Unit:
             return to_si(value, self.name)
         raise Misfit("", f"{value!r} has no unit", f"allowed is text such as '1 {self.name}'")
 
-    def __get_pydantic_core_schema__(
-        self, source: Any, handler: GetCoreSchemaHandler
-    ) -> CoreSchema:
+    def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_before_validator_function(self.read, handler(source))
 
     def __get_pydantic_json_schema__(

@@ -153,9 +153,7 @@ class Coupling(Strict):
             yield Misfit(path, found, "take a shorter one", also)
         if step and STEPS_A_TURN * step > self.interval * (1.0 + 1e-9):
             found = f"{interval} is too short, since runs with longer time steps estimate the error"
-            yield Misfit(
-                path, found, f"allowed is at least {STEPS_A_TURN} times analysis.step", also
-            )
+            yield Misfit(path, found, f"allowed is at least {STEPS_A_TURN} times analysis.step", also)
 
 
 class Vessel(Strict):

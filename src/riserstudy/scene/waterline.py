@@ -68,6 +68,4 @@ def _part(section: Section, name: str, length: float) -> Section:
         share = length / section.total_length * (section.joints.count if section.joints else 1)
         parts = {"mass": share * modules.mass, "lift": share * modules.lift}
         modules = modules.model_copy(update=parts)
-    return section.model_copy(
-        update={"name": name, "length": length, "joints": None, "modules": modules}
-    )
+    return section.model_copy(update={"name": name, "length": length, "joints": None, "modules": modules})

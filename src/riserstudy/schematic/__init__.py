@@ -83,9 +83,7 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         height = share * room
         view = _panel(figure, COLUMNS[1], top - height, (END, height), *window)
         times = _times(whole.inch / view.inch)
-        title = (
-            name if name == "from above" and not _to_scale(scene) else f"{name}, {times} times (a)"
-        )
+        title = name if name == "from above" and not _to_scale(scene) else f"{name}, {times} times (a)"
         view.ax.set_title(f"({letter}) {title}", loc="left", fontsize="small")
         views.append(view)
         top -= height + BETWEEN
@@ -221,12 +219,8 @@ def _texts(figure: Figure, geometry: Geometry, labels: list[Label], dashed: bool
     scene, used = geometry.scene, {label.colour for label in labels}
     title = "\n".join(textwrap.wrap(scene.title, 100))
     figure.suptitle(title, x=0.03, y=0.985, ha="left", va="top", fontsize=10)
-    figure.text(
-        0.03, 0.945, freedom_text(scene), fontsize=8.5, va="top", color=KEY["freedoms and motions"]
-    )
-    handles = [
-        Line2D([], [], color=colour, label=name) for name, colour in KEY.items() if colour in used
-    ]
+    figure.text(0.03, 0.945, freedom_text(scene), fontsize=8.5, va="top", color=KEY["freedoms and motions"])
+    handles = [Line2D([], [], color=colour, label=name) for name, colour in KEY.items() if colour in used]
     figure.legend(
         handles=handles, loc="upper right", bbox_to_anchor=(0.985, 0.962), ncols=4, fontsize=SIZE,
         frameon=False, handlelength=1.2, columnspacing=1.2,

@@ -114,9 +114,7 @@ def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) 
     inside = f"contents of {full.density:.4g} kg/m³{mark('contents.density')}"
     if weight is None or gravity is None:
         return sentence([f"{empty}{where} without contents" if empty else "", inside])
-    return sentence(
-        [f"{amount(filled, 'N')}/m{where} with {inside}", f"{empty} without" if empty else ""]
-    )
+    return sentence([f"{amount(filled, 'N')}/m{where} with {inside}", f"{empty} without" if empty else ""])
 
 
 def tension_text(geometry: Geometry, tension: float) -> str:
@@ -208,9 +206,7 @@ def tensioner_text(rig: Tensioners, geometry: Geometry) -> str:
         law = f"gas, {pull} each at mid-stroke"
     elif both:
         pulls = both.high.area * both.high.pressure - both.low.area * both.low.pressure
-        chambers = [
-            f"two_chamber_gas.{c}.{of}" for c in ("high", "low") for of in ("area", "pressure")
-        ]
+        chambers = [f"two_chamber_gas.{c}.{of}" for c in ("high", "low") for of in ("area", "pressure")]
         law = f"gas on both sides, {amount(pulls, 'N')}{mark(*chambers)} each at mid-stroke"
         if both.pistons:
             each = "each" if both.pistons.counted == "each" else "in all"

@@ -40,9 +40,7 @@ class Labels:
 
     rows: list[Label] = field(default_factory=list)
 
-    def add(
-        self, text: str, point: tuple[float, float], colour: str = PART, lift: float = 0.0
-    ) -> None:
+    def add(self, text: str, point: tuple[float, float], colour: str = PART, lift: float = 0.0) -> None:
         """Add a label for a point; if there is room, it is ``lift`` inches above the point."""
         wrapped = "\n".join(textwrap.wrap(tied(text), CHARACTERS, break_long_words=False))
         self.rows.append(Label(wrapped, *point, colour, lift))
@@ -95,18 +93,14 @@ def place_in_column(panels: list[tuple[Labels, Axes]]) -> None:
     letters become smaller only if that is not enough.
     """
     rooms = [_inches(ax)[1] for _, ax in panels]
-    if all(
-        _needed(labels.heights()) <= room for (labels, _), room in zip(panels, rooms, strict=True)
-    ):
+    if all(_needed(labels.heights()) <= room for (labels, _), room in zip(panels, rooms, strict=True)):
         for (labels, ax), room in zip(panels, rooms, strict=True):
             labels.place(ax, spread(labels.wanted(ax), labels.heights(), room))
         return
     floors = [_floor(ax) - _floor(panels[-1][1]) for _, ax in panels]
     heights = [height for labels, _ in panels for height in labels.heights()]
     wanted = [
-        floor + y
-        for (labels, ax), floor in zip(panels, floors, strict=True)
-        for y in labels.wanted(ax)
+        floor + y for (labels, ax), floor in zip(panels, floors, strict=True) for y in labels.wanted(ax)
     ]
     room = floors[0] + rooms[0]
     smaller = min(1.0, room / _needed(heights))

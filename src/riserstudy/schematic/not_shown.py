@@ -32,9 +32,7 @@ NOTHING_TO_DRAW = {
 
 
 def _paths(by_section: dict[str, str]) -> frozenset[str]:
-    return frozenset(
-        f"{name}.{part}" for name, parts in by_section.items() for part in parts.split()
-    )
+    return frozenset(f"{name}.{part}" for name, parts in by_section.items() for part in parts.split())
 
 
 DRAWN_PARTS = _paths(DRAWN)

@@ -37,9 +37,7 @@ def riser(view: View, geometry: Geometry) -> None:
         if visible:
             text = section_text(section, geometry, f"riser[{k}]")
             if is_spring(section):
-                remarks = [
-                    geometry.remark(f"riser[{k}].{n}") for n in ("axial_stiffness", "length")
-                ]
+                remarks = [geometry.remark(f"riser[{k}].{n}") for n in ("axial_stiffness", "length")]
                 text = spring_text(section, *remarks)
             text += geometry.remark(f"riser[{k}]")
             view.name(text, geometry.at(visible[0]), whole=long)
@@ -85,9 +83,7 @@ def _section(view: View, geometry: Geometry, section: Section, low: float, high:
 def _tube(view: View, x: np.ndarray, z: np.ndarray, diameter: float, **style: Any) -> None:
     slope = np.stack([np.gradient(x), np.gradient(z)])
     normal = np.stack([slope[1], -slope[0]]) / np.hypot(*slope) * 0.5 * diameter
-    around = np.concatenate(
-        [np.stack([x, z]) + normal, (np.stack([x, z]) - normal)[:, ::-1]], axis=1
-    )
+    around = np.concatenate([np.stack([x, z]) + normal, (np.stack([x, z]) - normal)[:, ::-1]], axis=1)
     view.ax.fill(around[0], around[1], **style)
 
 
@@ -196,10 +192,6 @@ def soil(view: View, geometry: Geometry) -> None:
     depths = np.linspace(of.mudline, foot, SPRINGS + 2)[1:-1]
     for z in depths:
         for side in (-1.0, 1.0):
-            view.spring(
-                (side * half, z), (side * (half + reach), z), 0.08 * view.symbol, linewidth=0.7
-            )
-    law = (
-        "p-y curves of soft clay" if hasattr(of.resistance, "straight_up_to") else "linear springs"
-    )
+            view.spring((side * half, z), (side * (half + reach), z), 0.08 * view.symbol, linewidth=0.7)
+    law = "p-y curves of soft clay" if hasattr(of.resistance, "straight_up_to") else "linear springs"
     view.name(f"soil: {law}", (half + reach, float(depths[2])))

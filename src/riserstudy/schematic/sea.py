@@ -102,9 +102,7 @@ def current(view: View, geometry: Geometry) -> None:
     view.line(list(tips), list(z[inside]), color=WATER, linewidth=0.6)
     levels = np.linspace(z[inside][0], z[inside][-1], ARROWS)
     ends = foot + scale * np.interp(levels, z, speed)
-    drawn = [
-        (x, level) for x, level in zip(ends, levels, strict=True) if abs(x - foot) > 0.01 * width
-    ]
+    drawn = [(x, level) for x, level in zip(ends, levels, strict=True) if abs(x - foot) > 0.01 * width]
     for tip in drawn:
         view.arrow((foot, tip[1]), tip, WATER)
     assumed = geometry.assumes("current.profile", besides=SURFACE_SPEED)
@@ -116,9 +114,7 @@ def current(view: View, geometry: Geometry) -> None:
     if scene.current.turns:
         text += "; its direction changes with depth (drawn: part along x)"
     elif scene.current.towards:
-        text += (
-            f"; towards {degrees(scene.current.towards % (2.0 * math.pi))} (drawn: part along x)"
-        )
+        text += f"; towards {degrees(scene.current.towards % (2.0 * math.pi))} (drawn: part along x)"
     text += geometry.remark("current")
     # labelled at the second arrow from the top: the labels of the surface are at the first
     view.name(text, ([(foot, levels[-1]), *drawn])[-2], WATER, whole=True)

@@ -116,9 +116,7 @@ def tensioners(view: View, geometry: Geometry) -> None:
             view.line([middle[0], x + high_x], [middle[1], high], **rest)
         else:
             view.line([middle[0]] * 2, [z, middle[1]], color=colour, linestyle=(0, (4, 2)))
-            view.box(
-                middle, BARREL * view.symbol, high - middle[1], edgecolor=colour
-            )  # upward or downward
+            view.box(middle, BARREL * view.symbol, high - middle[1], edgecolor=colour)  # upward or downward
     right = max(feet, key=lambda foot: foot[1])
     at = (x + 0.5 * (right[0] + right[1]), 0.65 * high + 0.35 * z)
     text = tensioner_text(rig, geometry)
@@ -153,9 +151,7 @@ def platform(view: View, geometry: Geometry) -> None:
         view.motion((x, middle), (0.35 * width, 0.0))
 
 
-def _motions(
-    view: View, geometry: Geometry, middle: tuple[float, float], size: tuple[float, float]
-) -> None:
+def _motions(view: View, geometry: Geometry, middle: tuple[float, float], size: tuple[float, float]) -> None:
     of = geometry.scene.platform
     if of is None or view.whole:
         return

@@ -49,12 +49,8 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     """
     _import()
     if "peak_period" not in record:
-        raise InputError(
-            "RECORD", "peak_period", "not in the record", "see riserstudy seas --gamma"
-        )
-    states = np.column_stack(
-        [record[name].values for name in ("significant_wave_height", "peak_period")]
-    )
+        raise InputError("RECORD", "peak_period", "not in the record", "see riserstudy seas --gamma")
+    states = np.column_stack([record[name].values for name in ("significant_wave_height", "peak_period")])
     calm = states[:, 0] == 0.0
     known = np.isfinite(states).all(axis=1) & ~calm
     interval = float(record.attrs["interval_hours"])

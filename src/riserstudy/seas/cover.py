@@ -152,9 +152,7 @@ def off_by(predicted: FloatArray, came: FloatArray, scale: FloatArray) -> FloatA
     return np.asarray(np.abs(predicted - came) / np.maximum(scale, np.abs(came)))
 
 
-def _next(
-    of: SeaStates, surface: Surface, scale: FloatArray, error: float, known: set[int]
-) -> list[int]:
+def _next(of: SeaStates, surface: Surface, scale: FloatArray, error: float, known: set[int]) -> list[int]:
     """Sea states where cubic and linear interpolation differ by more than the error, one per triangle."""
     there = surface.at(of.states)
     doubt = surface.bend(of.states) / np.maximum(scale, np.abs(there))
@@ -194,12 +192,7 @@ def _drawn(
 
 
 def _whole(
-    of: SeaStates,
-    known: list[int],
-    responses: FloatArray,
-    held: list[int],
-    came: FloatArray,
-    off: FloatArray,
+    of: SeaStates, known: list[int], responses: FloatArray, held: list[int], came: FloatArray, off: FloatArray
 ) -> Cover:
     largest = np.nanmax(off, axis=0, initial=0.0)
     flags = np.concatenate([np.zeros(len(known), bool), np.ones(len(held), bool)])

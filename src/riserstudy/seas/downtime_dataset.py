@@ -51,27 +51,19 @@ def summarise(
     if riser.seeds == 1:
         lines.append("the effect of other seeds is unknown and in no band")
     if FROM in record and not directed:
-        lines.append(
-            "directions of the record are not used: all seas come from the scene's heading"
-        )
+        lines.append("directions of the record are not used: all seas come from the scene's heading")
     if middles:
         count = sum(len(one.states) for one in middles)
         off = max(float(one.error.max()) for one in middles)
-        lines.append(
-            f"at {count} half-way between headings the response differs by up to {off:.1%}"
-        )
+        lines.append(f"at {count} half-way between headings the response differs by up to {off:.1%}")
     elif directed:
-        lines.append(
-            "each row has the nearest heading; the effect of headings in between is in no band"
-        )
+        lines.append("each row has the nearest heading; the effect of headings in between is in no band")
     risers = [*(part.riser for part in parts), *(middle.riser for middle in middles)]
     failures = [one for of in risers for one in of.failures.items()]
     for (height, period), why in failures[:3]:
         lines.append(f"no result in {height:g} m, {period:g} s: {why}")
     if hours.unknown:
-        lines.append(
-            f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable"
-        )
+        lines.append(f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable")
     return [*lines, *hours.modes[0].hours.notes]
 
 
@@ -90,8 +82,7 @@ def dataset_of(file: SceneFile, parts: Sequence[Part], middles: Sequence[Middle]
     held = np.concatenate([*(p.cover.held_out for p in parts), compared]).astype(np.int8)
     worst = largest_errors(parts, middles)
     sides, units, labels = (
-        np.array(values, object)
-        for values in ([one.side for one in riser.limits], riser.units, riser.labels)
+        np.array(values, object) for values in ([one.side for one in riser.limits], riser.units, riser.labels)
     )
     both, state, limit = ("sea_state", "limit"), "sea_state", "limit"
     own = "in the unit of the limit"

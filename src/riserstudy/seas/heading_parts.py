@@ -82,11 +82,7 @@ def headings(file: SceneFile, record: xr.Dataset, directions: Directions | None)
         angle = math.degrees(directions.headings[k])
         found.append(
             Heading(
-                angle,
-                scene,
-                _of_heading(of, weight > 0.0),
-                weight,
-                _half(k, file, of, between, directions),
+                angle, scene, _of_heading(of, weight > 0.0), weight, _half(k, file, of, between, directions)
             )
         )
     return found
@@ -164,9 +160,7 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     seconds = runs * each / effort.cores
     known = f" of {duration(each)}, {duration(seconds)} on {effort.cores} cores"
     time = "" if math.isnan(each) else known
-    return (
-        f"at least {least} sea states, {runs} runs{time}, minus stored runs; at most {effort.most}"
-    )
+    return f"at least {least} sea states, {runs} runs{time}, minus stored runs; at most {effort.most}"
 
 
 def interval_of(record: xr.Dataset) -> float:

@@ -87,9 +87,7 @@ class Hours(NamedTuple):
         month = month_of(self.time)
         of = [("all", np.ones(len(month), bool))]
         of += [(MONTHS[k], month == k) for k in range(12) if (month == k).any()]
-        return [
-            (name, statistics_of(type(every)(every.hours[at], every.known[at]))) for name, at in of
-        ]
+        return [(name, statistics_of(type(every)(every.hours[at], every.known[at]))) for name, at in of]
 
     @property
     def band(self) -> Band:
@@ -129,9 +127,7 @@ class Hours(NamedTuple):
         """Share of workable hours of each calendar month; NaN if it is complete in no year."""
         month = month_of(self.time)
         there = {k for (year, k), of in self._months.items() if self._whole(of, year, k)}
-        return [
-            float(self.workable[month == k].mean()) if k in there else math.nan for k in range(12)
-        ]
+        return [float(self.workable[month == k].mean()) if k in there else math.nan for k in range(12)]
 
     @property
     def notes(self) -> list[str]:
@@ -146,9 +142,7 @@ class Hours(NamedTuple):
         ]
         more = f" and {len(partial) - NAMED} more" if len(partial) > NAMED else ""
         named = f"less than {WHOLE:.0%} recorded, and empty by month: {', '.join(partial[:NAMED])}"
-        return [
-            line for line in (uneven_months(self.time), f"{named}{more}" if partial else "") if line
-        ]
+        return [line for line in (uneven_months(self.time), f"{named}{more}" if partial else "") if line]
 
     @property
     def _months(self) -> dict[tuple[int, int], NDArray[np.bool_]]:
@@ -199,9 +193,7 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
     for one in limits:
         if one.quantity.name not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
-            raise InputError(
-                "--limit", one.quantity.name, "not in the record", f"there are {there}"
-            )
+            raise InputError("--limit", one.quantity.name, "not in the record", f"there are {there}")
 
 
 def idle_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> list[str]:
@@ -252,13 +244,7 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
     interval = float(record.attrs["interval_hours"])
     years = by_year(time, workable, interval)
     return Hours(
-        len(time),
-        int((~known).sum()),
-        interval,
-        workable,
-        time,
-        years,
-        next_to_each_other(time, interval),
+        len(time), int((~known).sum()), interval, workable, time, years, next_to_each_other(time, interval)
     )
 
 

@@ -55,9 +55,7 @@ def checked(accurate: RiserResponse, meshed: RiserResponse, found: Cover) -> Flo
     found : cover of the heading; some of its sea states for comparison are also run with the tolerance.
     """
     states = found.states[found.held_out][:CHECKED]
-    both = [
-        RiserResponse(one.file, 1, one.interval, one.cores)(states) for one in (accurate, meshed)
-    ]
+    both = [RiserResponse(one.file, 1, one.interval, one.cores)(states) for one in (accurate, meshed)]
     off = off_by(both[1], both[0], scale_of(accurate.allowed, found.responses))
     return np.asarray(np.nanmax(off, axis=0, initial=0.0))
 
@@ -67,9 +65,7 @@ def has_own_mesh(file: SceneFile) -> bool:
     return file.resolved().analysis.mesh is not None
 
 
-def mesh_of_seas(
-    riser: RiserResponse, of: SeaStates, error: float, notify: Notify
-) -> MeshOfSeas | None:
+def mesh_of_seas(riser: RiserResponse, of: SeaStates, error: float, notify: Notify) -> MeshOfSeas | None:
     """The coarsest mesh and step whose demands differ little from those of runs with the tolerance.
 
     None if the scene prescribes its mesh, or no cheaper mesh suffices.
@@ -97,13 +93,9 @@ def mesh_of_seas(
         other = RiserResponse(on_mesh(riser.file, setting.values), 1, riser.interval, riser.cores)
         return differences(other(states), reference, riser.allowed)
 
-    found = _coarsest(
-        elements, step, layers_of([riser.file.resolved()], None), differing, SHARE * error
-    )
+    found = _coarsest(elements, step, layers_of([riser.file.resolved()], None), differing, SHARE * error)
     if found is not None:
-        notify(
-            f"{found.words}: demands differ by up to {found.error.max():.2%} from those by accuracy"
-        )
+        notify(f"{found.words}: demands differ by up to {found.error.max():.2%} from those by accuracy")
         return found
     notify("no coarser mesh gives the same demands, so each run finds its own mesh")
     return None

@@ -82,9 +82,7 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
         notes.append(note)
     clock = _clock(data)
     if clock is None:
-        raise InputError(
-            path, "time", "the file has no times", "give it a coordinate 'time' as in CF"
-        )
+        raise InputError(path, "time", "the file has no times", "give it a coordinate 'time' as in CF")
     check_zone(path, data[clock], clock, data.attrs)
     columns: dict[str, FloatArray] = {}
     for one, values, note in _columns(path, data, clock):
@@ -177,9 +175,7 @@ def _by_name(path: Path, name: str, standard: str) -> Column | None:
         return None
     if key in UNSURE:
         allowed = f"give it the standard_name {COMES_FROM} or {GOES_TO}"
-        raise InputError(
-            path, name, "a direction that does not state whether waves come from it", allowed
-        )
+        raise InputError(path, name, "a direction that does not state whether waves come from it", allowed)
     if key == "fp":
         return NAMES["peak_period"]
     return NAMES.get(SOURCES.get(key, key))
@@ -234,9 +230,7 @@ def _at_one_place(path: Path, data: xr.Dataset, near: Place | None) -> tuple[xr.
         raise InputError(path, "--near", "the file gives no latitude and longitude", "omit it")
     if near is None:
         many = ", ".join(f"{data.sizes[d]} of {d}" for d in sorted(map(str, dims)))
-        raise InputError(
-            path, "latitude, longitude", many, "give `riserstudy seas --near 'LAT, LON'`"
-        )
+        raise InputError(path, "latitude, longitude", many, "give `riserstudy seas --near 'LAT, LON'`")
     latitude, longitude = _places(data, lat, lon)
     north = np.radians(latitude.values - near.latitude)
     east = np.radians((longitude.values - near.longitude + 180.0) % 360.0 - 180.0)
@@ -279,9 +273,7 @@ def _of_spectra(path: Path, data: xr.Dataset, name: str) -> tuple[xr.Dataset, st
         allowed = "allowed are spectra of ERA5, WAVEWATCH III, NDBC, SWAN or wavespectra's own"
         raise InputError(path, name, str(error), allowed) from None
     units = {"hs": "m", "tp": "s", "tm02": "s", "mwd": "deg"}
-    made = {
-        n: v.squeeze(drop=True).drop_attrs().assign_attrs(units=units[n]) for n, v in found.items()
-    }
+    made = {n: v.squeeze(drop=True).drop_attrs().assign_attrs(units=units[n]) for n, v in found.items()}
     import xarray as xr
 
     whole = "with" if directed else "without"

@@ -176,16 +176,10 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
     _check_head(path, text, separator)
     try:
         cells = pd.read_csv(
-            io.StringIO(text),
-            sep=separator,
-            dtype=str,
-            keep_default_na=False,
-            skipinitialspace=True,
+            io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
         )
     except pd.errors.EmptyDataError:
-        raise InputError(
-            path, "", "no text", "allowed is a header and a line for each time"
-        ) from None
+        raise InputError(path, "", "no text", "allowed is a header and a line for each time") from None
     except pd.errors.ParserError as error:
         found = str(error).strip().rpartition(": ")[2] or str(error)
         raise InputError(path, "", found, "allowed is a cell for each column") from None
@@ -204,17 +198,9 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         if one.quantity.name in columns:
             raise InputError(path, one.quantity.name, "two columns", "allowed is one")
         columns[one.quantity.name] = _numbers(path, cells.iloc[:, k], one)
-    left = [
-        str(cells.columns[k]) for k, one in enumerate(heads) if one.quantity is None and k != at
-    ]
-    notes = [
-        f"{one.quantity.name} from {one.unit}"
-        for one in heads
-        if one.quantity and one.factor != 1.0
-    ]
-    notes += [
-        f"wave_from_direction turned by 180 deg from {one.heading}" for one in heads if one.turned
-    ]
+    left = [str(cells.columns[k]) for k, one in enumerate(heads) if one.quantity is None and k != at]
+    notes = [f"{one.quantity.name} from {one.unit}" for one in heads if one.quantity and one.factor != 1.0]
+    notes += [f"wave_from_direction turned by 180 deg from {one.heading}" for one in heads if one.turned]
     notes += [note for k, one in enumerate(heads) if (note := _fills(cells.iloc[:, k], one))]
     notes += [UNSURE_HEIGHT for one in heads if one.quantity and one.heading == "wave_height"]
     notes += [f"left out: {', '.join(left)}"] if left else []
@@ -241,14 +227,10 @@ def _check_clock(path: Path, pattern: str) -> None:
 
     Raises InputError if it states another zone, or a unit such as hours.
     """
-    words = re.findall(
-        r"[A-Za-z]+", reduce(lambda rest, one: rest.replace(one[0], ""), PATTERNS, pattern)
-    )
+    words = re.findall(r"[A-Za-z]+", reduce(lambda rest, one: rest.replace(one[0], ""), PATTERNS, pattern))
     known = all(word.lower() in ("t", *ZONES) for word in words)
     if not (known if "YYYY" in pattern else pattern.strip().lower() in ZONES):
-        allowed = (
-            "allowed are times in UTC: 'time (UTC)', or a pattern such as 'time (YYYY-MM-DD-HH)'"
-        )
+        allowed = "allowed are times in UTC: 'time (UTC)', or a pattern such as 'time (YYYY-MM-DD-HH)'"
         raise InputError(path, f"time ({pattern})", "is neither UTC nor a pattern", allowed)
 
 
@@ -282,17 +264,11 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
     bad = values.isna() & ~absent
     if bad.any():
         row = int(bad.to_numpy().argmax())
-        raise InputError(
-            f"{path}, row {row + 2}", one.heading, repr(cells.iloc[row]), "allowed is a number"
-        )
+        raise InputError(f"{path}, row {row + 2}", one.heading, repr(cells.iloc[row]), "allowed is a number")
     check_fills(path, values.to_numpy(), one)
     numbers = values.astype(float) * one.factor
     # an invalid bearing is not changed, so the error can name its row
-    return (
-        numbers.where(~numbers.between(0.0, 360.0), (numbers + 180.0) % 360.0)
-        if one.turned
-        else numbers
-    )
+    return numbers.where(~numbers.between(0.0, 360.0), (numbers + 180.0) % 360.0) if one.turned else numbers
 
 
 def _possible(values: pd.Series, one: Head) -> pd.Series:
@@ -340,9 +316,7 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
     steps = np.diff(frame.index.to_numpy()).astype("timedelta64[s]").astype(float)
     if (steps <= 0.0).any():
         row = int((steps <= 0.0).argmax()) + 3
-        raise InputError(
-            f"{path}, row {row}", "time", "not after the row before", "allowed are rising times"
-        )
+        raise InputError(f"{path}, row {row}", "time", "not after the row before", "allowed are rising times")
     _check_interval(path, frame, steps)
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:

@@ -75,12 +75,7 @@ def of_peaks(
 
 
 def refits_of_peaks(
-    peaks: FloatArray,
-    threshold: float,
-    recorded: float,
-    years: float,
-    draw: np.random.Generator,
-    count: int,
+    peaks: FloatArray, threshold: float, recorded: float, years: float, draw: np.random.Generator, count: int
 ) -> tuple[float, FloatArray]:
     """Return value, and (count,) return values of fits to samples drawn from the first fit."""
     scale, shape = _pareto(peaks - threshold)
@@ -92,9 +87,7 @@ def refits_of_peaks(
     return threshold + float(_over(scale, shape, once)), threshold + fitted
 
 
-def storms(
-    time: NDArray[np.datetime64], values: FloatArray, a_year: float
-) -> tuple[FloatArray, float]:
+def storms(time: NDArray[np.datetime64], values: FloatArray, a_year: float) -> tuple[FloatArray, float]:
     """Peaks, (n,), of a number of the highest storms per year, and the threshold below them.
 
     Storms are separate if their peaks are at least 72 hours apart. Values may be missing (NaN).

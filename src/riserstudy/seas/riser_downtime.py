@@ -10,14 +10,7 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle, compared, widened
 from riserstudy.seas.directions import FROM, Directions
 from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, summarise
-from riserstudy.seas.heading_parts import (
-    Effort,
-    Part,
-    headings,
-    interval_of,
-    riser_half_way,
-    simulate,
-)
+from riserstudy.seas.heading_parts import Effort, Part, headings, interval_of, riser_half_way, simulate
 from riserstudy.seas.hours import SeaLimit, met_by_rows, rows_with_values
 from riserstudy.seas.riser_hours import RiserHours, by_rows, met, response_of, riser_hours
 from riserstudy.seas.riser_response import RiserResponse
@@ -79,9 +72,7 @@ def riser_downtime(
         if heading.of.rows.any():
             parts[number] = simulate(heading, record, effort, notify)
     if not parts:
-        raise InputError(
-            "RECORD", FROM, "no row has a direction", "use the record without headings"
-        )
+        raise InputError("RECORD", FROM, "no row has a direction", "use the record without headings")
     middles = []
     for part in parts.values():
         if half := part.heading.half:
@@ -100,12 +91,9 @@ def _counted(
     """Workable hours from simulated headings, and from comparisons half-way between them, by index."""
     riser = parts[0].riser
     responses = [
-        response_of(p.heading.of, p.cover, p.deviation, p.scale, riser.limits, p.mesh_error)
-        for p in parts
+        response_of(p.heading.of, p.cover, p.deviation, p.scale, riser.limits, p.mesh_error) for p in parts
     ]
-    of_parts = [
-        (p.heading.of, p.heading.weight, one) for p, one in zip(parts, responses, strict=True)
-    ]
+    of_parts = [(p.heading.of, p.heading.weight, one) for p, one in zip(parts, responses, strict=True)]
     known, rows = by_rows(of_parts)
     for middle in middles:
         rows = widened(rows, middle.rows[known], middle)

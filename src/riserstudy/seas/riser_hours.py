@@ -136,12 +136,7 @@ def met(rows: Response, limits: Sequence[Limit]) -> Met:
 
 
 def riser_hours(
-    record: xr.Dataset,
-    known: Flags,
-    rows: Met,
-    limits: Sequence[Limit],
-    error: FloatArray,
-    also: Flags,
+    record: xr.Dataset, known: Flags, rows: Met, limits: Sequence[Limit], error: FloatArray, also: Flags
 ) -> RiserHours:
     """Workable hours by mode.
 

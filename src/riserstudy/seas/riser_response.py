@@ -92,10 +92,7 @@ class RiserResponse:
         points = [point for point in study.plan if point.index[1] == 0]
         attempt(study, points, 1, lambda _: None)
         held = [store.about(point.key) for point in points]
-        return min(
-            (float(one["facts"]["wall_seconds"]) for one in held if one is not None),
-            default=math.nan,
-        )
+        return min((float(one["facts"]["wall_seconds"]) for one in held if one is not None), default=math.nan)
 
     def __call__(self, states: FloatArray) -> FloatArray:
         """Demand of each limit, (m, limits), at sea states (m, 2); NaN where a run fails."""

@@ -89,8 +89,7 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
 def table_of(found: Sequence[Returned]) -> Table:
     """Results of both methods, one row per limit and return period."""
     rows: list[list[Cell]] = [
-        [label(one.limit), one.years, *one.by_years, *one.by_storms, UNITS[one.limit.output]]
-        for one in found
+        [label(one.limit), one.years, *one.by_years, *one.by_storms, UNITS[one.limit.output]] for one in found
     ]
     return Table(COLUMNS, HEADS, rows)
 
@@ -99,9 +98,7 @@ def _of_limit(
     of: Demands, number: int, sign: float, periods: Sequence[float], draw: np.random.Generator
 ) -> Iterator[tuple[ReturnValue, ReturnValue]]:
     """Both methods by return period, for a response whose larger values are worse."""
-    demand, off, scale = (
-        values[:, number] for values in (of.rows.demand, of.rows.off, of.rows.scale)
-    )
+    demand, off, scale = (values[:, number] for values in (of.rows.demand, of.rows.off, of.rows.scale))
     known = np.isfinite(demand)
     whole = whole_years(of.time, known, of.interval)
     recorded = float(known.sum()) * of.interval / 8766.0

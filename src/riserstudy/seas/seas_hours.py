@@ -141,9 +141,7 @@ def _returns(of: Downtime, labels: list[str], periods: Sequence[int]) -> xr.Data
     for one in returned(of.demands, periods):
         at = [*of.demands.limits].index(one.limit), periods.index(int(one.years))
         values[:, *at] = [*one.by_years, *one.by_storms]
-    names = [
-        f"response_by_{way}{end}" for way in ("years", "storms") for end in ("", "_low", "_high")
-    ]
+    names = [f"response_by_{way}{end}" for way in ("years", "storms") for end in ("", "_low", "_high")]
     both = ("limit", "return_period")
     return xr.Dataset(
         {name: (both, values[k]) for k, name in enumerate(names)},
@@ -175,11 +173,7 @@ def _of_mode(one: OfMode, windows: Sequence[float], model: SeasModel) -> xr.Data
         },
         {"month": list(MONTHS), "year": [year.year for year in hours.years]},
     )
-    return (
-        dataset.assign(_windows(one, windows)).assign_coords(window=[*windows])
-        if windows
-        else dataset
-    )
+    return dataset.assign(_windows(one, windows)).assign_coords(window=[*windows]) if windows else dataset
 
 
 def _windows(one: OfMode, windows: Sequence[float]) -> dict[str, tuple[str, list[float]]]:
@@ -210,9 +204,7 @@ def _sea_states(found: Sequence[Downtime], study: SeasStudy) -> dict[str, Any]:
         for name in names
     }
     for name in OF_STATES:
-        every = xr.concat(
-            [one.responses[name].drop_vars(names) for one in found], "sea_state", join="outer"
-        )
+        every = xr.concat([one.responses[name].drop_vars(names) for one in found], "sea_state", join="outer")
         joined[name] = every  # aligned by labels of the limits
     for number, axis in enumerate(grid.axes):
         values = [grid.axes[axis][point.index[number]][0] for point in grid.plan]

@@ -41,11 +41,7 @@ def synthetic(years: int = 10, seed: int = 1) -> xr.Dataset:
     height = MEDIAN * np.exp(season + slow + quick)
     period = 7.2 * height**0.32 * np.exp(0.12 * lasting(draw, n, 24.0))
     direction = (270.0 + 45.0 * lasting(draw, n, 96.0)) % 360.0
-    values = {
-        "significant_wave_height": height,
-        "peak_period": period,
-        "wave_from_direction": direction,
-    }
+    values = {"significant_wave_height": height, "peak_period": period, "wave_from_direction": direction}
     record = xr.Dataset(
         {name: ("time", values[name], labels_of(NAMES[name])) for name in values}, {"time": time}
     )

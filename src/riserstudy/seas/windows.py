@@ -94,9 +94,7 @@ def statistics_of(found: Waits) -> Wait:
     whole = float((steps * np.concatenate([[1.0], share[:-1]])).sum())
     mean = whole if share[-1] <= MOST_LONGER else np.nan
     p50, p90 = (
-        float(hours[(share <= 1.0 - q + 1e-12).argmax()])
-        if (share <= 1.0 - q + 1e-12).any()
-        else np.nan
+        float(hours[(share <= 1.0 - q + 1e-12).argmax()]) if (share <= 1.0 - q + 1e-12).any() else np.nan
         for q in (0.5, 0.9)
     )
     return Wait(mean, p50, p90, int((~found.known).sum()))

@@ -24,9 +24,7 @@ class Year(NamedTuple):
         return self.workable / self.rows
 
 
-def by_year(
-    time: NDArray[np.datetime64], workable: NDArray[np.bool_], interval: float
-) -> list[Year]:
+def by_year(time: NDArray[np.datetime64], workable: NDArray[np.bool_], interval: float) -> list[Year]:
     """Numbers of rows by year (interval: hours between rows)."""
     years = time.astype("datetime64[Y]").astype(int) + 1970
     found = []

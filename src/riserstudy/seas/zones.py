@@ -15,23 +15,12 @@ if TYPE_CHECKING:
 
 #: names of attributes or columns with a zone, and of text that may mention one
 ZONES_BY_NAME = ("time_zone", "timezone", "tz", "zone", "time_offset", "utc_offset", "gmt_offset")
-TEXTS = (
-    "long_name",
-    "standard_name",
-    "comment",
-    "comments",
-    "description",
-    "note",
-    "title",
-    "summary",
-)
+TEXTS = ("long_name", "standard_name", "comment", "comments", "description", "note", "title", "summary")
 UTC = re.compile(
     r"(?i)\b(?:utc|gmt|zulu|universal)\b(?! ?[+-] ?0*[1-9])"
     r"|^\s*(?:z|[+-]?0*[:.]?0*\s*(?:h|hours?)?)\s*$"
 )
-ABBREVIATIONS = (
-    r"\b(?:CET|CEST|WET|EET|MSK|BST|EST|EDT|CST|CDT|MST|MDT|PST|PDT|BRT|WAT|JST|AWST|AEST)\b"
-)
+ABBREVIATIONS = r"\b(?:CET|CEST|WET|EET|MSK|BST|EST|EDT|CST|CDT|MST|MDT|PST|PDT|BRT|WAT|JST|AWST|AEST)\b"
 LOCAL = r"(?i:\blocal (?:standard |civil |summer )?time|\b(?:utc|gmt) ?[+-] ?0*[1-9])"
 OF_TIMES = re.compile(f"{LOCAL}|{ABBREVIATIONS}")
 OF_FILE = re.compile(rf"{LOCAL}|(?i:\btimes?\b).{{0,20}}{ABBREVIATIONS}")
@@ -65,9 +54,7 @@ def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
             raise InputError(f"{path}, row {row}", heading, f"{cell!r} is not UTC", allowed)
 
 
-def _other_zones(
-    clock: xr.DataArray, name: str, about: Mapping[Any, Any]
-) -> Iterator[tuple[str, str]]:
+def _other_zones(clock: xr.DataArray, name: str, about: Mapping[Any, Any]) -> Iterator[tuple[str, str]]:
     """Attributes that state another zone than UTC, with their values."""
     units = str(clock.encoding.get("units", ""))
     if OF_TIMES.search(units):  # the decoder would ignore it

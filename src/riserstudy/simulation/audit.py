@@ -32,9 +32,7 @@ def terms_of_energy(model: Model, arrays: dict[str, FloatArray]) -> float:
     return float(np.abs(arrays["effective_tension_static"]).max() * np.abs(coordinates).max())
 
 
-def energy(
-    facts: RunFacts, sums: Sums, before: float, after: float, step: float, terms: float
-) -> None:
+def energy(facts: RunFacts, sums: Sums, before: float, after: float, step: float, terms: float) -> None:
     """Add the balance of energy (J) to the facts, with a warning if its residual is large: theory (11).
 
     ``before`` and ``after`` are the stored energies (J) at start and end; ``step`` is the time step (s).
@@ -42,9 +40,7 @@ def energy(
     """
     held, supplied, dissipated, numerical, exchanged = (float(x) for x in sums.work)
     residual = held + supplied - dissipated - numerical - (after - before)
-    still = 1e-12 * max(
-        abs(before), abs(after), terms, 1.0
-    )  # rounding errors of a riser at rest (J)
+    still = 1e-12 * max(abs(before), abs(after), terms, 1.0)  # rounding errors of a riser at rest (J)
     scale = max(exchanged, abs(after - before), still / UNEXPLAINED)
     facts["step"] = step
     facts["audit"] = {
@@ -92,11 +88,7 @@ def finite(arrays: dict[str, FloatArray]) -> None:
     """
     for name, values in arrays.items():
         if not np.isfinite(values).all():
-            how = (
-                "in static equilibrium"
-                if name.endswith("_static")
-                else "although every step converged"
-            )
+            how = "in static equilibrium" if name.endswith("_static") else "although every step converged"
             error = SimulationError if name.endswith("_static") else StepFailed
             raise error(
                 f"{int((~np.isfinite(values)).sum())} values of {name} are infinite or undefined {how}; "

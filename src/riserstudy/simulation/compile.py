@@ -44,9 +44,7 @@ def compile_once(notify: Callable[[str], None]) -> None:
             join_markers()
     # the cache cannot be written: each run compiles the kernels that it needs
     except OSError as error:
-        notify(
-            f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile again"
-        )
+        notify(f"{kernel_cache()} cannot be written ({error.strerror}): every run will compile again")
 
 
 def report_compiling(notify: Callable[[str], None]) -> None:

@@ -121,9 +121,7 @@ def _moved(scene: Resolved, share: float) -> Resolved:
     return scene.model_copy(update=changed)
 
 
-def _continue(
-    model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Resolved
-) -> None:
+def _continue(model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Resolved) -> None:
     """Start from the last shape, further inclined (m) above the lowest node that can be inclined."""
     state = model.s
     foot = lowest_leaning(scene, mesh)

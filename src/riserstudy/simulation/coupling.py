@@ -119,9 +119,7 @@ def march_in_turns(
     return outcome, about
 
 
-def _turn(
-    sides: Sides, coupling: Coupling, method: Method, record: Frozen, sums: Sums
-) -> tuple[int, int]:
+def _turn(sides: Sides, coupling: Coupling, method: Method, record: Frozen, sums: Sums) -> tuple[int, int]:
     """One turn; returns its result and its number of iterations."""
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]
@@ -141,9 +139,7 @@ def _turn(
         if coupling.scheme == "staggered" or (rounds > 1 and moved <= tolerance):
             for kind in (ITERATIONS, HALVED):
                 sums.count[kind] += aside.count[kind]
-            outcome = march(
-                riser.programs, riser.state, riser.spare, method, riser.fixed, record, sums
-            )
+            outcome = march(riser.programs, riser.state, riser.spare, method, riser.fixed, record, sums)
             return int(outcome), rounds
         outcome, seen = _step_by_step(riser, method, sides.motion.time, aside)
         if outcome != DONE:

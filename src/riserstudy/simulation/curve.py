@@ -164,9 +164,7 @@ def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
     return arrays_there
 
 
-def _sag(
-    arrays: Arrays, axes: list[str], moment: FloatArray, e: NDArray[np.int64], x: FloatArray
-) -> Arrays:
+def _sag(arrays: Arrays, axes: list[str], moment: FloatArray, e: NDArray[np.int64], x: FloatArray) -> Arrays:
     """Distance of segments from their chords; the curvature M / EI is linear from end to end."""
     chord = np.stack([arrays[name][:, e + 1] - arrays[name][:, e] for name in axes], axis=1)
     bent = x * (1.0 - x) * ((2.0 - x) * moment[..., e] + (1.0 + x) * moment[..., e + 1])

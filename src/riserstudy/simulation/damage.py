@@ -154,9 +154,7 @@ def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
     for k, detail in enumerate(of.details):
         angle, node = map(int, np.unravel_index(int(np.nanargmax(rates[k])), rates.shape[1:]))
         here = [part for part in every if part.detail == k and node in part.nodes]
-        often, seldom = (
-            _at(here, of, sides, node, angle, slice(None, None, step))[k] for step in (1, 2)
-        )
+        often, seldom = (_at(here, of, sides, node, angle, slice(None, None, step))[k] for step in (1, 2))
         if often > NONE * time / YEAR and "sampling_error" in facts:
             outputs = len(histories["time"])
             each = partial(_of_block, here, of, sides, node, angle, k)
@@ -197,9 +195,7 @@ def _at(
         alike = (part.wall, part.shares, part.radius, detail.stress_per_moment)
         if alike not in counted:
             counted[alike] = rainflow(sides.stress(part, detail, node, angle)[which])
-        worth = damage(
-            counted[alike], detail.curve.numbers, detail.stress_concentration, part.thickness
-        )
+        worth = damage(counted[alike], detail.curve.numbers, detail.stress_concentration, part.thickness)
         found[part.detail] = np.fmax(found[part.detail], worth)
     return found
 

@@ -151,9 +151,7 @@ def _histories_of(arrays: Arrays) -> Arrays:
     """Histories of a run, with displacements relative to positions that do not depend on the run."""
     zero = curve_of(arrays).straight
     return {
-        name: arrays[name] - zero(_zero(arrays, name), arrays["s"])
-        for name in HISTORIES
-        if name in arrays
+        name: arrays[name] - zero(_zero(arrays, name), arrays["s"]) for name in HISTORIES if name in arrays
     }
 
 
@@ -303,9 +301,7 @@ def _thinned(arrays: Arrays, every: int) -> Arrays:
 
 def _every(coarse: Arrays, fine: Arrays) -> tuple[int, int]:
     """Intervals, as numbers of outputs, of the common outputs in the coarse and in the fine run."""
-    intervals = [
-        run["time"][1] - run["time"][0] if len(run["time"]) > 1 else 0.0 for run in (coarse, fine)
-    ]
+    intervals = [run["time"][1] - run["time"][0] if len(run["time"]) > 1 else 0.0 for run in (coarse, fine)]
     both = max(intervals)
     low, up = (round(both / interval) if interval else 1 for interval in intervals)
     return low, up

@@ -41,13 +41,7 @@ def events_of(scene: Resolved, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
 
 
 def march_through(
-    scene: Resolved,
-    model: Model,
-    mesh: Mesh,
-    step: float,
-    record: Frozen,
-    sums: Sums,
-    facts: RunFacts,
+    scene: Resolved, model: Model, mesh: Mesh, step: float, record: Frozen, sums: Sums, facts: RunFacts
 ) -> tuple[Model, int, float]:
     """March by steps of ``step`` (s), from event to event.
 

@@ -32,11 +32,7 @@ class Reached(NamedTuple):
 
 
 def first_reached(
-    scene: Resolved,
-    mesh: Mesh,
-    arrays: Arrays,
-    histories: Arrays,
-    every_step: Mapping[str, FloatArray],
+    scene: Resolved, mesh: Mesh, arrays: Arrays, histories: Arrays, every_step: Mapping[str, FloatArray]
 ) -> list[Reached]:
     """Time at which each limit is first reached.
 

@@ -52,9 +52,7 @@ def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
         times *= ESTIMATED
     elif is_long(scene):
         times, seconds = BY_PIECE * times, facts["refinements"][-1]["solve_seconds"]
-    return Forecast(
-        times * seconds, facts["elements"], facts["step"], piece, facts.get("error_estimate", {})
-    )
+    return Forecast(times * seconds, facts["elements"], facts["step"], piece, facts.get("error_estimate", {}))
 
 
 def _facts(scene: Resolved, watch: Watch) -> RunFacts:

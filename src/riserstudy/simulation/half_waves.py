@@ -59,10 +59,6 @@ def wave_number(bending: float, tension: float, mass: float, frequency: float) -
     if bending > 0.0:
         root = math.hypot(tension, 2.0 * math.sqrt(bending * inertia))
         # two equal forms, of which the one without cancellation is used
-        square = (
-            2.0 * inertia / (root + tension)
-            if tension > 0.0
-            else (root - tension) / (2.0 * bending)
-        )
+        square = 2.0 * inertia / (root + tension) if tension > 0.0 else (root - tension) / (2.0 * bending)
         return math.sqrt(square)
     return math.sqrt(inertia / tension) if tension > 0.0 else math.inf

@@ -48,10 +48,7 @@ class Halved:
 
 
 def enter(
-    seen: dict[str, Halved],
-    way: str,
-    change: dict[str, float],
-    floor: dict[str, float] | None = None,
+    seen: dict[str, Halved], way: str, change: dict[str, float], floor: dict[str, float] | None = None
 ) -> Halved:
     """Record the relative change (1) by halving mesh or step, and count it for the age of earlier ones.
 

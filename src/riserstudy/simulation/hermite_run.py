@@ -38,16 +38,7 @@ STIFFENING = 0.01  # relative change of the top tension from which on its omissi
 CORRECTION = 1e-8
 #: effects of the lumped-mass engine that the beam also has; its waterline is that at rest
 SUPPORTED = {
-    *(
-        "axial elasticity",
-        "bending",
-        "flex joint",
-        "clamp",
-        "support",
-        "weight",
-        "line load",
-        "inertia",
-    ),
+    *("axial elasticity", "bending", "flex joint", "clamp", "support", "weight", "line load", "inertia"),
     *("contents", "added mass", "drag", "current", "wave", "wave force", "waterline"),
     *("platform motion", "platform position", "constant tension", "lateral force"),
 }
@@ -90,9 +81,7 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         arrays |= _over_time(moving, keep, {"z": elevation, "effective_tension": tension})
         arrays["s"] = mesh.s
         facts |= {"step": step, "newton_iterations": moving.iterations}
-        left_out = (
-            _stiffening(scene, mesh, rest.displacement, moving.displacement[keep]) / tension[-1]
-        )
+        left_out = _stiffening(scene, mesh, rest.displacement, moving.displacement[keep]) / tension[-1]
         if left_out > STIFFENING:
             facts["warnings"].append(
                 f"top.z is held: bending would change the top tension by about {100 * left_out:.2g} %, "
@@ -120,8 +109,7 @@ def _stiffening(scene: Resolved, mesh: Mesh, rest: FloatArray, moving: FloatArra
     if scene.top.z == "free":
         return 0.0
     flexibility = sum(
-        mesh.l0[mesh.section == k].sum() / stiffness(section).axial
-        for k, section in enumerate(scene.riser)
+        mesh.l0[mesh.section == k].sum() / stiffness(section).axial for k, section in enumerate(scene.riser)
     )
     longer = 0.5 * ((np.diff(moving) ** 2 - np.diff(rest) ** 2) / mesh.l0).sum(axis=-1)
     return float(np.abs(longer).max() / flexibility)
@@ -141,9 +129,7 @@ def beam_of(scene: Resolved, mesh: Mesh) -> Beam:
         return np.array(values)[mesh.section]
 
     sections = scene.riser
-    weight = per_segment(
-        [(s.submerged_weight or 0.0) + s.contents_mass * gravity for s in sections]
-    )
+    weight = per_segment([(s.submerged_weight or 0.0) + s.contents_mass * gravity for s in sections])
     above = np.append(np.cumsum((weight * mesh.l0)[::-1])[::-1], 0.0)
     tension = (scene.top.tension or scene.top.held_at_tension or 0.0) - above
     displaced = [s.added_mass.displaced(density) if s.added_mass else 0.0 for s in sections]
@@ -188,9 +174,7 @@ def _width(elevation: FloatArray, at: float) -> float:
 
 def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
     """The beam in water, evaluated at the elevations of the riser at rest."""
-    elevation = (scene.bottom.elevation or 0.0) + np.append(
-        0.0, np.cumsum((1.0 + strain) * np.diff(dry.s))
-    )
+    elevation = (scene.bottom.elevation or 0.0) + np.append(0.0, np.cumsum((1.0 + strain) * np.diff(dry.s)))
     beam = dry
     if scene.current:
         z, velocity = current_velocity(scene.current, scene.water)
@@ -264,8 +248,7 @@ def _refuse(scene: Resolved) -> None:
         and platform.surge
         and not isinstance(platform.surge, Translation),
         "current.ramp": scene.current and scene.current.ramp,
-        "a wave that acts above the mean level": scene.wave
-        and scene.wave.above_mean_level != "none",
+        "a wave that acts above the mean level": scene.wave and scene.wave.above_mean_level != "none",
         "analysis.method that is not Newmark's": scene.analysis.method
         and not isinstance(scene.analysis.method, Newmark),
     }

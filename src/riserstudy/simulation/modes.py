@@ -85,11 +85,7 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
     size = np.abs(shape).max(axis=2)
     motion = [_motion(row) for row in size]
     data = {
-        name: (
-            ("mode", "s"),
-            shape[:, k, :],
-            {"units": "1", "long_name": f"mode shape along {name}"},
-        )
+        name: (("mode", "s"), shape[:, k, :], {"units": "1", "long_name": f"mode shape along {name}"})
         for k, name in enumerate("xyz"[axis] for axis in AXES[d])
     }
     return xr.Dataset(

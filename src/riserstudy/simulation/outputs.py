@@ -162,13 +162,9 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
     return envelopes | _at_places(arrays, full, of.nodes, of.places)
 
 
-def _at_places(
-    arrays: Arrays, full: Arrays, nodes: NDArray[np.int64], places: FloatArray
-) -> Arrays:
+def _at_places(arrays: Arrays, full: Arrays, nodes: NDArray[np.int64], places: FloatArray) -> Arrays:
     """Histories at places from histories at some nodes; at a node they equal its history to the last bit."""
-    whole = {
-        name: np.zeros((*values.shape[:-1], len(arrays["s_node"]))) for name, values in full.items()
-    }
+    whole = {name: np.zeros((*values.shape[:-1], len(arrays["s_node"]))) for name, values in full.items()}
     for name, values in full.items():
         whole[name][..., nodes] = values
     return at_stations(arrays | whole, places)
@@ -319,9 +315,7 @@ def of_joint(joint: TelescopicJoint, arrays: Arrays, every_step: Arrays) -> list
     return sentences + beyond_its_barrels(joint, lengths)
 
 
-def _end_direction(
-    scene: Resolved, model: Model, mesh: Mesh, record: Record, end: int
-) -> FloatArray:
+def _end_direction(scene: Resolved, model: Model, mesh: Mesh, record: Record, end: int) -> FloatArray:
     """Direction of the riser at an end, (time, 3): direction of the end segment plus its bending."""
     d = len(model.s.dim)
     m = len(model.s.dof) - d
@@ -340,9 +334,7 @@ def _end_direction(
 
         return np.asarray(Rotation.from_rotvec(bend).apply(t))
     cosine, sine = np.cos(bend[:, 0]), np.sin(bend[:, 0])
-    return np.column_stack(
-        [cosine * t[:, 0] + sine * t[:, 2], t[:, 1], cosine * t[:, 2] - sine * t[:, 0]]
-    )
+    return np.column_stack([cosine * t[:, 0] + sine * t[:, 2], t[:, 1], cosine * t[:, 2] - sine * t[:, 0]])
 
 
 def _lean(t: FloatArray, upright: FloatArray, d: int) -> FloatArray:

@@ -20,9 +20,6 @@ def piece_of(scene: Resolved, piece: float) -> Resolved:
 def longest_ramp(scene: Resolved) -> float:
     """Longest ramp of the motions and waves of a scene (s)."""
     platform = scene.platform
-    growing: list[Any] = [
-        scene.wave,
-        *(motion for _, motion in (platform.harmonics if platform else [])),
-    ]
+    growing: list[Any] = [scene.wave, *(motion for _, motion in (platform.harmonics if platform else []))]
     growing += [platform.response, platform.cruise] if platform else []
     return max(((one.ramp or 0.0) for one in growing if one), default=0.0)

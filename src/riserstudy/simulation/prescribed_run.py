@@ -96,9 +96,7 @@ def _in_soil(scene: Resolved, elements: int, result: Result, watch: Watch) -> di
         watch.begin(f"the static state, to estimate the error: {size(len(fine.l0), None)}")
         found = difference(march(rest, own, None), march(rest, fine, None))
         if scene.analysis.step and own.l0[0] > chosen.l0[0]:
-            watch.begin(
-                f"a run that resolves the soil: {size(len(chosen.l0), scene.analysis.step)}"
-            )
+            watch.begin(f"a run that resolves the soil: {size(len(chosen.l0), scene.analysis.step)}")
             moving = march(scene, chosen, scene.analysis.step, watch=watch, extremes=False)
             found = _at_least(found, difference(result, moving))
     except SimulationError:
@@ -111,9 +109,7 @@ def _at_least(error: dict[str, float], least: dict[str, float]) -> dict[str, flo
     return {name: max(value, least.get(name, 0.0)) for name, value in error.items()}
 
 
-def _coarser(
-    scene: Resolved, elements: int, ways: list[str], watch: Watch
-) -> list[tuple[str, Result]]:
+def _coarser(scene: Resolved, elements: int, ways: list[str], watch: Watch) -> list[tuple[str, Result]]:
     """Coarser runs, each with mesh or step doubled relative to the previous run, and which one it is."""
     step, runs = scene.analysis.step, []
     for way in (way for way in COARSER if way in ways):

@@ -18,11 +18,7 @@ from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import refuse_unseen_periods, run_prescribed
-from riserstudy.simulation.refinement_warnings import (
-    missed_accuracy,
-    slow_convergence,
-    sparse_outputs,
-)
+from riserstudy.simulation.refinement_warnings import missed_accuracy, slow_convergence, sparse_outputs
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.rival_modes import warn_of_rivals
 from riserstudy.simulation.run import finish, march, single
@@ -32,12 +28,7 @@ from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Notify, Watch, size
 from riserstudy.simulation.time_stepping import steps_in
-from riserstudy.simulation.tolerance import (
-    add_error_of_outputs,
-    allowed_of,
-    check_error,
-    raise_if_buckling,
-)
+from riserstudy.simulation.tolerance import add_error_of_outputs, allowed_of, check_error, raise_if_buckling
 
 RUNS = 16  # largest number of halvings of mesh or step
 SEGMENTS = 50_000  # largest number of segments
@@ -50,10 +41,7 @@ STEPS_A_PERIOD = 24  # number of the coarsest time steps in a period
 
 
 def run(
-    scene: Resolved,
-    patience: float = math.inf,
-    estimated: bool = True,
-    notify: Notify | None = None,
+    scene: Resolved, patience: float = math.inf, estimated: bool = True, notify: Notify | None = None
 ) -> Result:
     """Simulate a scene.
 
@@ -204,9 +192,7 @@ class Refinement:
         if self.spent and not self._unknown:
             error = self.error
             worst = max(self.target, key=lambda name: error[name] / self.target[name])
-            off = (
-                f"error of {worst} {percent(error[worst])}, tolerance {percent(self.target[worst])}"
-            )
+            off = f"error of {worst} {percent(error[worst])}, tolerance {percent(self.target[worst])}"
             on += f"; {off}, about {duration(self._left())} to go"
         self.watch.begin(on)
 
@@ -250,9 +236,7 @@ class Refinement:
             scene, self.thin = thinned(scene, self.step)
         try:
             rest = self._at_rest()
-            return march(
-                scene, self.mesh, self.step, watch=self.watch, rest=rest, extremes=not self.thin
-            )
+            return march(scene, self.mesh, self.step, watch=self.watch, rest=rest, extremes=not self.thin)
         except (PhysicallyUnstable, TakesTooLong):
             raise
         except StepFailed:
@@ -282,9 +266,7 @@ class Refinement:
             before = self.seen.get(self.way)
             chance = floor(finer.facts.get("sampling_error", {}))
             now = enter(self.seen, self.way, difference(self.last, finer), chance)
-            self.helps = before is None or (
-                self._excess(before.change) > FALL * self._excess(now.change)
-            )
+            self.helps = before is None or (self._excess(before.change) > FALL * self._excess(now.change))
         self.last = self.finest = finer
         self.finest_mesh = self.mesh
         known = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}

@@ -55,9 +55,7 @@ def warn_of_rivals(scene: Resolved, facts: RunFacts) -> None:
     try:
         found = rivals(scene)
     except SimulationError as error:  # of the modes; the run itself is complete
-        facts["warnings"].append(
-            f"riser.viv: the check for several competing modes failed: {error}"
-        )
+        facts["warnings"].append(f"riser.viv: the check for several competing modes failed: {error}")
         return
     if len(found) > 1:
         listed = ", ".join(f"{frequency:.3g}" for frequency in found[:3])

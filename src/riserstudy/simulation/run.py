@@ -46,11 +46,7 @@ EXPLICIT_BOUND = 1e12  # sum of squared velocities (m2/s2) that no riser reaches
 
 
 def single(
-    scene: Resolved,
-    mesh: Mesh,
-    step: float | None,
-    everywhere: bool = False,
-    watch: Watch | None = None,
+    scene: Resolved, mesh: Mesh, step: float | None, everywhere: bool = False, watch: Watch | None = None
 ) -> Result:
     """One run with a given mesh and time step (s; None: static), without error estimate.
 
@@ -299,9 +295,7 @@ def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
     move_to(model.programs, model.state, 0.0)
 
 
-def explicitly(
-    model: Model, step: float, limit: float, duration: float, record: Frozen, sums: Sums
-) -> int:
+def explicitly(model: Model, step: float, limit: float, duration: float, record: Frozen, sums: Sums) -> int:
     """March by the explicit method.
 
     Raises SimulationError when the time step (s) exceeds the stability limit.
@@ -315,14 +309,6 @@ def explicitly(
     count = steps_in(duration, step)
     return int(
         leapfrog(
-            model.programs,
-            model.state,
-            model.spare,
-            step,
-            count,
-            EXPLICIT_BOUND,
-            model.fixed,
-            record,
-            sums,
+            model.programs, model.state, model.spare, step, count, EXPLICIT_BOUND, model.fixed, record, sums
         )
     )

@@ -85,10 +85,7 @@ def envelopes_of(record: Record) -> Arrays:
         found["shear_force_absmax"] = np.maximum(abs(most), abs(least))
         found |= {"shear_force_max": most, "shear_force_min": least}
     if len(record.wall):
-        found |= {
-            "von_mises_stress_max": record.largest[-1],
-            "von_mises_stress_min": record.smallest[-1],
-        }
+        found |= {"von_mises_stress_max": record.largest[-1], "von_mises_stress_min": record.smallest[-1]}
     return found
 
 
@@ -115,9 +112,7 @@ def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
     return force
 
 
-def derived(
-    scene: Resolved, mesh: Mesh, arrays: Arrays, bent: FloatArray | None
-) -> tuple[Arrays, Arrays]:
+def derived(scene: Resolved, mesh: Mesh, arrays: Arrays, bent: FloatArray | None) -> tuple[Arrays, Arrays]:
     """Shear, wall stress and lower-end tension: at rest, and over time if all nodes have histories.
 
     ``bent``: components of the moment at rest, (3, n + 1), N m; None in a plane.

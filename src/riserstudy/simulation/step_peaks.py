@@ -97,11 +97,7 @@ def _vertex(times: FloatArray, values: FloatArray, sign: float) -> tuple[float, 
 
 
 def _by_the_other_side(
-    times: FloatArray,
-    values: FloatArray,
-    place: NDArray[np.int64],
-    away: FloatArray,
-    least: FloatArray,
+    times: FloatArray, values: FloatArray, place: NDArray[np.int64], away: FloatArray, least: FloatArray
 ) -> FloatArray:
     """Largest value allowed at the vertices: of the parabola through a vertex's two steps and the next one.
 

@@ -67,9 +67,7 @@ def march_on(
         forget(record)
         length, graded = (stop - begin) / count, GRADED if sudden else 0
         method, stepped = method_of(scene, mesh, length, count, graded)
-        outcome = stepped(
-            model.programs, model.state, model.spare, method, model.fixed, record, sums
-        )
+        outcome = stepped(model.programs, model.state, model.spare, method, model.fixed, record, sums)
         if outcome != DONE:
             break
         move_to(model.programs, model.state, stop)  # outputs between steps have moved its effects

@@ -38,9 +38,7 @@ class Statistics(NamedTuple):
         """The statistics at other places, (k,), m, by cubic interpolation."""
         from scipy.interpolate import CubicSpline
 
-        if len(places) == len(self.s) and np.allclose(
-            places, self.s, rtol=0.0, atol=1e-9 * self.s[-1]
-        ):
+        if len(places) == len(self.s) and np.allclose(places, self.s, rtol=0.0, atol=1e-9 * self.s[-1]):
             return self
         names = ("square", "means", "moment_square", "tension", "tension_square")
         moved = {

@@ -83,9 +83,7 @@ def four_stresses(
     return np.stack(stresses)
 
 
-def lame(
-    wall: Wall, inside: FloatArray, outside: FloatArray, radius: float
-) -> tuple[FloatArray, FloatArray]:
+def lame(wall: Wall, inside: FloatArray, outside: FloatArray, radius: float) -> tuple[FloatArray, FloatArray]:
     """Hoop and radial stress (Pa) at a radius (m), in the shape of the pressures (Pa)."""
     inner, outer = wall.inner**2, wall.outer**2
     even = (inside * inner - outside * outer) / (outer - inner)

@@ -151,13 +151,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
             evaluate_and_note(p, so, record)
             widen(record, 0)
             remember(record)
-        enter(
-            sums,
-            0.5 * h * (power0 + power1),
-            0.5 * h * (given + given0),
-            0.5 * h * (lost + lost0),
-            0.0,
-        )
+        enter(sums, 0.5 * h * (power0 + power1), 0.5 * h * (given + given0), 0.5 * h * (lost + lost0), 0.0)
         power0, lost0, given0 = power1, lost, given
     s.clock[0] = start + steps * h
     halfway(s, h, s.v)

@@ -105,9 +105,7 @@ def frequencies(beam: Beam, count: int) -> tuple[Array, Array]:
     dense = [_dense(band)[np.ix_(free, free)] for band in (mesh.stiffness_band, mesh.mass_band)]
     square, vectors = eigh(*dense, subset_by_index=(0, count - 1))
     if not square[0] > 0.0:
-        raise HermiteError(
-            f"lowest eigenvalue {square[0]:.3g} 1/s2 is not positive: the beam is unstable"
-        )
+        raise HermiteError(f"lowest eigenvalue {square[0]:.3g} 1/s2 is not positive: the beam is unstable")
     modes = np.zeros((count, 2 * len(beam.s)))
     modes[:, free] = vectors.T
     modes = modes[:, ::2]
@@ -211,9 +209,7 @@ def _mesh(beam: Beam) -> Mesh:
         return np.asarray(np.einsum("eg,egi,egj->eij", strength * weight, shape, shape))
 
     mass = integral((beam.mass + beam.added_mass)[:, None], value)
-    stiffness = integral(_linear(beam.bending_stiffness), curve) + integral(
-        _linear(beam.tension), slope
-    )
+    stiffness = integral(_linear(beam.bending_stiffness), curve) + integral(_linear(beam.tension), slope)
     loads = np.einsum("eg,egi->ei", _linear(beam.load) * weight, value)
     force, mass_band, stiffness_band = _add(loads), _band(mass), _band(stiffness)
     for end, dof in ((beam.bottom, 0), (beam.top, 2 * n)):
@@ -263,9 +259,7 @@ def _sea(beam: Beam, mesh: Mesh) -> Sea:
     s = beam.s[:-1, None] + np.diff(beam.s)[:, None] * POINT
     current = np.zeros(s.shape) if beam.current is None else np.zeros(s.shape) + beam.current(s)
     none = np.zeros(0)
-    waves = beam.waves or Waves(
-        lambda s: (np.zeros((0, *s.shape)),) * 2, np.zeros(len(s)), none, none, none
-    )
+    waves = beam.waves or Waves(lambda s: (np.zeros((0, *s.shape)),) * 2, np.zeros(len(s)), none, none, none)
     sea = Sea(
         current, *waves.flow(s), waves.inertia[:, None] * WEIGHT * np.diff(beam.s)[:, None],
         waves.frequency, waves.number, waves.phase, waves.ramp,

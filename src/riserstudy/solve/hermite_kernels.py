@@ -121,12 +121,7 @@ def factorise(band: Array) -> int:
     # amounts to subtract from the following rows
     own = own_1 = own_2 = next_0 = next_1 = third = 0.0
     for i in range(band.shape[0]):
-        pivot, one, two, three = (
-            band[i, 0] - own,
-            band[i, 1] - own_1,
-            band[i, 2] - own_2,
-            band[i, 3],
-        )
+        pivot, one, two, three = (band[i, 0] - own, band[i, 1] - own_1, band[i, 2] - own_2, band[i, 3])
         if not pivot > 0.0:
             return i
         inverse = 1.0 / pivot
@@ -170,14 +165,7 @@ def multiply(band: Array, x: Array, out: Array) -> None:
 
 @inner
 def add_water(
-    out: Array,
-    band: Array,
-    mesh: Mesh,
-    water: Array,
-    push: Array,
-    v: Array,
-    lag: Array,
-    factor: float,
+    out: Array, band: Array, mesh: Mesh, water: Array, push: Array, v: Array, lag: Array, factor: float
 ) -> None:
     """Add inertia force and drag c |U - lag| (U - v) to out (N); add ``factor`` c |U - lag| to the band.
 

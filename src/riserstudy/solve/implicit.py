@@ -136,9 +136,7 @@ def march(p, s, so, method, fixed, record, sums):
         numerical = kinetic0 - kinetic1
         for c in range(d):
             for i in range(n + 1):
-                follower[c, i] += ((1.0 - af) * s.a[c, i] + af * a0[c, i] - follower[c, i]) / (
-                    1.0 - am
-                )
+                follower[c, i] += ((1.0 - af) * s.a[c, i] + af * a0[c, i] - follower[c, i]) / (1.0 - am)
                 numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
             # the top without its first-order motion
             follower[c, top] -= ((1.0 - af) * s.carried[2, c] + af * carried0[2, c]) / (1.0 - am)
@@ -146,13 +144,7 @@ def march(p, s, so, method, fixed, record, sums):
             numerical += 0.5 * (s.carried[3, c] + carried0[3, c]) * way
         lost, given = s.flow[DISSIPATED], s.flow[SUPPLIED]
         half = 0.5 * h
-        enter(
-            sums,
-            half * (held + held0),
-            half * (given + given0),
-            half * (lost + lost0),
-            numerical,
-        )
+        enter(sums, half * (held + held0), half * (given + given0), half * (lost + lost0), numerical)
         kinetic0, held0, lost0, given0 = kinetic1, held, lost, given
         note_step(p, s, so, before, t, h, record)
         advance(s, pace, method, begin)

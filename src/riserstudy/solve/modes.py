@@ -66,9 +66,7 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
     free = np.ones((nodes, m + d), bool)
     free[tuple(fixed.T)] = False
     carried, moved = free[:, :m].ravel(), free[:, m:].ravel()
-    stiff, damping, mass = (
-        (0.5 * (a + a.T)).tocsr()[moved][:, moved] for a in (stiff, damping, mass)
-    )
+    stiff, damping, mass = ((0.5 * (a + a.T)).tocsr()[moved][:, moved] for a in (stiff, damping, mass))
     turn, flexibility = turn[carried][:, moved], flexibility[carried][:, carried].tocsc()
     return Linear(stiff, turn, flexibility, damping, mass, np.argwhere(free[:, m:]))
 

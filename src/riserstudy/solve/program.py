@@ -208,9 +208,7 @@ def entry(function, record, state) -> int:
         function.compile((record, state))
         code = function.overloads[record, state]
         if code.signature.return_type != types.float64:
-            raise TypeError(
-                f"{function.__name__} returns {code.signature.return_type}, not a float"
-            )
+            raise TypeError(f"{function.__name__} returns {code.signature.return_type}, not a float")
         _entries[key] = code.library.get_pointer_to_function(code.fndesc.llvm_func_name)
     return _entries[key]
 

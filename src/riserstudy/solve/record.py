@@ -25,9 +25,7 @@ class Record(NamedTuple):
     middle: np.ndarray
     # (2, n, 4) the same for shear at a segment's lower and upper end (1/m), or empty
     shear: np.ndarray
-    wall: (
-        np.ndarray
-    )  # (w, 6) radii outer, inner (m), area (m2), second moment (m4), two shares: `Section`
+    wall: np.ndarray  # (w, 6) radii outer, inner (m), area (m2), second moment (m4), two shares: `Section`
     wall_at: np.ndarray  # (w, 2) node, column of the contents or -1
     column: np.ndarray  # (c, 2) contents from the top down: weight (N/m3), level above (m) or NaN
     column_at: np.ndarray  # (c, 2) nodes of their upper and lower ends
@@ -60,9 +58,7 @@ class Section(NamedTuple):
     """Inputs for shear force and stress of the wall, as in `Record`."""
 
     shear: np.ndarray  # (2, n, 4) weights of moments (1/m)
-    wall: (
-        np.ndarray
-    )  # (w, 6) radii (m), area (m2), second moment (m4), its shares of tension and moment
+    wall: np.ndarray  # (w, 6) radii (m), area (m2), second moment (m4), its shares of tension and moment
     wall_at: np.ndarray  # (w, 2) node, column
     column: np.ndarray  # (c, 2) weight (N/m3), level (m)
     column_at: np.ndarray  # (c, 2) nodes

@@ -88,9 +88,7 @@ def divide(like, row):
 def back(right, upper, after):
     """Solution of a divided row, given the solution of the next row."""
     size = len(right)
-    return tuple(
-        right[p] - sum(upper[p * size + q] * after[q] for q in range(size)) for p in range(size)
-    )
+    return tuple(right[p] - sum(upper[p * size + q] * after[q] for q in range(size)) for p in range(size))
 
 
 @unrolled

@@ -191,9 +191,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             _foresee(s.carried, carried, weights, i, h, ahead)
             _known(s, internal0, rates, weights, i, h)
             move(p, s, t + reached[i] * h)
-            if not correct(
-                p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums
-            ):
+            if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums):
                 failed = True
                 break
             copy(v[i], s.v)

@@ -119,9 +119,7 @@ class State(NamedTuple):
     loads: np.ndarray  # (its parts,) force, segment, turn, pull, k_pull
     seas: np.ndarray  # (its parts,) level, water, shear, water_rate
     lumps: np.ndarray  # (its parts,) lump
-    slopes: (
-        np.ndarray
-    )  # (its parts,) k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up
+    slopes: np.ndarray  # (its parts,) k_segment, k_node, k_up, k_low, by_low, by_up, turn_low, turn_up
 
     flow: np.ndarray  # (2,) power dissipated, power supplied by water and devices (W)
     probe: np.ndarray  # (probes,) scalars that effects report at output times
@@ -137,9 +135,7 @@ def new_state(
     def zeros(*shape):
         return np.zeros(shape)
 
-    loads, (force, segment, turn, pull, k_pull) = _together(
-        (d, nodes), (d, n), (m, nodes), (c,), (c,)
-    )
+    loads, (force, segment, turn, pull, k_pull) = _together((d, nodes), (d, n), (m, nodes), (c,), (c,))
     seas, (level, water, shear, water_rate) = _together((n + 1,), *[(d, n + 1)] * 3)
     lumps, (lump,) = _together((d * d, nodes))
     slopes, (k_node, *joining) = _together(

@@ -128,9 +128,7 @@ def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> i
     move_to(programs, state, s.clock[0])
     shape = s.r.shape[1], len(s.dof)
     return int(
-        _newton(
-            programs, state, fixed, np.zeros(shape), np.zeros((shape[0], shape[1] ** 2)), 0.0, 0.0
-        )[3]
+        _newton(programs, state, fixed, np.zeros(shape), np.zeros((shape[0], shape[1] ** 2)), 0.0, 0.0)[3]
     )
 
 
@@ -167,9 +165,7 @@ def _iterate(programs, state, fixed, tolerance, cautious) -> Equilibrium:
     limit = 0.1 * s.l0.sum()
     pseudo, first, before = 0.0, 0.0, np.inf
     for iteration in range(MOST_ITERATIONS):
-        residual, node, correction, negative = _newton(
-            programs, state, fixed, out, work, pseudo, limit
-        )
+        residual, node, correction, negative = _newton(programs, state, fixed, out, work, pseudo, limit)
         if iteration == 0:
             first = max(residual, 1e-300)
             stiff = np.abs(s.k_segment).max() + np.abs(s.k_node).max()

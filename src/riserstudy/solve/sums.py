@@ -16,9 +16,7 @@ class Sums(NamedTuple):
     """Sums over a run."""
 
     work: np.ndarray  # (5,) J: by supports, by water and devices, dissipated, numerical, exchanged
-    count: (
-        np.ndarray
-    )  # (4,) steps, Newton iterations, halved steps, evaluations of explicit stepping
+    count: np.ndarray  # (4,) steps, Newton iterations, halved steps, evaluations of explicit stepping
     failure: np.ndarray  # (3,) time (s), node, size of its last correction (m)
     stop: np.ndarray  # (1,) not 0 to interrupt the march; another thread may set it
 

@@ -28,9 +28,7 @@ def tabulate(s, record, values):
         if s.blend[i] > 0.0:
             values[d, i] = below + s.blend[i] * (above - below)
         else:  # no tension above: the tension of the segment below, continued to its end
-            values[d, i] = below + (below - before) * s.l0[i - 1] / (
-                s.l0[i - 1] + s.l0[max(i - 2, 0)]
-            )
+            values[d, i] = below + (below - before) * s.l0[i - 1] / (s.l0[i - 1] + s.l0[max(i - 2, 0)])
         before, below = below, above
     values[d, 0], values[d, n] = 0.0, 0.0
     for c in range(d):

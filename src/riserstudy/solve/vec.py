@@ -140,11 +140,7 @@ def cross(a, b):
     """Vector product; for two vectors in the plane of x and z, its component along y."""
     if len(a) == 2:
         return (a[1] * b[0] - a[0] * b[1],)
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 @unrolled

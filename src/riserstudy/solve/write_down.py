@@ -161,9 +161,7 @@ def between(p, s, so, before, t, h, record):
         evaluate(p, so, record, record.between)
         forces_of_steps(s, record, time)
         note(p, so, record, record.between)
-        if (
-            record.written[0] == 1
-        ):  # envelopes start with the first output, not with the step after it
+        if record.written[0] == 1:  # envelopes start with the first output, not with the step after it
             first_output(record)
 
 

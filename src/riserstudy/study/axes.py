@@ -69,9 +69,7 @@ class Numbers(Strict):
             raise Misfit("factor", "0 sets every value of the axis to the same", "leave it out")
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
-            raise Misfit(
-                "values", "is empty or repeats a value", "give one or more different values"
-            )
+            raise Misfit("values", "is empty or repeats a value", "give one or more different values")
         if self.preview and not set(self.preview) <= set(numbers):
             raise Misfit("preview", "has a value that is not in values", "give some of the values")
         return self

@@ -13,14 +13,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.chapter_variables import chapter_table
 from riserstudy.dataset.complete import complete
 from riserstudy.dataset.extremes import OVER, as_variables, of_runs
-from riserstudy.dataset.label import (
-    UNLABELLED,
-    coordinates,
-    dimensions,
-    history,
-    quantities,
-    with_details,
-)
+from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities, with_details
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.provenance import provenance_of_study
 from riserstudy.dataset.result import Result
@@ -75,9 +68,7 @@ def results_of(
         absent = _take(study, absent, kept, shared)
         if not absent:
             break
-    notify(
-        f"{study.paper}/{study.name}: {made} points simulated, {len(wanted) - made} from the store"
-    )
+    notify(f"{study.paper}/{study.name}: {made} points simulated, {len(wanted) - made} from the store")
     if absent:
         raise SimulationError(
             f"{study.where}: points were deleted from the store during the run. Run it again"
@@ -85,9 +76,7 @@ def results_of(
     return [kept[point.key] for point in wanted], made
 
 
-def _take(
-    study: Study, points: list[Point], kept: dict[str, Result], shared: dict[Any, Any]
-) -> list[Point]:
+def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: dict[Any, Any]) -> list[Point]:
     """Read the arrays that a study keeps from the store; returns the points that lack some of them.
 
     Equal values of many points are kept in memory once, by ``shared``.
@@ -136,9 +125,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     keep = study.model.keep
     point_statistics = statistics(results, keep)
     places, runs = by_layout(_on_common_nodes(results), keep)
-    flat = xr.concat(
-        runs, "point", join="outer", combine_attrs="drop", coords="minimal", compat="override"
-    )
+    flat = xr.concat(runs, "point", join="outer", combine_attrs="drop", coords="minimal", compat="override")
     order = np.argsort([k for of in places for k in of])
     # without variables, there is no dimension `point`
     flat = flat.isel(point=order, missing_dims="ignore")
@@ -197,9 +184,7 @@ def _layouts(results: list[Result]) -> list[list[int]]:
 def statistics(results: list[Result], keep: Collection[str] | None) -> dict[str, Any]:
     """Statistics of the quantities of runs (``keep``: of these) over ``point``, at the nodes of each run."""
     wide = keep and with_envelopes(keep)
-    return as_variables(
-        [(of, of_runs(run)) for of, run in zip(*by_layout(results, wide), strict=True)]
-    )
+    return as_variables([(of, of_runs(run)) for of, run in zip(*by_layout(results, wide), strict=True)])
 
 
 def by_layout(

@@ -48,8 +48,6 @@ class Config(Strict):
             raise Misfit("papers", "names a paper twice", "name each once")
         if taken := RULES.intersection(self.papers):
             raise Misfit(
-                "papers",
-                f"{taken.pop()!r} is the name of a rule of the workflow",
-                "use another name",
+                "papers", f"{taken.pop()!r} is the name of a rule of the workflow", "use another name"
             )
         return self

@@ -42,9 +42,7 @@ def _turns(study: Study, seed: int) -> Iterator[Index]:
     lengths = [len(study.axes[name]) for name in numbers]
     boxes = [*product(*({0, n - 1} for n in lengths)), tuple(n // 2 for n in lengths)]
     joint = _shuffled(list(dict.fromkeys(boxes)), draw)
-    rest = {
-        name: _shuffled(_marks(study, name), draw) for name in study.axes if name not in numbers
-    }
+    rest = {name: _shuffled(_marks(study, name), draw) for name in study.axes if name not in numbers}
     while True:
         place = dict(zip(numbers, next(joint), strict=True))
         place |= {name: next(turn) for name, turn in rest.items()}

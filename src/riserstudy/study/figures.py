@@ -49,9 +49,7 @@ class FigureModel(Strict):
         if self.of and not self.plot:
             raise Misfit("of", "has an effect only with plot", "add plot, or leave it out")
         if self.of and self.plot == "utilisation":
-            raise Misfit(
-                "of", "not with this plot, which shows all limits of the study", "leave it out"
-            )
+            raise Misfit("of", "not with this plot, which shows all limits of the study", "leave it out")
         if self.of and self.plot in OF_SEAS:
             raise Misfit("of", f"not with {self.plot!r}, which shows all modes", "leave it out")
         if self.settings and self.plot:

@@ -98,9 +98,7 @@ def write_study(
             for part in parts:
                 part.path.unlink(missing_ok=True)
         before = 0
-        notify(
-            f"{study.paper}/{study.name}: points have different meshes and are joined in one step"
-        )
+        notify(f"{study.paper}/{study.name}: points have different meshes and are joined in one step")
     write_dataset(made(study, tuned)[0], target)
 
 

@@ -10,14 +10,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from riserstudy.dataset.variables import (
-    DIMENSIONS,
-    OF_MODES,
-    OF_RUNS,
-    about_points,
-    of_points,
-    of_runs,
-)
+from riserstudy.dataset.variables import DIMENSIONS, OF_MODES, OF_RUNS, about_points, of_points, of_runs
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, read_scene
@@ -121,21 +114,15 @@ class StudyModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if PureWindowsPath(self.scene).anchor or ".." in PureWindowsPath(self.scene).parts:
-            raise Misfit(
-                "scene", "lies in another folder", "must lie below the folder of the configuration"
-            )
+            raise Misfit("scene", "lies in another folder", "must lie below the folder of the configuration")
         if "\\" in self.scene:
-            raise Misfit(
-                "scene", "has a backslash", "allowed is / between folders, on every system"
-            )
+            raise Misfit("scene", "has a backslash", "allowed is / between folders, on every system")
         for name in self.keep or []:
             if not of_runs(name):
                 allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
                 raise Misfit("keep", f"runs return no {name!r}", allowed)
         if self.settings and self.tuned:
-            raise Misfit(
-                "settings", "also tuned in the file", "allowed is one of settings and tuned"
-            )
+            raise Misfit("settings", "also tuned in the file", "allowed is one of settings and tuned")
         self._only_coarser()
         if self.limits and "limits" in self.set:
             raise Misfit("limits", "are also in set", "give only one of the two")
@@ -177,9 +164,7 @@ class StudyModel(Strict):
                 before |= dict.fromkeys(axis.paths, f"axis {name!r} has its numbers")
                 continue
             labels = axis.items() if isinstance(axis, dict) else ()
-            put = [
-                (label, path) for label, sets in labels for path in sets if sets[path] is not None
-            ]
+            put = [(label, path) for label, sets in labels for path in sets if sets[path] is not None]
             for label, path in put:
                 for own, there in before.items():
                     if own == path or own.startswith((f"{path}.", f"{path}[")):
@@ -269,9 +254,7 @@ class StudyFile(Strict):
 
     def _unknown_names(self) -> Iterator[Misfit]:
         """Faults of names that the file does not define."""
-        every: dict[str, StudyModel | SeasModel] = {
-            f"studies.{n}": m for n, m in self.studies.items()
-        }
+        every: dict[str, StudyModel | SeasModel] = {f"studies.{n}": m for n, m in self.studies.items()}
         every |= {f"seas.{n}": m for n, m in self.seas.items()}
         for name, model in every.items():
             for axis_name, axis in model.axes.items():
@@ -290,9 +273,7 @@ class StudyFile(Strict):
         known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):
-                yield Misfit(
-                    f"derived.{name}", f"no study or derived dataset {source!r}", _among(known)
-                )
+                yield Misfit(f"derived.{name}", f"no study or derived dataset {source!r}", _among(known))
         try:
             [*TopologicalSorter({n: d.reads for n, d in self.derived.items()}).static_order()]
         except CycleError as error:
@@ -300,18 +281,14 @@ class StudyFile(Strict):
             yield Misfit("derived", ring, "allowed are datasets that are made before")
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
-                yield Misfit(
-                    f"figures.{name}.reads", f"no dataset {dataset!r}", _among(self.datasets)
-                )
+                yield Misfit(f"figures.{name}.reads", f"no dataset {dataset!r}", _among(self.datasets))
             if figure.plot and (figure.plot in OF_SEAS) != (figure.reads[0] in self.seas):
                 plots = OF_SEAS if figure.reads[0] in self.seas else set(NEEDS) - OF_SEAS
                 found = f"{figure.plot!r} does not fit {figure.reads[0]!r}"
                 yield Misfit(f"figures.{name}.plot", found, _among(plots))
             for quantity in figure.of or [] if set(figure.reads) <= set(self.studies) else []:
                 if not (of_runs(quantity) or of_points(quantity)):
-                    yield Misfit(
-                        f"figures.{name}.of", f"studies have no {quantity!r}", _among(OF_RUNS)
-                    )
+                    yield Misfit(f"figures.{name}.of", f"studies have no {quantity!r}", _among(OF_RUNS))
             for study in set(figure.reads).intersection(self.studies):
                 count, least = len(self.studies[study].axes), NEEDS.get(figure.plot or "lines", 0)
                 if figure.plot and count < least:

@@ -98,9 +98,7 @@ def add_modes(dataset: xr.Dataset, study: Study) -> None:
     dataset.coords["s_relative"] = ("s_relative", along, attributes("s_relative"))
 
 
-def variables_of(
-    stored: list[dict[str, NDArray[Any]] | None], count: int
-) -> dict[str, NDArray[Any]]:
+def variables_of(stored: list[dict[str, NDArray[Any]] | None], count: int) -> dict[str, NDArray[Any]]:
     """Arrays of n points, (n, count), and for shapes (n, count, STATIONS); None: a point without modes."""
     import numpy as np
 
@@ -109,9 +107,7 @@ def variables_of(
     for name in names:
         inner = (count, STATIONS) if name in SHAPES else (count,)
         text = name == "mode_motion"
-        found[name] = np.full(
-            (len(stored), *inner), "" if text else np.nan, object if text else float
-        )
+        found[name] = np.full((len(stored), *inner), "" if text else np.nan, object if text else float)
         for k, arrays in enumerate(stored):
             if arrays is not None and name in arrays:
                 found[name][k, : len(arrays[name])] = arrays[name]

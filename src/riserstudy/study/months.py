@@ -32,6 +32,5 @@ def uneven_months(time: NDArray[np.datetime64]) -> str:
         return ""
     return (
         "the record covers the months unevenly, and its results are not those of a whole year; hours "
-        "compared with an even share: "
-        + ", ".join(f"{MONTHS[k]} {of:.0%}" for k, of in enumerate(even))
+        "compared with an even share: " + ", ".join(f"{MONTHS[k]} {of:.0%}" for k, of in enumerate(even))
     )

@@ -77,11 +77,7 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
     stem = next((quantity.removesuffix(e) for e in ENDINGS if quantity.endswith(e)), quantity)
     over_grid = plot in ("lines", "heat map")
     if of_points(quantity):
-        return (
-            None
-            if over_grid
-            else Reason(f"is a single number per point, which {_a(plot)} does not show")
-        )
+        return None if over_grid else Reason(f"is a single number per point, which {_a(plot)} does not show")
     if plot == "envelope" and stem not in ALONG:
         return Reason("has no values along the riser", f"allowed are {', '.join(ALONG)}")
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
@@ -92,11 +88,7 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
         return Reason("has no magnitude along the riser, since its sign has a meaning")
     if not _is_kept(plot, quantity, stem, study):
         kept = study.model.keep
-        has = (
-            f"keep of {study.name!r} has {', '.join(kept)}"
-            if kept
-            else "at rest it has no extremes"
-        )
+        has = f"keep of {study.name!r} has {', '.join(kept)}" if kept else "at rest it has no extremes"
         return Reason("is not kept", has)
     return _reason_not_returned(plot, stem, study)
 

@@ -81,9 +81,7 @@ def read_study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | 
     return Study(paper, name, file.studies[name], config, tier, accuracy, file.readings)
 
 
-def default_figures(
-    studies: dict[str, StudyModel], moving: dict[str, bool]
-) -> dict[str, FigureModel]:
+def default_figures(studies: dict[str, StudyModel], moving: dict[str, bool]) -> dict[str, FigureModel]:
     """Figures of a study file without ``figures``: every plot that fits each of its grids.
 
     ``moving``: function that states whether a study's runs are dynamic.

@@ -20,9 +20,7 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
     assumption to vary, or the ends of a range have different units.
     """
     if not assumptions:
-        raise InputError(
-            "study", "axes", "samples of a scene without open assumptions", "remove it"
-        )
+        raise InputError("study", "axes", "samples of a scene without open assumptions", "remove it")
     return [
         {
             path: value_at(path, origin, x)

@@ -35,10 +35,7 @@ def _measured_rule(paper: str, definitions: dict[str, Any]) -> dict[str, Any]:
     definitions |= {f"{paper}.{name}": model for name, model in made["$defs"].items()}
     fields = {name: references[model, "validation"] for name, model in models.items()}
     measured = {"properties": fields, "additionalProperties": False}
-    return {
-        "if": {"properties": {"paper": {"const": paper}}},
-        "then": {"properties": {"measured": measured}},
-    }
+    return {"if": {"properties": {"paper": {"const": paper}}}, "then": {"properties": {"measured": measured}}}
 
 
 def config_schema() -> dict[str, Any]:
@@ -58,6 +55,5 @@ def schemas(papers: Iterable[str] = ()) -> dict[str, Callable[[], dict[str, Any]
 def schema_files(papers: Iterable[str] = ()) -> dict[str, str]:
     """Content of each schema, by the name of its file; ``papers`` as in `schemas`."""
     return {
-        f"{kind}.schema.json": json.dumps(make(), indent=2) + "\n"
-        for kind, make in schemas(papers).items()
+        f"{kind}.schema.json": json.dumps(make(), indent=2) + "\n" for kind, make in schemas(papers).items()
     }

@@ -11,12 +11,7 @@ from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.units import to_si
 from riserstudy.study.axes import Axis, AxisName
-from riserstudy.study.persistence import (
-    LEAST_PERSISTENCE,
-    MOST_AHEAD,
-    MOST_PERSISTENCE,
-    PERSISTENCE,
-)
+from riserstudy.study.persistence import LEAST_PERSISTENCE, MOST_AHEAD, MOST_PERSISTENCE, PERSISTENCE
 
 HEADING = "heading"  # the axis of headings, to which directions of a record are converted
 
@@ -80,9 +75,7 @@ class SeasModel(Strict):
             path = PureWindowsPath(self.record)
             if path.anchor or ".." in path.parts:
                 raise Misfit(
-                    "record",
-                    "lies in another folder",
-                    "must lie below the folder of the configuration",
+                    "record", "lies in another folder", "must lie below the folder of the configuration"
                 )
         for text in self.windows:
             to_si(text, "s")

@@ -89,9 +89,7 @@ class SeasStudy:
             file = self.parts.grid.file(point.index)
             phases_of(file, 1)  # refuses a scene without a sea, or a static scene
             if not file.resolved().limits:
-                raise InputError(
-                    self.settings.where, "limits", "none", "give the limits of the riser"
-                )
+                raise InputError(self.settings.where, "limits", "none", "give the limits of the riser")
 
     @cached_property
     def digest(self) -> str:

@@ -60,11 +60,7 @@ def tuned_for(study: Study, notify: Notify) -> Settings:
     """Tuned settings for a study; no setting if runs with the tolerance are cheaper, or none suffices."""
     count, seed = study.tuned_at
     try:
-        found = (
-            quick_tune(study, seed, notify)
-            if count == 1
-            else tune(study, None, count, seed, notify)
-        )
+        found = quick_tune(study, seed, notify) if count == 1 else tune(study, None, count, seed, notify)
     except SimulationError as error:
         accuracy = study.base.tree["analysis"].get("accuracy") or ""
         return Settings(None, str(error), accuracy, count, 0, seed, None, None)

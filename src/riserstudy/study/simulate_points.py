@@ -43,9 +43,7 @@ def lacks(study: Study, point: Point, stored: Result | None) -> bool:
 
 
 def _lacks_run(study: Study, point: Point, stored: Result | None) -> bool:
-    return stored is None or (
-        has_error_estimate(study, point) and "error_estimate" not in stored.facts
-    )
+    return stored is None or (has_error_estimate(study, point) and "error_estimate" not in stored.facts)
 
 
 #: function that receives the number of completed points, and the total number

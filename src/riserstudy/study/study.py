@@ -64,9 +64,7 @@ class Study:
             file = file.with_values(self.model.preview, f"{self.where}.preview")
         analysis = file.tree.get("analysis", {})
         if self.accuracy and not ({"mesh", "step", "accuracy"} & set(analysis)):
-            file = file.with_values(
-                {"analysis.accuracy": self.accuracy}, "config/config.yaml: tiers"
-            )
+            file = file.with_values({"analysis.accuracy": self.accuracy}, "config/config.yaml: tiers")
         return file
 
     @property
@@ -138,9 +136,7 @@ class Study:
         """The scenes of all points. Raises InputError when there are too many."""
         axes = self._sets
         if (points := math.prod(map(len, axes))) > MOST_VALUES:
-            raise InputError(
-                self.where, "axes", f"{points} points", f"allowed are at most {MOST_VALUES}"
-            )
+            raise InputError(self.where, "axes", f"{points} points", f"allowed are at most {MOST_VALUES}")
         return Grid(self.base, axes, self.where)
 
     @cached_property

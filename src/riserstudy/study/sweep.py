@@ -132,9 +132,7 @@ def sweep(
     return _dataset(study, points, failures).assign_attrs(title=f"{of}: sweep of {', '.join(axes)}")
 
 
-def _check_failures(
-    study: Study, points: list[Point], failures: Mapping[str, object], on_error: str
-) -> None:
+def _check_failures(study: Study, points: list[Point], failures: Mapping[str, object], on_error: str) -> None:
     """Raise an error for points that cannot be completed, if it was requested or none can be."""
     if failures and (on_error == "raise" or len(failures) == len({p.key for p in points})):
         raise SimulationError(_in_words(study, points, failures))
@@ -148,9 +146,7 @@ def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) 
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
-        raise SimulationError(
-            "sweep: points were deleted from the store during the run. Run it again"
-        )
+        raise SimulationError("sweep: points were deleted from the store during the run. Run it again")
     empty = _without_numbers(next(iter(results.values())))
     dataset = dataset_of(study, [results.get(p.key) or empty for p in points])
     reasons = [str(failures.get(p.key, "")) for p in points]
@@ -164,16 +160,11 @@ def _in_words(study: Study, points: list[Point], failures: Mapping[str, object])
     """The number of points that cannot be completed, and the reason for the first, in words."""
     point = next(p for p in points if p.key in failures)
     many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
-    return (
-        f"sweep: {many} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
-    )
+    return f"sweep: {many} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
 
 
 def as_study(
-    file: SceneFile,
-    axes: Mapping[str, Values | Labelled],
-    keep: list[str] | None,
-    modes: int | None = None,
+    file: SceneFile, axes: Mapping[str, Values | Labelled], keep: list[str] | None, modes: int | None = None
 ) -> Sweep:
     """A grid over a scene as a study; axes as in `sweep`. Raises InputError when an axis is invalid."""
     if not axes:
@@ -223,9 +214,7 @@ def _in_one_unit(path: str, quantities: list[tuple[float, str]]) -> list[float]:
     """Numbers of quantities, converted to the unit of the first."""
     unit = quantities[0][1]
     try:
-        return [
-            x if own == unit else float(f"{x * factor(own, unit):.15g}") for x, own in quantities
-        ]
+        return [x if own == unit else float(f"{x * factor(own, unit):.15g}") for x, own in quantities]
     except ValueError as error:
         units = ", ".join(dict.fromkeys(own for _, own in quantities))
         raise InputError("sweep", f"axes.{path}", f"{units}: {error}", "use one unit") from None

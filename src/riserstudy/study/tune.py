@@ -99,9 +99,7 @@ def check_tunable(study: Study, count: int) -> None:
         raise InputError(where, "axes", found, "request an accuracy, or name fewer with --points")
 
 
-def tune(
-    study: Study, accuracy: str | None, count: int, seed: int, notify: Notify = lambda _: None
-) -> Tuned:
+def tune(study: Study, accuracy: str | None, count: int, seed: int, notify: Notify = lambda _: None) -> Tuned:
     """The cheapest setting that meets a tolerance at a few points, and at other points for the check.
 
     Raises InputError when there is nothing to tune, or the tolerance is invalid. Raises SimulationError when
@@ -204,9 +202,7 @@ class Tuner:
         key = (setting, place.index)
         if key not in self.known:
             try:
-                result = run(
-                    place.file.with_values(setting.values, "tune").resolved(), estimated=False
-                )
+                result = run(place.file.with_values(setting.values, "tune").resolved(), estimated=False)
             except SimulationError:
                 self.known[key] = (math.inf, math.inf)
             else:
@@ -245,9 +241,7 @@ class Tuner:
         for layers in reversed(layers_of(scenes, own)):
             for method in reversed(METHODS):
                 self.notify(f"{method} on {'graded' if layers else 'even'} meshes")
-                every = [
-                    [Setting(n, layers, step, method) for step in steps(scenes)] for n in counts
-                ]
+                every = [[Setting(n, layers, step, method) for step in steps(scenes)] for n in counts]
                 found, work = self._along_border(every, places, least)
                 if work < least:
                     best, least = found, work

@@ -99,12 +99,7 @@ def histories(amplitude, piston, riser, force):
             "z": (("heave_amplitude", "time", "s"), zero + both(riser, 0.0)[..., None]),
             "z_static": (("heave_amplitude", "s_node"), np.full((2, 1), zero)),
         },
-        {
-            "heave_amplitude": [0.0, amplitude],
-            "time": np.arange(len(piston)),
-            "s": [zero],
-            "s_node": [zero],
-        },
+        {"heave_amplitude": [0.0, amplitude], "time": np.arange(len(piston)), "s": [zero], "s_node": [zero]},
     )
 
 
@@ -123,9 +118,7 @@ def test_piston_and_riser_are_told_apart_where_force_is_large():
 def test_the_law_that_keeps_more_tension_is_found():
     def smallest(values):
         tension = xr.DataArray(values, dims=("heave_amplitude", "s_node"))
-        return tension.assign_coords(heave_amplitude=[3.0, 10.0]).to_dataset(
-            name="effective_tension_min"
-        )
+        return tension.assign_coords(heave_amplitude=[3.0, 10.0]).to_dataset(name="effective_tension_min")
 
     gas, line = smallest([[2e6, 3e6], [-1e6, 1e6]]), smallest([[2.5e6, 3e6], [-4e6, 1e6]])
     more = checks.keeps_more_tension(gas, line, [3.0, 10.0], MORE)

@@ -21,8 +21,7 @@ def swept(*indices):
 
     coords = {"tensioner_model": ["gas law", "linear"], "heave_amplitude": [0.02, 0.1]}
     return xr.Dataset(
-        {"z_max": of(up), "z_min": of(-down), "z_static": of(0.0 * up)},
-        coords | {"heave_period": PERIODS},
+        {"z_max": of(up), "z_min": of(-down), "z_static": of(0.0 * up)}, coords | {"heave_period": PERIODS}
     )
 
 

@@ -10,11 +10,7 @@ from chapters.design.figures.recoil import recoil_failures
 from chapters.design.figures.tension import heaviest
 from riserstudy.design.envelopes import envelopes
 
-LIMITS = [
-    "drilling: mean lfj_angle",
-    "drilling: largest joint_stroke",
-    "connected: largest joint_stroke",
-]
+LIMITS = ["drilling: mean lfj_angle", "drilling: largest joint_stroke", "connected: largest joint_stroke"]
 
 
 def offsets(values):
@@ -32,10 +28,7 @@ def offsets(values):
 
 
 NARROW = offsets(
-    [
-        [[-40.0, 40.0], [-60.0, 30.0], [-np.inf, np.inf]],
-        [[10.0, 50.0], [-60.0, 5.0], [-90.0, np.inf]],
-    ]
+    [[[-40.0, 40.0], [-60.0, 30.0], [-np.inf, np.inf]], [[10.0, 50.0], [-60.0, 5.0], [-90.0, np.inf]]]
 )
 
 
@@ -43,10 +36,7 @@ def test_an_envelope_is_what_all_limits_of_its_mode_leave_and_names_what_governs
     found = envelopes(NARROW).squeeze("mud_weight", drop=True)
     drilling = found.sel(operation="drilling", surface_speed=0.0)
     assert drilling["envelope_offset"].values.tolist() == [-40.0, 30.0]
-    assert drilling["governing_limit_name"].values.tolist() == [
-        "mean lfj_angle",
-        "largest joint_stroke",
-    ]
+    assert drilling["governing_limit_name"].values.tolist() == ["mean lfj_angle", "largest joint_stroke"]
     connected = found.sel(operation="connected", surface_speed=1.0)
     assert connected["envelope_offset"].values.tolist() == [-90.0, np.inf]
     assert connected["governing_limit_name"].values.tolist() == ["largest joint_stroke", "none"]
@@ -79,8 +69,7 @@ def test_the_chart_says_on_which_side_offsets_are_without_a_limit():
 
 def test_the_heaviest_mud_is_where_the_gap_closes():
     gap = xr.Dataset(
-        {"setting_gap": ("mud_weight", [1e6, 0.5e6, -0.5e6])},
-        {"mud_weight": [1000.0, 1400.0, 1800.0]},
+        {"setting_gap": ("mud_weight", [1e6, 0.5e6, -0.5e6])}, {"mud_weight": [1000.0, 1400.0, 1800.0]}
     )
     assert heaviest(gap) == pytest.approx(1600.0)
     assert heaviest(gap.isel(mud_weight=[0, 1])) is None

@@ -53,12 +53,7 @@ def test_a_small_clearance_is_no_contact(clearance, text):
 
 def test_a_heave_beyond_one_that_no_setting_survives_does_not_count():
     of = xr.Dataset(
-        {
-            "recoil_verdict": (
-                ("heave_amplitude", "mud_weight", "gas_pressure"),
-                [[[0]], [[1]], [[0]]],
-            )
-        },
+        {"recoil_verdict": (("heave_amplitude", "mud_weight", "gas_pressure"), [[[0]], [[1]], [[0]]])},
         {"heave_amplitude": [0.5, 1.0, 2.0]},
     )
     assert _answer(of) == "Up to 0.5 m of heave a tested setting allows a safe disconnect"
@@ -111,8 +106,7 @@ def test_the_narrowing_by_seas_is_told_for_all_muds():
         },
     )
     added = xr.Dataset(
-        {"ufj_angle_allowance": ("significant_height", [0.01, 0.02])},
-        {"significant_height": [2.0, 6.0]},
+        {"ufj_angle_allowance": ("significant_height", [0.01, 0.02])}, {"significant_height": [2.0, 6.0]}
     )
     figure = operability_in_seas(of, added)
     assert headline(figure).endswith("reduces the drilling window by 10 to 50 %")
@@ -139,10 +133,7 @@ def test_a_limit_has_one_colour_in_all_modes():
                 (*over, "limit", "offset_side"),
                 np.broadcast_to(ends, (2, 1, len(limits), 2)),
             ),
-            "envelope_offset": (
-                (*over, "operation", "offset_side"),
-                np.broadcast_to(ends, (2, 1, 3, 2)),
-            ),
+            "envelope_offset": ((*over, "operation", "offset_side"), np.broadcast_to(ends, (2, 1, 3, 2))),
         },
         {
             "surface_speed": [0.0, 1.0],
@@ -174,10 +165,7 @@ def test_ends_of_ranges_are_written_within_their_panel():
     values = np.array([80.0, 30.0, 90.0, 84.0, 76.0])
     figure = sensitivity(
         xr.Dataset(
-            {
-                "setting_gap": ("varied_input", 1e4 * values),
-                "drilling_room": ("varied_input", values),
-            },
+            {"setting_gap": ("varied_input", 1e4 * values), "drilling_room": ("varied_input", values)},
             {"varied_input": labels},
         )
     )

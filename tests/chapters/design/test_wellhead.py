@@ -13,15 +13,10 @@ def samples(slopes, count=192, seed=0):
     draw = np.random.default_rng(seed)
     ranges = {name: draw.permutation((np.arange(count) + 0.5) / count) for name in ("a", "b", "c")}
     option = draw.integers(0, 3, count)
-    log = (
-        sum(slopes.get(name, 0.0) * x for name, x in ranges.items()) + slopes.get("d", 0.0) * option
-    )
+    log = sum(slopes.get(name, 0.0) * x for name, x in ranges.items()) + slopes.get("d", 0.0) * option
     rates = 10.0 ** log[:, None, None, None] * np.array([0.1, 1.0])
     data = xr.Dataset(
-        {
-            "damage_rate": (("sample", "detail", "wall_angle", "s_node"), rates),
-        },
-        {"sample": np.arange(count)},
+        {"damage_rate": (("sample", "detail", "wall_angle", "s_node"), rates)}, {"sample": np.arange(count)}
     )
     for name, values in ranges.items():
         data[f"assumed_{name}"] = ("sample", values, {"long_name": name})

@@ -8,14 +8,7 @@ import pytest
 import xarray as xr
 
 from chapters.fem_riser import claims as checks
-from chapters.fem_riser.along import (
-    amplitude_at,
-    angles,
-    drift_rate,
-    place,
-    stress_factor,
-    without_drift,
-)
+from chapters.fem_riser.along import amplitude_at, angles, drift_rate, place, stress_factor, without_drift
 from riserstudy.grading.words_file import read_words
 from riserstudy.model.sea import current_table, profile
 from riserstudy.scene.load import read_scene
@@ -33,10 +26,7 @@ def base(request):
     return read_scene(request.config.rootpath / BASE)
 
 
-@pytest.mark.parametrize(
-    "reading, left, held",
-    [("R1", 0.3, 0.3), ("R2", 0.7, 0.7), ("R3", 0.7, 1.0)],
-)
+@pytest.mark.parametrize("reading, left, held", [("R1", 0.3, 0.3), ("R2", 0.7, 0.7), ("R3", 0.7, 1.0)])
 def test_a_buoyant_factor_gives_weight_and_tension_in_each_reading(base, reading, left, held):
     scene = base.with_values({"buoyancy.reading": reading}, "test").resolved()
     outer, inner = 0.25 * np.pi * 0.5334**2, 0.25 * np.pi * 0.4826**2
@@ -92,9 +82,7 @@ def test_every_assumed_number_that_is_drawn_on_has_a_range_or_says_where_it_is_v
 
 def test_an_amplitude_is_found_beside_a_drift_and_on_few_times():
     t = 261.0 + 3.1 * np.arange(13)
-    x = xr.DataArray(
-        40.0 + 0.02 * t + 0.3 * np.sin(2.0 * np.pi * t / 8.0 + 1.0), coords={"time": t}
-    )
+    x = xr.DataArray(40.0 + 0.02 * t + 0.3 * np.sin(2.0 * np.pi * t / 8.0 + 1.0), coords={"time": t})
     assert float(amplitude_at(x, 8.0)) == pytest.approx(0.3, rel=1e-9)
 
 
@@ -124,9 +112,7 @@ def test_stress_follows_the_diameters_of_each_sample(base):
     found = stress_factor(runs)
     assert float(found[0]) == pytest.approx(plain)
     assert float(found[1]) == pytest.approx(32.0 * 0.508 / (np.pi * (0.508**4 - 0.4826**4)))
-    named = xr.Dataset(
-        {"assumed_outer_diameter": ("sample", ["0.508 m", "0.5334 m"])}, attrs=runs.attrs
-    )
+    named = xr.Dataset({"assumed_outer_diameter": ("sample", ["0.508 m", "0.5334 m"])}, attrs=runs.attrs)
     np.testing.assert_allclose(stress_factor(named), found[::-1])
 
 
@@ -148,9 +134,7 @@ def test_settling_is_told_from_the_mean_over_a_wave():
     scale = 40.0
     found = checks.settling_time(motion(lambda t: 10.0 * (1.0 - np.exp(-t / scale))), 0.005)
     assert float(found) == pytest.approx(-scale * np.log(0.005 + np.exp(-296.0 / scale)), abs=2.0)
-    assert bool(
-        checks.periodic_at_last(motion(lambda t: 10.0 * (1.0 - np.exp(-t / 40.0))), 0.005).true
-    )
+    assert bool(checks.periodic_at_last(motion(lambda t: 10.0 * (1.0 - np.exp(-t / 40.0))), 0.005).true)
     assert not bool(checks.periodic_at_last(motion(lambda t: t), 0.005).true)
 
 
@@ -166,9 +150,7 @@ def test_reciprocating_is_a_swing_back_of_the_mean():
 
 
 def test_fast_is_told_from_rates():
-    found = checks.fast_at_first(
-        motion(lambda t: np.where(t < 16, t, 16.0 + 0.1 * (t - 16.0))), 2.0
-    )
+    found = checks.fast_at_first(motion(lambda t: np.where(t < 16, t, 16.0 + 0.1 * (t - 16.0))), 2.0)
     assert float(found.value) == pytest.approx(10.0, rel=0.01)
 
 

@@ -30,14 +30,9 @@ def circles(radii):
     radius = np.array(radii, float)
     dims = ("scenario", "eds_time", "environment_heading")
     outcome = np.where(radius > 0.0, 1 - TOO_LATE if TOO_LATE in (0, 1) else 0, TOO_LATE)
-    coords = {
-        "scenario": ["drive-off"],
-        "eds_time": [15.0, 30.0],
-        "environment_heading": [0.0, 180.0],
-    }
+    coords = {"scenario": ["drive-off"], "eds_time": [15.0, 30.0], "environment_heading": [0.0, 180.0]}
     return xr.Dataset(
-        {"red_circle_radius": (dims, radius[None]), "red_circle_outcome": (dims, outcome[None])},
-        coords,
+        {"red_circle_radius": (dims, radius[None]), "red_circle_outcome": (dims, outcome[None])}, coords
     )
 
 

@@ -18,9 +18,7 @@ def history(values):
 def runs(**slopes):
     """A platform that moves 2 m a second; shares of limits that grow by so much a second."""
     made = {limit.variable: history(0.0 * TIME) for limit in LIMITS.values()}
-    made |= {
-        LIMITS[name].variable: LIMITS[name].most * history(k * TIME) for name, k in slopes.items()
-    }
+    made |= {LIMITS[name].variable: LIMITS[name].most * history(k * TIME) for name, k in slopes.items()}
     return xr.Dataset(made | {"platform_offset": history(2.0 * TIME)})
 
 

@@ -84,9 +84,7 @@ def test_every_case_drives_off_towards_its_own_positive_x():
 def test_the_riser_pulls_back_with_the_part_of_its_tension_along_x():
     """With the platform ahead the angle is positive, and the force -T sin(angle) against the drive-off."""
     found = made().sel(case=list(WITH))
-    np.testing.assert_allclose(
-        found["riser_force_x"], -TENSION * np.sin(found["ufj_angle"]), rtol=1e-12
-    )
+    np.testing.assert_allclose(found["riser_force_x"], -TENSION * np.sin(found["ufj_angle"]), rtol=1e-12)
     assert (found["riser_force_x"].isel(time=-1) < -0.1 * TENSION).all()
     shear = abs(found["riser_force_x"] - found["riser_reaction_x"]).max()
     assert float(shear) < 0.03 * TENSION
@@ -138,9 +136,7 @@ def test_weight_and_length_go_with_the_mass_that_is_sampled(reading, section):
     for sets in FILE.readings[reading].values():
         scene = read_scene(REF).with_values(sets, "test").resolved()
         part = scene.riser[section]
-        assert part.submerged_weight == pytest.approx(
-            part.mass * 9.81 * (1 - WATER / STEEL), rel=2e-5
-        )
+        assert part.submerged_weight == pytest.approx(part.mass * 9.81 * (1 - WATER / STEEL), rel=2e-5)
         assert scene.top.elevation - scene.riser[1].length == pytest.approx(1327.0)
         if section == 0:
             wall = np.pi / 4 * (part.outer_diameter**2 - part.inner_diameter**2)
@@ -150,9 +146,7 @@ def test_weight_and_length_go_with_the_mass_that_is_sampled(reading, section):
 def test_the_joint_goes_no_further_than_its_printed_limit():
     """At the stop the riser's own stiffness, a tenth of the stop's, takes the rest."""
     sets = {"analysis.mesh.elements": 60, "analysis.step": "0.1 s", "analysis.duration": "90 s"}
-    run_to_stop = simulate(
-        read_scene(REF).with_values(sets, "test").resolved(), estimated=False
-    ).arrays
+    run_to_stop = simulate(read_scene(REF).with_values(sets, "test").resolved(), estimated=False).arrays
     assert 9.9 < run_to_stop["stroke"].max() < 10.0
     assert run_to_stop["effective_tension"][:, -1].max() > 1.2 * TENSION
 

@@ -56,9 +56,7 @@ def test_the_moments_of_a_vertical_force_are_drawn_whole_and_compared(seed):
         for line in ax.get_lines():
             values = line.get_xdata()
             assert low < values.min() <= values.max() < high
-    for left, right, calibration in zip(
-        figure.axes[::2], figure.axes[1::2], [ALL, ONE], strict=True
-    ):
+    for left, right, calibration in zip(figure.axes[::2], figure.axes[1::2], [ALL, ONE], strict=True):
         (text,) = (t.get_text() for t in left.texts if t.get_text())
         ratio = float(ratios.sel(calibration=calibration, surface_speed=1.0))
         assert f"{ratio:.0f} times" in text
@@ -96,14 +94,10 @@ def test_the_title_of_end_stops_compares_runs_without_contact(seed):
     axes = {"stop_stiffness": [1e7, 3e7], "heave_amplitude": amplitudes, "time": [0.0, 1.0]}
     sign = np.array([1.0, -1.0])
     size = 7.5 + amplitudes - contact
-    stroke = xr.DataArray(
-        np.stack([np.outer(size, sign)] * 2)[..., None], {**axes, "cylinder": [0]}
-    )
+    stroke = xr.DataArray(np.stack([np.outer(size, sign)] * 2)[..., None], {**axes, "cylinder": [0]})
     tension = 1e6 * np.stack([np.ones_like(amplitudes), zero - amplitudes], axis=-1)
     tension = xr.DataArray(np.stack([tension] * 2)[..., None], {**axes, "s": [0.0]})
-    figure = heave.heave_limit(
-        xr.Dataset({"tensioner_stroke": stroke, "effective_tension": tension})
-    )
+    figure = heave.heave_limit(xr.Dataset({"tensioner_stroke": stroke, "effective_tension": tension}))
     without = amplitudes[amplitudes < contact]
     title = headline(figure)
     assert f"negative at {zero:.1f} m" in title
@@ -121,9 +115,7 @@ def test_the_title_of_the_currents_is_that_of_their_depths(seed):
     shapes = {name: np.exp(-depth / 100.0) for name in statics.OF_PROFILE}
     shapes |= {f"calibrated: {name}": np.exp(-depth / scale) for name, scale in scales.items()}
     share = xr.DataArray(
-        list(shapes.values()),
-        {"current_profile": list(shapes), "depth": depth},
-        ("current_profile", "depth"),
+        list(shapes.values()), {"current_profile": list(shapes), "depth": depth}, ("current_profile", "depth")
     )
     title = headline(statics.fig09(xr.Dataset({"current_share": share})))
     apart = max(scales.values()) / min(scales.values())
@@ -140,9 +132,7 @@ def test_a_moment_is_said_to_decrease_with_period_where_its_resonances_do(seed):
     heights = draw.uniform(20e3, 100e3, count)
     if seed % 2:
         heights = np.sort(heights)[::-1]
-    curve = 1e3 + sum(
-        h * np.exp(-(((periods - t) / 0.6) ** 2)) for h, t in zip(heights, at, strict=True)
-    )
+    curve = 1e3 + sum(h * np.exp(-(((periods - t) / 0.6) ** 2)) for h, t in zip(heights, at, strict=True))
     roll = xr.DataArray(
         [0.5 * curve, curve],
         {"roll_amplitude": [2.0, 4.0], "roll_period": periods},
@@ -159,9 +149,7 @@ def test_the_moment_of_the_start_is_compared_with_that_of_the_steady_state(ratio
     size = np.where(time < 100.0, ratio, 1.0)
     values = 1e4 * size[:, None] * np.cos(0.6 * time)[:, None] * np.sin(np.pi * s / 533.0)
     run = xr.DataArray(
-        values[None],
-        {"tensioner_model": ["gas law"], "time": time, "s": s},
-        ("tensioner_model", "time", "s"),
+        values[None], {"tensioner_model": ["gas law"], "time": time, "s": s}, ("tensioner_model", "time", "s")
     )
     title = headline(motion.fig19(xr.Dataset({"bending_moment": run}), 32.8))
     assert ("larger" in title) == (ratio > 1.0)
@@ -184,10 +172,7 @@ def test_depths_and_drag_in_names_of_calibrated_currents_are_those_of_the_study(
     study = read_studies(CONFIG, "liu2020").studies["statics_calibrated"]
     base, other = study.set, study.axes["calibration"][ONE]
     scales = {ALL: base["current.profile"]["scale"], ONE: other["current.profile.scale"]}
-    drags = {
-        ALL: base["riser[0].drag.coefficient"],
-        ONE: other["riser[0].drag.coefficient"]["calibrated"],
-    }
+    drags = {ALL: base["riser[0].drag.coefficient"], ONE: other["riser[0].drag.coefficient"]["calibrated"]}
     for name in (ALL, ONE):
         depth, drag = scales[name], drags[name]
         assert statics.CALIBRATED[name].startswith(f"{depth}, drag coefficient {drag},")

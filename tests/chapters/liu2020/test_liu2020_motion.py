@@ -59,18 +59,13 @@ def test_what_is_derived_from_a_sea_has_units_and_names():
         assert values.attrs["units"], name
         assert values.attrs["long_name"], name
     assert found["bending_moment_spectrum"].attrs["units"] == "N2 m2 Hz-1"
-    assert found["x_deviation"].attrs == {
-        "units": "m",
-        "long_name": "standard deviation of lateral position",
-    }
+    assert found["x_deviation"].attrs == {"units": "m", "long_name": "standard deviation of lateral position"}
     # the density over frequency is the variance; Hann's window leaves a little of the mean
     over = found["x_spectrum"].integrate("frequency")
     np.testing.assert_allclose(over, found["x_deviation"] ** 2, rtol=0.02)
 
 
-@pytest.mark.parametrize(
-    "unit, squared", [("m", "m2 Hz-1"), ("m s-2", "m2 s-4 Hz-1"), ("1", "Hz-1")]
-)
+@pytest.mark.parametrize("unit, squared", [("m", "m2 Hz-1"), ("m s-2", "m2 s-4 Hz-1"), ("1", "Hz-1")])
 def test_a_spectral_density_is_the_square_over_hertz(unit, squared):
     assert density(unit) == squared
 
@@ -145,19 +140,13 @@ def test_arrivals_of_a_wave_that_runs_down_are_its_way_over_its_speed():
 
 def test_a_moment_that_falls_over_one_grid_of_periods_may_rise_within_it():
     periods = [5.0, 6.0, 8.0, 10.0, 12.0, 20.0]
-    moment = xr.DataArray(
-        [[9.0, 9.5, 8.0, 6.0, 7.0, 1.0]], {"roll_amplitude": [4.0], "roll_period": periods}
-    )
-    found = claims.falls_with_period(
-        moment.to_dataset(name="largest_bending_moment"), WORD("decreases")
-    )
+    moment = xr.DataArray([[9.0, 9.5, 8.0, 6.0, 7.0, 1.0]], {"roll_amplitude": [4.0], "roll_period": periods})
+    found = claims.falls_with_period(moment.to_dataset(name="largest_bending_moment"), WORD("decreases"))
     shares = dict(zip(found.true["grid"].values, found.true.values, strict=True))
     assert shares == {"5, 10, 20 s": True, "6, 12, 20 s": True, "5, 8, 12, 20 s": True}
     assert float(found.value.sel(grid="5, 8, 12, 20 s")) == pytest.approx(8.0 / 9.0)
     rising = moment.assign_coords(roll_period=periods[::-1]).sortby("roll_period")
-    found = claims.falls_with_period(
-        rising.to_dataset(name="largest_bending_moment"), WORD("decreases")
-    )
+    found = claims.falls_with_period(rising.to_dataset(name="largest_bending_moment"), WORD("decreases"))
     assert not bool(found.true.any())
 
 
@@ -167,9 +156,7 @@ def test_surge_is_largest_by_peak_and_by_mean_share():
             list(stress.values()), {"motion": list(stress), "wave_period": [5.0, 10.0, 20.0]}
         )
         runs = {"stress_amplitude": table, "stress_share": table / table.sum("motion")}
-        return bool(
-            claims.surge_largest(xr.Dataset(runs), WORD("larger"), WORD("non-negligible")).true
-        )
+        return bool(claims.surge_largest(xr.Dataset(runs), WORD("larger"), WORD("non-negligible")).true)
 
     assert judged(surge=[9.0, 2.0, 5.0], heave=[0.0, 1.0, 3.0], pitch=[1.0, 3.0, 1.0])
     assert not judged(surge=[9.0, 2.0, 5.0], heave=[0.0, 1.0, 10.0], pitch=[1.0, 3.0, 1.0])
@@ -191,9 +178,7 @@ def test_what_waves_add_on_the_riser_is_told_over_the_platform_alone():
         },
     )
     told = waves_on_the_riser(stress.to_dataset(name="stress_amplitude"))
-    assert told == pytest.approx(
-        {"least": 0.5, "least_at": 20.0, "most": 3.15, "most_at": 6.0, "above": 5.0}
-    )
+    assert told == pytest.approx({"least": 0.5, "least_at": 20.0, "most": 3.15, "most_at": 6.0, "above": 5.0})
 
 
 def readings(**true):
@@ -227,8 +212,7 @@ def test_which_claim_is_true_under_which_baseline_is_computed():
     models += "riser's top on the platform {} %"
     shares = ((100, 40, 0, 100), (30, 100, 100, 100), (0, 100, 10, 50))
     assert told["shares"] == "; ".join(
-        f"{claim} " + models.format(*share)
-        for claim, share in zip(("Q2", "Q8", "Q9"), shares, strict=True)
+        f"{claim} " + models.format(*share) for claim, share in zip(("Q2", "Q8", "Q9"), shares, strict=True)
     )
     assert told["both"] == "riser's top on the platform"
 
@@ -238,9 +222,7 @@ def test_no_baseline_is_named_where_none_makes_both_true():
     assert told["both"] == "none"
 
 
-@pytest.mark.parametrize(
-    "name", ["heave_open", "rao_open", "roll_open", "statics_open", "surge_open"]
-)
+@pytest.mark.parametrize("name", ["heave_open", "rao_open", "roll_open", "statics_open", "surge_open"])
 def test_every_sample_pulls_the_printed_tension(name):
     """As cylinders that lean: six by 8.8 degrees at most (229 t), seven by 7.6 (233 t) to 10 degrees."""
     samples = read_study(CONFIG, "liu2020", name, "standard", None)
@@ -255,9 +237,7 @@ def test_every_sample_pulls_the_printed_tension(name):
         lean = np.hypot(where.deck_elevation - ring, where.deck_radius - where.ring_radius)
         # gauge pressures stand against the atmosphere, which the rod does not see
         outside = 0.0 if gas.high.pressure < 2.1e6 else 101325.0
-        areas = (gas.high.pressure - outside) * gas.high.area - (
-            gas.low.pressure - outside
-        ) * gas.low.area
+        areas = (gas.high.pressure - outside) * gas.high.area - (gas.low.pressure - outside) * gas.low.area
         pull = (rig.count * areas - pistons) * (where.deck_elevation - ring) / lean
         assert 229.0 < pull / 9810.0 < 233.2, (k, rig.count)
 
@@ -268,10 +248,7 @@ def test_what_is_left_open_keeps_the_riser_in_the_plane(name):
     samples = read_study(CONFIG, "liu2020", name, "standard", None)
     others = (0,) * (len(samples.axes) - 1)
     assert len(samples.axes["sample"]) >= 128
-    spatial = {
-        samples.grid.file((k, *others)).resolved().spatial
-        for k in range(len(samples.axes["sample"]))
-    }
+    spatial = {samples.grid.file((k, *others)).resolved().spatial for k in range(len(samples.axes["sample"]))}
     assert spatial == {""}
 
 
@@ -289,8 +266,6 @@ def test_beats_are_seen_that_two_periods_side_by_side_do_not_show(apart):
     assert (seen <= whole + 1e-9).all()
     assert (seen >= 0.7 * whole - 1e-9).all()
     # where a beat is at its turn, two periods side by side differ by a fraction of it
-    early = [
-        settling(history.sel(time=slice(0.0, end)), "roll_period") for end in range(30, 101, 5)
-    ]
+    early = [settling(history.sel(time=slice(0.0, end)), "roll_period") for end in range(30, 101, 5)]
     if apart:
         assert (np.min([one.values for one in early], axis=0) < 0.2 * seen.values).all()

@@ -15,16 +15,8 @@ from chapters.mao_hangoff.claims.at_some_time import (
     numbers_at_some_time,
 )
 from chapters.mao_hangoff.claims.errata import load_power, readings_near, variants
-from chapters.mao_hangoff.claims.heave import (
-    harmonic,
-    largest_at_0_degrees,
-    lows_deeper_at_first,
-)
-from chapters.mao_hangoff.claims.towed import (
-    change_arises_near_the_lmrp,
-    change_near_the_lmrp,
-    small_below,
-)
+from chapters.mao_hangoff.claims.heave import harmonic, largest_at_0_degrees, lows_deeper_at_first
+from chapters.mao_hangoff.claims.towed import change_arises_near_the_lmrp, change_near_the_lmrp, small_below
 from chapters.mao_hangoff.hanging import hanging, largest_rise
 from riserstudy.chapters import checks_of
 from riserstudy.grading.published import read_published
@@ -49,8 +41,7 @@ def of_two_readings(heavy, light, moment):
     bending = np.broadcast_to(1e3 * np.array(moment)[:, None, None, None], x.shape)
     coords = {"riser_weight": ["thin", "thick"], "lmrp_mass": [120.0, 140.0]}
     return xr.Dataset(
-        {"x": (dims, x), "bending_moment": (dims, bending)},
-        coords | {"time": [0.0, 130.0], "s": [0.0, 1.0]},
+        {"x": (dims, x), "bending_moment": (dims, bending)}, coords | {"time": [0.0, 130.0], "s": [0.0, 1.0]}
     )
 
 
@@ -210,9 +201,7 @@ def test_a_number_without_a_time_is_met_where_a_run_passes_it():
     slower = distance_of_fig10(passing(58.2, 0.01, 52.0, 0.0), 120.0, 62.7).value
     assert float(slower.sel(when=FREE)) == pytest.approx(58.9)  # the last, which is the nearest
     assert bool(numbers_at_some_time(later, 58.2, 62.7, 52.0, 0.02).true)
-    assert not bool(
-        numbers_at_some_time(passing(50.0, 0.2, 52.0, 0.0), 58.2, 62.7, 52.0, 0.02).true
-    )
+    assert not bool(numbers_at_some_time(passing(50.0, 0.2, 52.0, 0.0), 58.2, 62.7, 52.0, 0.02).true)
 
 
 def test_a_moment_is_met_at_some_phase_where_the_cycle_passes_it():

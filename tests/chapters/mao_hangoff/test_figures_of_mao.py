@@ -12,9 +12,7 @@ from mao import CONFIG, FILE, PAPER, WEIGHTS, WORD
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 
-from chapters.mao_hangoff.claims.towed import (
-    loads_small_at_the_lmrp,
-)
+from chapters.mao_hangoff.claims.towed import loads_small_at_the_lmrp
 from chapters.mao_hangoff.derived.towed import end_loads, reference_masses
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
@@ -32,9 +30,7 @@ def test_loads_are_those_of_the_slip_at_both_ends(datasets):
     readings = datasets["readings"]
     base = {name: readings[name].values[0] for name in ("riser_weight", "flow", "current_profile")}
     loads = end_loads(readings).sel(base)
-    assert loads["load_at_joint"].values == pytest.approx(
-        -0.5 * 1025.0 * 1.2 * 0.5334 * 4.0, rel=1e-6
-    )
+    assert loads["load_at_joint"].values == pytest.approx(-0.5 * 1025.0 * 1.2 * 0.5334 * 4.0, rel=1e-6)
     x = readings["x"].sel(base).isel(s=0)
     speed = (x.sel(time=130.0) - x.sel(time=120.0)) / 10.0
     there = -0.5 * 1025.0 * 0.7 * 0.5334 * speed**2

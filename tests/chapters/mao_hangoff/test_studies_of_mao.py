@@ -76,9 +76,7 @@ def test_variants_of_the_case_without_open_inputs_are_the_scenes_of_those_names(
     study = planned("hangoff_ref")
     scenes = CONFIG / "scenes" / PAPER
     names = [name for name, _ in study.axes["variant"]]
-    assert names == sorted(
-        (path.stem for path in scenes.glob("hangoff_ref*.yaml")), key=names.index
-    )
+    assert names == sorted((path.stem for path in scenes.glob("hangoff_ref*.yaml")), key=names.index)
     base = read_scene(scenes / "hangoff_ref.yaml")
     for name, sets in study.axes["variant"]:
         made, own = base.with_values(sets, "test").tree, read_scene(scenes / f"{name}.yaml").tree

@@ -36,9 +36,7 @@ def test_a_shade_is_the_darker_the_larger_its_value(seed):
 @pytest.mark.parametrize("signs", list(product((-1.0, 1.0), repeat=3)))
 @pytest.mark.parametrize("doubt", [None, 0.0, 45.0, 90.0])
 def test_the_title_of_tracks_names_those_on_which_the_lmrp_is_ahead(signs, doubt):
-    astern = {
-        angle: (sign, 2.0 * sign) for angle, sign in zip((0.0, 45.0, 90.0), signs, strict=True)
-    }
+    astern = {angle: (sign, 2.0 * sign) for angle, sign in zip((0.0, 45.0, 90.0), signs, strict=True)}
     if doubt is not None:  # both interpretations differ
         astern[doubt] = (-1.0, 1.0)
     said = _where_astern(astern)

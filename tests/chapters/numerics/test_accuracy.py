@@ -21,11 +21,7 @@ STUDY = read_studies(CONFIG, "numerics").measured["accuracy"]
 HISTORY = CONFIG.parent / "tests/verification/data/S2c.npz"
 SHORT = {"analysis.duration": "20 s"}
 LADDER = STUDY.scenes["S2c"].model_copy(
-    update={
-        "set": STUDY.scenes["S2c"].set | SHORT,
-        "elements": [16, 32],
-        "steps": [0.4, 0.2, 0.1],
-    }
+    update={"set": STUDY.scenes["S2c"].set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
 )
 
 
@@ -71,8 +67,7 @@ def test_our_own_reference_has_converged_where_another_code_says_the_same():
 def test_semi_implicit_euler_moves_as_verlet_does(surge):
     """From rest they are one recursion of positions; steps that end at the outputs are a little shorter."""
     one, other = (
-        surge["error_moment"].sel({"method": m}).isel(step_level=0)
-        for m in ("Verlet", "semi-implicit Euler")
+        surge["error_moment"].sel({"method": m}).isel(step_level=0) for m in ("Verlet", "semi-implicit Euler")
     )
     np.testing.assert_allclose(one, other, rtol=0.05)
 
@@ -128,10 +123,7 @@ def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):
 
 def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     drawn = xr.Dataset(
-        {
-            name: ("drawn", values)
-            for name, values in {"true": [0.004], "estimated": [0.006]}.items()
-        },
+        {name: ("drawn", values) for name, values in {"true": [0.004], "estimated": [0.006]}.items()},
         attrs={"requested": 0.01},
     )
     given = {"accuracy": surge, "random_scenes": drawn}
@@ -162,9 +154,7 @@ def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
     def rung(file, method, ladder, at, budget, repeats, warm):
         tried.append(at)
         late = at == (0, 1)
-        return Attempt(
-            None, Outcome.TOO_LONG if late else Outcome.REFUSED, "late" if late else "no", 0.0
-        )
+        return Attempt(None, Outcome.TOO_LONG if late else Outcome.REFUSED, "late" if late else "no", 0.0)
 
     ladder = STUDY.scenes["S2c"].model_copy(update={"elements": [8, 16], "steps": [0.8, 0.4]})
     few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}

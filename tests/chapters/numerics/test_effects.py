@@ -31,8 +31,7 @@ AGAINST = read_scene(CONFIG / "scenes/liu2017/ref_180.yaml").with_values(
 
 def test_every_kind_of_scene_that_options_make_is_there_once():
     studies = [
-        read_study(CONFIG, "mao_hangoff", name, "standard", None)
-        for name in ("hangoff_ref", "steady")
+        read_study(CONFIG, "mao_hangoff", name, "standard", None) for name in ("hangoff_ref", "steady")
     ]
     found = dict(bases(studies, "standard"))
     variants = ["hangoff_ref_heave", "hangoff_ref_xdrag"]  # another mass alone is the same kind
@@ -48,9 +47,7 @@ def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
     """Before its axes set anything: what the step alone sets must be written in the study, too."""
     files = {path.stem: read_studies(CONFIG, path.stem) for path in (CONFIG / "studies").iterdir()}
     studies = [
-        read_study(CONFIG, paper, name, tier, None)
-        for paper, file in files.items()
-        for name in file.studies
+        read_study(CONFIG, paper, name, tier, None) for paper, file in files.items() for name in file.studies
     ]
     for _, file in bases(studies, tier):
         file.resolved()

@@ -54,12 +54,7 @@ def test_tiers_that_coincide_are_both_seen_in_a_whole_figure():
 
 
 def test_titles_of_the_panels_on_accuracy_do_not_cross_their_letters():
-    runs = {
-        "error_displacement": 0.01,
-        "error_moment": 0.01,
-        "error_tension": 0.01,
-        "wall_seconds": 0.1,
-    }
+    runs = {"error_displacement": 0.01, "error_moment": 0.01, "error_tension": 0.01, "wall_seconds": 0.1}
     dims = ("scene", "method", "mesh_level")
     values = {name: (dims, np.full((2, 1, 2), value)) for name, value in runs.items()}
     figure = accuracy(xr.Dataset(values, {"scene": SCENES, "method": ["ESDIRK4"]}))
@@ -132,8 +127,7 @@ def test_names_on_cost_end_within_their_panel_and_are_not_below_6_points():
     over = ("scene", "method", "mesh_level")
     errors = {f"error_{q}": (over, single) for q in ("displacement", "moment", "tension")}
     reached = {
-        f"reached_{q}": ("request", np.full(number, 0.001))
-        for q in ("displacement", "moment", "tension")
+        f"reached_{q}": ("request", np.full(number, 0.001)) for q in ("displacement", "moment", "tension")
     }
     of = xr.Dataset(
         errors

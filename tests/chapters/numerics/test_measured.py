@@ -107,9 +107,7 @@ def test_random_scenes_are_the_same_every_time_and_half_are_held_out():
 
 
 def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_more():
-    found = random_scenes(
-        only(MEASURED["random_scenes"], "families", CHANG), Setting(CONFIG, "preview", 1)
-    )
+    found = random_scenes(only(MEASURED["random_scenes"], "families", CHANG), Setting(CONFIG, "preview", 1))
     assert (found["message"] == "").all()
     assert (found["true"] > 0.0).all()
     there = found.where(found["fixed_elements"] > 0, drop=True)

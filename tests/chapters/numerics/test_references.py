@@ -32,10 +32,7 @@ SCENES = {
     "planar": ("hard/surge.yaml", {"analysis.duration": "12 s"}),
     "in space": (
         "hard/surge.yaml",
-        {
-            "analysis.duration": "12 s",
-            "platform.sway": {"amplitude": "1 m", "period": "9 s", "ramp": "9 s"},
-        },
+        {"analysis.duration": "12 s", "platform.sway": {"amplitude": "1 m", "period": "9 s", "ramp": "9 s"}},
     ),
     "axial": ("bench/s3.yaml", {"analysis.duration": "6 s"}),
     "at rest": ("fem_riser/base.yaml", {"analysis": {}}),
@@ -57,10 +54,7 @@ def runs(name):
     file = case(name)
     found = []
     for elements, step in ((16, 0.1), (64, 0.05)):
-        mesh, step = (
-            even(file.resolved(), elements),
-            step if file.resolved().analysis.duration else None,
-        )
+        mesh, step = (even(file.resolved(), elements), step if file.resolved().analysis.duration else None)
         scene = stepped(file, METHOD, mesh, step) if step else whole(file.resolved())
         found.append(single(scene, mesh, step, True))
     return found
@@ -68,9 +62,7 @@ def runs(name):
 
 def kept_of(name):
     fine = runs(name)[1]
-    return Kept(
-        name, scene_digest(case(name).resolved()), PHYSICS, "engine", "a run", {}, reduced(fine)
-    )
+    return Kept(name, scene_digest(case(name).resolved()), PHYSICS, "engine", "a run", {}, reduced(fine))
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -104,10 +96,7 @@ def test_of_a_vibration_statistics_are_kept_and_no_instants():
 
 
 SHEAR = {
-    "current.profile": [
-        {"elevation": "0 m", "speed": "0 m/s"},
-        {"elevation": "13 m", "speed": "0.8 m/s"},
-    ],
+    "current.profile": [{"elevation": "0 m", "speed": "0 m/s"}, {"elevation": "13 m", "speed": "0.8 m/s"}],
     "current.beyond": "hold",
     "analysis.duration": "12 s",
     "analysis.output.interval": "20 ms",

@@ -110,16 +110,12 @@ def test_the_figure_has_a_square_for_every_case_and_its_title_counts_them(few):
 
 
 def test_the_title_counts_the_cases_that_are_silently_wrong(few):
-    assert (
-        "none is silently wrong" in draw("numerics", "stability", {"stability": few}).get_suptitle()
-    )
+    assert "none is silently wrong" in draw("numerics", "stability", {"stability": few}).get_suptitle()
     bad = few.copy(deep=True)
     bad["as_expected"][:2] = False
     bad["written_outcome"] = bad["written_outcome"].astype(object)
     bad["written_outcome"][0] = str(Outcome.INACCURATE)
-    bad["written_outcome"][1] = str(
-        Outcome.UNJUDGED
-    )  # not as expected, but nothing shows that it is wrong
+    bad["written_outcome"][1] = str(Outcome.UNJUDGED)  # not as expected, but nothing shows that it is wrong
     title = draw("numerics", "stability", {"stability": bad}).get_suptitle()
     assert title.endswith("1 is silently wrong")
     assert title.startswith(f"{len(FEW) - 2} of ")

@@ -18,12 +18,7 @@ def test_without_datasets_there_are_three_questions_and_no_answer():
 def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     cases = {
         "as_expected": [True] * 3 + [False],
-        "written_outcome": [
-            "accurate",
-            "refused",
-            "stable but inaccurate",
-            "stable but inaccurate",
-        ],
+        "written_outcome": ["accurate", "refused", "stable but inaccurate", "stable but inaccurate"],
     }
     stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
     (one,) = shown({"stability": stability})

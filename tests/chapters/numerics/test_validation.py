@@ -32,11 +32,7 @@ def found():
 def test_every_number_is_within_its_tolerance_of_what_is_known(found):
     bad = found.isel(row=~found["holds"].values)
     assert bad["name"].values.tolist() == []
-    assert {*found["kind"].values.tolist()} == {
-        "closed form",
-        "second method",
-        "conservation law",
-    }
+    assert {*found["kind"].values.tolist()} == {"closed form", "second method", "conservation law"}
     assert found.sizes["row"] > 40
     assert np.isfinite(found["error"]).all()
 
@@ -73,9 +69,7 @@ def test_an_engine_that_errs_does_not_hold_and_is_named(found, monkeypatch):
     heavier = {"riser[0].mass": "1010 kg/m"}  # 0.4 %, which the closed form does not know of
     wrong = STUDY.scenes["S4a"].model_copy(update={"set": heavier})
     study = STUDY.model_copy(update={"scenes": STUDY.scenes | {"S4a": wrong}, "stored": {}})
-    monkeypatch.setattr(
-        "chapters.numerics.measured.validation.CASES", (cases.taut_beam, cases.cable)
-    )
+    monkeypatch.setattr("chapters.numerics.measured.validation.CASES", (cases.taut_beam, cases.cable))
     found = validation(study, SETTING)
     assert found["holds"].values.tolist() == [False, False, True]
     assert float(found["error"][0]) == pytest.approx(0.002, rel=0.02)
@@ -101,9 +95,7 @@ def test_the_page_shows_every_row(found, tmp_path, monkeypatch):
         assert "does not hold" not in made.validation(kind)
         assert not re.search(r"\de[-+]?\d", made.validation(kind) + made_parts.known(found, kind))
         # and the page has a place for it
-        assert f"<!-- made: validation {kind} -->" in (ROOT / "docs/validation.md").read_text(
-            "utf-8"
-        )
+        assert f"<!-- made: validation {kind} -->" in (ROOT / "docs/validation.md").read_text("utf-8")
     found.assign(holds=~found["holds"]).to_netcdf(tmp_path / "results/numerics/validation.nc")
     made._validated.cache_clear()
     for kind, count in kinds.items():

@@ -51,9 +51,7 @@ def test_one_table_in_any_spelling_is_one_table(tmp_path, seed):
     if rng.random() < 0.5:
         rows += [["Results of a run"], [], ["made by a program", "version 11"]]
     rows += (
-        [names, units]
-        if rng.random() < 0.5
-        else [[f"{n} {u}" for n, u in zip(names, units, strict=True)]]
+        [names, units] if rng.random() < 0.5 else [[f"{n} {u}" for n, u in zip(names, units, strict=True)]]
     )
     rows += [[text(t), text(swing(t, 100.0))] for t in TIME]
     tail = [""] if rng.random() < 0.5 else []
@@ -85,10 +83,7 @@ def test_what_is_left_out_is_counted(tmp_path, seed):
     path = tmp_path / "other.csv"
     path.write_text("\n".join(["time (s),effective_tension at 0 m (kN)", *rows]))
     (pair,) = compared(run(), path).pairs
-    assert (
-        f"left out: {beyond} of {len(rows)} rows, beyond the run's time from 0 to 59.5"
-        in pair.notes
-    )
+    assert f"left out: {beyond} of {len(rows)} rows, beyond the run's time from 0 to 59.5" in pair.notes
     missing = f"left out: {len(empty)} of {len(TIME)} rows, where the file has no number"
     assert missing in pair.notes
     assert len(pair.along) == len(TIME) - len(empty)
@@ -117,18 +112,9 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
         (HEAD + "0,1\n2,2\n1,3\n3,4\n", "1 follows 2 in row 3"),
         (HEAD + "0,1\n1,2\n1,3\n3,4\n", "1 follows 1 in row 3"),
         (HEAD + "0,\n1,\n2,\n", "has no numbers"),
-        (
-            "time (s);effective_tension at 0 m (kN)\n0,5;1\n1.5;2\n",
-            "a decimal comma, and line 3 a decimal",
-        ),
-        (
-            "time (s),ufj_angle (deg),ufj_angle (deg)\n0,1,1\n1,1,1\n",
-            "is the heading of two columns",
-        ),
-        (
-            "time (s),ufj_angle (deg),ufj_angle (rad)\n0,1,1\n1,1,1\n",
-            "is the same variable and place",
-        ),
+        ("time (s);effective_tension at 0 m (kN)\n0,5;1\n1.5;2\n", "a decimal comma, and line 3 a decimal"),
+        ("time (s),ufj_angle (deg),ufj_angle (deg)\n0,1,1\n1,1,1\n", "is the heading of two columns"),
+        ("time (s),ufj_angle (deg),ufj_angle (rad)\n0,1,1\n1,1,1\n", "is the same variable and place"),
         ("time (s),ufj_angle (deg),\n0,1,1\n1,1,1\n", "cells, 2 headings"),
         ("time (s),,ufj_angle (deg)\n0,1,1\n1,1,1\n", "a column without a heading"),
         ("time (s),effective_tension at 1.2.3 m (kN)\n" + LONG, "is no heading with a unit"),
@@ -155,9 +141,7 @@ def test_spoiled_tables_are_read_or_refused(tmp_path, seed):
     signs = [*string.printable, "\x00", "\ufeff", "−", "\u2028", '"', ",", ";", "\t"]
     for _ in range(int(rng.integers(1, 12))):
         k = int(rng.integers(len(text)))
-        text[k : k + int(rng.integers(3))] = [
-            str(rng.choice(signs)) for _ in range(rng.integers(3))
-        ]
+        text[k : k + int(rng.integers(3))] = [str(rng.choice(signs)) for _ in range(rng.integers(3))]
     path = tmp_path / "other.csv"
     path.write_bytes("".join(text).encode("utf-8", "surrogatepass"))
     try:
@@ -192,9 +176,7 @@ def test_a_moment_may_be_written_as_programs_do(tmp_path, unit):
     data = {"bending_moment_max": ("s_node", 1e3 * np.arange(5.0), {"units": "N m"})}
     other = xr.Dataset(data, {"s_node": np.arange(5.0)})
     path = tmp_path / "other.csv"
-    path.write_text(
-        f"s (m),bending_moment_max ({unit})\n" + "\n".join(f"{k},{k}" for k in range(5))
-    )
+    path.write_text(f"s (m),bending_moment_max ({unit})\n" + "\n".join(f"{k},{k}" for k in range(5)))
     (pair,) = compared(other, path).pairs
     assert difference(pair).rms < 1e-9
 

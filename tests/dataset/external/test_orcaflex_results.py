@@ -50,14 +50,8 @@ def test_a_range_graph_is_over_arc_length_from_end_a(tmp_path, mark, end):
     arc = np.linspace(0.0, 200.0, 9)
     s = {"top": LENGTH - arc, "bottom": arc, "250 m down": 250.0 - arc}[end]
     extremes = [getattr(tension(TIME[:, None], s), side)(axis=0) for side in ("min", "max")]
-    headings = [
-        "Arc Length (m)",
-        "Effective Tension (kN) Minimum",
-        "Effective Tension (kN) Maximum",
-    ]
-    found = compared(
-        run(), write(tmp_path / "r.txt", headings, arc, *extremes, mark=mark), end_a=end
-    )
+    headings = ["Arc Length (m)", "Effective Tension (kN) Minimum", "Effective Tension (kN) Maximum"]
+    found = compared(run(), write(tmp_path / "r.txt", headings, arc, *extremes, mark=mark), end_a=end)
     assert [pair.name for pair in found.pairs] == ["effective_tension_min", "effective_tension_max"]
     for pair in found.pairs:
         # digits that are written

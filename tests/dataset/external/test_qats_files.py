@@ -11,9 +11,7 @@ from riserstudy.dataset.comparison import compared, difference
 from riserstudy.errors import InputError
 
 TIME, S = np.arange(0.0, 60.0, 0.5), np.array([0.0, 100.0])
-QATS = pytest.mark.skipif(
-    importlib.util.find_spec("qats") is None, reason="run by `make test-formats`"
-)
+QATS = pytest.mark.skipif(importlib.util.find_spec("qats") is None, reason="run by `make test-formats`")
 CALLED = {"Line1 Te": "effective_tension at 100 m (kN)"}
 
 

@@ -7,10 +7,6 @@ from surroundings import SEGMENTS, Case
 
 from riserstudy.effects.axial import Axial
 
-CASES = {
-    Axial: Case(lambda d: Axial(8e8 * SEGMENTS)),
-}
+CASES = {Axial: Case(lambda d: Axial(8e8 * SEGMENTS))}
 
-PLAIN = {
-    Axial: [("string", axial)],
-}
+PLAIN = {Axial: [("string", axial)]}

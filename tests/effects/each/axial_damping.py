@@ -15,13 +15,9 @@ def axial_damping(record, s):
     return {"force": nodes(record.damping * rate * tangent)}
 
 
-CASES = {
-    AxialDamping: Case(lambda d: AxialDamping(3e6 * SEGMENTS)),
-}
+CASES = {AxialDamping: Case(lambda d: AxialDamping(3e6 * SEGMENTS))}
 
-PLAIN = {
-    AxialDamping: [("string", axial_damping)],
-}
+PLAIN = {AxialDamping: [("string", axial_damping)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"axial damping": lambda n: AxialDamping(np.zeros(n))}

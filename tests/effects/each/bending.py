@@ -19,10 +19,6 @@ def bending(record, s):
     return {"turn": turn, "force": nodes(shear * across_segment)}
 
 
-CASES = {
-    Bending: Case(pipe, directions=(2,)),
-}
+CASES = {Bending: Case(pipe, directions=(2,))}
 
-PLAIN = {
-    Bending: [("turn string", bending)],
-}
+PLAIN = {Bending: [("turn string", bending)]}

@@ -21,17 +21,11 @@ def bending_damping(record, s):
 
 CASES = {
     BendingDamping: Case(
-        lambda d: BendingDamping(0.4, *np.zeros((2, MOMENTS[d], N + 1))),
-        lambda d: [pipe(d)],
-        (2, 3),
-    ),
+        lambda d: BendingDamping(0.4, *np.zeros((2, MOMENTS[d], N + 1))), lambda d: [pipe(d)], (2, 3)
+    )
 }
 
-PLAIN = {
-    BendingDamping: [("turn", bending_damping)],
-}
+PLAIN = {BendingDamping: [("turn", bending_damping)]}
 
 # without a load, in a plane on n segments
-UNLOADED = {
-    "bending damping": lambda n: BendingDamping(0.0, np.zeros((1, n + 1)), np.zeros((1, n + 1)))
-}
+UNLOADED = {"bending damping": lambda n: BendingDamping(0.0, np.zeros((1, n + 1)), np.zeros((1, n + 1)))}

@@ -14,16 +14,9 @@ def spatial_bending(record, s):
     turn = np.zeros_like(s.turn)
     turn[:, 1:-1] = rotations(t[:, :-1], t[:, 1:])
     turn -= s.moment @ flexibility(s)
-    return {
-        "turn": turn,
-        "force": nodes(np.cross(t, np.diff(s.moment, axis=1), axis=0) / length),
-    }
+    return {"turn": turn, "force": nodes(np.cross(t, np.diff(s.moment, axis=1), axis=0) / length)}
 
 
-CASES = {
-    SpatialBending: Case(pipe, directions=(3,)),
-}
+CASES = {SpatialBending: Case(pipe, directions=(3,))}
 
-PLAIN = {
-    SpatialBending: [("turn string", spatial_bending)],
-}
+PLAIN = {SpatialBending: [("turn string", spatial_bending)]}

@@ -16,13 +16,9 @@ def current(record, s):
     return {"water": out}
 
 
-CASES = {
-    Current: Case(sheared),
-}
+CASES = {Current: Case(sheared)}
 
-PLAIN = {
-    Current: [("drive", current)],
-}
+PLAIN = {Current: [("drive", current)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {

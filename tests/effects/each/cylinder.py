@@ -16,10 +16,6 @@ def upright(record, s):
     return {"force": force, "reach": reach, "reach_rate": rate}
 
 
-CASES = {
-    Upright: Case(cylinders),
-}
+CASES = {Upright: Case(cylinders)}
 
-PLAIN = {
-    Upright: [("drive device", upright)],
-}
+PLAIN = {Upright: [("drive device", upright)]}

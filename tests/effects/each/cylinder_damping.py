@@ -11,10 +11,6 @@ def cylinder_damping(record, s):
     return {"pull": record.damping * s.reach_rate}
 
 
-CASES = {
-    CylinderDamping: Case(lambda d: CylinderDamping(pair(967.0, 2e4)), lambda d: [cylinders(d)]),
-}
+CASES = {CylinderDamping: Case(lambda d: CylinderDamping(pair(967.0, 2e4)), lambda d: [cylinders(d)])}
 
-PLAIN = {
-    CylinderDamping: [("law", cylinder_damping)],
-}
+PLAIN = {CylinderDamping: [("law", cylinder_damping)]}

@@ -42,9 +42,7 @@ CASES = {
             base=np.zeros((2, 3)),
         ),
         lambda d: [LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4))],
-    ),
+    )
 }
 
-PLAIN = {
-    CylindersInSpace: [("place drive device", cylinders_in_space)],
-}
+PLAIN = {CylindersInSpace: [("place drive device", cylinders_in_space)]}

@@ -14,13 +14,9 @@ def pull(record, s):
     return {"force": out}
 
 
-CASES = {
-    DeadLoad: Case(lambda d: DeadLoad(2, np.linspace(3e5, 2e6, d))),
-}
+CASES = {DeadLoad: Case(lambda d: DeadLoad(2, np.linspace(3e5, 2e6, d)))}
 
-PLAIN = {
-    DeadLoad: [("device", pull)],
-}
+PLAIN = {DeadLoad: [("device", pull)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"lateral force": lambda n: DeadLoad(n, np.zeros(2))}

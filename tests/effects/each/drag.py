@@ -15,14 +15,11 @@ def drag(record, s, tangent=None):
 
 CASES = {
     Drag: Case(
-        lambda d: Drag(6e3 * SEGMENTS, 5e3 * SEGMENTS, np.zeros((d, N + 1)), 0),
-        lambda d: [sheared(d)],
-    ),
+        lambda d: Drag(6e3 * SEGMENTS, 5e3 * SEGMENTS, np.zeros((d, N + 1)), 0), lambda d: [sheared(d)]
+    )
 }
 
-PLAIN = {
-    Drag: [("string", drag)],
-}
+PLAIN = {Drag: [("string", drag)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"drag": lambda n: Drag(np.zeros(n), np.zeros(n), np.zeros((2, n + 1)), 0)}

@@ -31,10 +31,6 @@ def drag_over_depth(record, s):
     return {"force": spread(low, pressed(record, s), up)}
 
 
-CASES = {
-    DragOverDepth: Case(depths, lambda d: [sheared(d)]),
-}
+CASES = {DragOverDepth: Case(depths, lambda d: [sheared(d)])}
 
-PLAIN = {
-    DragOverDepth: [("drive string", drag_over_depth)],
-}
+PLAIN = {DragOverDepth: [("drive string", drag_over_depth)]}

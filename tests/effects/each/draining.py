@@ -64,10 +64,6 @@ def _column(d: int) -> Draining:
     )
 
 
-CASES = {
-    Draining: Case(_column, lambda d: list(others(d))),
-}
+CASES = {Draining: Case(_column, lambda d: list(others(d)))}
 
-PLAIN = {
-    Draining: [("string", draining)],
-}
+PLAIN = {Draining: [("string", draining)]}

@@ -25,14 +25,11 @@ def end_mass_inertia(record, s):
 
 CASES = {
     EndMass: Case(
-        lambda d: EndMass(0, 1.2e6, 1.4e5 * np.linspace(1.1, 1.0, d), pair(3e3, 7e3)),
-        lambda d: [uniform(d)],
-    ),
+        lambda d: EndMass(0, 1.2e6, 1.4e5 * np.linspace(1.1, 1.0, d), pair(3e3, 7e3)), lambda d: [uniform(d)]
+    )
 }
 
-PLAIN = {
-    EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)],
-}
+PLAIN = {EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"end mass": lambda n: EndMass(n, 0.0, np.zeros(2), np.zeros(2))}

@@ -17,9 +17,7 @@ def end_stop(record, s):
 CASES = {
     EndStop: Case(
         lambda d: EndStop(pair(-0.1, 0.2), pair(0.1, 0.3), pair(1e7, 2e7)), lambda d: [cylinders(d)]
-    ),
+    )
 }
 
-PLAIN = {
-    EndStop: [("law", end_stop)],
-}
+PLAIN = {EndStop: [("law", end_stop)]}

@@ -35,14 +35,11 @@ def told_motion(record, s):
 
 CASES = {
     ForceTable: Case(
-        lambda d: ForceTable(
-            2, np.array([0.0, 3.0, 5.5, 8.0]), 1e5 * stirred(4, d - 1), 2 * CYLINDERS
-        ),
+        lambda d: ForceTable(2, np.array([0.0, 3.0, 5.5, 8.0]), 1e5 * stirred(4, d - 1), 2 * CYLINDERS),
         directions=(2, 3),
     ),
     MotionTable: Case(
-        lambda d: MotionTable(N, np.array([0.0, 3.0, 5.5, 8.0]), stirred(3, 4, d - 1)),
-        directions=(2, 3),
+        lambda d: MotionTable(N, np.array([0.0, 3.0, 5.5, 8.0]), stirred(3, 4, d - 1)), directions=(2, 3)
     ),
 }
 

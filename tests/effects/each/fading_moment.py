@@ -24,12 +24,8 @@ def fading_moment(record, s):
 
 CASES = {
     FadingMoment: Case(
-        lambda d: FadingMoment(2e5 * np.arange(1.0, {2: 2, 3: 4}[d]), 2.0, 4.5),
-        lambda d: [pipe(d)],
-        (2, 3),
-    ),
+        lambda d: FadingMoment(2e5 * np.arange(1.0, {2: 2, 3: 4}[d]), 2.0, 4.5), lambda d: [pipe(d)], (2, 3)
+    )
 }
 
-PLAIN = {
-    FadingMoment: [("place turn", fading_moment)],
-}
+PLAIN = {FadingMoment: [("place turn", fading_moment)]}

@@ -25,9 +25,7 @@ CASES = {
             N, d - 1, pair(1.0, -2.0), np.array([3.0, -1.0, TOP]), np.zeros((3, 3)), 0
         ),
         directions=(2, 3),
-    ),
+    )
 }
 
-PLAIN = {
-    FirstOrderMotion: [("place", first_order_motion)],
-}
+PLAIN = {FirstOrderMotion: [("place", first_order_motion)]}

@@ -23,17 +23,11 @@ def flex_joint(record, s):
 CASES = {
     FlexJoint: Case(
         lambda d: FlexJoint(
-            N,
-            1e-7,
-            np.array([0.06, -0.08, np.sqrt(0.99)] if d > 2 else [0.6, 0.0, 0.8]),
-            1,
-            np.zeros((3, 3)),
+            N, 1e-7, np.array([0.06, -0.08, np.sqrt(0.99)] if d > 2 else [0.6, 0.0, 0.8]), 1, np.zeros((3, 3))
         ),
         lambda d: [pipe(d)],
         (2, 3),
-    ),
+    )
 }
 
-PLAIN = {
-    FlexJoint: [("place turn", flex_joint)],
-}
+PLAIN = {FlexJoint: [("place turn", flex_joint)]}

@@ -18,9 +18,7 @@ def foreshortening(record, s):
 CASES = {
     Foreshortening: Case(
         lambda d: Foreshortening(8e9 * (L0 / 2.7e8) ** 2 / 72.0), lambda d: [pipe(d)], (2, 3)
-    ),
+    )
 }
 
-PLAIN = {
-    Foreshortening: [("string", foreshortening)],
-}
+PLAIN = {Foreshortening: [("string", foreshortening)]}

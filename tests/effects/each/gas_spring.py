@@ -16,9 +16,7 @@ CASES = {
     GasSpring: Case(
         lambda d: GasSpring(pair(0.17, 0.16), pair(190e5, 180e5), pair(3.2, 3.0), pair(1.4, 1.2)),
         lambda d: [cylinders(d)],
-    ),
+    )
 }
 
-PLAIN = {
-    GasSpring: [("law", gas_spring)],
-}
+PLAIN = {GasSpring: [("law", gas_spring)]}

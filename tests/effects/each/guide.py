@@ -29,13 +29,9 @@ def guide(record, s):
     return {"force": out}
 
 
-CASES = {
-    Guide: Case(lambda d: Guide(3, 2e5), directions=(2, 3)),
-}
+CASES = {Guide: Case(lambda d: Guide(3, 2e5), directions=(2, 3))}
 
-PLAIN = {
-    Guide: [("device", guide)],
-}
+PLAIN = {Guide: [("device", guide)]}
 
 
 def test_a_string_bends_at_its_guide_alone(tmp_path):
@@ -60,8 +56,6 @@ def test_a_guide_is_there_where_something_moves_aside(tmp_path, offset, there):
 
 def test_a_guide_at_a_held_end_is_refused(tmp_path):
     file = tmp_path / "scene.yaml"
-    file.write_text(
-        SCENE.replace("length: 60 m,", "length: 60 m, guide_below: {stiffness: 2 kN/m},")
-    )
+    file.write_text(SCENE.replace("length: 60 m,", "length: 60 m, guide_below: {stiffness: 2 kN/m},"))
     with pytest.raises(InputError, match="guide a section above"):
         load_scene(file).resolved()

@@ -13,13 +13,9 @@ def inertia(record, s):
     return {"force": -spread(record.mass, s.a)}
 
 
-CASES = {
-    Inertia: Case(lambda d: Inertia(9e3 * SEGMENTS, -9e3 * SEGMENTS)),
-}
+CASES = {Inertia: Case(lambda d: Inertia(9e3 * SEGMENTS, -9e3 * SEGMENTS))}
 
-PLAIN = {
-    Inertia: [("string_inertia", inertia)],
-}
+PLAIN = {Inertia: [("string_inertia", inertia)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"inertia": lambda n: Inertia(np.zeros(n), np.zeros(n))}

@@ -15,10 +15,6 @@ def lift_gauge(record, s):
     return {"probe": out}
 
 
-CASES = {
-    LiftGauge: Case(lambda d: LiftGauge(-3.0, 2 * CYLINDERS)),
-}
+CASES = {LiftGauge: Case(lambda d: LiftGauge(-3.0, 2 * CYLINDERS))}
 
-PLAIN = {
-    LiftGauge: [("probe", lift_gauge)],
-}
+PLAIN = {LiftGauge: [("probe", lift_gauge)]}

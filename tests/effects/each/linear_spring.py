@@ -11,12 +11,6 @@ def linear_spring(record, s):
     return {"pull": record.tension + record.stiffness * s.reach}
 
 
-CASES = {
-    LinearSpring: Case(
-        lambda d: LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4)), lambda d: [cylinders(d)]
-    ),
-}
+CASES = {LinearSpring: Case(lambda d: LinearSpring(pair(8e5, 7e5), pair(3e4, 2e4)), lambda d: [cylinders(d)])}
 
-PLAIN = {
-    LinearSpring: [("law", linear_spring)],
-}
+PLAIN = {LinearSpring: [("law", linear_spring)]}

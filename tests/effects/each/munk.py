@@ -23,10 +23,6 @@ def munk(record, s):
     return {"force": out}
 
 
-CASES = {
-    Munk: Case(lambda d: Munk(N, N + 1, 50.0, 0.4, -3e7, pair(0.5, 0.3)), directions=(3,), loose=1),
-}
+CASES = {Munk: Case(lambda d: Munk(N, N + 1, 50.0, 0.4, -3e7, pair(0.5, 0.3)), directions=(3,), loose=1)}
 
-PLAIN = {
-    Munk: [("device", munk)],
-}
+PLAIN = {Munk: [("device", munk)]}

@@ -69,13 +69,7 @@ CASES = {
     Series: Case(splines),
 }
 
-MOTIONS = {
-    Position: position,
-    Harmonic: harmonic,
-    Encountered: encountered,
-    Cruise: cruise,
-    Series: series,
-}
+MOTIONS = {Position: position, Harmonic: harmonic, Encountered: encountered, Cruise: cruise, Series: series}
 
 # without a load, in a plane on n segments
 UNLOADED = {"platform position": lambda n: Position(np.zeros(6))}

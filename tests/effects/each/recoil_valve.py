@@ -21,12 +21,6 @@ def _valve(d: int) -> RecoilValve:
     return RecoilValve(pair(2e4, 3e4), pair(0.3, 1.0), 2.0, 4.5, np.zeros(2))
 
 
-CASES = {
-    RecoilValve: Case(
-        _valve, lambda d: [cylinders(d), LinearSpring(pair(1e6, 2e6), pair(1e5, 2e5))]
-    ),
-}
+CASES = {RecoilValve: Case(_valve, lambda d: [cylinders(d), LinearSpring(pair(1e6, 2e6), pair(1e5, 2e5))])}
 
-PLAIN = {
-    RecoilValve: [("law", recoil_valve)],
-}
+PLAIN = {RecoilValve: [("law", recoil_valve)]}

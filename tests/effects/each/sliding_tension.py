@@ -18,10 +18,6 @@ def sliding_tension(record, s):
     return {"force": nodes(pulls * tangent)}
 
 
-CASES = {
-    SlidingTension: Case(lambda d: SlidingTension(N - 1, 2e6, L0[-1] - 1.0, 1.0, 3e6)),
-}
+CASES = {SlidingTension: Case(lambda d: SlidingTension(N - 1, 2e6, L0[-1] - 1.0, 1.0, 3e6))}
 
-PLAIN = {
-    SlidingTension: [("string", sliding_tension)],
-}
+PLAIN = {SlidingTension: [("string", sliding_tension)]}

@@ -66,9 +66,7 @@ CASES = {
         ),
         directions=(2, 3),
     ),
-    LinearSoil: Case(
-        lambda d: LinearSoil(np.arange(4), 1e6 * np.linspace(1.0, 2.0, 4)), directions=(2, 3)
-    ),
+    LinearSoil: Case(lambda d: LinearSoil(np.arange(4), 1e6 * np.linspace(1.0, 2.0, 4)), directions=(2, 3)),
 }
 
 PLAIN = {

@@ -15,11 +15,7 @@ def soil_damping(record, s):
 
 
 CASES = {
-    SoilDamping: Case(
-        lambda d: SoilDamping(np.arange(4), 3e5 * np.linspace(1.0, 2.0, 4)), directions=(2, 3)
-    ),
+    SoilDamping: Case(lambda d: SoilDamping(np.arange(4), 3e5 * np.linspace(1.0, 2.0, 4)), directions=(2, 3))
 }
 
-PLAIN = {
-    SoilDamping: [("device", soil_damping)],
-}
+PLAIN = {SoilDamping: [("device", soil_damping)]}

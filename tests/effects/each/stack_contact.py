@@ -15,13 +15,9 @@ def stack_contact(record, s):
     return {"force": out}
 
 
-CASES = {
-    StackContact: Case(lambda d: StackContact(1.0, 3e6)),
-}
+CASES = {StackContact: Case(lambda d: StackContact(1.0, 3e6))}
 
-PLAIN = {
-    StackContact: [("device", stack_contact)],
-}
+PLAIN = {StackContact: [("device", stack_contact)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"stack contact": lambda n: StackContact(-1e9, 1e6)}

@@ -18,10 +18,6 @@ def stress_gauge(record, s):
     return {"probe": out}
 
 
-CASES = {
-    StressGauge: Case(lambda d: StressGauge(1, 4, 0.05, 120.0, 0), lambda d: [pipe(d)], (2, 3)),
-}
+CASES = {StressGauge: Case(lambda d: StressGauge(1, 4, 0.05, 120.0, 0), lambda d: [pipe(d)], (2, 3))}
 
-PLAIN = {
-    StressGauge: [("probe", stress_gauge)],
-}
+PLAIN = {StressGauge: [("probe", stress_gauge)]}

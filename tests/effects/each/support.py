@@ -32,9 +32,7 @@ CASES = {
             np.array([3.0, -1.0, 20.0]),
             np.zeros((3, 3)),
         )
-    ),
+    )
 }
 
-PLAIN = {
-    Support: [("place", support)],
-}
+PLAIN = {Support: [("place", support)]}

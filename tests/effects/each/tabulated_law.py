@@ -20,10 +20,6 @@ def tabulated_law(record, s):
     return {"pull": record.working * PPoly(record.force, record.reach)(s.reach)}
 
 
-CASES = {
-    TabulatedLaw: Case(tabulated, lambda d: [cylinders(d)]),
-}
+CASES = {TabulatedLaw: Case(tabulated, lambda d: [cylinders(d)])}
 
-PLAIN = {
-    TabulatedLaw: [("law", tabulated_law)],
-}
+PLAIN = {TabulatedLaw: [("law", tabulated_law)]}

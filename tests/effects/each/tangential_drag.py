@@ -20,14 +20,10 @@ def tangential_drag(record, s):
 
 
 CASES = {
-    TangentialDrag: Case(
-        lambda d: TangentialDrag(2e4 * SEGMENTS), lambda d: [sheared(d)] if d > 1 else []
-    ),
+    TangentialDrag: Case(lambda d: TangentialDrag(2e4 * SEGMENTS), lambda d: [sheared(d)] if d > 1 else [])
 }
 
-PLAIN = {
-    TangentialDrag: [("string", tangential_drag)],
-}
+PLAIN = {TangentialDrag: [("string", tangential_drag)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"tangential drag": lambda n: TangentialDrag(np.zeros(n))}

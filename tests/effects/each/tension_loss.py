@@ -15,13 +15,9 @@ def tension_loss(record, s):
     return {"force": out}
 
 
-CASES = {
-    TensionLoss: Case(lambda d: TensionLoss(2, -np.linspace(3e5, 2e6, d), 2.0, 4.5)),
-}
+CASES = {TensionLoss: Case(lambda d: TensionLoss(2, -np.linspace(3e5, 2e6, d), 2.0, 4.5))}
 
-PLAIN = {
-    TensionLoss: [("device", tension_loss)],
-}
+PLAIN = {TensionLoss: [("device", tension_loss)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"tension loss": lambda n: TensionLoss(n, np.zeros(2), 1.0, 1.0)}

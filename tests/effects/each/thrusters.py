@@ -12,9 +12,7 @@ def some_thrusters(d: int) -> Thrusters:
     """Limited in space; their lag is that of a mass small enough for the tangent to show it."""
     gain, damping = np.array([[6.5e4, 1e4], [1e4, 9e4]]), np.array([[1e6, 1e5], [1e5, 2e6]])
     saturation = 1e6 if d == 3 else np.inf
-    return Thrusters(
-        N, 0, d - 1, gain, damping, pair(100.0, 30.0), 7.0, saturation, 4.0, 30.0, 1.0, 0
-    )
+    return Thrusters(N, 0, d - 1, gain, damping, pair(100.0, 30.0), 7.0, saturation, 4.0, 30.0, 1.0, 0)
 
 
 def thrusters(record, s):
@@ -36,10 +34,6 @@ def thrusters_inertia(record, s):
     return {"force": out}
 
 
-CASES = {
-    Thrusters: Case(some_thrusters, directions=(2, 3), loose=1),
-}
+CASES = {Thrusters: Case(some_thrusters, directions=(2, 3), loose=1)}
 
-PLAIN = {
-    Thrusters: [("device", thrusters), ("device_inertia", thrusters_inertia)],
-}
+PLAIN = {Thrusters: [("device", thrusters), ("device_inertia", thrusters_inertia)]}

@@ -14,10 +14,6 @@ def torsion(record, s):
     return {"force": out}
 
 
-CASES = {
-    Torsion: Case(lambda d: Torsion(N + 1, 2e5), directions=(3,), loose=1),
-}
+CASES = {Torsion: Case(lambda d: Torsion(N + 1, 2e5), directions=(3,), loose=1)}
 
-PLAIN = {
-    Torsion: [("device", torsion)],
-}
+PLAIN = {Torsion: [("device", torsion)]}

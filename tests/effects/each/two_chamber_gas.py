@@ -23,9 +23,7 @@ CASES = {
             *(pair(1.4, 1.2), pair(9.9e3, 5.9e4)),
         ),
         lambda d: [cylinders(d)],
-    ),
+    )
 }
 
-PLAIN = {
-    TwoChamberGas: [("law", two_chamber_gas)],
-}
+PLAIN = {TwoChamberGas: [("law", two_chamber_gas)]}

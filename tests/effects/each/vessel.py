@@ -47,10 +47,6 @@ def vessel_inertia(record, s):
     return {"force": out}
 
 
-CASES = {
-    Vessel: Case(hull, directions=(2, 3), loose=1),
-}
+CASES = {Vessel: Case(hull, directions=(2, 3), loose=1)}
 
-PLAIN = {
-    Vessel: [("device", vessel), ("device_inertia", vessel_inertia)],
-}
+PLAIN = {Vessel: [("device", vessel), ("device_inertia", vessel_inertia)]}

@@ -27,6 +27,4 @@ def phases(record, s):
 
 CASES = {VortexDrag: case(VortexDrag, SHED)}
 
-PLAIN = {
-    VortexDrag: [("internal", phases), ("string", vortex_drag)],
-}
+PLAIN = {VortexDrag: [("internal", phases), ("string", vortex_drag)]}

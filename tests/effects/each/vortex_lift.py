@@ -96,6 +96,4 @@ def case(kind, shed):
 
 CASES = {VortexLift: case(VortexLift, SHED)}
 
-PLAIN = {
-    VortexLift: [("internal", phases), ("string", vortex_lift)],
-}
+PLAIN = {VortexLift: [("internal", phases), ("string", vortex_lift)]}

@@ -20,9 +20,7 @@ CASES = {
     Waterline: Case(
         lambda d: Waterline(45.0, np.ones((3, N)), np.ones(N), *np.ones((4, N))),
         lambda d: [sea(d, CONSTANT)] if d > 1 else [],
-    ),
+    )
 }
 
-PLAIN = {
-    Waterline: [("drive", waterline)],
-}
+PLAIN = {Waterline: [("drive", waterline)]}

@@ -34,10 +34,6 @@ def wave(record, s):
     return {"water": water, "water_rate": water_rate}
 
 
-CASES = {
-    Wave: Case(sea),
-}
+CASES = {Wave: Case(sea)}
 
-PLAIN = {
-    Wave: [("drive", wave)],
-}
+PLAIN = {Wave: [("drive", wave)]}

@@ -15,14 +15,10 @@ def wave_force(record, s):
 
 
 CASES = {
-    WaveForce: Case(
-        lambda d: WaveForce(8e3 * SEGMENTS, np.zeros((d, N + 1))), lambda d: [sea(d, CONSTANT)]
-    ),
+    WaveForce: Case(lambda d: WaveForce(8e3 * SEGMENTS, np.zeros((d, N + 1))), lambda d: [sea(d, CONSTANT)])
 }
 
-PLAIN = {
-    WaveForce: [("string", wave_force)],
-}
+PLAIN = {WaveForce: [("string", wave_force)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"wave force": lambda n: WaveForce(np.zeros(n), np.zeros((2, n + 1)))}

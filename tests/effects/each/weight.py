@@ -14,13 +14,9 @@ def weight(record, s):
     return {"force": out}
 
 
-CASES = {
-    Weight: Case(lambda d: Weight(d - 1, -1e4 * np.linspace(1.0, 2.0, N + 1))),
-}
+CASES = {Weight: Case(lambda d: Weight(d - 1, -1e4 * np.linspace(1.0, 2.0, N + 1)))}
 
-PLAIN = {
-    Weight: [("string", weight)],
-}
+PLAIN = {Weight: [("string", weight)]}
 
 # without a load, in a plane on n segments
 UNLOADED = {"weight": lambda n: Weight(1, np.zeros(n + 1))}

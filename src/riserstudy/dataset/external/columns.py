@@ -23,8 +23,7 @@ _NUMBER = r"-?(?:\d+\.?\d*|\.\d+)"
 _LENGTHS = {"m": 1.0, "ft": 0.3048}
 _PLACE = rf"(?P<place>{_NUMBER}(?:e[+-]?\d+)?) (?P<length>{'|'.join(_LENGTHS)})|cylinder (?P<cylinder>\d+)"
 _HEADING = re.compile(
-    rf"(?P<name>\w+)(?: at (?:{_PLACE}))?\s*(?:\((?P<unit>[^()]+)\)|\[(?P<other>[^][]+)\])",
-    re.ASCII,
+    rf"(?P<name>\w+)(?: at (?:{_PLACE}))?\s*(?:\((?P<unit>[^()]+)\)|\[(?P<other>[^][]+)\])", re.ASCII
 )
 SI = {stored: written for written, stored in AS_STORED.items()} | {"Pa": "N/m^2"}
 EXAMPLE = "write, for example, `effective_tension at 300 m (kN)`"
@@ -87,9 +86,7 @@ def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) ->
     try:
         return values * factor("*".join(product.split()), si)
     except ValueError as error:
-        raise InputError(
-            path, title, f"unit {unit!r} {error}", f"allowed is such as {si}"
-        ) from None
+        raise InputError(path, title, f"unit {unit!r} {error}", f"allowed is such as {si}") from None
 
 
 def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
@@ -99,9 +96,7 @@ def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
     """
     missing = np.flatnonzero(~np.isfinite(along))
     if len(missing):
-        raise InputError(
-            path, title, f"row {missing[0] + 1} has no number", "write a number in each row"
-        )
+        raise InputError(path, title, f"row {missing[0] + 1} has no number", "write a number in each row")
     falls = np.flatnonzero(np.diff(along) <= 0.0)
     if len(falls):
         k = int(falls[0])

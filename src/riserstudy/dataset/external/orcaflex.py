@@ -81,9 +81,7 @@ def axis_of(title: str) -> tuple[str, str] | None:
     return (AXES[found[1].lower()], found[2]) if found else None
 
 
-def heading_of(
-    path: Path, title: str, above: list[str], end: EndA | None, length: float
-) -> Heading | None:
+def heading_of(path: Path, title: str, above: list[str], end: EndA | None, length: float) -> Heading | None:
     """Content of a heading in OrcaFlex's terms; None if it is not in these terms.
 
     Raises InputError when its definition differs from that of a run, or its place is not given.
@@ -123,9 +121,7 @@ def _place(path: Path, title: str, after: str, end: EndA | None, length: float) 
         allowed = f"give the place with --column '{title}=effective_tension at 300 m (kN)'"
         raise InputError(path, title, f"{after.strip()!r} is no place on a line", allowed)
     if end is None:
-        raise InputError(
-            path, title, "the file does not state which end is end A", f"add --end-a: {END_A}"
-        )
+        raise InputError(path, title, "the file does not state which end is end A", f"add --end-a: {END_A}")
     if found["arc"]:
         return end.place(float(found["arc"]))
     if found["end"].lower() == "end a":

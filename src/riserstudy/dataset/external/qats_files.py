@@ -59,9 +59,7 @@ def read_series(path: Path, titles: list[str]) -> list[Series]:
     if missing:
         names = ", ".join([*known][:MOST_NAMES])
         more = f" and {len(known) - MOST_NAMES} more" if len(known) > MOST_NAMES else ""
-        raise InputError(
-            path, missing[0], "no series of the file", f"allowed are {printable(names)}{more}"
-        )
+        raise InputError(path, missing[0], "no series of the file", f"allowed are {printable(names)}{more}")
     return [
         Series(title, one.unit or "", np.asarray(one.t, float), np.asarray(one.x, float))
         for title, one in zip(titles, read, strict=True)

@@ -19,9 +19,7 @@ NO_END_A = "allowed only with a file in OrcaFlex's terms, whose arc length start
 AXIS = "begin with `time (s)` or `s (m)`, or name the variable with --column"
 
 
-def read_external(
-    path: Path, called: Mapping[str, str], end_a: str | None, length: float
-) -> External:
+def read_external(path: Path, called: Mapping[str, str], end_a: str | None, length: float) -> External:
     """Read a file.
 
     Raises InputError when the file cannot be read, or a heading is not known.
@@ -71,9 +69,7 @@ def _series(path: Path, called: Mapping[str, str]) -> External:
     return External("time", own.only_once(path, made), notes)
 
 
-def _table(
-    path: Path, table: Text, called: Mapping[str, str], end_a: str | None, length: float
-) -> External:
+def _table(path: Path, table: Text, called: Mapping[str, str], end_a: str | None, length: float) -> External:
     title, *titles = table.headings
     axis, unit, foreign = _axis(path, title, called)
     end = orcaflex.end_a(end_a, length) if end_a is not None else None
@@ -90,9 +86,7 @@ def _table(
         along = end.s + end.way * along
         order = slice(None, None, end.way)
         along, values = along[order], [column[order] for column in values]
-        notes.append(
-            f"arc length is measured {'up' if end.way > 0 else 'down'} from s = {end.s:g} m"
-        )
+        notes.append(f"arc length is measured {'up' if end.way > 0 else 'down'} from s = {end.s:g} m")
     own.rising(path, title, along)
     made = []
     for name, numbers in zip(titles, values, strict=True):
@@ -117,12 +111,7 @@ def _axis(path: Path, title: str, called: Mapping[str, str]) -> tuple[str, str, 
 
 
 def _heading(
-    path: Path,
-    title: str,
-    table: Text,
-    called: Mapping[str, str],
-    end: orcaflex.EndA | None,
-    length: float,
+    path: Path, title: str, table: Text, called: Mapping[str, str], end: orcaflex.EndA | None, length: float
 ) -> Heading:
     if title in called:
         return own.heading_of(path, called[title])

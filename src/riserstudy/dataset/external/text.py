@@ -44,9 +44,7 @@ def read_table(path: Path) -> Text:
     decimal = _decimal_comma(path, mark, rows)
     first = next((n for n, (_, row) in enumerate(rows) if _is_numbers(row, decimal)), None)
     if not first:  # 0: a table without headings
-        raise InputError(
-            path, "", "no numbers below a line of headings", "write a heading above each column"
-        )
+        raise InputError(path, "", "no numbers below a line of headings", "write a heading above each column")
     titles, used = _headings(rows, first)
     width = max((k + 1 for k, cell in enumerate(titles) if cell), default=0)
     if width < 2:
@@ -91,9 +89,7 @@ def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> 
                 point = point or line
         if point and comma:
             found = f"has a decimal comma, and line {point} a decimal point"
-            raise InputError(
-                path, f"line {comma}", found, "write one decimal mark in all of the file"
-            )
+            raise InputError(path, f"line {comma}", found, "write one decimal mark in all of the file")
     return bool(comma)
 
 

@@ -23,9 +23,7 @@ class Part:
     Errors are collected in a list that all parts of a deck share, so that a user sees them together.
     """
 
-    def __init__(
-        self, data: Any, path: str, source: Path, faults: list[InputError] | None = None
-    ) -> None:
+    def __init__(self, data: Any, path: str, source: Path, faults: list[InputError] | None = None) -> None:
         if not isinstance(data, dict):
             allowed = "write names with values, as OrcaFlex saves an object"
             raise InputError(source, path, "is not an object", allowed)
@@ -94,9 +92,7 @@ class Part:
         self.value(key)
         numbers = self.numbers(key)
         if len(numbers) != 3:
-            raise self.refused(
-                key, f"{len(numbers)} values", "allowed are 3 values, for x, y and z"
-            )
+            raise self.refused(key, f"{len(numbers)} values", "allowed are 3 values, for x, y and z")
         return numbers[0], numbers[1], numbers[2]
 
     def _number(self, key: str, entry: Any) -> float:
@@ -116,9 +112,7 @@ class Part:
         """Return whether the object has a table with these columns."""
         return self._header(columns) is not None
 
-    def table(
-        self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()
-    ) -> list[list[Any]]:
+    def table(self, *columns: str, of: tuple[str, ...] = (), idle: tuple[str, ...] = ()) -> list[list[Any]]:
         """Return cells of the named columns of a table; versions differ in other columns and in their order.
 
         Parameters
@@ -140,10 +134,7 @@ class Part:
             allowed = f"write rows of {len(names)} values, one for each name"
             raise self.refused(key, "is not a table", allowed)
         full = [
-            {
-                name: None if cell in ("~", []) else cell
-                for name, cell in zip(names, row, strict=False)
-            }
+            {name: None if cell in ("~", []) else cell for name, cell in zip(names, row, strict=False)}
             for row in rows
         ]
         for name in names:
@@ -202,12 +193,8 @@ class Part:
         """Return the objects of a list inside this one; empty if the list is missing."""
         entries = self.optional(key) or []
         if not isinstance(entries, list):
-            raise self.refused(
-                key, "is not a list", "write a list of objects, as OrcaFlex saves it"
-            )
-        names = [
-            one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(entries)
-        ]
+            raise self.refused(key, "is not a list", "write a list of objects, as OrcaFlex saves it")
+        names = [one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(entries)]
         return self._kept(key, entries, [f"{self.path}.{key}[{n}]".strip(".") for n in names])
 
     def named(self, key: str) -> dict[str, Part]:

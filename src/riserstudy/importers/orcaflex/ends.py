@@ -74,9 +74,7 @@ def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
         raise part.refused(PLACE[0], found, allowed) from None
     if across not in (None, along):
         found = f"{along} and {across}"
-        allowed = (
-            "a flex joint of a scene has one stiffness for both directions. Write equal values"
-        )
+        allowed = "a flex joint of a scene has one stiffness for both directions. Write equal values"
         part.note(part.refused(BENDING, found, allowed))
     return End(str(to), x, y, z, str(of or ""), leaning, stiffness or None)
 

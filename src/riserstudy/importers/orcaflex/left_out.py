@@ -38,10 +38,7 @@ def left_out(deck: Part) -> list[str]:
     for (of, key, value), objects in alike.items():
         place = f"{of}[{', '.join(objects)}]" if any(objects) else of
         plain.append(f"{place}.{key}: {value}".lstrip("."))
-    for label, some in (
-        ("values that are 0 or none", off),
-        ("values that affect only drawings", drawn),
-    ):
+    for label, some in (("values that are 0 or none", off), ("values that affect only drawings", drawn)):
         keys = dict.fromkeys(f"{entry.of}.{entry.key}".lstrip(".") for entry in some)
         plain += [f"{label}: {', '.join(keys)}"] if keys else []
     return [*apart, *otherwise, *plain]

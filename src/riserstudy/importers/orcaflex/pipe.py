@@ -75,9 +75,7 @@ def wall(kind: Part) -> dict[str, Any]:
         fields["axial_stiffness"] = q(kind.number("EA"), "kN")
         mass = q(mass_of(kind), "kg/m")
     else:
-        allowed = (
-            f"allowed are General and Homogeneous pipe: the import reads no other type. {CHANGE}"
-        )
+        allowed = f"allowed are General and Homogeneous pipe: the import reads no other type. {CHANGE}"
         raise kind.refused("Category", kind.text("Category"), allowed)
     return fields | {"mass": mass}
 
@@ -140,9 +138,7 @@ def across(kind: Part, name: str) -> float | None:
     if isinstance(whole, list):
         if len(whole) < 2 or whole[1] not in (None, "~", whole[0]):
             found = ", ".join(map(str, whole))
-            allowed = (
-                "a scene has one value for both directions across the line. Write equal values"
-            )
+            allowed = "a scene has one value for both directions across the line. Write equal values"
             raise kind.refused(name, found, allowed)
         whole = whole[0]
     given = [kind.optional(f"{name}x"), kind.optional(f"{name}n"), whole]

@@ -41,16 +41,12 @@ def current_of(sea: Part) -> dict[str, Any] | None:
     sea.demand("VerticalCurrentVariationMethod", "Interpolated")
     sea.idle("CurrentModel", "Variation scheme")
     rows = sea.figures("CurrentDepth", "CurrentFactor", of=("CurrentRotation",))
-    points = [
-        {"depth": q(depth, "m"), "speed": q(speed * factor, "m/s")} for depth, factor, _ in rows
-    ]
+    points = [{"depth": q(depth, "m"), "speed": q(speed * factor, "m/s")} for depth, factor, _ in rows]
     if any(turn for *_, turn in rows):
         for point, (*_, turn) in zip(points, rows, strict=True):
             point["direction"] = q(towards + turn, "deg")
         return {"profile": points, "beyond": "hold"}
-    return {"profile": points, "beyond": "hold"} | (
-        {"heading": q(towards, "deg")} if towards else {}
-    )
+    return {"profile": points, "beyond": "hold"} | ({"heading": q(towards, "deg")} if towards else {})
 
 
 def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] | None:
@@ -72,10 +68,7 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
     elif not train.number("WaveHeight"):
         return None
     else:
-        wave = {
-            "height": q(train.number("WaveHeight"), "m"),
-            "period": q(train.number("WavePeriod"), "s"),
-        }
+        wave = {"height": q(train.number("WaveHeight"), "m"), "period": q(train.number("WavePeriod"), "s")}
     if kind in STEEP:
         _made_linear(train, kind, sea)
         wave["above_mean_level"] = "stretched"
@@ -153,9 +146,7 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         "components": train.whole("WaveNumberOfComponents"),
         "seed": abs(train.whole("WaveSeed")),
     }
-    reason = (
-        "the sea record differs: the random phases and the components are generated differently"
-    )
+    reason = "the sea record differs: the random phases and the components are generated differently"
     train.otherwise["WaveSeed"] = reason
     return wave
 

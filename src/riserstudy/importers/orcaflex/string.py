@@ -174,9 +174,7 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
         names = {name for name, _ in lengths_of(line.part)}
         if len(names) > 1:
             found = ", ".join(sorted(names))
-            raise line.part.refused(
-                "LineType", found, "a line along the riser must have one line type"
-            )
+            raise line.part.refused("LineType", found, "a line along the riser must have one line type")
         kind = kind_of(deck, line.part, *names)
         kinds.append(kind)
         fields = _pipe(kind) | {"name": line.name, "tension": "shared"}
@@ -196,9 +194,7 @@ def _sum(section: dict[str, Any], more: list[dict[str, Any]], name: str, power: 
     if not more:
         return
     first = parts[0]["coefficient"]
-    whole = sum(
-        float(part["coefficient"]) * float(part["diameter"].split()[0]) ** power for part in parts
-    )
+    whole = sum(float(part["coefficient"]) * float(part["diameter"].split()[0]) ** power for part in parts)
     diameter = q((whole / first) ** (1.0 / power), "m")
     quantity = "diameters" if power == 1 else "squares of diameters"
     reason = f"{quantity} of pipe and lines, times their coefficients"

@@ -162,10 +162,7 @@ def _link(link: Part, of: Anchorage) -> Pull:
             raise link.refused("UnstretchedLength", found, "a tether needs a length above 0")
         stiffness = link.number("Stiffness") / (unstretched if kind == "tether" else 1.0)
         pull = stiffness * (length - unstretched)
-        law: tuple[tuple[float, float], ...] = (
-            (0.0, round(pull, 6)),
-            (1.0, round(pull + stiffness, 6)),
-        )
+        law: tuple[tuple[float, float], ...] = ((0.0, round(pull, 6)), (1.0, round(pull + stiffness, 6)))
     else:
         rows = link.figures("SpringLength", "SpringTension")
         law = tuple((round(reach - length, 6), force) for reach, force in rows)
@@ -197,11 +194,7 @@ def _winch(winch: Part, of: Anchorage) -> Pull:
     deck, ring, _ = _between(winch, of)
     modes = [str(mode) for (mode,) in winch.table("StageMode", idle=("StageValue",))]
     stages = set(
-        zip(
-            modes,
-            [value for (value,) in winch.figures("StageValue", idle=("StageMode",))],
-            strict=True,
-        )
+        zip(modes, [value for (value,) in winch.figures("StageValue", idle=("StageMode",))], strict=True)
     )
     if len(stages) > 1 or next(iter(stages))[0] != "Specified tension":
         found = ", ".join(f"{mode} {value:g}" for mode, value in sorted(stages))

@@ -71,9 +71,7 @@ def _pulling(deck: Part, ring: set[str]) -> list[Part]:
             if ring & set(ends):
                 pulling.append(part)
             else:
-                part.apart = (
-                    f"it connects {' and '.join(map(repr, ends))}, not the upper end of the riser"
-                )
+                part.apart = f"it connects {' and '.join(map(repr, ends))}, not the upper end of the riser"
     return pulling
 
 
@@ -102,9 +100,7 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
     return Top(tree | ({"body": body} if body else {}), vessels.get(on))
 
 
-def _guided(
-    deck: Part, cast: Roles, guide: Part, pulling: list[Part], of: Anchorage, sea: Sea
-) -> Top:
+def _guided(deck: Part, cast: Roles, guide: Part, pulling: list[Part], of: Anchorage, sea: Sea) -> Top:
     """Return an upper end on a constraint that keeps it below a point of the vessel and free vertically."""
     vessels = deck.named("Vessels")
     upright(cast.riser[0], cast.riser[0].upper)
@@ -128,12 +124,7 @@ def _guided(
 
 
 def _jointed(
-    deck: Part,
-    cast: Roles,
-    pulling: list[Part],
-    of: Anchorage,
-    body: dict[str, Any] | None,
-    sea: Sea,
+    deck: Part, cast: Roles, pulling: list[Part], of: Anchorage, body: dict[str, Any] | None, sea: Sea
 ) -> Top:
     """Return a ring on tensioners below a telescopic joint; a constant tension may pull along the joint."""
     joint, vessels = cast.joint, deck.named("Vessels")
@@ -170,9 +161,7 @@ def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
     return {"rotation": rotation(joint.upper.stiffness), "telescopic_joint": joint_}
 
 
-def _carries(
-    deck: Part, cast: Roles, body: dict[str, Any] | None, sea: Sea
-) -> dict[str, Any] | None:
+def _carries(deck: Part, cast: Roles, body: dict[str, Any] | None, sea: Sea) -> dict[str, Any] | None:
     """Return the ring with its part of the joint's mass: half of a soft joint, none of a sliding one."""
     joint, node = cast.joint, cast.nodes[0]
     if joint is None:

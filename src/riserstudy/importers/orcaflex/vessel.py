@@ -154,9 +154,7 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
     return cruise | ({"heading": q(heading, "deg")} if heading else {})
 
 
-def _operators(
-    deck: Part, vessel: Part, sea: Sea, offset: float
-) -> tuple[list[float], dict[str, Any]]:
+def _operators(deck: Part, vessel: Part, sea: Sea, offset: float) -> tuple[list[float], dict[str, Any]]:
     """Return the origin of a vessel's RAOs (m), and the response that they describe."""
     kinds = deck.named("VesselTypes")
     name = vessel.text("VesselType")
@@ -205,9 +203,7 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
         for row in one.figures(*TABLE):
             period = row[0]
             if not 0.0 < period < math.inf:
-                one.otherwise[TABLE[0]] = (
-                    f"its row at {period:g} is left out: it is not a period of a wave"
-                )
+                one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: it is not a period of a wave"
                 continue
             circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
             later = half_a_turn + sign * crest.lead(math.radians(heading), circular)

@@ -8,17 +8,7 @@ from __future__ import annotations
 from itertools import chain
 from typing import TYPE_CHECKING
 
-from riserstudy.scene.rules import (
-    analysis,
-    current,
-    disconnect,
-    ends,
-    geometry,
-    limits,
-    pipe,
-    vessel,
-    waves,
-)
+from riserstudy.scene.rules import analysis, current, disconnect, ends, geometry, limits, pipe, vessel, waves
 
 if TYPE_CHECKING:
     from collections.abc import Iterator

@@ -21,9 +21,7 @@ def stations(scene: Parts) -> Iterator[Misfit]:
     for s in places:
         if not 0.0 <= s <= length * (1.0 + 1e-9):
             remedy = f"allowed is from 0 to {length:g} m"
-            yield Misfit(
-                "analysis.output.stations", f"{s:g} m is not on the riser", remedy, ("riser",)
-            )
+            yield Misfit("analysis.output.stations", f"{s:g} m is not on the riser", remedy, ("riser",))
 
 
 def sees_the_disconnect(scene: Parts) -> Iterator[Misfit]:
@@ -31,9 +29,7 @@ def sees_the_disconnect(scene: Parts) -> Iterator[Misfit]:
     release, output = scene.disconnect, scene.analysis.output
     start = (output and output.start) or 0.0
     if release and start > release.at:
-        found = (
-            f"{start:g} s is after the disconnect, and misses lift and clearance before that time"
-        )
+        found = f"{start:g} s is after the disconnect, and misses lift and clearance before that time"
         remedy = f"allowed is up to {release.at:g} s"
         yield Misfit("analysis.output.start", found, remedy, ("disconnect.at",))
 

@@ -22,10 +22,7 @@ def disconnect(scene: Parts) -> Iterator[Misfit]:
     if release is None:
         return
     if scene.bottom.hold != "wellhead":
-        found, remedy = (
-            "needs 'bottom.hold: wellhead', from which the riser disconnects",
-            "write it",
-        )
+        found, remedy = ("needs 'bottom.hold: wellhead', from which the riser disconnects", "write it")
         yield Misfit("disconnect", found, remedy, ("bottom.hold",))
     if scene.bottom.body and scene.bottom.body.reach:
         found, remedy = "needs a body at a point", "leave out bottom.body's reach"
@@ -51,19 +48,14 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
         yield Misfit(f"{path}.failed", *fault, also)
     if valve.isolation and not valve.isolation.volume < gas.volume:
         found = f"{valve.isolation.volume:g} m^3 is not less than a cylinder's gas volume"
-        yield Misfit(
-            f"{path}.isolation.volume", found, f"allowed is less than {gas.volume:g} m^3", also
-        )
+        yield Misfit(f"{path}.isolation.volume", found, f"allowed is less than {gas.volume:g} m^3", also)
 
 
 def _drains(scene: Parts) -> Iterator[Misfit]:
     """Draining contents must be one uniform column from the lower end upwards, in a sea of known level."""
     path, filled = "disconnect.drain", [s for s in scene.riser if s.contents]
     if not filled or any(s.contents for s in scene.riser[len(filled) :]):
-        found, remedy = (
-            "needs contents",
-            "allowed are those in sections from the lowest one upwards",
-        )
+        found, remedy = ("needs contents", "allowed are those in sections from the lowest one upwards")
         yield Misfit(path, found, remedy, ("riser",))
         return
     inside = [s.contents for s in filled if s.contents]
@@ -73,10 +65,7 @@ def _drains(scene: Parts) -> Iterator[Misfit]:
         remedy = "needs the same contents and bore in all sections with contents"
         yield Misfit(path, found, remedy, ("riser",))
     if scene.water is None or scene.water.surface is None:
-        found, remedy = (
-            "needs water.surface",
-            "add it: the pressure of the sea acts against the contents",
-        )
+        found, remedy = ("needs water.surface", "add it: the pressure of the sea acts against the contents")
         yield Misfit(path, found, remedy, ("water.surface",))
 
 
@@ -93,10 +82,7 @@ def events(scene: Parts) -> Iterator[Misfit]:
         return
     path = next(path for path, there in _sudden(scene).items() if there)
     if a.method == "explicit" or a.solver:
-        found, also = (
-            "needs an implicit method of lumped masses",
-            ("analysis.method", "analysis.solver"),
-        )
+        found, also = ("needs an implicit method of lumped masses", ("analysis.method", "analysis.solver"))
         yield Misfit(path, found, "leave out analysis.method and solver", also)
     if scene.vessel and scene.vessel.coupling:
         found = "is not possible with vessel.coupling"

@@ -22,9 +22,7 @@ def held(scene: Parts) -> Iterator[Misfit]:
         yield Misfit("top.x", f"is needed, because of {scene.lateral}", "add it", (scene.lateral,))
     if top.z != "free" and bottom.hold == "free" and top.elevation is None:
         remedy = "add it"
-        yield Misfit(
-            "top.elevation", "a hung-off riser needs top.elevation", remedy, ("bottom.hold",)
-        )
+        yield Misfit("top.elevation", "a hung-off riser needs top.elevation", remedy, ("bottom.hold",))
     for name in ("x", "z"):
         if scene.platform is None and getattr(top, name) == "platform":
             found, remedy = "top is on the platform: needs platform", "add platform"

@@ -40,9 +40,7 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
         yield Misfit("fatigue", found, "add it: a static run has no stress cycles", also)
         return
     if a.solver:
-        yield Misfit(
-            "fatigue", "not with analysis.solver", "leave out the solver", ("analysis.solver",)
-        )
+        yield Misfit("fatigue", "not with analysis.solver", "leave out the solver", ("analysis.solver",))
     if scene.events or scene.top.tension_loss:
         found, remedy = (
             "not with events such as a disconnect",
@@ -58,9 +56,7 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
     known: set[str] = set()
     for k, detail in enumerate(scene.fatigue.details):
         if detail.name in known:
-            yield Misfit(
-                f"fatigue.details[{k}].name", f"{detail.name!r} occurs twice", "give another name"
-            )
+            yield Misfit(f"fatigue.details[{k}].name", f"{detail.name!r} occurs twice", "give another name")
         known.add(detail.name)
         yield from (fault.below(f"fatigue.details[{k}]") for fault in _detail(scene, detail))
 

@@ -25,9 +25,7 @@ def water(scene: Parts) -> Iterator[Misfit]:
     for k, section in enumerate(scene.riser):
         for name in ("drag", "tangential_drag", "added_mass"):
             if getattr(section, name):
-                yield Misfit(
-                    f"riser[{k}].{name}", "needs water", "add water, or leave it out", ("water",)
-                )
+                yield Misfit(f"riser[{k}].{name}", "needs water", "add water, or leave it out", ("water",))
     if scene.current:
         yield Misfit("current", "needs water", "add water, or leave current out", ("water",))
 
@@ -79,9 +77,7 @@ def joint(scene: Parts) -> Iterator[Misfit]:
     """One flex joint is possible, between sections that bend; a guide is not possible at a held lower end."""
     joints = [k for k, s in enumerate(scene.riser) if s.flex_joint_below]
     if joints and (not all(bends(scene)) or len(joints) > 1 or joints[0] == 0):
-        found = (
-            f"{len(joints)} in the riser" if len(joints) > 1 else "not between sections that bend"
-        )
+        found = f"{len(joints)} in the riser" if len(joints) > 1 else "not between sections that bend"
         remedy = "allowed is one, between sections that bend; the lower end has bottom.rotation"
         yield Misfit(f"riser[{joints[-1]}].flex_joint_below", found, remedy)
     if scene.riser[0].guide_below and scene.bottom.hold != "free":

@@ -29,9 +29,7 @@ def moored(scene: Parts) -> Iterator[Misfit]:
         yield Misfit("vessel.yaw", found, "use an implicit method", ("analysis.method",))
     for name in ("yaw", "coupling") if top.tensioners and top.tensioners.arrangement else ():
         if getattr(vessel, name, None):
-            found = (
-                "not simulated with top.tensioners.arrangement, whose cylinders pull at the vessel"
-            )
+            found = "not simulated with top.tensioners.arrangement, whose cylinders pull at the vessel"
             remedy = f"leave out vessel.{name} or the arrangement"
             yield Misfit(f"vessel.{name}", found, remedy, ("top.tensioners.arrangement",))
     if vessel.hull_drag and scene.water is None:
@@ -45,9 +43,7 @@ def coupled(scene: Parts) -> Iterator[Misfit]:
     """
     if scene.vessel is None or scene.vessel.coupling is None:
         return
-    yield from (
-        fault.below("vessel.coupling") for fault in scene.vessel.coupling.misfits(scene.analysis)
-    )
+    yield from (fault.below("vessel.coupling") for fault in scene.vessel.coupling.misfits(scene.analysis))
     if scene.top.telescopic_joint:
         return
     for name in ("body", "lateral_force", "tensioners"):
@@ -69,10 +65,7 @@ def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[M
     explicit = scene.analysis.method == "explicit"
     position = platform.position
     remedies: dict[str, tuple[object, str]] = {
-        "platform.cruise": (
-            platform.cruise,
-            "the motion of the vessel is computed; leave the cruise out",
-        ),
+        "platform.cruise": (platform.cruise, "the motion of the vessel is computed; leave the cruise out"),
         "vessel.yaw": (
             vessel.yaw,
             "first-order motions are defined for a constant heading; leave out vessel.yaw or the platform",
@@ -81,10 +74,7 @@ def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[M
             vessel.coupling,
             "an exchange does not include first-order motions; leave out vessel.coupling or the platform",
         ),
-        "analysis.method": (
-            explicit,
-            "explicit stepping has no first-order motions; use an implicit method",
-        ),
+        "analysis.method": (explicit, "explicit stepping has no first-order motions; use an implicit method"),
         "platform.position.surge": (
             position and position.surge,
             "the vessel rests at top.offset; give top.offset",
