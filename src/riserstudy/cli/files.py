@@ -86,7 +86,9 @@ def import_deck(
 def export_deck(
     scene: SceneArgument,
     output: Annotated[
-        Path, typer.Option("-o", "--output", help="text model to write", metavar="DECK.yml"), Writes("deck")
+        Path,
+        typer.Option("-o", "--output", help="text model of OrcaFlex to write", metavar="DECK.yml"),
+        Writes("deck"),
     ],
     orcaflex: Annotated[
         bool, typer.Option("--orcaflex", help="write OrcaFlex's text model, the only format so far")

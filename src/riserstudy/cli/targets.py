@@ -35,7 +35,7 @@ LOOKED_AT = 1000  # number of bytes of a file that are read to determine its kin
 OR_FORCE = "name another file, or add --force to replace this one"
 
 ForceOption = Annotated[
-    bool, typer.Option("--force", help="replace a file even if it is an input or of another kind")
+    bool, typer.Option("--force", help="replace any existing file, even an input of the command")
 ]
 
 
