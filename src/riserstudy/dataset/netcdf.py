@@ -93,10 +93,11 @@ def refuse_too_large(path: Path) -> None:
     A short file can contain many values: chunks without values take no space.
     """
     import netCDF4
+    import psutil
 
     with netCDF4.Dataset(path) as file:
         size = sum(_sizes(file))
-    if size > (most := _memory()):
+    if size > (most := psutil.virtual_memory().total):
         sizes = f"{plain(size / 1e9)} GB of values, and this computer has {plain(most / 1e9)} GB"
         raise InputError(path, "", f"{sizes} of memory", "give a file with fewer values")
 
@@ -107,14 +108,6 @@ def _sizes(group: Any) -> Iterator[int]:
         yield math.prod(variable.shape) * getattr(variable.dtype, "itemsize", 1)
     for part in group.groups.values():
         yield from _sizes(part)
-
-
-def _memory() -> float:
-    """Memory of this computer (bytes); infinite where the system does not give it."""
-    try:
-        return float(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES"))
-    except (AttributeError, ValueError, OSError):
-        return math.inf
 
 
 def _append_digest(path: Path) -> None:
