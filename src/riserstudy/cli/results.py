@@ -33,7 +33,8 @@ def results(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            help="name of a study, or words that points must contain", metavar="[STUDY | FILTER...]"
+            help="name of a study; or words, to list the points that contain all of them",
+            metavar="[STUDY | FILTER...]",
         ),
     ] = None,
     where: Annotated[
@@ -44,7 +45,10 @@ def results(
     ] = None,
     columns: Annotated[str | None, typer.Option(help="columns to show", metavar="A,B,...")] = None,
     sort: Annotated[
-        str | None, typer.Option(help="columns to sort by; -A sorts from the largest", metavar="A,B,...")
+        str | None,
+        typer.Option(
+            help="columns to sort by, smallest values first; -A: largest values of A first", metavar="A,B,..."
+        ),
     ] = None,
     csv: CsvOption = None,
     as_json: JsonOption = False,

@@ -25,7 +25,7 @@ def too_late(times: Mapping[str, float], duration: float, *also: str) -> Iterato
 
 
 class Valve(Strict):
-    """Effect of tensioner valves on a constant ``top.tension`` after the release.
+    """Tensioner valves that change a constant ``top.tension`` after the release of the lower end.
 
     The tension decreases smoothly to ``hold`` times the suspended submerged weight. ``failed``: fraction of
     the tension that remains because the valves of some tensioners do not move.
@@ -66,8 +66,8 @@ class RecoilValve(Strict):
 class Drain(Strict):
     """Contents that drain after the release, as one column between the air above and the sea below.
 
-    ``friction``: Darcy friction factor of the wall. ``losses``: velocity heads lost at the ends, by default
-    none.
+    ``friction``: Darcy friction factor of the wall. ``losses``: number of velocity heads lost at the
+    ends, by default zero.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]

@@ -21,7 +21,7 @@ class Areas(Strict):
 
 
 class BodyAddedMass(Strict):
-    """Added mass of a body. A direction that is not given has none."""
+    """Added mass of a body. A direction that is not given has no added mass."""
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -121,9 +121,9 @@ class Bottom(Strict):
 class JointStop(Strict):
     """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
-    Both are measured like the stroke of the joint. ``stroke``: largest extension. ``collapse``: largest
-    compression, at which the barrels meet and push. A stop that is not given does not exist. Both stops are
-    elastic, without energy loss.
+    Extension and compression are measured like the stroke of the joint. ``stroke``: largest extension.
+    ``collapse``: largest compression, at which the barrels meet and push. A stop that is not given does not
+    exist. Both stops are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None

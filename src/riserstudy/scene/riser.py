@@ -163,7 +163,7 @@ class Contents(Strict):
 
 
 class Joints(Strict):
-    """Number and length of equal joints."""
+    """Number of equal joints, and the length of one joint."""
 
     count: Annotated[int, Field(ge=1), WHOLE]
     length: Annotated[u.Length, POSITIVE]

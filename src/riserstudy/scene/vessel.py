@@ -65,11 +65,11 @@ class Turning(Strict):
 
 
 class Thrusters(Strict):
-    """Thrust G (x_c - x) - D v towards the commanded place x_c, which is measured from above the well.
+    """Thrust G (x_c - x) - D v towards the commanded place x_c, measured from the point above the well.
 
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
-    refer to the directions of the hull in its initial position. By default the command is along x. Without
-    ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with
+    refer to the directions of the hull in its initial position. By default the commanded place is along x.
+    Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with
     ``saturation``, the magnitude of the thrust is limited in all directions. Without ``rise`` the command
     acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). Without ``lag`` the thrust
     follows immediately; with ``lag``, the thrust follows with this time constant. Without ``sway`` there is
