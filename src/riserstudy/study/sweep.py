@@ -122,14 +122,16 @@ def sweep(
     check_cores("sweep", cores)
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = as_study(file, axes, None if keep is None else list(keep), modes)
-    points = study.plan
     for text in (*far_values(study), *idle_values(study)):
         warnings.warn(text, stacklevel=2)
-    with _progress(progress, len({point.key for point in points})) as done:
-        failures = attempt(study, points, cores or available_cores(), done)
-    _check_failures(study, points, failures, on_error)
-    of = file.tree.get("title") or "a scene"
-    return _dataset(study, points, failures).assign_attrs(title=f"{of}: sweep of {', '.join(axes)}")
+    with _progress(progress, len({point.key for point in study.plan})) as done:
+        failures = attempt(study, study.plan, cores or available_cores(), done)
+    _check_failures(study, study.plan, failures, on_error)
+    return _dataset(study, study.plan, failures).assign_attrs(title=_title(file, axes))
+
+
+def _title(file: SceneFile, axes: Iterable[str]) -> str:
+    return f"{file.tree.get('title') or 'a scene'}: sweep of {', '.join(axes)}"
 
 
 def _check_failures(study: Study, points: list[Point], failures: Mapping[str, object], on_error: str) -> None:
