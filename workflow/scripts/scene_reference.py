@@ -43,9 +43,9 @@ interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
 *Chosen* values do not describe the riser; examples are the datum of elevations and the outputs. The list
-`inputs` of a file in `config/published` contains the values that a paper prints. Tests compare the values
-without a stated origin in the paper's scenes with this list. A study can vary all *assumed* values together,
-over their ranges or options.
+`inputs` of a file in `config/published` contains the values that a paper prints. If a value in a scene of
+this paper has no stated origin, it must be in this list; a test checks this. A study can vary all *assumed*
+values together, over their ranges or options.
 
 A table can be given as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
 line of the CSV file gives the columns with their units, in any order. The tables have these columns:

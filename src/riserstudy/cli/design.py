@@ -112,10 +112,10 @@ def tension(
     """Compute the minimum top tension, and the window (allowed range) of the tension setting.
 
     The minimum tension is computed by the standard formula and by simulation. In the simulation, a constant
-    tension replaces the tensioners. The window ends at --share times --dynamic-limit. The window begins at
-    the minimum tension or at the tension that lifts the LMRP off with --overpull, whichever requires the
-    larger tension setting. The exit status is 4 if the scene lacks an input, such as separate weights of
-    steel and buoyancy.
+    tension replaces the tensioners. The upper end of the window is --share times --dynamic-limit. The lower
+    end is the setting for the minimum tension or for the tension that lifts the LMRP off with --overpull,
+    whichever requires the larger tension setting. The exit status is 4 if the scene lacks an input, such as
+    separate weights of steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

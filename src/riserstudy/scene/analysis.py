@@ -57,8 +57,8 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories. By default they begin at the start of the run and cover all nodes.
 
-    Extremes, and the limits that are checked against them, count from ``start`` on. ``stress_in`` names a
-    section whose largest stress at the outer fibre is output over time.
+    Extremes are taken, and limits are checked, from ``start`` on only. ``stress_in`` names a section whose
+    largest stress at the outer fibre is output over time.
     """
 
     interval: Annotated[u.Time, POSITIVE]

@@ -184,12 +184,12 @@ class TensionLoss(Strict):
 
 
 class Top(Strict):
-    """Upper end. ``x`` (with y) and ``z`` follow the platform, are held, or are free.
+    """Upper end. In the directions ``x`` (with y) and ``z``, it follows the platform, is held, or is free.
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
     free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
-    also has a platform, the top also has the horizontal first-order (wave-frequency) motions of the
-    platform. With ``z: platform`` it has the vertical ones, too.
+    also has a platform, the top also has the horizontal first-order (wave-frequency) motions of the platform.
+    With ``z: platform`` the top also has the vertical first-order motions of the platform.
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
     equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given.

@@ -63,7 +63,10 @@ class Pistons(Strict):
 
 
 class TwoChamberGas(Strict):
-    """Two gas chambers per cylinder. High pressure pulls; low pressure and the pistons' weight push back.
+    """Two gas chambers per cylinder.
+
+    The high pressure causes the pull of the cylinder. The low pressure and the weight of the pistons reduce
+    this pull.
 
     Without ``pistons``, the pistons have neither weight nor mass.
     """
