@@ -75,7 +75,7 @@ class Drain(Strict):
 
 
 class Stack(Strict):
-    """The stack, which the lower end can re-contact: a one-sided spring below the lower end."""
+    """BOP stack that the lower end can re-contact: a spring below the lower end, which only pushes."""
 
     stiffness: Annotated[u.Stiffness, POSITIVE]
 
