@@ -164,8 +164,8 @@ def operability(
     allowance: Annotated[
         list[str] | None,
         typer.Option(
-            help="effect of waves that is added to the static value of an output (subtracted for a "
-            "smallest value), such as lfj_angle='0.5 deg'; may be repeated",
+            help="effect of waves on an output, such as lfj_angle='0.5 deg': added to the static value, or "
+            "subtracted if the limit is a lower limit; may be repeated",
             metavar="OUTPUT=VALUE",
         ),
     ] = None,

@@ -80,8 +80,8 @@ HoldBackOption = Annotated[
 VaryOption = Annotated[
     list[str] | None,
     typer.Option(
-        help="print only the workable hours, with this value of the scene, such as "
-        "platform.position.surge='5 m'; may be repeated, and each value gives one row per mode",
+        help="print only a table of the workable hours, for this value of the scene, such as "
+        "platform.position.surge='5 m'; may be repeated; each value gives one row per mode",
         metavar="PATH=VALUE",
     ),
 ]

@@ -100,7 +100,7 @@ P = TypeVar("P", bound=Instant)
 
 
 class TimeSeries(Strict, Generic[P]):
-    """A motion by points, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
+    """A motion at points in time, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
     Before the first point and after the last, the motion keeps the value of this point. A sway, roll or yaw
     whose values are all zero does not count as a motion out of the plane.

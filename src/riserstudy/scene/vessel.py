@@ -109,10 +109,10 @@ class Yaw(Strict):
 class Coupling(Strict):
     """Platform and riser solved alternately, over intervals.
 
-    staggered: over each interval, the platform first moves under the riser's force at the start of the
-    interval, then the riser follows. iterated: the interval is repeated with the new force of the riser,
-    until the motion of the platform changes by less than the tolerance. The default tolerance is that of
-    Newton's iteration.
+    ``staggered``: over each interval, the platform first moves under the riser's force at the start of the
+    interval; then the riser is simulated with this motion of the platform. ``iterated``: the interval is
+    repeated with the new force of the riser, until the motion of the platform changes by less than
+    ``tolerance``. The default tolerance is that of Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
