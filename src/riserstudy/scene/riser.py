@@ -211,7 +211,7 @@ class Section(Strict):
     ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it.
     ``buoyancy_lift`` has no effect on the simulation. The formula for the minimum tension requires this lift,
     because the formula treats steel and modules separately. If ``buoyancy_lift`` is absent, the lift is
-    unknown.
+    unknown, and the formula is not evaluated.
 
     ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
     section are then those of the pipe alone. The values of modules and lines are added. The lift of the
