@@ -197,7 +197,7 @@ def crate(
     output: Annotated[Path, typer.Argument(help="archive to write, a new file", metavar="OUT.zip"), Writes()],
     study: Annotated[Path, typer.Option(help="folder of the study", metavar="FOLDER")] = HERE,
 ) -> None:
-    """Pack a study, its results and their description as a run crate, which anyone can rerun.
+    """Pack a study, its results and their description into one archive (run crate), which anyone can rerun.
 
     The command refuses results that are damaged or were edited, and results of a run that was interrupted,
     failed or made only some files. A note states which results were made before an edit of their inputs.
