@@ -58,14 +58,14 @@ def test_every_kind_of_damage_to_a_point_is_named_and_a_missing_one_counted(comm
     assert code == 1
     assert f"point {first}: damaged" in out
     assert "2 faults in" in out
-    assert "1 points are not in this store" in out
+    assert "not in this store: 1 point; " in out
 
 
 def test_points_of_a_former_format_are_missing_not_damaged(command):
     path = next(iter(points().values()))
     path.rename(path.with_suffix(".point"))
     code, out, _ = command("verify")
-    assert (code, "1 points are not in this store" in out) == (0, True)
+    assert (code, "not in this store: 1 point; " in out) == (0, True)
 
 
 def test_a_file_that_the_database_does_not_know_is_named(command):
@@ -151,7 +151,7 @@ def test_the_size_of_what_goes_is_told_before_anything_is_asked(command, monkeyp
     assert code == 1
     assert answers == ["remove 3 files?"]
     assert "of other engines or formats, or damaged: 3 files" in out
-    assert "of this engine, but of no study here: 1 files" in out
+    assert "of this engine, but of no study here: 1 file, " in out
     assert f"needed: {len(needed)} points" in out
     assert points() == every
     assert gone > 0

@@ -172,7 +172,7 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
     expected = summed(of, table(tmp_path, "hs (m),tp (s),count\n" + rows))
     found = over_years(of, occurs, {})
     assert found.worst[0].rate == pytest.approx(expected.worst[0].rate, rel=1e-12)
-    assert found.notes == ("1 rows of the record lack a value and do not count",)
+    assert found.notes == ("1 row of the record without a value, not counted",)
 
 
 @pytest.mark.parametrize(

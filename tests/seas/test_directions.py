@@ -11,10 +11,11 @@ from test_riser_downtime import RISER, SEA, demands
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
-from riserstudy.seas.directions import FROM, Directions
+from riserstudy.seas.directions import FROM, Directions, directions_that_count
+from riserstudy.seas.heading_parts import headings
 from riserstudy.seas.riser_downtime import riser_downtime
 from riserstudy.seas.synthetic import synthetic
-from riserstudy.study.in_sea import Sea, in_sea
+from riserstudy.study.in_sea import Sea, heading_paths, in_sea
 
 
 @pytest.fixture(scope="module")
@@ -24,9 +25,17 @@ def record():
 
 
 @pytest.fixture(scope="module")
-def file():
-    """A riser under a platform in a sea, in a current that makes the two sides of the well different."""
+def plain():
+    """A riser under a platform in a sea; the platform's operators have no headings."""
     return load_scene(RISER).with_values(SEA, "test")
+
+
+@pytest.fixture(scope="module")
+def file(plain):
+    """The same with operators of several headings; a current makes the two sides of the well different."""
+    response = "platform.response"
+    change = {f"{response}.operators": ALL_ROUND, f"{response}.headings": "towards"}
+    return plain.with_values(change | {f"{response}.symmetry": "sides and ends"}, "test")
 
 
 @pytest.mark.parametrize(
@@ -131,17 +140,14 @@ ALL_ROUND = [
 
 def test_rows_between_headings_have_the_response_to_their_own_direction(file, record):
     """Against a run of every row in waves from its direction, of a platform that heaves more in beam seas."""
-    response = "platform.response"
-    change = {f"{response}.operators": ALL_ROUND, f"{response}.headings": "towards"}
-    one = file.with_values(change | {f"{response}.symmetry": "sides and ends"}, "test")
     of = Directions(8, math.radians(70.0))
-    found = riser_downtime(one, record, directions=of, seeds=1, error=0.1)
+    found = riser_downtime(file, record, directions=of, seeds=1, error=0.1)
     runs = []
     for height, period, bearing in zip(
         *(record[n].values for n in ("significant_wave_height", "peak_period", FROM)), strict=True
     ):
-        heading = {f"{response}.heading": f"{(70.0 - bearing - 180.0) % 360.0} deg"}
-        sea = in_sea(one.with_values(heading, "test"), Sea(float(height), float(period)), 1)
+        heading = {"platform.response.heading": f"{(70.0 - bearing - 180.0) % 360.0} deg"}
+        sea = in_sea(file.with_values(heading, "test"), Sea(float(height), float(period)), 1)
         runs.append(demands(simulate(sea, progress=False)))
     angle, mean, tension = np.array(runs).T
     connected = tension >= 2285e3
@@ -152,7 +158,7 @@ def test_rows_between_headings_have_the_response_to_their_own_direction(file, re
     assert (off <= found.demands.rows.off + 1e-9).mean() > 0.95
     assert any("half-way between headings" in line for line in found.lines)
     turned = record.assign({FROM: (record[FROM] + 211.0) % 360.0})
-    again = riser_downtime(one, turned, directions=Directions(8, math.radians(281.0)), seeds=1, error=0.1)
+    again = riser_downtime(file, turned, directions=Directions(8, math.radians(281.0)), seeds=1, error=0.1)
     np.testing.assert_allclose(again.demands.rows.demand, found.demands.rows.demand, rtol=1e-6)
 
 
@@ -200,3 +206,35 @@ def test_sectors_set_the_heading_of_a_response_only_if_its_operators_have_headin
     scenes = Directions(4, 0.0).scenes(SceneFile("rig.yaml", tree))
     found = [one.resolved().platform.response.heading for one in scenes]
     assert found == [pytest.approx(0.5 * math.pi * k) if turns else None for k in range(4)]
+
+
+def without_headings(seed):
+    """A rig on inclined cylinders in a sea; its operators have no headings."""
+    tree = written(rig(seed, spatial=bool(seed % 2)))
+    sea = {"significant_height": "3 m", "peak_period": "9 s", "peak_enhancement": 2, "seed": 1}
+    operators = [{"period": f"{period} s", "heave": "0.3 m/m", "heave_phase": "0 deg"} for period in (5, 20)]
+    response = {"operators": operators, "phases": "lead", "beyond": "hold", "ramp": "30 s"}
+    tree["platform"]["response"] = response | {"wave": sea | {"components": 20}}
+    tree["analysis"] = {"duration": "60 s", "output": {"interval": "0.5 s"}, "accuracy": "5 %"}
+    return SceneFile("rig.yaml", tree)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_equal_scenes_of_several_headings_are_simulated_once(record, seed):
+    of, file = Directions(4, 0.0), without_headings(seed)
+    counting = directions_that_count(of, file, record)
+    (only,) = headings(file, record, counting)
+    assert only.of.rows.sum() == record.sizes["time"]
+    with pytest.raises(InputError, match=FROM):
+        directions_that_count(of, file, record.drop_vars(FROM))
+
+
+def test_equal_scenes_of_several_headings_have_the_hours_of_one(plain, record):
+    """The platform's operators have no headings; the summary states that directions are not used."""
+    assert not heading_paths(plain)
+    once = riser_downtime(plain, record, seeds=1, error=0.3)
+    found = riser_downtime(plain, record, directions=Directions(4, 0.3), seeds=1, error=0.3)
+    assert found.responses.sizes == once.responses.sizes
+    assert found.hours.modes[0].hours.share == once.hours.modes[0].hours.share
+    assert "1 seed each" in found.lines[0]
+    assert any("operators have no headings" in line for line in found.lines)

@@ -29,6 +29,7 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
+from riserstudy.records.words import counted
 from riserstudy.study.persistence import LEAST_PERSISTENCE, MOST_AHEAD, MOST_PERSISTENCE, PERSISTENCE
 
 if TYPE_CHECKING:
@@ -265,7 +266,8 @@ def of_the_sea(
     if hold_back:
         held_back(sea, limits, Ahead(hold_back, ahead.persistence))
     found = hours(sea, limits)
-    print(f"{found.rows} rows of {found.interval:g} h; {found.lacking} further rows lack a value")
+    lacking = counted(found.lacking, "further row")
+    print(f"{counted(found.rows, 'row')} of {found.interval:g} h; {lacking} without a value")
     for line in found.notes:
         print(line)
     mean = banded(found.mean_year(ahead.persistence))
@@ -300,7 +302,9 @@ def varied(
             for one in made.hours.modes
         ]  # fmt: skip
     heads = ["setting", "mode", "workable", "at worst", "at best", "hours a year"]
-    return Table([*heads, f"next {ahead.years} years from", "to"], ["", "", *["%"] * 3, *["h"] * 3], rows)
+    return Table(
+        [*heads, f"next {counted(ahead.years, 'year')} from", "to"], ["", "", *["%"] * 3, *["h"] * 3], rows
+    )
 
 
 def _directions(sectors: int | None, x_towards: str | None) -> Directions | None:

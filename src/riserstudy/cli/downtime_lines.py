@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.cli.shared import show
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
+from riserstudy.records.words import counted
 from riserstudy.study.persistence import PERSISTENCES
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ def show_riser(
     for line in made.lines:
         print(line)
     for one in made.hours.modes:
-        print(f"{one.mode}: {one.hours.share:.2%} of {one.hours.rows} rows")
+        print(f"{one.mode}: {one.hours.share:.2%} of {counted(one.hours.rows, 'row')}")
         print(f"  {one.low:.2%} to {one.high:.2%} because of the error of the response")
         print(f"  {banded(one.hours.mean_year(ahead.persistence))} in a mean year")
         show_hours(one.hours, lengths, ahead, "  ")
@@ -44,7 +45,7 @@ def show_riser(
 
 def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "") -> None:
     """Print future years, the effect of persistence, excluded years, windows and waits."""
-    print(f"{indent}next {ahead.years} years: {banded(found.next_years(*ahead))}")
+    print(f"{indent}next {counted(ahead.years, 'year')}: {banded(found.next_years(*ahead))}")
     others = [(h, found.next_years(ahead.years, h)) for h in PERSISTENCES]
     if not math.isnan(others[0][1].low):
         each = "; ".join(f"{of.low:.2%} to {of.high:.2%} at {h:g}" for h, of in others)
@@ -54,7 +55,7 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
     for length in lengths:
         of = found.of_windows(length)
         print(
-            f"{indent}{length:g} h: {of.number} windows with {of.inside:.2%} of the hours; "
+            f"{indent}{length:g} h: {counted(of.number, 'window')} with {of.inside:.2%} of the hours; "
             f"{of.starts:.2%} can start one"
         )
         print(f"{indent}  wait (h)   mean    50 %    90 %   open")

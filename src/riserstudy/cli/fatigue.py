@@ -21,6 +21,7 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 from riserstudy.records.numerals import percent
+from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
     from riserstudy.fatigue.years import Years
@@ -112,7 +113,7 @@ def fatigue(
         known = sum(math.isfinite(sea.error) for sea in years.seas)
         print(
             f"estimated error of damage in runs: {percent(years.error_runs)}, runs weighted by "
-            f"their damage; known for {known} of {len(years.seas)} sea states"
+            f"their damage; known for {known} of {counted(len(years.seas), 'sea state')}"
         )
     show(tables.of_details(years), csv)
     if years.axes:

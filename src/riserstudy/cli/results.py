@@ -12,6 +12,7 @@ import typer
 from riserstudy.cli.shared import wrote
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
+from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
     import sqlite3
@@ -148,9 +149,12 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
     verdict = verified(folder / NAME)
     for line in verdict.wrong:
         print(line)
-    print(f"{len(verdict.wrong)} faults in {verdict.files} files and {verdict.points} points")
+    print(
+        f"{counted(len(verdict.wrong), 'fault')} in {counted(verdict.files, 'file')} "
+        f"and {counted(verdict.points, 'point')}"
+    )
     if verdict.gone:
-        print(f"{verdict.gone} points are not in this store; their datasets do not need them")
+        print(f"not in this store: {counted(verdict.gone, 'point')}; their datasets do not need them")
     if verdict.wrong:
         raise typer.Exit(1)
 
@@ -180,17 +184,18 @@ def prune(
 
     superfluous = unneeded(folder / NAME, config)
     size = {name: sum(h.bytes for h in getattr(superfluous, name)) / 1e6 for name in ("old", "strange")}
-    print(f"needed: {superfluous.needed} points")
-    print(f"of other engines or formats, or damaged: {len(superfluous.old)} files, {size['old']:.1f} MB")
-    print(f"of this engine, but of no study here: {len(superfluous.strange)} files, {size['strange']:.1f} MB")
+    print(f"needed: {counted(superfluous.needed, 'point')}")
+    old, strange = (counted(len(found), "file") for found in (superfluous.old, superfluous.strange))
+    print(f"of other engines or formats, or damaged: {old}, {size['old']:.1f} MB")
+    print(f"of this engine, but of no study here: {strange}, {size['strange']:.1f} MB")
     going = [*superfluous.old, *(superfluous.strange if every else [])]
     if not going:
         print("nothing to remove")
         return
-    if not yes and not typer.confirm(f"remove {len(going)} files?"):
+    if not yes and not typer.confirm(f"remove {counted(len(going), 'file')}?"):
         raise typer.Exit(1)
     store.remove(going)
-    print(f"{len(going)} files removed, {sum(held.bytes for held in going) / 1e6:.1f} MB")
+    print(f"{counted(len(going), 'file')} removed, {sum(held.bytes for held in going) / 1e6:.1f} MB")
 
 
 def crate(

@@ -11,6 +11,7 @@ import typer
 from riserstudy.cli.shared import ReturnOption, check_targets, show, wrote
 from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
+from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
     import numpy as np
@@ -162,7 +163,8 @@ def described(record: xr.Dataset) -> list[str]:
     span = (time[-1] - time[0]) / np.timedelta64(1, "h") + record.attrs["interval_hours"]
     first, last = (str(t.astype("datetime64[m]")).replace("T", " ") for t in (time[0], time[-1]))
     lines = [
-        f"{first} to {last} UTC: {len(time)} rows, most {record.attrs['interval_hours']:g} h apart",
+        f"{first} to {last} UTC: {counted(len(time), 'row')}, "
+        f"most {record.attrs['interval_hours']:g} h apart",
         f"gaps: {len(holes)}, {missing:g} h together, {missing / span:.1%} of the time",
     ]
     widest = sorted(holes, key=lambda g: g.before - g.after)[:3]

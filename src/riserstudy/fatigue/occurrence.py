@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
+from riserstudy.records.words import counted
 from riserstudy.scene.units import to_si
 from riserstudy.study.months import uneven_months
 
@@ -167,7 +168,7 @@ def _notes(record: xr.Dataset, axes: list[str], whole: NDArray[np.bool_]) -> tup
         f"converted: {converted}" if converted else "",
         *comments,
         f"not used, as the study has no such axis: {', '.join(unused)}" if unused else "",
-        f"{lacking} rows of the record lack a value and do not count" if lacking else "",
+        f"{counted(lacking, 'row')} of the record without a value, not counted" if lacking else "",
         uneven_months(time.astype("datetime64[s]")) if dated else "",
     )
     return tuple(line for line in lines if line)

@@ -19,6 +19,7 @@ from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, printable
 from riserstudy.jobs import processes
 from riserstudy.jobs.planned import CONFIG, PointsDone, check_unchanged, datasets_of, read_plan, text_of
+from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -122,10 +123,10 @@ def shard(
         tuned = with_setting(planned, setting)
         pairs = zip(points, tuned.shard(int(shard), int(shards)), strict=True)
         again = sum(fill_tuned(planned, tuned, pairs, workers, PointsDone()).by_request)
-        summary = f"{len(points)} points, {again} of them by request"
+        summary = f"{counted(len(points), 'point')}, {again} of them by request"
     else:
         made = fill(planned, points, workers, PointsDone())
-        summary = f"{made} points simulated, {len(points) - made} from the store"
+        summary = f"{counted(made, 'point')} simulated, {len(points) - made} from the store"
     print(f"{paper}/{study}, part {shard} of {shards}: {summary}")
     write_whole(target, f"{len(points)} points\n".encode())
 

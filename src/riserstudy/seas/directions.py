@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
-from riserstudy.study.in_sea import heading_values
+from riserstudy.study.in_sea import heading_paths, heading_values
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -100,3 +100,16 @@ class Directions(NamedTuple):
         """
         values = heading_values(file, 2 * self.sectors)[2 * heading + 1]
         return file.with_values(values, "--sectors")
+
+
+def directions_that_count(
+    directions: Directions | None, file: SceneFile, record: xr.Dataset
+) -> Directions | None:
+    """The directions, unless the scene is equal in all headings, because its operators have no headings.
+
+    Raises InputError when the record has no directions, or the scene has no irregular sea.
+    """
+    if directions is None or heading_paths(file):
+        return directions
+    directions.between(record)  # refuses a record without directions
+    return None

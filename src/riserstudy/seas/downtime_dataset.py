@@ -11,11 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.digests import engine_digest
+from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle
 from riserstudy.seas.directions import FROM
 from riserstudy.seas.heading_parts import Part
 from riserstudy.seas.riser_hours import RiserHours
+from riserstudy.study.in_sea import heading_paths
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -36,9 +38,9 @@ def summarise(
     compared = sum(int(part.cover.held_out.sum()) for part in parts)
     off = max(float(part.cover.error.max()) for part in parts)
     directed = not math.isnan(parts[0].heading.angle)
-    many = f" in {len(parts)} headings" if directed else ""
+    many = f" in {counted(len(parts), 'heading')}" if directed else ""
     lines = [
-        f"{count} sea states{many} of {riser.exposure:g} s, {riser.seeds} seeds each; "
+        f"{counted(count, 'sea state')}{many} of {riser.exposure:g} s, {counted(riser.seeds, 'seed')} each; "
         f"at {compared} that were compared the response differs by up to {off:.1%}"
     ]
     if meshes := [part.mesh for part in parts if part.mesh]:
@@ -51,7 +53,10 @@ def summarise(
     if riser.seeds == 1:
         lines.append("the effect of other seeds is unknown and in no band")
     if FROM in record and not directed:
-        lines.append("directions of the record are not used: all seas come from the scene's heading")
+        why = "all seas come from the scene's heading"
+        if not heading_paths(riser.file):
+            why = "the operators have no headings, so the response is equal from all sides"
+        lines.append(f"directions of the record are not used: {why}")
     if middles:
         count = sum(len(one.states) for one in middles)
         off = max(float(one.error.max()) for one in middles)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Half, states_between
 from riserstudy.seas.cover import HELD_OUT, Cover, corners, cover, first
@@ -120,7 +121,7 @@ def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notif
     when the largest number of sea states does not suffice.
     """
     if not math.isnan(heading.angle):
-        notify(f"heading {heading.angle:g} deg: {heading.of.rows.sum()} rows")
+        notify(f"heading {heading.angle:g} deg: {counted(int(heading.of.rows.sum()), 'row')}")
     accurate = RiserResponse(heading.file, effort.seeds, interval_of(record), effort.cores)
     mesh = mesh_of_seas(accurate, heading.of, effort.error, notify)
     riser = _meshed(accurate, mesh)
@@ -158,9 +159,11 @@ def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     runs = least * effort.seeds
     each = riser.seconds(of.states[chosen[-PRICED:]])
     seconds = runs * each / effort.cores
-    known = f" of {duration(each)}, {duration(seconds)} on {effort.cores} cores"
+    known = f" of {duration(each)}, {duration(seconds)} on {counted(effort.cores, 'core')}"
     time = "" if math.isnan(each) else known
-    return f"at least {least} sea states, {runs} runs{time}, minus stored runs; at most {effort.most}"
+    return (
+        f"at least {least} sea states, {counted(runs, 'run')}{time}, minus stored runs; at most {effort.most}"
+    )
 
 
 def interval_of(record: xr.Dataset) -> float:

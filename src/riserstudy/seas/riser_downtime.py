@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle, compared, widened
-from riserstudy.seas.directions import FROM, Directions
+from riserstudy.seas.directions import FROM, Directions, directions_that_count
 from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, summarise
 from riserstudy.seas.heading_parts import Effort, Part, headings, interval_of, riser_half_way, simulate
 from riserstudy.seas.hours import SeaLimit, met_by_rows, rows_with_values
@@ -67,6 +67,7 @@ def riser_downtime(
     check_cores("riser_downtime", cores)
     # refuses a scene that lacks inputs
     RiserResponse(file, seeds, interval_of(record), cores)
+    directions = directions_that_count(directions, file, record)
     parts: dict[int, Part] = {}
     for number, heading in enumerate(headings(file, record, directions)):
         if heading.of.rows.any():

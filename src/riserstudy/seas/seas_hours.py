@@ -15,7 +15,7 @@ from riserstudy.dataset.label import history
 from riserstudy.dataset.variables import attributes
 from riserstudy.digests import engine_digest
 from riserstudy.scene.units import to_si
-from riserstudy.seas.directions import Directions
+from riserstudy.seas.directions import Directions, directions_that_count
 from riserstudy.seas.heading_parts import Effort, headings, riser_half_way, simulate
 from riserstudy.seas.hours import sea_limit, whole
 from riserstudy.seas.record import read_record
@@ -59,7 +59,11 @@ def simulate_part(study: SeasStudy, number: int, cores: int, notify: Notify) -> 
     """
     file, sector = study.part(number)
     record = record_of(study)
-    heading = headings(file, record, directions_of(study))[sector]
+    directions = directions_that_count(directions_of(study), file, record)
+    if sector and directions is None:
+        notify("equal to the first heading, because the operators have no headings")
+        return 0
+    heading = headings(file, record, directions)[sector]
     if not heading.of.rows.any():
         notify("no row of the record has this heading")
         return 0

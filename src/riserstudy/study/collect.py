@@ -20,6 +20,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
+from riserstudy.records.words import counted
 from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
@@ -68,7 +69,8 @@ def results_of(
         absent = _take(study, absent, kept, shared)
         if not absent:
             break
-    notify(f"{study.paper}/{study.name}: {made} points simulated, {len(wanted) - made} from the store")
+    simulated = f"{counted(made, 'point')} simulated, {len(wanted) - made} from the store"
+    notify(f"{study.paper}/{study.name}: {simulated}")
     if absent:
         raise SimulationError(
             f"{study.where}: points were deleted from the store during the run. Run it again"

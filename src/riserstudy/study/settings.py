@@ -20,6 +20,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.folders import write_whole
+from riserstudy.records.words import counted
 from riserstudy.simulation.tolerance import allowed_of
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers
@@ -213,7 +214,7 @@ def dataset_tuned(
         by_request = points.by_request
         results = _taken(study, tuned, points, processes)
         again = sum(by_request)
-        notify(f"{study.paper}/{study.name}: {len(results)} points, {again} of them by request")
+        notify(f"{study.paper}/{study.name}: {counted(len(results), 'point')}, {again} of them by request")
         dataset = dataset_of(tuned, results)
         keys = [a.key if by else b.key for a, b, by in zip(*points, strict=True)]
         dataset["point_key"].values = np.array(keys, object).reshape(dataset["point_key"].shape)

@@ -20,6 +20,7 @@ import numpy as np
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.check import check
+from riserstudy.records.words import counted
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.paths import as_name, value_at
@@ -267,13 +268,13 @@ class Lines:
         if self._stored < 0:
             self._stored = self._done
             if self._done < self._count:
-                self._notify(f"{self._count} points, {self._stored} of them stored")
+                self._notify(f"{counted(self._count, 'point')}, {self._stored} of them stored")
         elif now - self._last_notice > EVERY or self._done == self._count:
             self._last_notice = now
             share = (self._done - self._stored) / (self._count - self._stored)
             left = (now - self._began) * (1.0 / share - 1.0)
             to_go = f", about {duration(left)} to go" if self._done < self._count else ""
-            self._notify(f"{self._done} of {self._count} points{to_go}")
+            self._notify(f"{self._done} of {counted(self._count, 'point')}{to_go}")
 
     def _notify(self, line: str) -> None:
         print(f"sweep: {line}", file=sys.stderr, flush=True)
