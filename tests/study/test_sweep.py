@@ -146,6 +146,27 @@ def test_progress_says_how_much_is_left(monkeypatch, capsys):
     assert len(lines) < 10
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_estimates_of_time_exclude_compiling(seed, monkeypatch, capsys):
+    """Points of equal cost, of which the first waits for kernels that are compiled."""
+    rng = np.random.default_rng(seed)
+    compiling, each, points = rng.uniform(20.0, 200.0), rng.uniform(0.5, 9.0), int(rng.integers(8, 60))
+    now = [0.0]
+    monkeypatch.setattr("riserstudy.study.sweep.time.monotonic", lambda: now[0])
+    progress = Lines(points)
+    progress(0)
+    now[0] += compiling
+    for _ in range(points):
+        now[0] += each
+        progress(1)
+    lines = [line.split() for line in capsys.readouterr().err.splitlines() if "to go" in line]
+    assert lines
+    for words in lines:
+        number, unit = words[-4:-2]
+        told = float(number) * {"s": 1.0, "min": 60.0, "h": 3600.0}[unit]
+        assert told == pytest.approx((points - int(words[1])) * each, rel=0.06)
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_times_in_messages_have_no_exponents(seed, monkeypatch, capsys):
     """Estimates from a millisecond to a week, in seconds, minutes or hours; within 6 % of the time."""

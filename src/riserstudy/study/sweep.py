@@ -260,7 +260,8 @@ class Lines:
 
     def __init__(self, count: int):
         self._count, self._done, self._stored = count, 0, -1
-        self._began = self._last_notice = time.monotonic()
+        self._last_notice = time.monotonic()
+        self._first: tuple[float, int] | None = None  # time, and completed points, after the first run
 
     def __call__(self, more: int) -> None:
         """Report additional completed points; the first call has the stored points."""
@@ -271,10 +272,17 @@ class Lines:
                 self._notify(f"{counted(self._count, 'point')}, {self._stored} of them stored")
         elif now - self._last_notice > EVERY or self._done == self._count:
             self._last_notice = now
-            share = (self._done - self._stored) / (self._count - self._stored)
-            left = (now - self._began) * (1.0 / share - 1.0)
-            to_go = f", about {duration(left)} to go" if self._done < self._count else ""
-            self._notify(f"{self._done} of {counted(self._count, 'point')}{to_go}")
+            self._notify(f"{self._done} of {counted(self._count, 'point')}{self._to_go(now)}")
+        if self._first is None and self._done > self._stored:
+            self._first = now, self._done
+
+    def _to_go(self, now: float) -> str:
+        """The time of the remaining points in words; the first run is left out, since it may compile."""
+        if self._first is None or self._done == self._count:
+            return ""
+        began, done = self._first
+        left = (now - began) * (self._count - self._done) / (self._done - done)
+        return f", about {duration(left)} to go"
 
     def _notify(self, line: str) -> None:
         print(f"sweep: {line}", file=sys.stderr, flush=True)
