@@ -95,3 +95,12 @@ def test_conversions_are_printed_with_hours_and_kept_in_a_record(tmp_path, comma
     assert commands("seas", path, "--gamma", "2", "-o", tmp_path / "record.nc")[0] == 0
     _, said, _ = commands("downtime", tmp_path / "record.nc", "--limit", "tp <= 12 s")
     assert "JONSWAP with gamma 2" in said
+
+
+@pytest.mark.parametrize("words", [["--contour", "100"], ["--return-period", "100"]])
+def test_extremes_that_a_record_does_not_have_are_refused_before_results(tmp_path, commands, words):
+    """A record of a few rows, without periods."""
+    path = tmp_path / "sea.csv"
+    path.write_text("time,hs (m)\n" + "".join(f"2001-01-01 {hour:02d}:00,{hour}\n" for hour in range(9)))
+    code, out, said = commands("seas", path, *words)
+    assert (code, out) == (2, ""), said

@@ -103,17 +103,24 @@ def seas(
     )
     check_gamma("seas", gamma, found)
     found = with_peak_period(found, gamma or USUAL_GAMMA)
+    # both may refuse the record, before anything is printed
+    heights = return_heights(found, period) if period else None
+    places = _contour(found, contour) if contour else None
     for line in described(found):
         print(line)
-    if period:
-        show(return_heights(found, period), None)
-    if contour:
-        from riserstudy.seas.contours import contour as made_contour
-
-        show(made_contour(found, contour), csv)
+    if heights:
+        show(heights, None)
+    if places:
+        show(places, csv)
     if output is not None:
         write_record(found, output)
         wrote(output)
+
+
+def _contour(record: xr.Dataset, years: float) -> Table:
+    from riserstudy.seas.contours import contour
+
+    return contour(record, years)
 
 
 def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
