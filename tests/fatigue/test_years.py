@@ -31,10 +31,10 @@ def rate(height, period, power=4.0):
     return 1e-4 * height**power * np.exp(-(((period - 9.0) / 6.0) ** 2))
 
 
-def study(power=4.0, heights=HEIGHTS, periods=PERIODS, seeds=(1,), details=(WELD, INSIDE)):
+def study(power=4.0, heights=HEIGHTS, periods=PERIODS, seeds=(1,), details=(WELD, INSIDE), by=rate):
     """A study as if simulated: the first detail at 3 of 4 places, the second a tenth at all."""
     h, p = np.meshgrid(heights, periods, indexing="ij")
-    base = rate(h, p, power)
+    base = by(h, p, power)
     angles, s = np.arange(8) * 45.0, np.array([0.0, 10.0, 20.0, 30.0])
     shape = np.cos(np.radians(angles - 45.0)) ** 2
     along = np.array([[np.nan, 0.2, 1.0, 0.5], [0.1, 0.1, 0.1, 0.05]])[: len(details)]
@@ -128,6 +128,25 @@ def test_the_error_between_simulated_seas_covers_the_true_one(seed, power, tmp_p
     assert off <= 1.5 * found.error_between + 1e-3
     fine = summed(study(power, np.linspace(1.0, 9.0, 17), np.linspace(5.0, 17.0, 17)), path).worst[0]
     assert fine.error_between < 0.5 * found.error_between
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_damage_whose_fourth_root_is_linear_has_no_error_between_seas(seed, tmp_path):
+    """On uneven grids of odd and even numbers of values, up to their ends."""
+    draw = np.random.default_rng(seed)
+    counts = draw.integers(3, 9, 2)
+    grids = [np.sort([low, high, *draw.uniform(low, high, n - 2)])
+             for (low, high), n in zip(((1.0, 9.0), (5.0, 17.0)), counts, strict=True)]  # fmt: skip
+
+    def by(height, period, power):
+        return (0.1 * height + 0.02 * period) ** power
+
+    heights, periods = (np.append(draw.uniform(grid[0], grid[-1], 20), grid[[0, -1]]) for grid in grids)
+    rows = "".join(f"{h!r},{p!r},1\n" for h, p in zip(heights.tolist(), periods.tolist(), strict=True))
+    path = table(tmp_path, "hs (m),tp (s),share (%)\n" + rows)
+    found = summed(study(4.0, *grids, by=by), path).worst[0]
+    assert found.rate == pytest.approx(0.01 * by(heights, periods, 4.0).sum(), rel=1e-9)
+    assert found.error_between == pytest.approx(0.0, abs=1e-9)
 
 
 def test_seeds_count_alike_and_tell_what_is_chance(tmp_path):
