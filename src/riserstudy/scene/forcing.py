@@ -281,10 +281,10 @@ class Current(Strict):
     """Steady current. By default it flows along x, and from the start of the run, without a ramp.
 
     ``headings`` states whether headings are directions that the current flows to (towards, the default) or
-    comes from. This key also applies to the ``direction`` of points, which is given at all points or at none.
-    If the direction varies, the x and y components are interpolated linearly between points. ``beyond`` is
-    required if the profile does not cover the whole riser. Outside the elevations of the profile, its end
-    values apply (``hold``), or the water is still (``zero``).
+    comes from. This key also applies to the ``direction`` of the points of the profile, which is given at all
+    points or at none. If the direction varies, the x and y components are interpolated linearly between
+    points. ``beyond`` is required if the profile does not cover the whole riser. Outside the elevations of
+    the profile, its end values apply (``hold``), or the water is still (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

@@ -37,12 +37,12 @@ class Limit(Strict):
     ``fatigue`` computes damage, and the clearance of the riser in a moonpool.
 
     For outputs whose sign is a convention (moments, shear forces, angles, x and y), the limit applies to the
-    magnitude, so the engine refuses a smallest allowed value and a negative value for them.
-    ``at``: a section of the riser; ``lower end of`` or ``upper end of`` a section; or the lowest and the
-    highest of several consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole
-    riser. For tension and stress, the default excludes the stack and the conductor below the flex joint. A
-    disconnect opens the lower flex joint: its angle then counts until the disconnect. The origin of an
-    allowable is given like the origin of any other value.
+    magnitude, so the engine refuses a smallest allowed value and a negative value for them. ``at``: a section
+    of the riser; ``lower end of`` or ``upper end of`` a section; or the lowest and the highest of several
+    consecutive sections, ``[lowest, highest]``. By default the limit applies to the whole riser. For tension
+    and stress, the default excludes the stack and the conductor below the flex joint. A disconnect opens the
+    lower flex joint, so the limit applies to the angle of this joint only until the disconnect. The origin of
+    an allowable is given like the origin of any other value.
     """
 
     output: str

@@ -182,7 +182,7 @@ class InnerJoint(Strict):
 class Guide(Strict):
     """Spring between the lower end of a section and the vertical axis of the well.
 
-    Its stiffness is the same in all horizontal directions.
+    The stiffness of the spring is the same in all horizontal directions.
     """
 
     stiffness: Annotated[u.Stiffness, POSITIVE]

@@ -90,7 +90,7 @@ class Linear(Strict):
 
 
 class TableRow(Strict):
-    """One row of a tensioner table: reach from mid-stroke (positive if longer), and pull of one cylinder."""
+    """Row of a tensioner table: extension from mid-stroke (positive if longer) and pull of one cylinder."""
 
     reach: u.Length
     force: Annotated[u.Force, NOT_NEGATIVE]
