@@ -55,7 +55,7 @@ class Newmark(Strict):
 
 
 class Output(Strict):
-    """Times and places of time histories. By default they begin at the start of the run and cover all nodes.
+    """Times and places of time histories, by default from the start of the run and at all nodes.
 
     Extremes are taken, and limits are checked, from ``start`` on only. ``stress_in`` names a section whose
     largest stress at the outer fibre is output over time.

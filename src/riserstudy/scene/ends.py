@@ -143,9 +143,9 @@ class TelescopicJoint(Strict):
     ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
     The outer and the inner barrel bend as one. ``tension``: additional constant pull of tensioners along the
     joint. Without ``stop`` there are no stops; a run then warns if the joint becomes shorter than half of its
-    length, or longer than twice its length, which two barrels cannot. The mass of the outer barrel is part of
-    ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the joint and the stops
-    of the tensioners (``stroke``) are separate: a rig can have both.
+    length, or longer than twice its length, because a joint of two barrels cannot have these lengths. The
+    mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform.
+    The stops of the joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
 
     The stroke is the extension from ``length``, and the positions of the stops are extensions from it, too.
     With ``mid_stroke: riser in equilibrium``, both are measured from the length that the joint has when the
