@@ -26,16 +26,16 @@ def breaking(scene: Resolved) -> list[str]:
     for path, wave in waves.items():
         if not isinstance(wave, Swell):
             continue
-        height, highest = wave.height or 2.0 * (wave.amplitude or 0.0), _highest(scene, wave.period)
-        if height > highest:
+        height, most = wave.height or 2.0 * (wave.amplitude or 0.0), highest(scene, wave.period)
+        if height > most:
             sentences.append(
-                f"{path}: a height of {height:.3g} m is above {highest:.3g} m, at which waves of "
+                f"{path}: a height of {height:.3g} m is above {most:.3g} m, at which waves of "
                 f"{wave.period:g} s break. Give a smaller height or a longer period"
             )
     return sentences
 
 
-def _highest(scene: Resolved, period: float) -> float:
+def highest(scene: Resolved, period: float) -> float:
     """Height of the highest waves of a period (m); of deep water in a scene without levels of the sea."""
     frequency, gravity = 2.0 * math.pi / period, scene.gravity or GRAVITY
     depth, sea = math.inf, scene.water

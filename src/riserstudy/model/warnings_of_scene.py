@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from riserstudy.model import rao
 from riserstudy.model.steep_waves import breaking
+from riserstudy.model.unusual_loads import unusual_loads
 from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
@@ -21,6 +22,7 @@ def warnings_of(scene: Resolved) -> list[str]:
         *without_inertia(scene),
         *sudden_wave(scene),
         *breaking(scene),
+        *unusual_loads(scene),
         *rao.doubts(scene),
         *_raised_stations(scene),
     ]
