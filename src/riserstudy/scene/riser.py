@@ -192,9 +192,10 @@ class Section(Strict):
     """A length of riser with uniform properties. Sections are listed from the bottom up.
 
     The stiffness is given, or follows from modulus and diameters; a section without bending stiffness is a
-    string. The mass is given, or follows from the density of the wall. A section with a shear modulus
-    resists the yaw of a vessel. Mass, drag, tangential drag, added mass, vortex-induced vibration, contents,
-    damping, load, joint and guide are zero or not present if they are not given.
+    string. The mass is given, or follows from the density of the wall. If at least one section has a shear
+    modulus, the torsion of the riser resists the yaw of a vessel; sections without a shear modulus are then
+    rigid in torsion. Mass, drag, tangential drag, added mass, vortex-induced vibration, contents, damping,
+    load, joint and guide are zero or not present if they are not given.
 
     ``submerged_weight`` excludes ``contents``. It is the weight of the pipe and everything fixed to it, minus
     the weight of the water that its *outer* surface displaces. An example is a bare pipe with diameters of 21

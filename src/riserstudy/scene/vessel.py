@@ -43,7 +43,10 @@ class WaveDrift(Strict):
 
 
 class SidewaysThrust(Strict):
-    """Gains of the thrusters across the hull. Without ``velocity_gain`` there is no damping."""
+    """Gains of the thrusters across the hull.
+
+    Without ``velocity_gain`` the thrusters do not damp the motion.
+    """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
     velocity_gain: Annotated[u.Damping, NOT_NEGATIVE] | None = None
@@ -54,8 +57,8 @@ class Turning(Strict):
 
     psi is the present turn of the vessel, and psi_c is ``command``, the commanded turn. Both are measured
     from the initial heading. G is ``gain``, and D is ``velocity_gain``. Without ``command`` the commanded
-    turn is zero. Without ``velocity_gain`` there is no damping. Without ``saturation`` the moment is
-    unlimited.
+    turn is zero. Without ``velocity_gain`` the thrusters do not damp the yaw. Without ``saturation`` the
+    moment is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -69,11 +72,11 @@ class Thrusters(Strict):
 
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
     refer to the directions of the hull in its initial position. By default the commanded place is along x.
-    Without ``velocity_gain`` there is no damping. Without ``saturation`` the thrust is unlimited; with
-    ``saturation``, the magnitude of the thrust is limited in all directions. Without ``rise`` the command
-    acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). Without ``lag`` the thrust
-    follows immediately; with ``lag``, the thrust follows with this time constant. Without ``sway`` there is
-    no thrust across the hull. Without ``yaw`` there is no moment.
+    Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation`` the thrust is
+    unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. Without ``rise``
+    the command acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). Without ``lag`` the
+    thrust follows immediately; with ``lag``, the thrust follows with this time constant. Without ``sway``
+    there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
