@@ -70,6 +70,18 @@ def test_a_cylinder_that_moves_as_a_whole_has_the_amplitude_of_the_closed_form(l
     )
 
 
+@pytest.mark.parametrize("speed, lift", [(0.5, 1.2), (1.3, 0.7)])
+def test_the_limit_of_the_amplitude_is_that_of_a_cylinder_which_moves_as_a_whole(speed, lift):
+    """In a sheared current: of the place where the water is fastest, among those that are excited."""
+    found = screened(string([(0.0, 0.5 * speed), (LENGTH, speed)]), lift=lift)
+    one = np.ones(1)
+    for k, frequency in enumerate(found["natural_frequency"].values):
+        fastest = float(found["current_speed"].where(found["excited"].isel(mode=k)).max())
+        flow = Flow(one, one, fastest * one, DIAMETER * one, 1.1 * one)
+        whole = amplitude_of(flow, one, one.astype(bool), frequency, lift)
+        assert float(found["amplitude_limit"][k]) == pytest.approx(whole / DIAMETER, rel=1e-6)
+
+
 @pytest.mark.parametrize("share", [0.2, 0.7])
 def test_power_taken_and_lost_are_equal_where_part_of_a_riser_stands_in_still_water(share):
     n, frequency = 200, 0.15
