@@ -8,6 +8,7 @@ from typing import Annotated
 
 from pydantic import Field, RootModel
 
+from riserstudy.dataset.unit_names import UnitName
 from riserstudy.errors import InputError
 from riserstudy.folders import variables_of_chapter
 from riserstudy.inputs.check import check
@@ -22,7 +23,7 @@ class _About(Strict):
     """CF attributes of a variable; ``label`` is what axes of figures say in place of the long name."""
 
     long_name: Text
-    units: Text | None = None
+    units: UnitName | None = None
     label: Text | None = None
     comment: Text | None = None
     standard_name: Text | None = None

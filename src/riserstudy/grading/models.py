@@ -6,6 +6,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
+from riserstudy.dataset.unit_names import UnitName
 from riserstudy.grading.verdict import RELATIVE
 from riserstudy.grading.word import Word
 from riserstudy.inputs.misfit import Misfit
@@ -85,7 +86,7 @@ class Item(Checked):
     kind: Literal["number", "claim"]
     statement: str
     published: float | None = None
-    unit: str = ""
+    unit: UnitName = ""
     rounding: float | None = Field(default=None, gt=0)
     within: Percent | None = None
     over: dict[str, str] = Field(default_factory=dict)

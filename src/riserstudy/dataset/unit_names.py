@@ -1,0 +1,51 @@
+"""Names of units of results, in the notation of CF (``kN s2 m-2``) or of scenes (``kN*s^2/m^2``)."""
+
+from __future__ import annotations
+
+import re
+from functools import cache
+from typing import Annotated
+
+from pydantic import AfterValidator
+
+from riserstudy.inputs.misfit import Misfit
+
+PLAIN = ("", "1", "%")
+_CF = re.compile(r"(?<=[A-Za-z])(-?\d{1,2})\b")  # an exponent without a sign of power
+_NAMES = re.compile(r"[A-Za-z%°/*^()\s\d-]+")
+#: units that need no library to be known; others are looked up in pint, which takes half a second to start
+USUAL = "N|kN|MN|m|kg|t|s|h|min|year|Hz|Pa|kPa|MPa|bar|rad|deg|degree"
+_USUAL = re.compile(rf"(1/)?(?:{USUAL})(?:\^-?\d)?(?:[*/](?:{USUAL})(?:\^-?\d)?)*")
+
+
+def known_unit(name: str) -> str:
+    """A unit of a published value or of a variable.
+
+    Raises Misfit when the unit is not known, or has two meanings.
+    """
+    text = "*".join(_CF.sub(r"^\1", name).split()).replace("*/*", "/")
+    if name not in PLAIN and not _USUAL.fullmatch(text):
+        _look_up(name, text)
+    return name
+
+
+@cache
+def _look_up(name: str, text: str) -> None:
+    """Look a unit up in pint, by the conversion to itself; raises Misfit when it is not there."""
+    # the grader loads no scenes unless it must
+    from riserstudy.scene.units import LONGEST_UNIT, factor, usual_units
+
+    allowed = "allowed is a unit such as 'kN m' or 'm/s', or '1' for a number without a unit"
+    if any(text in names for names in usual_units().values()):
+        return
+    if len(text) > LONGEST_UNIT or "//" in text or not _NAMES.fullmatch(text):
+        raise Misfit("", f"{name!r} is no unit that is known", allowed)
+    try:
+        factor(text, text)
+    except Misfit as error:
+        raise Misfit("", f"{name!r} {error.found}", error.allowed) from None
+    except ValueError:
+        raise Misfit("", f"{name!r} is no unit that is known", allowed) from None
+
+
+UnitName = Annotated[str, AfterValidator(known_unit)]

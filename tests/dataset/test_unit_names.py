@@ -1,0 +1,50 @@
+"""Units of published values and of a chapter's variables are known ones."""
+
+import numpy as np
+import pytest
+
+from riserstudy.dataset.chapter_variables import chapter_table
+from riserstudy.dataset.unit_names import known_unit
+from riserstudy.errors import InputError
+from riserstudy.grading.published import printed_of
+from riserstudy.inputs.misfit import Misfit
+
+UNKNOWN = ["KN", "kN-m", "m//s", "-", "5", "parsnip", "ton", "mt", "dB", "m/parsnip", "m s--1", "kN m)"]
+PUBLISHED = """
+paper: own
+items:
+  - {{id: N1, figure: "1", kind: number, statement: the tension is 2, published: 2, rounding: 1,
+     unit: "{unit}", impossible: there is no drawing}}
+"""
+
+
+@pytest.mark.parametrize("unit", UNKNOWN)
+def test_unknown_units_are_refused_with_file_and_field(tmp_path, monkeypatch, unit):
+    monkeypatch.chdir(tmp_path)
+    published, table = tmp_path / "config/published/own.yaml", tmp_path / "chapters/own/variables.yaml"
+    for file, text in (
+        (published, PUBLISHED.format(unit=unit)),
+        (table, f'swing: {{long_name: swing, units: "{unit}"}}\n'),
+    ):
+        file.parent.mkdir(parents=True)
+        file.write_text(text)
+    with pytest.raises(InputError, match=r"own\.yaml: items\[0\]\.unit: "):
+        printed_of(published.parents[1], "own")
+    with pytest.raises(InputError, match=r"variables\.yaml: swing\.units: "):
+        chapter_table("own")
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_products_of_units_are_known_in_either_notation(seed):
+    draw = np.random.default_rng(seed)
+    names = draw.choice(["kN", "MN", "m", "s", "deg", "ft", "kip", "lbf", "knot", "year"], 3, replace=False)
+    powers = [int(k) for k in draw.choice([-3, -2, -1, 1, 2, 3], 3)]
+    cf = " ".join(f"{name}{power if power != 1 else ''}" for name, power in zip(names, powers, strict=True))
+    scene = "*".join(f"{name}^{power}" for name, power in zip(names, powers, strict=True))
+    assert (known_unit(cf), known_unit(scene)) == (cf, scene)
+    with pytest.raises(Misfit):
+        known_unit(f"{cf} parsnip")
+
+
+def test_numbers_without_a_unit_have_none():
+    assert [known_unit(name) for name in ("", "1", "%")] == ["", "1", "%"]
