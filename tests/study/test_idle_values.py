@@ -1,5 +1,7 @@
 """Axes that change no run, and outputs that no run has, are named: over seeded rigs at rest and in motion."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from random_rigs import moving, rig, written
@@ -47,6 +49,37 @@ def test_an_output_that_no_run_has_is_named(seed):
     first = file_of(seed, in_motion=True).tree["riser"][0]["name"]
     of_wall = {"analysis.output.stress_in": [first]}
     assert not idle_values(as_study(file_of(seed, in_motion=True), of_wall, ["largest_stress"]))
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize(
+    "sets, lost",
+    [
+        ({"top.offset": "3 m"}, ["top.offset"]),
+        ({"top.offset": {"assumed": "3 m", "because": "the study varies it"}}, []),
+        ({"current.heading": "0 deg"}, ["current.heading"]),
+        ({"current": {"profile": {"shape": "uniform", "surface_speed": "1 m/s"}}}, ["current"]),
+        ({"bottom.rotation": "fixed"}, []),
+        ({"analysis.mesh": {"elements": 30}, "title": "another"}, []),
+    ],
+)
+def test_a_value_that_every_value_of_an_axis_replaces_is_named(seed, sets, lost):
+    """A label that keeps the value needs it; an axis within a part needs the part."""
+    draw = np.random.default_rng(seed)
+    slow, fast = sorted(draw.uniform(0.1, 0.9, 2).tolist())
+    flows = {
+        name: {"current": {"profile": {"shape": "uniform", "surface_speed": f"{speed!r} m/s"}}}
+        for name, speed in (("slow", slow), ("fast", fast))
+    }
+    axes = {
+        "top.offset": [f"{x!r} m" for x in np.sort(draw.uniform(0.0, 5.0, 3)).tolist()],
+        "flow": flows,
+        "joint": {"fixed": {}, "pinned": {"bottom.rotation": "free"}},
+    }
+    study = as_study(file_of(seed), axes, None)
+    model = study.model.model_copy(update={"set": sets})
+    found = [text.partition(" set.") for text in idle_values(replace(study, model=model))]
+    assert [text.partition(":")[0] for _, sets, text in found if sets] == lost
 
 
 def test_a_sweep_warns_of_them():

@@ -1,4 +1,4 @@
-"""Axes and outputs to keep that have no effect on the results of a study, typically by an error of name."""
+"""Axes, values and outputs to keep that have no effect on a study, typically by an error of name."""
 
 from __future__ import annotations
 
@@ -7,17 +7,20 @@ from collections.abc import Iterator
 import numpy as np
 
 from riserstudy.dataset.variables import ENDINGS
+from riserstudy.scene.origin import unwrap
 from riserstudy.scene.outputs import QUANTITIES
+from riserstudy.scene.paths import within
+from riserstudy.study.models import SETTINGS
 from riserstudy.study.study import Study
 
 
 def idle_values(study: Study) -> list[str]:
-    """A warning for each axis whose values change no run, and for each output to keep that no run has.
+    """A warning for each axis without effect, each value that an axis replaces, and each absent output.
 
     Axes of limits change no run, but verdicts; they get no warning. Outputs are compared with the scenes at
     the first point and at the points that differ from it on one axis.
     """
-    return [*_idle_axes(study), *_absent_outputs(study)]
+    return [*_idle_axes(study), *_replaced(study), *_absent_outputs(study)]
 
 
 def _idle_axes(study: Study) -> Iterator[str]:
@@ -28,6 +31,20 @@ def _idle_axes(study: Study) -> Iterator[str]:
         idle = bool((keys == keys.take([0], axis=place)).all())
         if idle and shape[place] > 1 and not limits:
             yield f"{study.where}: axes.{name}: its values change no run; check its paths and labels"
+
+
+def _replaced(study: Study) -> Iterator[str]:
+    """A warning for each value in ``set`` that no point has, because all values of an axis replace it.
+
+    Values with a stated origin get no warning, since the origin describes the value. Nor do mesh, step and
+    tolerance: without them, the base scene would have the tolerance of the tier.
+    """
+    for path, value in study.model.set.items():
+        if any(within(path, setting) for setting in SETTINGS) or unwrap(value)[1]:
+            continue
+        for name, steps in study.axes.items():
+            if all(any(within(path, own) for own in sets) for _, sets in steps):
+                yield f"{study.where}: set.{path}: every value of axis {name!r} replaces it; leave it out"
 
 
 def _absent_outputs(study: Study) -> Iterator[str]:
