@@ -359,3 +359,31 @@ def test_variables_that_are_not_used_are_named(tmp_path, seed):
     said = str(record.attrs.get("conversions", "")).partition("left out: ")[2]
     assert said == ", ".join(chosen)
     assert {*record.data_vars} == {"significant_wave_height", "peak_period"}
+
+
+def hours(calendar="standard", units="hours since 2001-01-01"):
+    """Times as numbers, with a calendar and units."""
+    return xr.DataArray(3.0 * np.arange(ROWS), dims="time", attrs={"units": units, "calendar": calendar})
+
+
+@pytest.mark.parametrize(
+    "times, found",
+    [
+        (hours("noleap"), "calendar 'noleap'"),
+        (hours("360_day"), "calendar '360_day'"),
+        (xr.DataArray(3.0 * np.arange(ROWS), dims="time"), "numbers that are no dates"),
+        (None, "the file has no times"),
+    ],
+)
+def test_times_that_are_no_dates_are_refused_by_what_they_are(tmp_path, times, found):
+    data = xr.Dataset({"hs": ("time", HEIGHT, {"units": "m"}), "tp": ("time", PEAK, {"units": "s"})})
+    (data if times is None else data.assign_coords(time=times)).to_netcdf(tmp_path / "sea.nc")
+    with pytest.raises(InputError, match=f"time: {found}"):
+        read_record(tmp_path / "sea.nc")
+
+
+def test_a_record_of_one_row_is_refused_by_its_number_of_rows(tmp_path):
+    data = xr.Dataset({"hs": ("time", HEIGHT[:1], {"units": "m"})}, {"time": TIME[:1]})
+    data.to_netcdf(tmp_path / "sea.nc")
+    with pytest.raises(InputError, match="time: 1 row; allowed are two and more"):
+        read_record(tmp_path / "sea.nc")

@@ -82,7 +82,7 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
         notes.append(note)
     clock = _clock(data)
     if clock is None:
-        raise InputError(path, "time", "the file has no times", "give it a coordinate 'time' as in CF")
+        raise _without_times(path, data)
     check_zone(path, data[clock], clock, data.attrs)
     columns: dict[str, FloatArray] = {}
     for one, values, note in _columns(path, data, clock):
@@ -120,6 +120,20 @@ def _clock(data: xr.Dataset) -> str | None:
     there = [n for n in there if np.issubdtype(data[n].dtype, np.datetime64)]
     starts = [n for n in there if data[n].attrs.get("standard_name") == STARTS]
     return next((n for n in there if n not in starts), next(iter(there), None))
+
+
+def _without_times(path: Path, data: xr.Dataset) -> InputError:
+    """The error of a file without a clock: it has no times, one time, or times that are no dates."""
+    times = next((data[name] for name in CLOCKS if name in data.variables), None)
+    if times is None:
+        return InputError(path, "time", "the file has no times", "give it a coordinate 'time' as in CF")
+    if times.ndim == 0:
+        return InputError(path, "time", "1 row", "allowed are two and more")
+    found = "numbers that are no dates"
+    if calendar := times.encoding.get("calendar"):
+        found = f"calendar {calendar!r}"
+    allowed = "allowed are dates of the standard calendar, with units such as 'hours since 2000-01-01'"
+    return InputError(path, str(times.name), found, allowed)
 
 
 def _columns(path: Path, data: xr.Dataset, clock: str) -> Iterator[tuple[Column, FloatArray, str]]:
