@@ -60,6 +60,33 @@ def test_the_engines_tension_rises_with_mud_weight_by_bore_times_column():
     assert rise / unit_weight == pytest.approx(bore * column, rel=1e-9)
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_the_minimum_tension_is_that_of_steel_modules_mud_and_sea_summed_by_hand(seed):
+    """Pipes of random dimensions below water: steel in water, uplift and columns, each with its tolerance."""
+    draw = np.random.default_rng(seed)
+    tolerances = Tolerances(float(draw.uniform(1.0, 1.1)), float(draw.uniform(0.9, 1.0)))
+    g, sea, mud = 9.80665, 1025.0, float(draw.uniform(1100.0, 1900.0))
+    lengths = [section.total_length for section in scene().riser]
+    changed, expected = {"water.surface": "1525 m"}, 0.0
+    for k, length in enumerate(lengths):
+        outer = float(draw.uniform(0.5, 0.6))
+        inner = outer - 2.0 * float(draw.uniform(0.012, 0.03))
+        steel, bore = (0.25 * math.pi * area for area in (outer**2 - inner**2, inner**2))
+        lift = float(draw.uniform(0.0, 3000.0))
+        net = g * (7850.0 * steel - sea * (steel + bore)) - lift
+        changed |= {
+            f"riser[{k}].outer_diameter": f"{outer!r} m",
+            f"riser[{k}].inner_diameter": f"{inner!r} m",
+            f"riser[{k}].submerged_weight": f"{net!r} N/m",
+            f"riser[{k}].buoyancy_lift": f"{lift!r} N/m",
+            f"riser[{k}].contents.density": f"{mud!r} kg/m^3",
+        }
+        in_water = (7850.0 - sea) * g * steel * tolerances.weight - lift * tolerances.buoyancy
+        expected += length * (in_water + (mud - sea) * g * bore)
+    ring = tension.weight_of_ring(scene(**changed)) * tolerances.weight
+    assert tension.needed(scene(**changed), tolerances)[0] == pytest.approx(expected + ring, rel=1e-9)
+
+
 def test_mud_above_the_ring_is_carried_too():
     filled = load_scene(SCENE, current=None).resolved()
     above = 1440.0 * 9.80665 * 0.25 * math.pi * (19.25 * 0.0254) ** 2 * (1518.0 - 1505.0)
