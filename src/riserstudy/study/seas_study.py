@@ -100,10 +100,14 @@ class SeasStudy:
     @property
     def _content(self) -> str:
         """Digest of the content of the record's file."""
-        if self.record_file is None:
+        record = self.record_file
+        if record is None:
             return ""
         try:
-            return hashlib.sha256(self.record_file.read_bytes()).hexdigest()
+            if record.exists() and not record.is_file():  # reading a device or a pipe may never end
+                raise OSError(0, "no regular file")
+            with record.open("rb") as file:
+                return hashlib.file_digest(file, "sha256").hexdigest()
         except OSError as error:
-            found = f"{self.record_file}: {error.strerror}"
+            found = f"{record}: {error.strerror}"
             raise InputError(self.settings.where, "record", found, "allowed is a file") from None

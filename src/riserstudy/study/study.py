@@ -188,7 +188,7 @@ class Study:
         """Digests of the tables that its scenes refer to, by name."""
         folder = Path(self.base.source).parent
         names = sorted({*names_of_tables([self.base.tree, self._sets])})
-        return {name: _content(folder / name) for name in names}
+        return {name: _content(folder, name) for name in names}
 
     def shard(self, number: int, shards: int) -> list[Point]:
         """Points of one of several jobs, spread over the grid; a job does not plan the points of others."""
@@ -226,12 +226,13 @@ def _in_order(sets: dict[str, Any]) -> Any:
     return [*sets.items()] if any(meets(*two) for two in combinations(sets, 2)) else sets
 
 
-def _content(path: Path) -> str:
-    """Digest of a file; "" if it is missing, which planning reports."""
+def _content(folder: Path, name: str) -> str:
+    """Digest of a table; "" if it cannot be read as one, which planning reports."""
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
-    except OSError:
+        (text,) = texts_of_tables({"file": name}, folder).values()
+    except InputError:
         return ""
+    return hashlib.sha256(text.encode()).hexdigest()
 
 
 def threads_worth(points: int) -> int:
