@@ -11,7 +11,7 @@ import xarray as xr
 
 from riserstudy.chapters import derive as chapter
 from riserstudy.database.write_papers import _margin
-from riserstudy.grading.cases import regrade
+from riserstudy.grading.cases import Sources, regrade
 from riserstudy.grading.grade import Found, graded, judged
 from riserstudy.grading.margin import above
 from riserstudy.grading.models import Item
@@ -156,3 +156,18 @@ def test_cases_come_back_from_their_table_as_they_were(tmp_path):
     assert [(c.base, c.judged, c.met, c.calibrated, c.rests_on) for c in read] == [
         (c.base, c.judged, c.met, c.calibrated, c.rests_on) for c in cases
     ]
+
+
+def test_an_axis_picks_points_of_a_study_only_where_the_study_has_it_and_the_value():
+    """A value that was interpolated or averaged over, or an axis of another study, stands for all points."""
+    axes = ({"period": [5.0, 10.0], "amplitude": [1.0, 2.0]}, {"period": [10.0, 20.0]})
+    heave, roll = (xr.Dataset({"point_key": (tuple(of), np.full((2,) * len(of), "key"))}, of) for of in axes)
+    sources = Sources("mine", {"heave": heave, "roll": roll})
+    assert sources.rests_on({"period": 10.0, "amplitude": 2.0}) == {
+        "mine/heave": ["period", "amplitude"],
+        "mine/roll": ["period"],
+    }
+    assert sources.rests_on({"period": 20.0, "amplitude": 1.5, "sample": 3}) == {
+        "mine/heave": [],
+        "mine/roll": ["period"],
+    }
