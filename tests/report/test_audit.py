@@ -6,8 +6,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from riserstudy.records.words import counted, spaced
 from riserstudy.report.audit import NO_REASON, missed, relevant_errors
+from riserstudy.report.wording import counted, spaced
 
 TABLES = """
 create table parameters (point, path, value);

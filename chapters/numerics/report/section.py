@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from chapters.numerics.report.tables import tables
 from riserstudy.records.page import Cell, Section, Table
-from riserstudy.records.words import counted, listed
-from riserstudy.report.wording import seconds
+from riserstudy.records.words import listed
+from riserstudy.report.wording import counted, seconds
 
 if TYPE_CHECKING:
     import xarray as xr

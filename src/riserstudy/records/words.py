@@ -12,10 +12,5 @@ def listed(words: Iterable[str]) -> str:
 
 
 def counted(count: int, thing: str) -> str:
-    """Return a count with its noun: ``1 figure``, ``9 figures``."""
-    return f"{count} {thing}" if count == 1 else f"{spaced(count)} {thing}s"
-
-
-def spaced(count: int) -> str:
-    """Return a count as text, as in ``9999`` and ``11 793``: from five digits on, thousands are separated."""
-    return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
+    """Return a count with its noun, for messages: ``1 seed``, ``26280 rows``."""
+    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"

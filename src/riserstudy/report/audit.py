@@ -12,9 +12,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from riserstudy.records.words import listed, spaced
+from riserstudy.records.words import listed
 from riserstudy.report.without_points import WithoutPoints, without_points
-from riserstudy.report.wording import grouped, share
+from riserstudy.report.wording import grouped, share, spaced
 from riserstudy.study.models import StudyFile, StudyModel
 
 TOLERANCE = 0.01  # largest accepted estimated error of a point without a requested accuracy

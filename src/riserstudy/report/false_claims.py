@@ -8,7 +8,7 @@ from typing import NamedTuple
 from scipy.stats import binomtest
 
 from riserstudy.csv_files import read_csv
-from riserstudy.records.words import counted
+from riserstudy.report.wording import counted
 
 NAME = "false_claims.csv"
 BELIEVED = ("holds", "reproduced", "calibrated")

@@ -12,7 +12,7 @@ from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.figures.grid import called
-from riserstudy.records.words import counted
+from riserstudy.report.wording import counted
 
 if TYPE_CHECKING:
     import xarray as xr

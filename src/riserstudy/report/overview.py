@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from riserstudy.records.words import counted, listed
+from riserstudy.records.words import listed
 from riserstudy.report.claims import Claim, counted_verdicts
 from riserstudy.report.pictures import Figure
-from riserstudy.report.wording import sentence
+from riserstudy.report.wording import counted, sentence
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable
 
 from markupsafe import Markup, escape
 
-from riserstudy.records.words import counted, listed
+from riserstudy.records.words import listed
 
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
@@ -41,6 +41,16 @@ def seconds(value: float) -> str:
     if value < 120.0:
         return f"{value:.3g} s"
     return f"{value / 60.0:.3g} min" if value < 7200.0 else f"{value / 3600.0:.3g} h"
+
+
+def counted(count: int, thing: str) -> str:
+    """Return a count with its noun: ``1 figure``, ``9 figures``."""
+    return f"{count} {thing}" if count == 1 else f"{spaced(count)} {thing}s"
+
+
+def spaced(count: int) -> str:
+    """Return a count as text, as in ``9999`` and ``11 793``: from five digits on, thousands are separated."""
+    return f"{count:,}".replace(",", "\u00a0") if abs(count) >= 10_000 else str(count)
 
 
 def sentence(text: str) -> str:
