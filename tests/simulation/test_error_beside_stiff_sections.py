@@ -1,4 +1,4 @@
-"""A very stiff section does not hide the errors of moment and shear: conductors with a rigid stack."""
+"""A very stiff section, or a very stiff riser, does not hide the errors of moment and shear."""
 
 import pytest
 from random_rigs import moving, rig, written
@@ -37,5 +37,26 @@ def test_estimates_at_rest_do_not_depend_on_how_rigid_the_stack_is(seed):
     tree["analysis"] = {"mesh": {"elements": 60}}
     stiff, rigid = (estimates(tree, of) for of in (1e12, 1e15))
     assert stiff["moment"] > 1e-4
+    assert rigid["moment"] == pytest.approx(stiff["moment"], rel=LIKE)
+    assert rigid["shear"] == pytest.approx(stiff["shear"], rel=LIKE)
+
+
+def of_rigid_rig(seed, stiffness, *, spatial):
+    """Estimated errors at rest of a rig whose sections all have this bending stiffness (N m^2)."""
+    tree = rig(seed + 20, spatial=spatial, conductor=False)
+    tree["analysis"] = {"mesh": {"elements": 20}}
+    tree = written(tree)
+    tree["top"]["telescopic_joint"]["bending_stiffness"] = f"{stiffness} N*m^2"
+    for one in tree["riser"]:
+        del one["young_modulus"]
+        one |= {"axial_stiffness": "1e10 N", "bending_stiffness": f"{stiffness} N*m^2"}
+    return run(SceneFile("rig.yaml", tree, {}).resolved()).facts["error_estimate"]
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_estimates_do_not_depend_on_how_rigid_the_whole_riser_is(seed, spatial):
+    stiff, rigid = (of_rigid_rig(seed, of, spatial=spatial) for of in (1e15, 1e17))
+    assert stiff["moment"] > 1e-5
     assert rigid["moment"] == pytest.approx(stiff["moment"], rel=LIKE)
     assert rigid["shear"] == pytest.approx(stiff["shear"], rel=LIKE)

@@ -251,8 +251,14 @@ def _rounding(name: str, arrays: Arrays) -> float:
 
 
 def _rounding_of_moment(arrays: Arrays) -> float:
-    """Moment (N m) that counts as zero: of the softest section, since stiff sections have the same error."""
-    return FLAT * float((arrays["l0"] / arrays["mesh_flexibility"]).min())
+    """Moment (N m) that counts as zero: of the softest section, since stiff sections have the same error.
+
+    If all sections are stiff, it is the moment of the largest tension about a negligible displacement.
+    """
+    softest = FLAT * float((arrays["l0"] / arrays["mesh_flexibility"]).min())
+    ends = (f"effective_tension_{end}" for end in ("max", "min", "static"))
+    tension = max(float(np.abs(arrays[end]).max()) for end in ends if end in arrays)
+    return min(softest, _rounding("displacement", arrays) * tension)
 
 
 def _zero(arrays: Arrays, field: str) -> Array:
