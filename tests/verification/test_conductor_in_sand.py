@@ -78,8 +78,8 @@ def test_a_table_of_clay_is_that_clay():
     places = (2.5 * 0.02 * DIAMETER * np.array(shares)).tolist()
     depths = [0.0, *np.geomspace(1.0, 80.0, 40).tolist()]
     table = table_of(clay.resistance, depths, places)
-    found = head_and_moment(scene(15.0, **{"soil.resistance": table}), 400)
-    assert found == pytest.approx(head_and_moment(scene(15.0), 400), rel=3e-3)
+    found = head_and_moment(scene(15.0, **{"soil.resistance": table}))
+    assert found == pytest.approx(head_and_moment(scene(15.0)), rel=3e-3)
 
 
 def test_a_straight_table_is_a_spring():

@@ -56,7 +56,8 @@ def springs(
     length = tops - edges[:-1]
     held = np.flatnonzero(length > 0.0)
     length = length[held]
-    depth = soil.mudline - 0.5 * (tops[held] + edges[held])
+    least, most = soil.mudline - tops[held], soil.mudline - edges[held]
+    depth = 0.5 * (least + most)
     of = soil.resistance
     if isinstance(of, ElasticSoil):
         return LinearSoil(held, of.stiffness * length)
@@ -69,7 +70,7 @@ def springs(
         return SoftClay(held, ultimate * length, y50, of.straight_up_to)
     if isinstance(of, Sand):
         return _tabulated(held, length, _py_of_sand(of, depth, diameter))
-    return _tabulated(held, length, _py_of_table(of, depth))
+    return _tabulated(held, length, _py_of_table(of, least, most))
 
 
 def secant_stiffness(
@@ -145,8 +146,11 @@ def _py_of_sand(sand: Sand, depth: FloatArray, diameter: FloatArray) -> list[PPo
     return found
 
 
-def _py_of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
-    """p-y curves of a table at depths (m), interpolated linearly between the cubics of adjacent depths."""
+def _py_of_table(of: TabulatedSoil, least: FloatArray, most: FloatArray) -> list[PPoly]:
+    """Mean p-y curves of a table between two depths each (m); linear between the cubics of adjacent depths.
+
+    A mean also counts layers that are thinner than a segment.
+    """
     from scipy.interpolate import PchipInterpolator, PPoly  # loaded where needed: it takes long
 
     known = np.array([*of.curves])
@@ -162,15 +166,24 @@ def _py_of_table(of: TabulatedSoil, depth: FloatArray) -> list[PPoly]:
                 value = on(start, power) if start < y[-1] else (p[-1] if power == 0 else 0.0)
                 c[3 - power, j] = value / math.factorial(power)
         pieces.append(c)
-    found = []
-    for d in depth:
-        k = int(np.clip(np.searchsorted(known, d, "right") - 1, 0, max(len(known) - 2, 0)))
-        if len(known) == 1:
-            found.append(PPoly(pieces[0], every))
-            continue
-        share = (d - known[k]) / (known[k + 1] - known[k])
-        found.append(PPoly((1.0 - share) * pieces[k] + share * pieces[k + 1], every))
-    return found
+    shares = _mean_shares(known, least, most)
+    return [PPoly(np.tensordot(share, np.stack(pieces), 1), every) for share in shares]
+
+
+def _mean_shares(known: FloatArray, least: FloatArray, most: FloatArray) -> FloatArray:
+    """Shares of values at known depths in the mean between two depths each, (k, known); linear in between."""
+    depths = np.unique(np.concatenate([known, least, most]))
+    values = np.stack([np.interp(depths, known, one) for one in np.eye(len(known))], axis=1)
+    parts = 0.5 * np.diff(depths)[:, None] * (values[1:] + values[:-1])
+    integral = np.vstack([np.zeros(len(known)), np.cumsum(parts, axis=0)])
+    start, end = np.searchsorted(depths, least), np.searchsorted(depths, most)
+    length = most - least
+    at_one = values[start]
+    return np.where(
+        (length > 0.0)[:, None],
+        (integral[end] - integral[start]) / np.where(length > 0.0, length, 1.0)[:, None],
+        at_one,
+    )
 
 
 def _tabulated(node: NDArray[np.int64], length: FloatArray, curves: list[PPoly]) -> TabulatedSprings:
@@ -197,6 +210,6 @@ def pile_length(soil: Soil, conductor: Section, bending: float) -> float:
     elif isinstance(of, Sand):
         k = 0.5 / math.atanh(0.5) * of.initial_modulus * diameter
     else:
-        curve = _py_of_table(of, deep)[0]
+        curve = _py_of_table(of, deep, deep)[0]
         k = max(float(curve(curve.x[1]) / curve.x[1]), 1.0)
     return float((4.0 * bending / k) ** 0.25)

@@ -63,8 +63,9 @@ class TabulatedSoil(Strict):
     """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
     Between its points a curve is a monotone cubic that starts at zero; beyond the last point it is constant.
-    Between two depths the resistance is interpolated linearly. The table must reach from the mudline to the
-    lower end of the conductor.
+    Between two depths the resistance is interpolated linearly. The spring at a node has the mean
+    resistance over the part of the conductor that it represents. The table must reach from the mudline to
+    the lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]
