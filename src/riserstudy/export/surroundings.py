@@ -90,7 +90,7 @@ def _waves(deck: Deck) -> dict[str, Any]:
     deck.carried |= {f"wave.{n}" for n in ("heading", "above_mean_level", "height", "amplitude", "period")}
     train: dict[str, Any] = {"Name": "Wave1", "WaveDirection": math.degrees(wave.heading or 0.0)}
     if isinstance(wave, RegularWave):
-        height = wave.height or 2.0 * (wave.amplitude or 0.0)
+        height = wave.wave_height
         train = {**train, "WaveType": "Airy", "WaveHeight": height, "WavePeriod": wave.period}
     else:
         deck.carried |= {f"wave.{n}" for n in ("significant_height", "peak_period", "peak_enhancement")}

@@ -169,8 +169,7 @@ def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: floa
 def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Amplitudes (m), frequencies (rad/s) and phases (rad) of a wave or sea, each (components,)."""
     if isinstance(sea, Swell):
-        amplitude = sea.amplitude or 0.5 * (sea.height or 0.0)
-        numbers = (amplitude, 2.0 * math.pi / sea.period, sea.phase or 0.0)
+        numbers = (0.5 * sea.wave_height, 2.0 * math.pi / sea.period, sea.phase or 0.0)
         one, two, three = (np.array([x]) for x in numbers)
         return one, two, three
     frequency, amplitudes = components(sea)

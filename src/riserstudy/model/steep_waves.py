@@ -6,7 +6,7 @@ import math
 
 from riserstudy.model.sea import wave_number
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.sea import Swell
+from riserstudy.scene.sea import Storm, Swell
 
 STEEPEST = 0.142  # height over length of the steepest wave in deep water
 DEEP = 20.0  # w^2 d / g from which tanh kd is 1
@@ -20,19 +20,24 @@ def breaking(scene: Resolved) -> list[str]:
     ----------
     DNV-RP-C205, 3.4.6: the largest height is 0.142 L tanh(k d), with the length L and the wave number k.
     """
-    response = scene.platform and scene.platform.response
-    waves = {"wave": scene.wave, "platform.response.wave": response and response.wave}
     sentences = []
-    for path, wave in waves.items():
+    for path, wave in waves_of(scene).items():
         if not isinstance(wave, Swell):
             continue
-        height, most = wave.height or 2.0 * (wave.amplitude or 0.0), highest(scene, wave.period)
+        height, most = wave.wave_height, highest(scene, wave.period)
         if height > most:
             sentences.append(
                 f"{path}: a height of {height:.3g} m is above {most:.3g} m, at which waves of "
                 f"{wave.period:g} s break. Give a smaller height or a longer period"
             )
     return sentences
+
+
+def waves_of(scene: Resolved) -> dict[str, Swell | Storm]:
+    """Waves and seas of a scene, by path."""
+    response = scene.platform and scene.platform.response
+    waves = {"wave": scene.wave, "platform.response.wave": response and response.wave}
+    return {path: wave for path, wave in waves.items() if wave}
 
 
 def highest(scene: Resolved, period: float) -> float:

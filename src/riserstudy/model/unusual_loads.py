@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 
-from riserstudy.model.steep_waves import GRAVITY, highest
+from riserstudy.model.steep_waves import GRAVITY, highest, waves_of
 from riserstudy.scene.forcing import TILTS, TRANSLATIONS, Current, Harmonic, TimeSeries
 from riserstudy.scene.rao import SHIFTS
 from riserstudy.scene.resolve import Resolved
@@ -30,12 +30,9 @@ CHECK = "Check the unit"
 
 def unusual_loads(scene: Resolved) -> list[str]:
     """Warnings about loads and motions beyond those of any rig."""
-    platform, current = scene.platform, scene.current
-    response = platform and platform.response
-    seas = {"wave": scene.wave, "platform.response.wave": response and response.wave}
     return [
-        *(text for path, sea in seas.items() if sea for text in _wave(path, scene, sea)),
-        *(_current(current) if current else ()),
+        *(text for path, sea in waves_of(scene).items() for text in _wave(path, scene, sea)),
+        *(_current(scene.current) if scene.current else ()),
         *_winds(scene),
         *_motions(scene),
         *_operators(scene),
@@ -47,17 +44,18 @@ def _wave(path: str, scene: Resolved, sea: Swell | Storm) -> Iterator[str]:
     if isinstance(sea, Storm):
         kind, height, period = "significant height", sea.significant_height, sea.peak_period
     else:
-        kind, height, period = "height", sea.height or 2.0 * (sea.amplitude or 0.0), sea.period
+        kind, height, period = "height", sea.wave_height, sea.period
     if not SHORTEST <= period <= LONGEST:
         yield f"{path}: waves have periods of {SHORTEST:g} s to {LONGEST:g} s, not of {period:.3g} s. {CHECK}"
         return
-    flat, most = FLATTEST * (scene.gravity or GRAVITY) * period**2 / math.tau, highest(scene, period)
+    flat = FLATTEST * (scene.gravity or GRAVITY) * period**2 / math.tau
     if height < flat:
         yield (
             f"{path}: a {kind} of {height:.3g} m is too small for waves of {period:.3g} s; in a sea or a "
             f"basin, they have more than {flat:.2g} m. {CHECK}"
         )
-    if isinstance(sea, Storm) and height > most:  # regular waves have a warning of their own
+    # regular waves have a warning of their own
+    if isinstance(sea, Storm) and height > (most := highest(scene, period)):
         yield (
             f"{path}: a {kind} of {height:.3g} m is above {most:.3g} m, at which waves of {period:.3g} s "
             f"break. {CHECK}"
@@ -71,7 +69,7 @@ def _current(current: Current) -> Iterator[str]:
     speeds = [abs(speed) for speed in (*(point.speed for point in points), *shapes)]
     fastest = max(speeds, default=0.0)
     if fastest > FASTEST_CURRENT:
-        yield (f"current.profile: {fastest:.3g} m/s; the fastest tidal streams have about 10 m/s. {CHECK}")
+        yield f"current.profile: {fastest:.3g} m/s; the fastest tidal streams have about 10 m/s. {CHECK}"
     elif 0.0 < fastest < SLOWEST_CURRENT:
         yield f"current.profile: at most {fastest:.3g} m/s, which exerts no drag worth mentioning. {CHECK}"
 

@@ -39,6 +39,11 @@ class Swell(Strict):
         return self
 
     @property
+    def wave_height(self) -> float:
+        """Its height (m), also if the amplitude is given."""
+        return self.height or 2.0 * (self.amplitude or 0.0)
+
+    @property
     def shortest_period(self) -> float:
         """Its period (s)."""
         return self.period

@@ -295,7 +295,7 @@ def vessel_texts(geometry: Geometry) -> list[str]:
 def wave_text(wave: Swell | Storm, geometry: Geometry) -> str:
     """Return the text of a wave or a sea."""
     if isinstance(wave, Swell):
-        height = wave.height or 2.0 * (wave.amplitude or 0.0)
+        height = wave.wave_height
         high, period = geometry.mark("wave.height", "wave.amplitude"), geometry.mark("wave.period")
         return f"wave: height {height:.3g} m{high}, {wave.period:.3g} s{period}"
     high, peak = (geometry.mark(f"wave.{of}") for of in ("significant_height", "peak_period"))
