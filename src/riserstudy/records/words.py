@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 
 def listed(words: Iterable[str]) -> str:
@@ -11,6 +11,6 @@ def listed(words: Iterable[str]) -> str:
     return f"{', '.join(most)} and {last}" if most else last
 
 
-def counted(count: int, thing: str) -> str:
-    """Return a count with its noun, for messages: ``1 seed``, ``26280 rows``."""
-    return f"{count} {thing}" if count == 1 else f"{count} {thing}s"
+def counted(count: int, thing: str, written: Callable[[int], str] = str) -> str:
+    """Return a count with its noun: ``1 seed``, ``26280 rows``; ``written`` gives the digits."""
+    return f"{written(count)} {thing}" if count == 1 else f"{written(count)} {thing}s"

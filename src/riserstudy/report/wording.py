@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable
 
 from markupsafe import Markup, escape
 
+from riserstudy.records import words
 from riserstudy.records.words import listed
 
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
@@ -45,7 +46,7 @@ def seconds(value: float) -> str:
 
 def counted(count: int, thing: str) -> str:
     """Return a count with its noun: ``1 figure``, ``9 figures``."""
-    return f"{count} {thing}" if count == 1 else f"{spaced(count)} {thing}s"
+    return words.counted(count, thing, spaced)
 
 
 def spaced(count: int) -> str:
