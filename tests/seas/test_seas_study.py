@@ -2,8 +2,6 @@
 
 import os
 import sqlite3
-from concurrent.futures import ThreadPoolExecutor
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -11,6 +9,7 @@ import short_study
 import xarray as xr
 import yaml
 from platform_in_a_sea import RISER, in_a_sea
+from without_end import KINDS, soon
 
 from riserstudy import load_scene
 from riserstudy.errors import InputError
@@ -145,17 +144,13 @@ def test_what_cannot_be_meant_is_one_error_before_any_job(tmp_path, changes, tol
         planned(lay_out(tmp_path, **changes))
 
 
-@pytest.mark.parametrize("kind", ["a pipe", "a link to a device", "a folder"])
+@pytest.mark.parametrize("kind", KINDS)
 def test_only_a_file_is_a_record_and_others_are_not_waited_for(tmp_path, kind):
     record = lay_out(tmp_path) / "records/sea.csv"
     record.unlink()
-    make = {"a pipe": os.mkfifo, "a folder": Path.mkdir}.get(kind, lambda it: it.symlink_to("/dev/zero"))
-    make(record)
-    pool = ThreadPoolExecutor(1)
-    digest = pool.submit(lambda: planned(tmp_path / "config").digest)
-    pool.shutdown(wait=False)
+    KINDS[kind](record)
     with pytest.raises(InputError, match=r"sea\.csv: no regular file"):
-        digest.result(timeout=20.0)
+        soon(lambda: planned(tmp_path / "config").digest)
 
 
 def test_another_record_or_request_is_another_job(tmp_path):

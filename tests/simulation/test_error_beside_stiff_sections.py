@@ -10,12 +10,13 @@ LIKE = 0.02  # relative difference of estimates between a stiff and a rigid stac
 STACK = "stack"
 
 
-def estimates(tree, stiffness):
-    """Estimated errors of a rig whose stack has this bending stiffness (N m^2)."""
+def estimates(tree, stiffness, axial="1e11 N", only=STACK):
+    """Estimated errors of a rig whose stack, or whole riser, has this bending stiffness (N m^2)."""
     tree = written(tree)
-    stack = next(one for one in tree["riser"] if one["name"] == STACK)
-    del stack["young_modulus"]
-    stack |= {"axial_stiffness": "1e11 N", "bending_stiffness": f"{stiffness} N*m^2"}
+    for one in tree["riser"]:
+        if only in (None, one["name"]):
+            del one["young_modulus"]
+            one |= {"axial_stiffness": axial, "bending_stiffness": f"{stiffness} N*m^2"}
     return run(SceneFile("rig.yaml", tree, {}).resolved()).facts["error_estimate"]
 
 
@@ -45,12 +46,8 @@ def of_rigid_rig(seed, stiffness, *, spatial):
     """Estimated errors at rest of a rig whose sections all have this bending stiffness (N m^2)."""
     tree = rig(seed + 20, spatial=spatial, conductor=False)
     tree["analysis"] = {"mesh": {"elements": 20}}
-    tree = written(tree)
-    tree["top"]["telescopic_joint"]["bending_stiffness"] = f"{stiffness} N*m^2"
-    for one in tree["riser"]:
-        del one["young_modulus"]
-        one |= {"axial_stiffness": "1e10 N", "bending_stiffness": f"{stiffness} N*m^2"}
-    return run(SceneFile("rig.yaml", tree, {}).resolved()).facts["error_estimate"]
+    tree["top"]["telescopic_joint"]["bending_stiffness"] = stiffness
+    return estimates(tree, stiffness, "1e10 N", only=None)
 
 
 @pytest.mark.parametrize("spatial", [False, True])

@@ -1,45 +1,30 @@
 """Pipes and devices in the place of tables are refused, and never waited for."""
 
 import json
-import os
-from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 from test_edits_of_a_study import SCENE
+from without_end import KINDS, soon
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.check import check
 from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
 
-SOON = 20.0  # s; reading any of them takes far longer, if it ends
 WATER = {"density": "1025 kg/m^3", "surface": "490 m"}
 PLACES = {"current": {"profile": {"file": "table.csv"}}, "platform": {"heave": {"file": "table.csv"}}}
 PULL = {"path": "top.tension", "unit": "MN", "values": [1, 2]}
-KINDS = {
-    "a pipe": os.mkfifo,
-    "a link to a device": lambda path: path.symlink_to("/dev/zero"),
-    "a link to a pipe": lambda path: (os.mkfifo(path.with_name("pipe")), path.symlink_to("pipe")),
-    "a folder": lambda path: path.mkdir(),
+MAKE = KINDS | {
     "nothing": lambda path: None,
     "larger than memory": lambda path: path.open("wb").truncate(2**42),
 }
 
 
-def soon(function):
-    """What a function returns or raises, within some seconds."""
-    pool = ThreadPoolExecutor(1)
-    try:
-        return pool.submit(function).result(SOON)
-    finally:
-        pool.shutdown(wait=False)
-
-
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", MAKE)
 @pytest.mark.parametrize("place", PLACES)
 def test_only_a_file_of_bounded_size_is_a_table_of_a_study(tmp_path, place, kind):
     (tmp_path / "hung.yaml").write_text(json.dumps(SCENE))
-    KINDS[kind](tmp_path / "table.csv")
+    MAKE[kind](tmp_path / "table.csv")
     entry = {"scene": "hung.yaml", "caption": "pulled", "axes": {"pull": PULL}}
     entry["set"] = {place: PLACES[place], "water": WATER}
     study = Study("own", "pull", check(StudyModel, entry, "own"), tmp_path, "standard", None, {})
