@@ -15,6 +15,7 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.guide import Guide
 from riserstudy.effects.vortex_drag import VortexDrag
+from riserstudy.solve.sums import GIVEN, LOST
 from riserstudy.model.model import Effect, Model, Unknowns
 
 C_X = 0.5
@@ -114,11 +115,11 @@ def test_what_vortices_supply_is_stored_or_taken_by_drag():
     for _ in range(2):
         model.s.clock[0] = 60.0 * len(sums)
         sums.append(moved(model, 60.0, 0.0025, 100)[2])
-        supplied, taken = sums[-1].work[1], sums[-1].work[2]
+        supplied, taken = sums[-1].work[GIVEN], sums[-1].work[LOST]
         assert supplied - taken == pytest.approx(energy(model) - before, abs=2e-3 * supplied)
         before = energy(model)
-    assert sums[-1].work[1] > 0.0
-    assert sums[-1].work[1] == pytest.approx(sums[-1].work[2], rel=0.02)
+    assert sums[-1].work[GIVEN] > 0.0
+    assert sums[-1].work[GIVEN] == pytest.approx(sums[-1].work[LOST], rel=0.02)
 
 
 def test_a_turned_flow_turns_the_motion():

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation.convergence import Convergence
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.refine import Refinement, run
 from riserstudy.simulation.run import march, single
@@ -54,7 +55,7 @@ def test_thinned_runs_differ_as_whole_ones_do(scene):
 @pytest.mark.parametrize("foreseen", [True, False])
 def test_what_is_given_holds_all_outputs(scene, monkeypatch, foreseen):
     if not foreseen:
-        monkeypatch.setattr(Refinement, "_may_suffice", False)
+        monkeypatch.setattr(Convergence, "may_suffice", False)
     found = run(scene)
     runs = found.facts["refinements"]
     repeated = runs[-1]["elements"] == runs[-2]["elements"] and runs[-1]["step"] == runs[-2]["step"]
@@ -78,7 +79,7 @@ def test_what_patience_ends_says_which_outputs_are_not_there(scene, monkeypatch)
             sums.stop[0] = int(next(ends))
             yield
 
-    monkeypatch.setattr(Refinement, "_may_suffice", False)
+    monkeypatch.setattr(Convergence, "may_suffice", False)
     found = Refinement(scene, Short(1000.0)).result()
     assert found.facts["ended_by"] == "patience of 1000 s"
     apart = found.arrays["time"][1] - found.arrays["time"][0]

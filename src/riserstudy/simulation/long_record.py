@@ -70,11 +70,11 @@ class LongRecord(Refinement):
             whole = None
         if whole is None:
             return super()._refine()
-        self.meshes, self.step, self.way = part.meshes, part.step, part.way
+        self.meshes, self.step, self.convergence.way = part.meshes, part.step, part.convergence.way
         self.last = self.finest = whole
         self.finest_mesh, self.thin = self.mesh, False
-        whole.facts["error_estimate"] = self.error
-        way = self._next_way()
+        whole.facts["error_estimate"] = self.convergence.error
+        way = self.convergence.next_way()
         if way is None:
             return True
         self._halve(way)
@@ -95,7 +95,7 @@ class LongRecord(Refinement):
                 more[name] = max(1.0, off / before[name])
             elif name in CONTROLLED:
                 return None
-        self.seen = {way: one.scaled(more) for way, one in part.seen.items()}
+        self.convergence.halved = {way: one.scaled(more) for way, one in part.convergence.halved.items()}
         return whole
 
     def _run(self, scene: Resolved, mesh: Mesh, step: float, coarse: bool) -> Result:

@@ -14,8 +14,8 @@ from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, T
 from riserstudy.model.mesh import Mesh
 from riserstudy.records.numerals import percent
 from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.convergence import RUNS, Convergence
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import refuse_unseen_periods, run_prescribed
 from riserstudy.simulation.refinement_warnings import missed_accuracy, slow_convergence, sparse_outputs
@@ -23,20 +23,13 @@ from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.rival_modes import warn_of_rivals
 from riserstudy.simulation.run import finish, march, single
 from riserstudy.simulation.run_cost import cost, duration, total_seconds
-from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Notify, Watch, size
 from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.simulation.tolerance import add_error_of_outputs, allowed_of, check_error, raise_if_buckling
 
-RUNS = 16  # largest number of halvings of mesh or step
 SEGMENTS = 50_000  # largest number of segments
-FALL = 1.5  # smallest decrease of differences by a halving for the same halving to be repeated
-STALE = 2  # halvings after which an error is estimated again
-# predicted error, as a multiple of the tolerance, from which on the next run is not the last
-LIKELY = 1.5
-MATTERS = 0.25  # error, as a share of the tolerance, from which on it is estimated again
 STEPS_A_PERIOD = 24  # number of the coarsest time steps in a period
 
 
@@ -85,25 +78,15 @@ def _exact(result: Result) -> Result:
 
 
 class Refinement:
-    """Halve the one of mesh and step with the larger error, until both errors together meet the tolerance.
-
-    Every run is compared with the previous run, which differs only in mesh or only in step. If halving one
-    did not reduce the differences, the other is halved next. A long step damps motions that only a fine mesh
-    represents, and a coarse mesh omits motions that only a short step represents. An error that was estimated
-    long before the end is therefore estimated again, by runs that are coarser in the one quantity alone.
-    """
+    """Halve mesh or time step, as `Convergence` chooses, until both errors together meet the tolerance."""
 
     def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
-        a = scene.analysis
         self.scene, self.watch = scene, watch or Watch()
-        self.target = allowed_of(scene)
         self.meshes = [coarsest_mesh(scene)]  # each with the segments of the previous mesh halved
-        self.step = _longest_step(scene) if a.duration else None
-        self.ways = [] if massless(scene) else ["mesh"]
-        self.ways += ["step"] if self.step else []
-        self.way = self.ways[0] if self.ways else ""  # mesh or step, whichever was halved last
-        self.seen: dict[str, Halved] = {}  # by way
-        self.helps = True  # whether this halving reduced the differences
+        self.step = _longest_step(scene) if scene.analysis.duration else None
+        ways = [] if massless(scene) else ["mesh"]
+        ways += ["step"] if self.step else []
+        self.convergence = self._convergence(ways)
         self.lost = 0  # meshes without equilibrium
         self.last: Result | None = None  # run to compare the next run with
         self.finest: Result | None = None  # finest completed run
@@ -111,8 +94,10 @@ class Refinement:
         self.rest: Rest | None = None  # scene at rest on the last mesh
         self.thin = False  # whether the run has fewer outputs than requested
         self.spent: list[dict[str, Any]] = []  # cost of each run
-        # ratios of error to tolerance, from the first complete estimate on
-        self.excess: list[float] = []
+
+    def _convergence(self, ways: list[str]) -> Convergence:
+        """The errors to be estimated, and the rule by which mesh or step is chosen."""
+        return Convergence(allowed_of(self.scene), ways)
 
     def result(self) -> Result:
         """The finest run, with its estimated error.
@@ -120,7 +105,7 @@ class Refinement:
         Raises SimulationError as `run` does: no equilibrium, a failed step, buckling that no mesh resolves,
         no time left.
         """
-        if not self.ways:  # a massless spring at rest
+        if not self.convergence.ways:  # a massless spring at rest
             return _exact(single(self.scene, self.mesh, self.step))
         try:
             reached = self._refine()
@@ -136,7 +121,7 @@ class Refinement:
         self.spent[-1] = cost(finest)
         if not reached:
             finest.facts["warnings"].append(self._not_reached(finest))
-        finest.facts["warnings"] += slow_convergence(self.scene, self.seen.get("step"))
+        finest.facts["warnings"] += slow_convergence(self.scene, self.convergence.halved.get("step"))
         finest.facts["solve_seconds"] = total_seconds(self.spent)
         finest.facts["refinements"] = self.spent
         output = self.scene.analysis.output
@@ -154,9 +139,9 @@ class Refinement:
             finer = self._attempt(left)
             if finer is not None:
                 self._compare(finer)
-                if stale := self._stale:
+                if stale := self.convergence.stale:
                     self._reestimate(finer, stale)
-                way = self._next_way()
+                way = self.convergence.next_way()
                 if way is None or left == 0 or self._too_fine(way):
                     if not self.thin or self._repeated(left):
                         return way is None
@@ -189,25 +174,13 @@ class Refinement:
     def _begin(self) -> None:
         """Report the next run, the error of the last run, and the time left."""
         on = f"run {len(self.spent) + 1}: {size(len(self.mesh.l0), self.step)}"
-        if self.spent and not self._unknown:
-            error = self.error
-            worst = max(self.target, key=lambda name: error[name] / self.target[name])
-            off = f"error of {worst} {percent(error[worst])}, tolerance {percent(self.target[worst])}"
-            on += f"; {off}, about {duration(self._left())} to go"
+        errors = self.convergence
+        if self.spent and not errors.unknown:
+            worst, left = errors.worst(), errors.time_left(self.spent[-1]["solve_seconds"])
+            off = f"error of {worst} {percent(errors.error[worst])}"
+            off += f", tolerance {percent(errors.tolerance[worst])}"
+            on += f"; {off}, about {duration(left)} to go"
         self.watch.begin(on)
-
-    def _left(self) -> float:
-        """Estimated time left (s), if each halving reduces its error to a quarter and doubles the time."""
-        excess = {way: self._excess(one.error) for way, one in self.seen.items()}
-        one, total = self.spent[-1]["solve_seconds"], 0.0
-        for _ in range(RUNS):
-            one *= 2.0
-            total += one
-            worst = max(excess, key=lambda way: excess[way])
-            excess[worst] *= 0.25
-            if sum(excess.values()) <= 1.0:
-                break
-        return float(total)
 
     def _not_reached(self, finest: Result) -> str:
         """The warning that the tolerance is not met."""
@@ -218,13 +191,6 @@ class Refinement:
         """The present mesh."""
         return self.meshes[-1]
 
-    @property
-    def error(self) -> dict[str, float]:
-        """Estimated relative error of mesh and step together, by quantity."""
-        facts = self.finest.facts if self.finest else {}
-        chance = of_two_runs(facts.get("sampling_error", {}))
-        return dict.fromkeys(self.target, 0.0) | error_of(self.seen.values(), chance)
-
     def _attempt(self, left: int, whole: bool = False) -> Result | None:
         """A run on the present mesh and step; None if it failed, after which mesh or step is finer.
 
@@ -232,7 +198,7 @@ class Refinement:
         run.
         """
         scene, self.thin = self.scene, False
-        if not (whole or self._may_suffice):
+        if not (whole or self.convergence.may_suffice):
             scene, self.thin = thinned(scene, self.step)
         try:
             rest = self._at_rest()
@@ -245,7 +211,7 @@ class Refinement:
             self.step, self.last = 0.5 * self.step, None
         except SimulationError:  # no equilibrium found on this mesh
             self.lost += 1
-            if left == 0 or self.lost > 2 or "mesh" not in self.ways:
+            if left == 0 or self.lost > 2 or "mesh" not in self.convergence.ways:
                 raise
             self.meshes.append(self.mesh.halved())
             self.last = None
@@ -262,52 +228,15 @@ class Refinement:
     def _compare(self, finer: Result) -> None:
         """Evaluate the change by the last halving, and add the estimated error to the run."""
         self.spent.append(cost(finer))
+        errors, sampling = self.convergence, finer.facts.get("sampling_error", {})
         if self.last is not None:
-            before = self.seen.get(self.way)
-            chance = floor(finer.facts.get("sampling_error", {}))
-            now = enter(self.seen, self.way, difference(self.last, finer), chance)
-            self.helps = before is None or (self._excess(before.change) > FALL * self._excess(now.change))
+            errors.enter(difference(self.last, finer), sampling)
         self.last = self.finest = finer
         self.finest_mesh = self.mesh
-        known = self.seen[self.way].change if self.way in self.seen and not self._unknown else {}
-        finer.facts["error_estimate"] = {k: v for k, v in self.error.items() if k in known}
-        if not self._unknown:
-            self.excess.append(self._excess(self.error))
-            raise_if_buckling(self.scene, finer, self.excess)
-
-    @property
-    def _unknown(self) -> list[str]:
-        return [way for way in self.ways if way not in self.seen]
-
-    @property
-    def _may_suffice(self) -> bool:
-        """Whether the next run may be the last, if errors continue to decrease as before."""
-        if set(self._unknown) - {self.way}:
-            return False
-        fall = {way: one.fall if way == self.way else 1.0 for way, one in self.seen.items()}
-        left = {
-            name: sum(one.error.get(name, 0.0) / fall[way] for way, one in self.seen.items())
-            for name in self.target
-        }
-        return self._excess(left) <= LIKELY
-
-    def _next_way(self) -> str | None:
-        """The next one of mesh and step to halve; None if the tolerance is met."""
-        if self._unknown:
-            return self._unknown[0]
-        if self._excess(self.error) <= 1.0:
-            return self._stale
-        if len(self.ways) > 1 and not self.helps:  # a constant error may be due to the other
-            return self.ways[1 - self.ways.index(self.way)]
-        return max(self.ways, key=lambda way: self._excess(self.seen[way].error))
-
-    @property
-    def _stale(self) -> str | None:
-        """The one of mesh and step with a significant error that was estimated long before the final run."""
-        if self._unknown or self._excess(self.error) > 1.0:
-            return None
-        old = [way for way in self.ways if self.seen[way].since >= STALE]
-        return next((w for w in old if self._excess(self.seen[w].error) > MATTERS), None)
+        errors.note_run(sampling)
+        finer.facts["error_estimate"] = errors.estimated
+        if not errors.unknown:
+            raise_if_buckling(self.scene, finer, errors.excesses)
 
     def _reestimate(self, finer: Result, way: str) -> None:
         """Estimate again how changes by mesh or step decrease, by two runs that are coarser in it alone.
@@ -332,12 +261,9 @@ class Refinement:
                 break
             self.spent.insert(-1, cost(runs[-1]))
         changes = [difference(coarse, fine) for fine, coarse in pairwise(runs)]
-        if changes:
-            before = Halved(changes[1], None) if len(changes) > 1 else None
-            self.seen[way] = Halved(changes[0], before)
-        finer.facts["error_estimate"] = {
-            k: v for k, v in self.error.items() if k in finer.facts["error_estimate"]
-        }
+        self.convergence.enter_again(way, changes)
+        known, error = finer.facts["error_estimate"], self.convergence.error
+        finer.facts["error_estimate"] = {name: error[name] for name in error if name in known}
 
     def _check_patience(self) -> None:
         """Refuse a next run that would exceed the time limit: it takes twice the time of the last run."""
@@ -348,15 +274,11 @@ class Refinement:
         return way == "mesh" and 2 * len(self.mesh.l0) > SEGMENTS
 
     def _halve(self, way: str) -> None:
-        self.way = way
+        self.convergence.way = way
         if way == "mesh":
             self.meshes.append(self.mesh.halved())
         elif self.step:
             self.step = 0.5 * self.step
-
-    def _excess(self, error: dict[str, float]) -> float:
-        """The largest ratio of error to tolerance."""
-        return max(error.get(name, 0.0) / limit for name, limit in self.target.items())
 
 
 def _longest_step(scene: Resolved) -> float:

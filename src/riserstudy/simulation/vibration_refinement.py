@@ -10,12 +10,32 @@ from __future__ import annotations
 
 from riserstudy.dataset.result import Result
 from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.convergence import Convergence
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.time_limit import Watch
-from riserstudy.simulation.tolerance import in_words
+from riserstudy.simulation.tolerance import allowed_of, in_words
 
 # largest number of halvings of mesh and of step: statistics that still change are of another vibration
 HALVINGS = 4
+
+
+class VibrationConvergence(Convergence):
+    """Errors of mesh and step, without chance, decide what is halved next."""
+
+    def next_way(self) -> str | None:
+        """The next one of mesh and step to halve; None if finer runs would change less than the tolerance."""
+        if self.unknown:
+            return self.unknown[0]
+        above = [one.above for one in self.halved.values()]
+        left = {name: sum(error.get(name, 0.0) for error in above) for name in self.tolerance}
+        if self.excess(left) <= 1.0:
+            return None
+        return max(self.ways, key=lambda way: self.excess(self.halved[way].above))
+
+    @property
+    def stale(self) -> str | None:
+        """None: errors are not estimated again, since further runs would differ by the same chance."""
+        return None
 
 
 class VibrationRefinement(Refinement):
@@ -23,7 +43,10 @@ class VibrationRefinement(Refinement):
 
     def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         super().__init__(scene, watch)
-        self.halvings = dict.fromkeys(self.ways, 0)
+        self.halvings = dict.fromkeys(self.convergence.ways, 0)
+
+    def _convergence(self, ways: list[str]) -> Convergence:
+        return VibrationConvergence(allowed_of(self.scene), ways)
 
     def result(self) -> Result:
         """The finest run with its estimated error, and with a warning if chance exceeds the tolerance.
@@ -32,29 +55,14 @@ class VibrationRefinement(Refinement):
         """
         finest = super().result()
         error = finest.facts["error_estimate"]
-        excess = self._excess(error)
-        if excess > 1.0 and self._next_way() is None:
+        excess = self.convergence.excess(error)
+        if excess > 1.0 and self.convergence.next_way() is None:
             finest.facts["warnings"].append(
                 f"accuracy not reached: statistics of runs of this length scatter by {in_words(error)}. "
                 "Finer meshes and shorter steps do not reduce this scatter; run longer by a factor of about "
                 f"{excess**2:.2g}, or run several seeds"
             )
         return finest
-
-    def _next_way(self) -> str | None:
-        """The next one of mesh and step to halve; None if finer runs would change less than the tolerance."""
-        if self._unknown:
-            return self._unknown[0]
-        above = [one.above for one in self.seen.values()]
-        left = {name: sum(error.get(name, 0.0) for error in above) for name in self.target}
-        if self._excess(left) <= 1.0:
-            return None
-        return max(self.ways, key=lambda way: self._excess(self.seen[way].above))
-
-    @property
-    def _stale(self) -> str | None:
-        """None: errors are not estimated again, since further runs would differ by the same chance."""
-        return None
 
     def _halve(self, way: str) -> None:
         self.halvings[way] += 1

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from riserstudy.solve.jit import inner, kernel
+from riserstudy.solve.jit import inner
 from riserstudy.solve.rows import (
     back,
     block_below,
@@ -131,9 +131,3 @@ def flexibility_solve(s, angle):
         angle[j] = above
     if 2 * middle < n:
         angle[n] = angle[n] * inverse[n] - factor[n - 1] * above
-
-
-@kernel
-def solve_once(s, out, work, fixed):
-    """`solve` for callers in Python."""
-    return solve(s, out, work, fixed)

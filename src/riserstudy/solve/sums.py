@@ -9,13 +9,15 @@ import numpy as np
 from riserstudy.solve.jit import inner
 
 DONE, NOT_CONVERGED, STOPPED = 0, 1, 2
+# entries of `work`: by supports, by water and devices, dissipated, numerically dissipated, exchanged in all
+HELD, GIVEN, LOST, NUMERICAL, EXCHANGED = 0, 1, 2, 3, 4
 STEPS, ITERATIONS, HALVED, EVALUATIONS = 0, 1, 2, 3  # entries of `count`
 
 
 class Sums(NamedTuple):
     """Sums over a run."""
 
-    work: np.ndarray  # (5,) J: by supports, by water and devices, dissipated, numerical, exchanged
+    work: np.ndarray  # (5,) J
     count: np.ndarray  # (4,) steps, Newton iterations, halved steps, evaluations of explicit stepping
     failure: np.ndarray  # (3,) time (s), node, size of its last correction (m)
     stop: np.ndarray  # (1,) not 0 to interrupt the march; another thread may set it
@@ -29,11 +31,11 @@ def new_sums() -> Sums:
 @inner
 def enter(sums, held, given, lost, numerical):
     """Add one step: work of supports, of water and devices, physical and numerical dissipation."""
-    sums.work[0] += held
-    sums.work[1] += given
-    sums.work[2] += lost
-    sums.work[3] += numerical
-    sums.work[4] += abs(held) + abs(given) + abs(lost)
+    sums.work[HELD] += held
+    sums.work[GIVEN] += given
+    sums.work[LOST] += lost
+    sums.work[NUMERICAL] += numerical
+    sums.work[EXCHANGED] += abs(held) + abs(given) + abs(lost)
     sums.count[STEPS] += 1
 
 
