@@ -15,8 +15,8 @@ from riserstudy.effects.drag import Drag
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.guide import Guide
 from riserstudy.effects.vortex_drag import VortexDrag
-from riserstudy.solve.sums import GIVEN, LOST
 from riserstudy.model.model import Effect, Model, Unknowns
+from riserstudy.solve.sums import GIVEN, LOST
 
 C_X = 0.5
 SPRING = (2.0 * np.pi * OWN) ** 2 * MASS

@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 
 from riserstudy.solve.evaluate import move
-from riserstudy.solve.jit import kernel
+from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.newton import Tolerance, account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
 from riserstudy.solve.program import every
@@ -32,10 +32,10 @@ from riserstudy.solve.state import (
     DISSIPATED,
     SUPPLIED,
     VELOCITY,
-    Before,
     copy,
     keep,
     know_internal,
+    new_before,
     release,
     restore,
 )
@@ -66,6 +66,44 @@ def generalised_alpha(rho_inf) -> tuple[float, float, float, float]:
     return alpha_m, alpha_f, 0.25 * (gamma + 0.5) ** 2, gamma
 
 
+@inner
+def _predict(s, before, follower, method, h):
+    """Predict the end of a step of length h, with the rates of the tangent and known internal variables."""
+    af = method.alpha_f
+    s.rate[VELOCITY] = method.gamma / (method.beta * h)
+    s.rate[ACCELERATION] = (1.0 - method.alpha_m) / ((1.0 - af) * method.beta * h * h)
+    release(s)
+    s.internal_share[0] = 0.5 * h
+    for k in range(s.internal.shape[0]):
+        for i in range(s.internal.shape[1]):
+            s.internal_known[k, i] = before.internal[k, i] + 0.5 * h * before.internal_rate[k, i]
+    for c in range(s.r.shape[0]):
+        for i in range(s.r.shape[1]):
+            s.r[c, i] += h * s.v[c, i] + 0.5 * h * h * follower[c, i]
+            s.v[c, i] += h * follower[c, i]
+            s.a[c, i] = (follower[c, i] - af * s.a[c, i]) / (1.0 - af)
+
+
+@inner
+def _follow(s, before, follower, method, inert0, inert1):
+    """The auxiliary acceleration of the next step, and the work of the inertial forces (J).
+
+    The work is by the trapezoidal rule, from the inertial forces before and after the step.
+    """
+    am, af = method.alpha_m, method.alpha_f
+    top, work = s.l0.shape[0], 0.0
+    for c in range(s.r.shape[0]):
+        for i in range(s.r.shape[1]):
+            mean = (1.0 - af) * s.a[c, i] + af * before.a[c, i]
+            follower[c, i] += (mean - follower[c, i]) / (1.0 - am)
+            work += 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - before.r[c, i])
+        # the top without its first-order motion
+        follower[c, top] -= ((1.0 - af) * s.carried[2, c] + af * before.carried[2, c]) / (1.0 - am)
+        way = s.carried[0, c] - before.carried[0, c]
+        work -= 0.5 * (s.carried[3, c] + before.carried[3, c]) * way
+    return work
+
+
 @kernel
 def march(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; outputs go to ``record``.
@@ -75,16 +113,11 @@ def march(p, s, so, method, fixed, record, sums):
     """
     d = len(s.dim)
     nb = len(s.dof)
-    m = nb - d
     n = s.r.shape[1] - 1  # the last node, loose ones included
     top = s.l0.shape[0]
-    am, af, beta, gamma = method.alpha_m, method.alpha_f, method.beta, method.gamma
 
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
-    r0, v0, a0 = np.zeros((d, n + 1)), np.zeros((d, n + 1)), np.zeros((d, n + 1))
-    moment0, carried0 = np.zeros((m, n + 1)), np.zeros((4, d))
-    internal0, rate0 = np.zeros(s.internal.shape), np.zeros(s.internal.shape)
-    before = Before(r0, v0, a0, moment0, carried0, internal0, rate0)
+    before = new_before(s)
     force = np.zeros((d, n + 1))
     inert0, inert1 = np.zeros((d, n + 1)), np.zeros((d, n + 1))
 
@@ -107,18 +140,7 @@ def march(p, s, so, method, fixed, record, sums):
         t, h = s.clock[0], pace[LENGTH]
         keep(s, before)
         copy(inert0, inert1)
-        s.rate[VELOCITY] = gamma / (beta * h)
-        s.rate[ACCELERATION] = (1.0 - am) / ((1.0 - af) * beta * h * h)
-        release(s)
-        s.internal_share[0] = 0.5 * h
-        for k in range(s.internal.shape[0]):
-            for i in range(s.internal.shape[1]):
-                s.internal_known[k, i] = internal0[k, i] + 0.5 * h * rate0[k, i]
-        for c in range(d):
-            for i in range(n + 1):
-                s.r[c, i] += h * s.v[c, i] + 0.5 * h * h * follower[c, i]
-                s.v[c, i] += h * follower[c, i]
-                s.a[c, i] = (follower[c, i] - af * s.a[c, i]) / (1.0 - af)
+        _predict(s, before, follower, method, h)
         move(p, s, t + h)
 
         if not correct(p, s, method.tolerance, method.iterations, memory, out, work, fixed, sums):
@@ -131,17 +153,8 @@ def march(p, s, so, method, fixed, record, sums):
         copy(inert1, s.force)
         know_internal(s)
         kinetic1 = every(p.kinetic, s)
-        # Numerical dissipation: the part of the inertial forces' work, by the trapezoidal rule, that
-        # a decrease of kinetic energy does not explain.
-        numerical = kinetic0 - kinetic1
-        for c in range(d):
-            for i in range(n + 1):
-                follower[c, i] += ((1.0 - af) * s.a[c, i] + af * a0[c, i] - follower[c, i]) / (1.0 - am)
-                numerical -= 0.5 * (inert0[c, i] + inert1[c, i]) * (s.r[c, i] - r0[c, i])
-            # the top without its first-order motion
-            follower[c, top] -= ((1.0 - af) * s.carried[2, c] + af * carried0[2, c]) / (1.0 - am)
-            way = s.carried[0, c] - carried0[0, c]
-            numerical += 0.5 * (s.carried[3, c] + carried0[3, c]) * way
+        # numerical dissipation: the work of the inertial forces that no decrease of kinetic energy explains
+        numerical = kinetic0 - kinetic1 - _follow(s, before, follower, method, inert0, inert1)
         lost, given = s.flow[DISSIPATED], s.flow[SUPPLIED]
         half = 0.5 * h
         enter(sums, half * (held + held0), half * (given + given0), half * (lost + lost0), numerical)

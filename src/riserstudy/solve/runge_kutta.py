@@ -102,6 +102,22 @@ def _inertial_power(s):
 
 
 @inner
+def _predict(s, r0, v, a, weights, i, h, ahead):
+    """Predict the state of stage i by its sums, with accelerations extrapolated by the factor ``ahead``."""
+    step = h * weights[i, i]
+    for c in range(s.r.shape[0]):
+        for k in range(s.r.shape[1]):
+            place, speed = r0[c, k], v[0, c, k]
+            for j in range(i):
+                place += h * weights[i, j] * v[j, c, k]
+                speed += h * weights[i, j] * a[j, c, k]
+            guess = a[i - 1, c, k] + ahead * (a[i - 1, c, k] - a[max(i - 2, 0), c, k])
+            s.a[c, k] = guess
+            s.v[c, k] = speed + step * guess
+            s.r[c, k] = place + step * s.v[c, k]
+
+
+@inner
 def _foresee(now, carried, weights, i, h, ahead):
     """Predict the first-order motion by the sums of stage i; `move` then replaces this prediction."""
     step = h * weights[i, i]
@@ -128,38 +144,62 @@ def _known(s, internal0, rates, weights, i, h):
             s.internal_known[k, node] = known
 
 
+@inner
+def _times(weights):
+    """Time of each stage, as a share of the step."""
+    reached = np.zeros(weights.shape[0])
+    for i in range(weights.shape[0]):
+        for j in range(i + 1):
+            reached[i] += weights[i, j]
+    return reached
+
+
+@inner
+def _powers(p, s, force, fixed, power):
+    """Powers of a stage (W) into ``power``, after its forces balance."""
+    power[SUPPORTS] = account(p, s, force, fixed)
+    power[DISSIPATED], power[SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
+    power[INERTIA] = _inertial_power(s)
+
+
+@inner
+def _enter(sums, power, weights, h, gained):
+    """Add one step: works by the quadrature of the method, for ``gained`` kinetic energy (J)."""
+    last = weights.shape[0] - 1
+    lost, given, held, numerical = 0.0, 0.0, 0.0, -gained
+    for i in range(weights.shape[0]):
+        weight = h * weights[last, i]
+        lost += weight * power[i, DISSIPATED]
+        given += weight * power[i, SUPPLIED]
+        held += weight * power[i, SUPPORTS]
+        numerical -= weight * power[i, INERTIA]
+    enter(sums, held, given, lost, numerical)
+
+
 @kernel
 def march_in_stages(p, s, so, method, fixed, record, sums):
     """March from the state ``s`` at time ``s.clock[0]``; arguments and result are as in `march`."""
-    d = len(s.dim)
     nb = len(s.dof)
-    m = nb - d
     n = s.r.shape[1] - 1  # the last node, loose ones included
     weights = method.weights
     stages = weights.shape[0]
     last = stages - 1
     diagonal = weights[last, last]
-    reached = np.zeros(stages)  # time of each stage, as a share of the step
-    for i in range(stages):
-        for j in range(i + 1):
-            reached[i] += weights[i, j]
+    reached = _times(weights)
 
     out, work = np.zeros((n + 1, nb)), np.zeros((n + 1, nb * nb))
-    r0, moment0 = np.zeros((d, n + 1)), np.zeros((m, n + 1))
-    carried = np.zeros((stages, 4, d))
-    v, a = np.zeros((stages, d, n + 1)), np.zeros((stages, d, n + 1))
+    r0, moment0, force = np.zeros(s.r.shape), np.zeros(s.moment.shape), np.zeros(s.r.shape)
+    carried = np.zeros((stages, *s.carried.shape))
+    v, a = np.zeros((stages, *s.r.shape)), np.zeros((stages, *s.r.shape))
     internal0 = np.zeros(s.internal.shape)
     rates = np.zeros((stages, *s.internal.shape))
     before = Before(r0, v[0], a[0], moment0, carried[0], internal0, rates[0])
-    force = np.zeros((d, n + 1))
     power = np.zeros((stages, 4))
 
     memory, pace = new_memory(), new_pace(method)
     know_internal(s)
     balance(p, s, out, work, fixed)
-    power[last, SUPPORTS] = account(p, s, force, fixed)
-    power[last, DISSIPATED], power[last, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
-    power[last, INERTIA] = _inertial_power(s)
+    _powers(p, s, force, fixed, power[last])
     kinetic0 = every(p.kinetic, s)
     begin = s.clock[0]
     note_start(p, s, record, begin)
@@ -178,16 +218,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             ahead = 0.0  # factor of the linear extrapolation of accelerations
             if i > 1:
                 ahead = (reached[i] - reached[i - 1]) / (reached[i - 1] - reached[i - 2])
-            for c in range(d):
-                for k in range(n + 1):
-                    place, speed = r0[c, k], v[0, c, k]
-                    for j in range(i):
-                        place += h * weights[i, j] * v[j, c, k]
-                        speed += h * weights[i, j] * a[j, c, k]
-                    guess = a[i - 1, c, k] + ahead * (a[i - 1, c, k] - a[max(i - 2, 0), c, k])
-                    s.a[c, k] = guess
-                    s.v[c, k] = speed + h * diagonal * guess
-                    s.r[c, k] = place + h * diagonal * s.v[c, k]
+            _predict(s, r0, v, a, weights, i, h, ahead)
             _foresee(s.carried, carried, weights, i, h, ahead)
             _known(s, internal0, rates, weights, i, h)
             move(p, s, t + reached[i] * h)
@@ -197,10 +228,8 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             copy(v[i], s.v)
             copy(a[i], s.a)
             copy(carried[i], s.carried)
-            power[i, SUPPORTS] = account(p, s, force, fixed)
+            _powers(p, s, force, fixed, power[i])
             copy(rates[i], s.internal_rate)
-            power[i, DISSIPATED], power[i, SUPPLIED] = s.flow[DISSIPATED], s.flow[SUPPLIED]
-            power[i, INERTIA] = _inertial_power(s)
         if failed:
             restore(s, before)
             for k in range(4):
@@ -211,15 +240,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
 
         know_internal(s)
         kinetic1 = every(p.kinetic, s)
-        numerical = kinetic0 - kinetic1
-        lost, given, held = 0.0, 0.0, 0.0
-        for i in range(stages):
-            weight = h * weights[last, i]
-            lost += weight * power[i, DISSIPATED]
-            given += weight * power[i, SUPPLIED]
-            held += weight * power[i, SUPPORTS]
-            numerical -= weight * power[i, INERTIA]
-        enter(sums, held, given, lost, numerical)
+        _enter(sums, power, weights, h, kinetic1 - kinetic0)
         kinetic0 = kinetic1
         note_step(p, s, so, before, t, h, record)
         advance(s, pace, method, begin)

@@ -275,6 +275,13 @@ class Before(NamedTuple):
 
 
 @inner
+def new_before(s):
+    """Zeroed values of a state."""
+    r, q = np.zeros(s.r.shape), np.zeros(s.internal.shape)
+    return Before(r, r.copy(), r.copy(), np.zeros(s.moment.shape), np.zeros(s.carried.shape), q, q.copy())
+
+
+@inner
 def keep(s, before):
     """Save the state before a step."""
     copy(before.r, s.r)
