@@ -22,8 +22,8 @@ def wellhead_fatigue(wellhead: xr.Dataset, wellhead_mesh: xr.Dataset) -> xr.Data
     The logarithm is fitted by regression on the ranks of all inputs, with an indicator for each option. The
     share of an input is the variance of its part of the fit. ``explained`` is the share that the whole fit
     explains of samples to which it was not fitted (leave-one-out). ``by_chance`` is the share that one in
-    twenty shuffled outcomes exceeds. ``damage_error`` is the largest change of damage on a mesh and a step
-    twice as fine, at other samples.
+    twenty shuffled outcomes exceeds. ``damage_error`` is the largest change of damage from 120 to
+    240 segments with half the step, at other samples.
 
     References
     ----------
