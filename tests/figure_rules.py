@@ -5,7 +5,7 @@ import re
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.text import Text
 
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 
 PAGE = 180.0  # mm, the width of a journal's page
 UNITS = "m|cm|mm|s|t|N|kN|MN|kN m|MN/m|m/s|kn|1/s|Hz|kN²/Hz|m²/Hz|kN/m|kN s²/m²|kg/m³|MPa|%|°|°/m|m/m|1/year"

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from riserstudy.csv_files import csv_text, read_csv, write_csv
 from riserstudy.errors import SimulationError
-from riserstudy.figures.drawn import table as values_of_figure
+from riserstudy.figures.figure_text import csv_table as values_of_figure
 from riserstudy.grading.rows import table as graded
 
 FORMULAS = [

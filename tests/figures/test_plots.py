@@ -14,7 +14,7 @@ from matplotlib.collections import QuadMesh
 
 from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
-from riserstudy.figures.drawn import table
+from riserstudy.figures.figure_text import csv_table
 from riserstudy.study.figures import NEEDS, FigureModel
 from riserstudy.study.models import StudyModel
 from riserstudy.study.read import default_figures
@@ -226,7 +226,7 @@ def test_a_heat_map_marks_where_its_limit_is():
 
 def cells_of(figure):
     """Values of heat maps by panel and place, as the table of the figure has them."""
-    rows = list(csv.DictReader(io.StringIO(table(figure))))
+    rows = list(csv.DictReader(io.StringIO(csv_table(figure))))
     cells = [row for row in rows if row["colour_value"]]
     return {(r["panel"], r["x_value"], r["y_value"]): r["colour_value"] for r in cells}
 
@@ -271,5 +271,5 @@ def test_the_table_of_lines_over_words_has_the_words(seed):
     words = [f"case {k}" for k in draw.permutation(5)[: draw.integers(2, 5)]]
     dataset = xr.concat([grid("reading").isel(reading=0)] * len(words), "reading")
     figure = drawn("lines", dataset.assign_coords(reading=words), ["stroke"])
-    rows = list(csv.DictReader(io.StringIO(table(figure))))
+    rows = list(csv.DictReader(io.StringIO(csv_table(figure))))
     assert [row["x_value"] for row in rows] == [*words, *words]  # largest and smallest

@@ -10,7 +10,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from riserstudy.cli import main
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 from riserstudy.figures.run import draw
 
 TIME, S = np.linspace(0.0, 10.0, 41), np.linspace(0.0, 100.0, 11)

@@ -16,7 +16,7 @@ from matplotlib.colors import to_hex
 from matplotlib.text import Annotation, Text
 
 from riserstudy.errors import InputError
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 from riserstudy.jobs.figure import from_scene
 from riserstudy.scene.load import load_scene
 from riserstudy.schematic import schematic

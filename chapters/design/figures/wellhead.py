@@ -35,7 +35,9 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     left.set_xscale("log")
     left.xaxis.set_minor_formatter(NullFormatter())  # labels within a decade overlap
     error = 100.0 * float(wellhead_fatigue["damage_error"])
-    left.set_xlabel(f"damage of the conductor (1/year)\n240 instead of 120 segments change it by {error:.1g} % at most")
+    left.set_xlabel(
+        f"damage of the conductor (1/year)\n240 instead of 120 segments change it by {error:.1g} % at most"
+    )
     left.set_ylabel("share of samples with less (%)")
     low, high = np.quantile(damage, [0.05, 0.95])
     for value in (low, high):

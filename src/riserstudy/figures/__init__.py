@@ -47,7 +47,7 @@ def save(figure: Figure, *targets: Path) -> None:
     A PNG contains a description in words, which becomes its alternative text; CSV contains the plotted
     values. Raises SimulationError when a file cannot be written, as on a full disk.
     """
-    from riserstudy.figures.drawn import table
+    from riserstudy.figures.figure_text import csv_table
 
     figure.draw_without_rendering()  # computes the layout once
     figure.set_layout_engine("none")  # the same layout for all formats
@@ -55,7 +55,7 @@ def save(figure: Figure, *targets: Path) -> None:
         target.parent.mkdir(parents=True, exist_ok=True)
         with whole_file(target, zlib.error) as partial:  # zlib.error: a PDF that is not closed
             if target.suffix == ".csv":
-                partial.write_text(table(figure), "utf-8")
+                partial.write_text(csv_table(figure), "utf-8")
             else:
                 kind = target.suffix.removeprefix(".")
                 figure.savefig(partial, format=kind, metadata=_metadata(figure, target.suffix))
@@ -72,9 +72,9 @@ def _head_rows(figure: Figure) -> int:
 
 
 def _metadata(figure: Figure, suffix: str) -> dict[str, str | None] | None:
-    from riserstudy.figures.drawn import headline, words
+    from riserstudy.figures.figure_text import description, headline
 
     if suffix == ".png":
-        metadata: dict[str, str | None] = {"Title": headline(figure), "Description": words(figure)}
+        metadata: dict[str, str | None] = {"Title": headline(figure), "Description": description(figure)}
         return metadata | {HEAD_ROWS: str(_head_rows(figure))}
     return {"CreationDate": None} if suffix == ".pdf" else None

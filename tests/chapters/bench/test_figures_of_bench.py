@@ -5,7 +5,7 @@ import xarray as xr
 from drawn_whole import assert_whole
 
 from chapters.bench.figures import heave, surge
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 
 NODES = np.linspace(0.0, 533.0, 9)
 TIME = np.arange(0.0, 60.0, 1.0)

@@ -14,7 +14,7 @@ from chapters.design.figures.tension import tension_window
 from chapters.design.figures.watch_circles import watch_circles
 from chapters.design.figures.wellhead import wellhead_fatigue
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 
 
 def extents(figure, texts):

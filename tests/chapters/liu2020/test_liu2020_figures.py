@@ -10,7 +10,7 @@ from matplotlib.colors import to_hex
 
 from chapters.liu2020.figures import heave, motion, static_shapes, statics
 from chapters.liu2020.figures.colours import ALL, NAMES, OF_CALIBRATION, ONE, VERTICAL
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 from riserstudy.study.read import read_studies
 
 CONFIG = Path(__file__).parents[3] / "config"

@@ -11,7 +11,7 @@ from chapters.mao_hangoff.figures.colours import OF_INPUT, ordered
 from chapters.mao_hangoff.figures.towed_sweeps import _where_astern
 from chapters.mao_hangoff.figures.trends import trends
 from chapters.mao_hangoff.runs import STATED
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 
 RANGES = {
     "lmrp_mass": (120.0, 140.0),

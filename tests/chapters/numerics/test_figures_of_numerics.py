@@ -14,7 +14,7 @@ from chapters.numerics.figures.random_scenes import random_scenes
 from chapters.numerics.figures.scenes import NAMES, family_in_words, in_one_line
 from chapters.numerics.figures.stable_step import stable_step
 from chapters.numerics.figures.tiers import tiers
-from riserstudy.figures.drawn import headline
+from riserstudy.figures.figure_text import headline
 
 SCENES = ["S2", "Liu 2020 roll of 4 deg in 10 s"]
 

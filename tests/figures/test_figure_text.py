@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from riserstudy.figures.drawn import table, words
+from riserstudy.figures.figure_text import csv_table, description
 
 
 def test_panels_have_the_names_of_the_axes_that_they_share():
@@ -17,11 +17,11 @@ def test_panels_have_the_names_of_the_axes_that_they_share():
         ax.set_title(letter, loc="left")
         ax.set_title(title, loc="right")
     below.set_xlabel("time (s)")
-    said = words(figure)
+    said = description(figure)
     assert said.startswith("Heave grows. 2 panels. ")
     assert "(a) 1 m: heave (m) over time (s): gas law." in said
     assert "(b) 3 m: heave (m) over time (s): gas law." in said
-    first = table(figure).splitlines()[1]
+    first = csv_table(figure).splitlines()[1]
     assert first.startswith("(a),time (s),heave (m),gas law,0,0")
 
 
@@ -29,12 +29,12 @@ def test_a_name_on_two_rows_is_one_name():
     figure = Figure()
     ax = figure.subplots()
     ax.plot([0.0, 1.0], [0.0, 2.0], label="secant,\nright axis")
-    assert table(figure).splitlines()[1].split(",", 3)[3].startswith('"secant, right axis",0,0')
+    assert csv_table(figure).splitlines()[1].split(",", 3)[3].startswith('"secant, right axis",0,0')
 
 
 def rows_of(figure):
     """Names and values of the series of a figure without commas in its words."""
-    rows = (line.split(",") for line in table(figure).splitlines()[1:])
+    rows = (line.split(",") for line in csv_table(figure).splitlines()[1:])
     return [(row[3], float(row[4]), float(row[5])) for row in rows]
 
 

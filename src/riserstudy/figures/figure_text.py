@@ -27,10 +27,9 @@ MOST_NAMED = 6  # largest number of lines of a panel that are named in words
 HEADER = ("panel", "x", "y", "series", "x_value", "y_value", "colour_value")
 
 
-class Drawn(NamedTuple):
-    """One series of a panel: its kind, its name, and values of x, y and colour."""
+class Series(NamedTuple):
+    """One series of a panel: its name, and values of x, y and colour."""
 
-    kind: str
     name: str
     values: Array  # (n, 3), the third nan if colour has no value
 
@@ -42,7 +41,7 @@ def headline(figure: Figure) -> str:
     return _plain(figure.get_suptitle()) or (panel if len(panel) > SENTENCE else "")
 
 
-def words(figure: Figure) -> str:
+def description(figure: Figure) -> str:
     """Description of a figure: panels with their titles, axes and named series."""
     panels = [panel for ax in _visible_axes(figure) if (panel := _panel(ax))]
     head = figure.get_suptitle()
@@ -50,7 +49,7 @@ def words(figure: Figure) -> str:
     return " ".join([*([f"{head}."] if head else []), count + " ".join(panels)]).replace("\n", " ")
 
 
-def table(figure: Figure) -> str:
+def csv_table(figure: Figure) -> str:
     """All plotted values as CSV text: one row per value, to six digits."""
     rows: list[tuple[str, ...]] = []
     for number, ax in enumerate(_visible_axes(figure), start=1):
@@ -120,20 +119,20 @@ def _plain(text: str) -> str:
     return " ".join(text.replace("$", "").split())
 
 
-def _series(ax: Axes) -> Iterator[Drawn]:
+def _series(ax: Axes) -> Iterator[Series]:
     for artist in ax.get_children():
         label = " ".join(str(artist.get_label() or "").split())
         name = "" if label.startswith("_") else label
         values = _values(artist)
         if values is not None and len(values):
-            yield Drawn(type(artist).__name__, name, values)
+            yield Series(name, values)
     for bars in ax.containers:
         label = " ".join(str(bars.get_label() or "").split())
         boxes = [patch.get_bbox() for patch in getattr(bars, "patches", [])]
         if boxes:
             across = getattr(bars, "orientation", None) == "horizontal"
             ends = [_middle_of_end(box, across) for box in boxes]
-            yield Drawn("bars", "" if label.startswith("_") else label, np.array(ends))
+            yield Series("" if label.startswith("_") else label, np.array(ends))
 
 
 def _middle_of_end(bar: Bbox, across: bool) -> tuple[float, float, float]:
