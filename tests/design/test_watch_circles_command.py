@@ -271,3 +271,24 @@ def test_a_riser_that_disconnects_on_the_way_has_no_circles(commands, tmp_path, 
     assert (code, out) == (2, "")
     assert f"disconnect.at: {4 + 2 * seed} s" in err
     assert "--set disconnect=null" in err
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_riser_that_hangs_free_has_nothing_to_disconnect(commands, tmp_path, seed):
+    """In plane and space; with a cruising platform or below a drifting vessel."""
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    tree["bottom"] = {"hold": "free", "body": {"name": "LMRP", "mass": 1e5, "submerged_weight": "8e5 N"}}
+    if seed < 2:
+        tree["top"] = {"x": "vessel", "z": "held", "elevation": "0 m"}
+        tree["vessel"] = {"mass": "3e7 kg", "wave_drift": {"force": "1e6 N"}}
+        del tree["platform"]
+    else:
+        tree["top"] = {"x": "platform", "z": "platform", "elevation": "0 m"}
+        tree["platform"] = {"cruise": {"speed": "1 m/s", "ramp": "5 s"}}
+    tree["limits"] = [{"output": "ufj_angle", "largest": "0.1 deg", "mode": "disconnect"}]
+    tree["analysis"] = timed(20.0, 0.1, 30, 0.5)
+    scene = tmp_path / "rig.yaml"
+    scene.write_text(json.dumps(written(tree)))
+    code, out, err = commands("watch-circles", scene, "--disconnect", "2 s", "--prepare", "1 s")
+    assert (code, out) == (2, "")
+    assert "bottom.hold: free: there is nothing to disconnect" in err

@@ -39,13 +39,16 @@ class Circles(NamedTuple):
 def moves_off(scene: Resolved) -> None:
     """Refuse a scene that does not leave the well.
 
-    Raises InputError when there is neither a vessel nor a cruising platform, the scene is static, its riser
-    disconnects during the run, or outputs begin late.
+    Raises InputError when there is neither a vessel nor a cruising platform, the riser hangs free or
+    disconnects during the run, the scene is static, or outputs begin late.
     """
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
         allowed = "Give `vessel` (drift-off) or `platform.cruise` (drive-off)"
         raise InputError("vessel", "", "absent: nothing leaves the well", allowed)
+    if scene.bottom.hold == "free":
+        why = "limits of a riser that hangs from the vessel are checked by `riserstudy check`"
+        raise InputError("bottom.hold", "free: there is nothing to disconnect", why, "Give `wellhead`")
     if scene.analysis.duration is None:
         raise InputError("analysis.duration", "", "absent", "Give, for example, `300 s`")
     if scene.disconnect:
