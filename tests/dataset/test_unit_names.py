@@ -1,10 +1,11 @@
 """Units of published values and of a chapter's variables are known ones."""
 
 import numpy as np
+import pint
 import pytest
 
 from riserstudy.dataset.chapter_variables import chapter_table
-from riserstudy.dataset.unit_names import known_unit
+from riserstudy.dataset.unit_names import known_unit, scene_notation
 from riserstudy.errors import InputError
 from riserstudy.grading.published import printed_of
 from riserstudy.inputs.misfit import Misfit
@@ -44,6 +45,27 @@ def test_products_of_units_are_known_in_either_notation(seed):
     assert (known_unit(cf), known_unit(scene)) == (cf, scene)
     with pytest.raises(Misfit):
         known_unit(f"{cf} parsnip")
+
+
+#: values in SI units, each by its definition
+SI = {"kN": 1e3, "MN": 1e6, "m": 1.0, "s": 1.0, "ft": 0.3048, "min": 60.0, "h": 3600.0, "km": 1e3}
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_notations_of_a_unit_mean_the_same_number(seed):
+    """The product of the values of its parts, in the notation of CF, of scenes, and with a stroke."""
+    draw = np.random.default_rng(seed)
+    above, below = (str(name) for name in draw.choice([*SI], 2, replace=False))
+    first, second = (int(k) for k in draw.choice([1, 2, 3], 2))
+    ones = {1: "", 2: "2", 3: "3"}
+    units = pint.UnitRegistry()
+    for name in (
+        f"{above}{ones[first]} {below}-{second}",
+        f"{above}{ones[first]}/{below}{ones[second]}",
+        f"{above}^{first}*{below}^-{second}",
+    ):
+        found = units.Quantity(1.0, scene_notation(name)).to_base_units().magnitude
+        assert found == pytest.approx(SI[above] ** first / SI[below] ** second, rel=1e-12)
 
 
 def test_numbers_without_a_unit_have_none():

@@ -18,12 +18,17 @@ USUAL = "N|kN|MN|m|kg|t|s|h|min|year|Hz|Pa|kPa|MPa|bar|rad|deg|degree"
 _USUAL = re.compile(rf"(1/)?(?:{USUAL})(?:\^-?\d)?(?:[*/](?:{USUAL})(?:\^-?\d)?)*")
 
 
+def scene_notation(name: str) -> str:
+    """A unit in the notation of scenes: ``kN s2 m-2`` becomes ``kN*s^2*m^-2``, ``m2/s`` becomes ``m^2/s``."""
+    return "*".join(_CF.sub(r"^\1", name).split()).replace("*/*", "/")
+
+
 def known_unit(name: str) -> str:
     """A unit of a published value or of a variable.
 
     Raises Misfit when the unit is not known, or has two meanings.
     """
-    text = "*".join(_CF.sub(r"^\1", name).split()).replace("*/*", "/")
+    text = scene_notation(name)
     if name not in PLAIN and not _USUAL.fullmatch(text):
         _look_up(name, text)
     return name

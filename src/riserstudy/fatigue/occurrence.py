@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.unit_names import scene_notation
 from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
 from riserstudy.records.words import counted
@@ -135,7 +136,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
                 found = "bearings from north that waves come from, not angles from the x axis"
                 allowed = "give a scatter table with the headings of the study"
                 raise InputError("--seas", name, found, allowed)
-            unit = _plain(str(record[name].attrs.get("units", "")))
+            unit = scene_notation(str(record[name].attrs.get("units", "")))
             factor = _factor("--seas", name, unit, study[axis].attrs.get("units", ""))
             columns[axis] = factor * record[name].values
             irregular += [axis] if name.lower() in OF_SEAS else []
@@ -196,14 +197,9 @@ def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
         allowed = f"allowed is a unit after the name, as in '{text.strip()} ({of_axis})'"
         raise InputError(path, text.strip(), "no unit", allowed)
     try:
-        return to_si(f"1 {unit}", _plain(of_axis))
+        return to_si(f"1 {unit}", scene_notation(of_axis))
     except ValueError as fault:
         raise InputError(path, text.strip(), str(fault), f"as in {of_axis}") from None
-
-
-def _plain(unit: str) -> str:
-    """A CF unit in the notation of texts with units: ``kN s2 m-2`` becomes ``kN*s^2*m^-2``."""
-    return "*".join(re.sub(r"(?<=[A-Za-z])(-?\d+)$", r"^\1", part) for part in unit.split())
 
 
 def _number(path: Path, row: int, column: str, cell: str) -> float:
