@@ -8,7 +8,7 @@ from page_notebook import run_notebook
 
 from riserstudy import load_scene, simulate, sweep
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.simulation.run_cost import duration
+from riserstudy.records.numerals import duration
 from riserstudy.study import simulate_points, store
 from riserstudy.study.far_values import far_values
 from riserstudy.study.sweep import Lines, as_study
@@ -175,7 +175,7 @@ def test_times_in_messages_have_no_exponents(seed, monkeypatch, capsys):
         for digits in (2, 3):
             number, unit = duration(told, digits).split()
             assert "e" not in number
-            given = float(number) * {"s": 1.0, "min": 60.0, "h": 3600.0}[unit]
+            given = float(number) * {"ms": 1e-3, "s": 1.0, "min": 60.0, "h": 3600.0}[unit]
             assert given == pytest.approx(told, rel=0.055)
     now = [0.0]
     monkeypatch.setattr("riserstudy.study.sweep.time.monotonic", lambda: now[0])

@@ -15,7 +15,7 @@ from riserstudy.records.graded import Graded, Grounds, Influence, Outcome, Share
 from riserstudy.report import render, write_report
 from riserstudy.report.claims import read_claims
 from riserstudy.report.contents import Sources
-from riserstudy.report.wording import grouped, seconds, share
+from riserstudy.report.wording import grouped, share
 
 FLOW = Influence("flow", "the flow; U: m/s", by_option={"along, 1 m/s": 0.694, "against (2)": 1.0})
 PHASE = Influence("phase", "the phase", by_option={"early": 0.5, "late; or never": 0.0})
@@ -271,10 +271,3 @@ def test_warnings_that_differ_in_numbers_alone_are_told_once_with_their_range():
 
 def test_numbers_read_well():
     assert [share(x) for x in (0.00123, 0.5, 3.2, "", float("nan"))] == ["0.12 %", "50 %", "320 %", "", ""]
-    assert [seconds(x) for x in (0.0123, 3.14159, 119.0, 150.0, 165600.0)] == [
-        "12 ms",
-        "3.14 s",
-        "119 s",
-        "2.5 min",
-        "46 h",
-    ]

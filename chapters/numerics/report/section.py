@@ -7,9 +7,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from chapters.numerics.report.tables import tables
+from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Section, Table
 from riserstudy.records.words import listed
-from riserstudy.report.wording import counted, seconds
+from riserstudy.report.wording import counted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -121,7 +122,7 @@ def costs(effects: xr.Dataset) -> list[str]:
     compiled = f"The engine has {effects.attrs['compiled_functions']} compiled functions"
     return [
         f"Most expensive effects, by their highest share of the run time in any scene: {listed(named)}.",
-        f"{compiled}; compiling all of them takes {seconds(cold)} ({spent:.0f} core-seconds)."
+        f"{compiled}; compiling all of them takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
         else f"{compiled}.",
     ]
@@ -175,9 +176,9 @@ def long_runs(long: xr.Dataset) -> list[str]:
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
-            published = f" The published run time is {seconds(named)}." if named == named else ""
+            published = f" The published run time is {duration(named, 3)}." if named == named else ""
             parts.append(
-                f"{seconds(spent)} of CPU time give {label} with an error of "
+                f"{duration(spent, 3)} of CPU time give {label} with an error of "
                 f"{100 * float(best[error]):.2g} % ({best['candidate'].item()}, "
                 f"{int(best['elements'])} segments, time step {float(best['asked_step']):g} s)"
             )

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Table
-from riserstudy.report.wording import number, seconds, share
+from riserstudy.report.wording import number, share
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -104,7 +105,7 @@ def requests(accuracy: xr.Dataset) -> Table:
                 Cell(str(of["request_scene"].values)),
                 _share(float(of["requested"])),
                 *(_share(float(v)) for v in largest),
-                Cell(seconds(spent) if spent == spent else "", _order(spent)),
+                Cell(duration(spent, 3) if spent == spent else "", _order(spent)),
                 Cell(str(int(of["request_elements"])) if spent == spent else ""),
                 Cell(number(float(of["request_step"])) if spent == spent else ""),
                 Cell(str(of["request_message"].values)),

@@ -34,7 +34,7 @@ def cost(
     check_targets(file.files, force, plot=plot)
     compile_kernels(file.resolved())
     from riserstudy.advice import accuracy_cost as requests
-    from riserstudy.simulation.run_cost import duration
+    from riserstudy.records.numerals import duration
 
     prices: list[requests.Price] = []
     for price in requests.prices(file, progress=True):

@@ -226,8 +226,8 @@ def positive(option: str, text: str, unit: str) -> float:
 
 def recipe_lines(scene: Resolved) -> list[str]:
     """The recipe for long records in words; empty for other scenes."""
+    from riserstudy.records.numerals import duration
     from riserstudy.simulation.recipe import recipe
-    from riserstudy.simulation.run_cost import duration
 
     found = recipe(scene)
     if found is None:

@@ -121,10 +121,10 @@ def _recoil(file: Any, dataset: Any) -> list[str]:
 
 def announce(file: Any) -> None:
     """Print the estimated time of a long run before it, and the reasons for this time."""
+    from riserstudy.records.numerals import duration
     from riserstudy.scene.sudden import sudden_wave
     from riserstudy.simulation.forecast import forecast
     from riserstudy.simulation.progress_line import progress_line
-    from riserstudy.simulation.run_cost import duration
     from riserstudy.simulation.time_limit import Watch
 
     for warning in sudden_wave(file.resolved()):
@@ -159,7 +159,7 @@ def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
 
 
 def _summary(dataset: Any) -> str:
-    from riserstudy.simulation.run_cost import duration
+    from riserstudy.records.numerals import duration
 
     estimate = json.loads(dataset.attrs.get("error_estimate", "{}"))
     errors = ", ".join(f"{name} {percent(value)}" for name, value in estimate.items())

@@ -1,4 +1,4 @@
-"""Numbers in messages: few digits, and never an exponent."""
+"""Numbers and times in messages: few digits, and never an exponent."""
 
 from __future__ import annotations
 
@@ -29,3 +29,13 @@ def percent(share: float) -> str:
 def newtons(force: float) -> str:
     """Return a force (N) in N, and from 1000 N on in kN."""
     return f"{plain(force)} N" if abs(force) < 1e3 else f"{plain(force / 1e3)} kN"
+
+
+def duration(seconds: float, digits: int = 2) -> str:
+    """Return a time (s) in ms or s, from 100 s on in minutes, from two hours on in hours."""
+    if seconds < 0.9995:
+        return f"{plain(1e3 * seconds, digits)} ms"
+    if seconds < 99.5:
+        return f"{seconds:.{digits}g} s"
+    number, unit = (seconds / 60.0, "min") if seconds < 7170.0 else (seconds / 3600.0, "h")
+    return f"{number:.1f} {unit}" if number < 9.95 else f"{number:.0f} {unit}"

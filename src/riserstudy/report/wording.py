@@ -5,10 +5,12 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterable
+from functools import partial
 
 from markupsafe import Markup, escape
 
 from riserstudy.records import words
+from riserstudy.records.numerals import duration
 from riserstudy.records.words import listed
 
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
@@ -33,15 +35,6 @@ def share(value: object) -> str:
     if math.isnan(plain):
         return ""
     return f"{plain:.0f} %" if abs(plain) >= 10.0 else f"{plain:.2g} %"
-
-
-def seconds(value: float) -> str:
-    """Return a time (s) in words, in a suitable unit."""
-    if value < 1.0:
-        return f"{float(f'{1000 * value:.2g}'):g} ms"
-    if value < 120.0:
-        return f"{value:.3g} s"
-    return f"{value / 60.0:.3g} min" if value < 7200.0 else f"{value / 3600.0:.3g} h"
 
 
 def counted(count: int, thing: str) -> str:
@@ -96,7 +89,7 @@ def _filled(kind: str, numbers: list[list[str]]) -> str:
 WORDING: dict[str, Callable[..., object]] = {
     "number": number,
     "share": share,
-    "seconds": seconds,
+    "duration": partial(duration, digits=3),
     "counted": counted,
     "listed": listed,
     "sentence": sentence,

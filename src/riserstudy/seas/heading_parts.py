@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.numerals import duration
 from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Half, states_between
@@ -19,7 +20,6 @@ from riserstudy.seas.mesh_of_seas import MeshOfSeas, checked, mesh_of_seas, on_m
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.sea_states import SeaStates, sea_states
-from riserstudy.simulation.run_cost import duration
 from riserstudy.study.in_sea import sea_of
 
 if TYPE_CHECKING:

@@ -12,7 +12,7 @@ from typing import Any
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
 from riserstudy.model.mesh import Mesh
-from riserstudy.records.numerals import percent
+from riserstudy.records.numerals import duration, percent
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import RUNS, Convergence
 from riserstudy.simulation.error_estimate import difference
@@ -22,7 +22,7 @@ from riserstudy.simulation.refinement_warnings import missed_accuracy, slow_conv
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.rival_modes import warn_of_rivals
 from riserstudy.simulation.run import finish, march, single
-from riserstudy.simulation.run_cost import cost, duration, total_seconds
+from riserstudy.simulation.run_cost import cost, total_seconds
 from riserstudy.simulation.starting_mesh import coarsest_mesh, massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Notify, Watch, size

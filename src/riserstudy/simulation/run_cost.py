@@ -1,4 +1,4 @@
-"""Cost of runs, and times in words."""
+"""Cost of runs."""
 
 from __future__ import annotations
 
@@ -17,11 +17,3 @@ def cost(run: Result) -> dict[str, Any]:
 def total_seconds(runs: list[dict[str, Any]]) -> float:
     """Elapsed time (s) of runs together, from their costs."""
     return float(sum(one["solve_seconds"] for one in runs))
-
-
-def duration(seconds: float, digits: int = 2) -> str:
-    """A time (s) in words: seconds with this many digits, minutes from 100 s on, hours from two hours on."""
-    if seconds < 99.5:
-        return f"{seconds:.{digits}g} s"
-    number, unit = (seconds / 60.0, "min") if seconds < 7170.0 else (seconds / 3600.0, "h")
-    return f"{number:.1f} {unit}" if number < 9.95 else f"{number:.0f} {unit}"

@@ -20,13 +20,13 @@ import numpy as np
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.check import check
+from riserstudy.records.numerals import duration
 from riserstudy.records.words import counted
 from riserstudy.scene.fields import in_si
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.paths import as_name, value_at
 from riserstudy.scene.units import factor
 from riserstudy.simulation.compile import available_cores
-from riserstudy.simulation.run_cost import duration
 from riserstudy.study import store
 from riserstudy.study.collect import SHARED, dataset_of
 from riserstudy.study.far_values import far_values
