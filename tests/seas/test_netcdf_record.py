@@ -387,3 +387,20 @@ def test_a_record_of_one_row_is_refused_by_its_number_of_rows(tmp_path):
     data.to_netcdf(tmp_path / "sea.nc")
     with pytest.raises(InputError, match="time: 1 row; allowed are two and more"):
         read_record(tmp_path / "sea.nc")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_several_heights_at_a_time_without_places_are_named(tmp_path, seed):
+    """Of stations, members or grid points, in either order of dimensions, by any of the known names."""
+    draw = np.random.default_rng(seed)
+    dim = str(draw.choice(["station", "site", "number", "node"]))
+    name = str(draw.choice(["swh", "hs", "significant_wave_height", "VHM0"]))
+    many = int(draw.integers(2, 6))
+    attributes = {"units": "m"}
+    if name == "VHM0":
+        attributes["standard_name"] = "sea_surface_wave_significant_height"
+    values = xr.DataArray(np.tile(HEIGHT[:, None], many), dims=("time", dim), attrs=attributes)
+    variables = {name: values if seed % 2 else values.T} | over("time", pp1d=(PEAK, "s"))
+    xr.Dataset(variables, {"time": TIME}).to_netcdf(tmp_path / "r.nc")
+    with pytest.raises(InputError, match=f"{name}: several values at a time: {many} of {dim}; write one"):
+        read_record(tmp_path / "r.nc")

@@ -43,6 +43,7 @@ PARTS = {"wind_speed": (("u10", "v10"), ("uwnd", "vwnd")), "current_speed": (("u
 PEAK_FREQUENCY = "sea_surface_wave_frequency_at_variance_spectral_density_maximum"
 GOES_TO = "sea_surface_wave_to_direction"
 COMES_FROM = "sea_surface_wave_from_direction"
+HEIGHT = "significant_wave_height"  # the quantity that every record has
 #: ambiguous names of directions
 UNSURE = ("dir", "thq", "pdir", "dp", "dm", "wave_direction")
 SPELT = {
@@ -66,7 +67,8 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
 
     ``near``: place; the nearest place of a file with several is read; absent: the file has one place. Raises
     InputError when the file cannot be read, or has no times; when it has several places and ``near`` is
-    absent; when a direction is ambiguous: where waves come from, or travel to.
+    absent; when the wave height has several values at a time; when a direction is ambiguous: where waves come
+    from, or travel to.
     """
     import pandas as pd
 
@@ -92,10 +94,26 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
             continue
         columns[one.name] = values
         notes += [note] if note else []
+    if HEIGHT not in columns:
+        _refuse_several(path, data, clock)
     if unused := _unused(path, data.drop_vars(flags, errors="ignore"), clock):
         notes.append(f"left out: {', '.join(unused)}")
     times = pd.DatetimeIndex(data[clock].values, name="time")
     return pd.DataFrame(columns, times), "; ".join(notes)
+
+
+def _refuse_several(path: Path, data: xr.Dataset, clock: str) -> None:
+    """Raise InputError when the wave height has several values at a time, such as those of stations."""
+    for name, values in data.data_vars.items():
+        standard = str(values.attrs.get("standard_name", ""))
+        found = _by_standard(standard) or _by_name(path, str(name), standard)
+        if found is None or found.name != HEIGHT or data[clock].dims[0] not in values.dims:
+            continue
+        others = [f"{data.sizes[dim]} of {dim}" for dim in values.dims if dim not in data[clock].dims]
+        allowed = (
+            "write one of them to a file of its own, or give the file latitudes and longitudes for --near"
+        )
+        raise InputError(path, str(name), f"several values at a time: {', '.join(others)}", allowed)
 
 
 def _unused(path: Path, data: xr.Dataset, clock: str) -> list[str]:
