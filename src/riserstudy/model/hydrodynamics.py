@@ -44,7 +44,7 @@ def current(of: Layout) -> Iterator[Effect]:
         z, velocity = current_velocity(flow, of.scene.water)
     if (surface := still_surface(of.scene)) is not None:
         z, velocity = up_to_surface(z, velocity, surface)
-    z, velocity = spread(z, velocity, of.width_at)
+    z, velocity = spread(z, velocity, of.upright)
     if not flow.turns:
         parts = [(flow.towards, velocity[0])]
     else:

@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.model.current_jump import within
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.vessel import loose_nodes
 from riserstudy.scene.ends import FlexJoint, Rotation
@@ -84,11 +83,10 @@ class Layout(NamedTuple):
         """Unit vector of a heading (rad) in the horizontal directions of the model, (d - 1,)."""
         return np.array([math.cos(heading or 0.0), math.sin(heading or 0.0)])[: self.d - 1]
 
-    def width_at(self, elevation: float) -> float:
-        """Length over which a jump is spread (m): of the segment at this elevation, for an upright riser."""
-        s = self.mesh.s
-        e = int(np.searchsorted(s[1:-1], elevation - self.bottom, side="right"))
-        return within(float(self.mesh.l0[e]), elevation - self.bottom, 0.0, float(s[-1]))
+    @property
+    def upright(self) -> FloatArray:
+        """Elevations of the nodes of the upright riser, (n + 1,), m."""
+        return np.asarray(self.bottom + self.mesh.s)
 
     @property
     def cornered(self) -> list[int]:

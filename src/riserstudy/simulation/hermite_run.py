@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.build import build
-from riserstudy.model.current_jump import spread, up_to_surface, within
+from riserstudy.model.current_jump import spread, up_to_surface
 from riserstudy.model.hydrodynamics import wave_of
 from riserstudy.model.layout import flexibility_of, stiffness
 from riserstudy.model.mesh import Mesh, even
@@ -165,13 +165,6 @@ def _wet_share(scene: Resolved, mesh: Mesh) -> FloatArray:
     return np.clip(below / mesh.l0, 0.0, 1.0)
 
 
-def _width(elevation: FloatArray, at: float) -> float:
-    """Length over which a jump of the current is spread (m), for nodes at elevations (m)."""
-    middle = 0.5 * (elevation[1:] + elevation[:-1])
-    width = float(np.interp(at, middle, np.diff(elevation)))
-    return within(width, at, float(elevation[0]), float(elevation[-1]))
-
-
 def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) -> Beam:
     """The beam in water, evaluated at the elevations of the riser at rest."""
     elevation = (scene.bottom.elevation or 0.0) + np.append(0.0, np.cumsum((1.0 + strain) * np.diff(dry.s)))
@@ -180,7 +173,7 @@ def _wet(scene: Resolved, dry: Beam, strain: FloatArray, inertia: FloatArray) ->
         z, velocity = current_velocity(scene.current, scene.water)
         if (surface := still_surface(scene)) is not None:
             z, velocity = up_to_surface(z, velocity, surface)
-        z, (along, _) = spread(z, velocity, lambda at: _width(elevation, at))
+        z, (along, _) = spread(z, velocity, elevation)
         beam = dry._replace(current=lambda s: np.interp(np.interp(s, dry.s, elevation), z, along))
     if scene.wave is None or scene.water is None:
         return beam

@@ -11,7 +11,7 @@ from riserstudy.errors import SimulationError
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.model.model import Model
-from riserstudy.model.sea import depth_of_action
+from riserstudy.model.sea import current_velocity, depth_of_action
 from riserstudy.model.soil import pile_length
 from riserstudy.model.vortices import shedding_period
 from riserstudy.scene.resolve import Resolved
@@ -22,6 +22,9 @@ LONG = 80.0  # riser length, in layer lengths, from which on an even mesh is too
 # factor on the period of vortices, which 20 steps resolve, while other periods require 24
 VORTEX = 1.2
 OF_HALF_A_WAVE = 3  # segments of the coarsest mesh in half a wave of vortices
+# deviation of the speed from a straight line over two bending layers, as a share of the largest speed, from
+# which on a current loads the riser like a concentrated force
+SUDDEN = 0.1
 QUIET = 20.0  # period (s) from which the time step is chosen if the scene has no period
 
 
@@ -43,6 +46,7 @@ def coarsest_mesh(scene: Resolved) -> Mesh:
             e = probe.foot(k)
             layer = _layer(stiffness(section).bending, _tension(model, e))
             fine.append(Layer(float(probe.s[e]), layer))
+    fine += _thin_layers(scene, model, probe)
     waves = half_wave(scene, probe, _tensions(model))
     longest = {k: length / OF_HALF_A_WAVE for k, length in waves.items()}
     if scene.soil:
@@ -53,6 +57,26 @@ def coarsest_mesh(scene: Resolved) -> Mesh:
                 longest[k] = min(longest.get(k, math.inf), size)
     confined = longest or any(layer.length < math.inf for layer in fine)
     return graded(scene, fine, longest=longest) if confined else probe
+
+
+def _thin_layers(scene: Resolved, model: Model, probe: Mesh) -> list[Layer]:
+    """Places at which the current changes much within a bending layer of the riser, as at a jump."""
+    if scene.current is None:
+        return []
+    z, velocity = current_velocity(scene.current, scene.water)
+    bending = [stiffness(scene.riser[k]).bending for k in probe.section[: probe.ring]]
+    tension = np.abs(_tensions(model)[: probe.ring])
+    layer = np.array([_layer(*pair) for pair in zip(bending, tension.tolist(), strict=True)])
+    nodes = np.maximum.accumulate(model.s.r[-1, : probe.ring + 1])
+    inside = np.flatnonzero((z > nodes[0]) & (z < nodes[-1]))
+    length = layer[np.searchsorted(nodes[1:-1], z[inside])]
+    below, above = (
+        np.array([np.interp(z[inside] + side * length, z, part) for part in velocity]) for side in (-1.0, 1.0)
+    )
+    off = np.linalg.norm(velocity[:, inside] - 0.5 * (below + above), axis=0)
+    sudden = (off > SUDDEN * np.linalg.norm(velocity, axis=0).max()) & (length < math.inf)
+    places = np.interp(z[inside], nodes, probe.s[: probe.ring + 1])
+    return [Layer(float(s), float(a)) for s, a in zip(places[sudden], length[sudden], strict=True)]
 
 
 def _below_mudline(scene: Resolved, k: int) -> bool:
