@@ -1,12 +1,34 @@
-"""Soil: a case, and the plain version."""
+"""Soil: a case, the plain version, bodies that it stops, and a conductor as a beam on elastic foundation.
+
+Conductors in clay and sand are compared with beams on their p-y curves in tests/verification.
+"""
 
 from __future__ import annotations
 
 import numpy as np
+import pytest
+from bodies import UPPER, bodies, energy, motion
 from scipy.interpolate import PchipInterpolator
 from surroundings import Case
 
+from riserstudy import simulate
 from riserstudy.effects.soil import LinearSoil, SoftClay, TabulatedSprings
+
+PILE = """\
+title: a long conductor pushed at the mudline
+riser:
+  - name: conductor
+    length: 80 m
+    outer_diameter: 36 in
+    axial_stiffness: 2e10 N
+    bending_stiffness: 2e9 N*m^2
+bottom: {hold: foot, elevation: -80 m}
+top: {x: free, z: free, lateral_force: 10 kN}
+soil: {mudline: 0 m, resistance: {stiffness: 1 MPa}}
+analysis: {mesh: {elements: 160}}
+"""
+CLAY = """{strength_at_mudline: 3 kPa, strength_gradient: 1.5 kPa/m, submerged_unit_weight: 6 kN/m^3,
+  strain_at_half_strength: 0.02, depth_factor: 0.5, straight_up_to: 0.1}"""
 
 
 def radial(s, node):
@@ -74,3 +96,67 @@ PLAIN = {
     SoftClay: [("device", soft_clay)],
     LinearSoil: [("device", linear_soil)],
 }
+
+ASIDE = np.array([0.6, 0.8])  # direction in which a body is thrown
+MASS, MOST = 2e4, 5e5  # kg, N
+Y50, PLASTIC = 0.02, 0.05  # m
+UPPERMOST = np.array([UPPER])
+
+#: a spring, the speed of a body that meets it (m/s), and how far the body moves (m): where the work of the
+#: spring is the kinetic energy; Matlock's clay takes 6 p_u y50 until it yields at 8 y50
+THROWN = {
+    "linear": (LinearSoil(UPPERMOST, np.array([MOST])), 2.0, 2.0 * np.sqrt(MASS / MOST)),
+    # straight up to a thousandth of y50, which changes its energy by 2e-6
+    "clay": (
+        SoftClay(UPPERMOST, np.array([MOST]), np.array([Y50]), 1e-3),
+        4.0,
+        0.5 * MASS * 4.0**2 / MOST + 2.0 * Y50,
+    ),
+    "table": (
+        TabulatedSprings(
+            UPPERMOST,
+            np.array([[0.0, PLASTIC]]),
+            MOST / PLASTIC * np.array([0.0, 0.0, 1.0, 0.0]).reshape(4, 1, 1),
+            MOST / PLASTIC * np.array([0.0, 0.0, 0.5, 0.0, 0.0]).reshape(5, 1, 1),
+        ),
+        4.0,
+        0.5 * MASS * 4.0**2 / MOST + 0.5 * PLASTIC,
+    ),
+}
+
+
+@pytest.mark.parametrize("soil, speed, far", THROWN.values(), ids=THROWN)
+def test_a_body_thrown_at_soil_moves_until_the_soil_has_its_energy(soil, speed, far):
+    model = bodies(soil, mass=MASS)
+    model.s.v[:2, UPPER] = speed * ASIDE
+    place = motion(model, 0.5, 2000).place[:, :2, UPPER]
+    assert (place @ ASIDE).max() == pytest.approx(far, rel=1e-3)
+    # it moves along a straight line
+    np.testing.assert_allclose(place @ [-0.8, 0.6], 0.0, atol=1e-9 * far)
+    assert energy(model) == pytest.approx(0.5 * MASS * speed**2, rel=1e-3)
+
+
+def pile(tmp_path, text):
+    file = tmp_path / "pile.yaml"
+    file.write_text(text)
+    return simulate(file)
+
+
+def test_a_conductor_in_linear_soil_is_a_beam_on_elastic_foundation(tmp_path):
+    """Hetényi: y = 2 P b / k exp(-b u) cos(b u), M = P / b exp(-b u) sin(b u), u below the mudline."""
+    run = pile(tmp_path, PILE)
+    b, load, k = (1e6 / (4.0 * 2e9)) ** 0.25, 1e4, 1e6
+    u = 80.0 - run["s"]
+    shape = 2.0 * load * b / k * np.exp(-b * u) * np.cos(b * u)
+    moment = load / b * np.exp(-b * u) * np.sin(b * u)
+    # exp(-b 80 m) is 2e-4: the foot is that far away
+    np.testing.assert_allclose(run["x"], shape, atol=1e-3 * float(shape.max()))
+    np.testing.assert_allclose(abs(run["bending_moment"]), abs(moment), atol=1e-3 * float(moment.max()))
+
+
+@pytest.mark.parametrize("load", ["1 kN", "100 kN", "200 kN"])
+def test_soft_clay_needs_few_newton_iterations(tmp_path, load):
+    """From rest; 3 MN of tension at a lower joint of 4 degrees push with 200 kN. 1 MN takes 11."""
+    text = PILE.replace("{stiffness: 1 MPa}", CLAY).replace("lateral_force: 10 kN", f"lateral_force: {load}")
+    run = pile(tmp_path, text)
+    assert run.attrs["statics_iterations"] <= 6
