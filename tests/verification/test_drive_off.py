@@ -1,4 +1,4 @@
-"""A platform that floats, soil around a conductor, a joint within the riser: closed forms and balances."""
+"""A platform that floats, and a joint within the riser: closed forms and balances."""
 
 import json
 from functools import cache
@@ -10,7 +10,6 @@ from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
 from riserstudy.errors import SimulationError
-from riserstudy.simulation.modes import modes_of
 
 CONFIG = Path(__file__).parents[2] / "config"
 REF = CONFIG / "scenes" / "liu2017" / "ref_0.yaml"
@@ -73,49 +72,6 @@ def test_a_platform_on_a_string_feels_its_impedance_until_the_wave_is_back(tmp_p
         expected = top(run["time"] - (1000.0 - s) / speed)
         expected = expected.where(s > 0.0, 0.0)
         np.testing.assert_allclose(found.where(until, 0.0), expected.where(until, 0.0), atol=2e-4 * largest)
-
-
-PILE = """\
-title: a long conductor pushed at the mudline
-riser:
-  - name: conductor
-    length: 80 m
-    outer_diameter: 36 in
-    axial_stiffness: 2e10 N
-    bending_stiffness: 2e9 N*m^2
-bottom: {hold: foot, elevation: -80 m}
-top: {x: free, z: free, lateral_force: 10 kN}
-soil: {mudline: 0 m, resistance: {stiffness: 1 MPa}}
-analysis: {mesh: {elements: 160}}
-"""
-CLAY = """{strength_at_mudline: 3 kPa, strength_gradient: 1.5 kPa/m, submerged_unit_weight: 6 kN/m^3,
-  strain_at_half_strength: 0.02, depth_factor: 0.5, straight_up_to: 0.1}"""
-
-
-def pile(tmp_path, text=PILE):
-    file = tmp_path / "pile.yaml"
-    file.write_text(text)
-    return simulate(file)
-
-
-def test_a_conductor_in_linear_soil_is_a_beam_on_elastic_foundation(tmp_path):
-    """Hetényi: y = 2 P b / k exp(-b u) cos(b u), M = P / b exp(-b u) sin(b u), u below the mudline."""
-    run = pile(tmp_path)
-    b, load, k = (1e6 / (4.0 * 2e9)) ** 0.25, 1e4, 1e6
-    u = 80.0 - run["s"]
-    shape = 2.0 * load * b / k * np.exp(-b * u) * np.cos(b * u)
-    moment = load / b * np.exp(-b * u) * np.sin(b * u)
-    # exp(-b 80 m) is 2e-4: the foot is that far away
-    np.testing.assert_allclose(run["x"], shape, atol=1e-3 * float(shape.max()))
-    np.testing.assert_allclose(abs(run["bending_moment"]), abs(moment), atol=1e-3 * float(moment.max()))
-
-
-@pytest.mark.parametrize("load", ["1 kN", "100 kN", "200 kN"])
-def test_soft_clay_needs_few_newton_iterations(tmp_path, load):
-    """From rest; 3 MN of tension at a lower joint of 4 degrees push with 200 kN. 1 MN takes 11."""
-    text = PILE.replace("{stiffness: 1 MPa}", CLAY).replace("lateral_force: 10 kN", f"lateral_force: {load}")
-    run = pile(tmp_path, text)
-    assert run.attrs["statics_iterations"] <= 6
 
 
 def test_the_platform_alone_follows_its_own_equation():
@@ -286,95 +242,3 @@ def test_energy_balances_while_it_sways_and_turns_with_lagging_thrusters():
     audit = json.loads(run.attrs["audit"])
     assert audit["unexplained_share"] < 1e-4
     assert abs(audit["numerically_dissipated"]) < 1e-3 * audit["exchanged"]
-
-
-ALONE = """\
-title: a platform on a thread
-riser:
-  - name: thread
-    length: 1000 m
-    outer_diameter: 0.5 m
-    inner_diameter: 0.45 m
-    young_modulus: 1100 Pa
-    shear_modulus: %s
-    mass: 0.001 kg/m
-    submerged_weight: 0 N/m
-bottom: {hold: wellhead, elevation: 0 m}
-top: {x: vessel, z: held, elevation: 1009 m}
-vessel:
-  mass: 1e7 kg
-  sway: {added_mass: 1e7 kg}
-  yaw: {inertia: 2e10 kg*m^2, added_inertia: 1e10 kg*m^2}
-  thrusters:
-    {gain: 1e9 N/m, command: 1e5 m, saturation: 1 MN, lag: 8 s, yaw: {gain: 4e5 N*m/rad, command: 2 deg}}
-analysis: {duration: 60 s, output: {interval: 0.5 s}, mesh: {elements: 4}, step: 0.05 s}
-"""
-
-
-def alone(tmp_path, shear="79 GPa", **overrides):
-    file = tmp_path / "alone.yaml"
-    file.write_text(ALONE % shear)
-    return simulate(load_scene(file, **overrides))
-
-
-def test_thrust_that_lags_comes_up_exponentially(tmp_path):
-    """tau F' + F = F_c: F = F_c (1 - exp(-t / tau)), and the platform follows from rest."""
-    run = alone(tmp_path, **{"vessel.sway": None, "vessel.yaw": None, "vessel.thrusters.yaw": None})
-    t, tau = run["time"], 8.0
-    grown = -np.expm1(-t / tau)
-    np.testing.assert_allclose(run["thrust_x"], 1e6 * grown, atol=100.0)
-    surge = 1e6 / 1e7 * (0.5 * t**2 - tau * t + tau**2 * grown)
-    np.testing.assert_allclose(run["platform_surge"], surge, atol=1e-4 * float(surge.max()))
-
-
-@pytest.mark.parametrize("lag", [None, "8 s"])
-def test_a_twisted_riser_is_the_spring_of_a_torsion_pendulum(tmp_path, lag):
-    """I psi'' + (G I_p / L) psi = G_psi (psi_c - psi): two degrees of step response, with lag too."""
-    long = {"analysis.duration": "4000 s", "analysis.step": "2 s", "analysis.output.interval": "20 s"}
-    run = alone(tmp_path, **long, **{"vessel.thrusters.lag": lag, "vessel.thrusters.command": "0 m"})
-    spring = 79e9 * np.pi / 32.0 * (0.5**4 - 0.45**4) / 1000.0
-    gain, inertia, told = 4e5, 3e10, np.deg2rad(2.0)
-    tau = float((lag or "0").split()[0])
-
-    def rates(t, y):
-        moment = y[2] if lag else gain * (told - y[0])
-        following = (gain * (told - y[0]) - y[2]) / tau if lag else 0.0
-        return y[1], (moment - spring * y[0]) / inertia, following
-
-    exact = solve_ivp(rates, (0.0, 4000.0), (0.0,) * 3, t_eval=run["time"], rtol=1e-10, atol=1e-14)
-    if not lag:
-        still = gain * told / (gain + spring)
-        closed = still * (1.0 - np.cos(np.sqrt((gain + spring) / inertia) * run["time"]))
-        np.testing.assert_allclose(exact.y[0], closed, atol=1e-9)
-    np.testing.assert_allclose(run["platform_yaw"], exact.y[0], atol=2e-3 * np.abs(exact.y[0]).max())
-
-
-def test_its_natural_frequency_is_among_the_modes(tmp_path):
-    file = tmp_path / "alone.yaml"
-    file.write_text(ALONE % "79 GPa")
-    modes = modes_of(load_scene(file).resolved(), 12)
-    spring = 79e9 * np.pi / 32.0 * (0.5**4 - 0.45**4) / 1000.0
-    yaw = modes["frequency"].values[modes["motion"].values == "yaw"]
-    assert yaw == pytest.approx([np.sqrt((4e5 + spring) / 3e10) / (2.0 * np.pi)], rel=1e-6)
-
-
-def test_a_hull_turns_broadside_to_the_current(tmp_path):
-    """Turns p of a hull at p0 to it: I p'' = D U^2 (p0 + p) - D U^2 p D / m, D the difference of mass.
-
-    The last term is what it gives way sideways, with the mass m across.
-    """
-    current = {"profile": [{"elevation": z, "speed": "1 m/s"} for z in ("0 m", "1000 m")]}
-    scene = {
-        "water": {"density": "1025 kg/m^3", "surface": "1000 m"},
-        "current": current,
-        "vessel.thrusters": None,
-        "vessel.hull_drag": "1e-3 N*s^2/m^2",
-        "vessel.heading": "0.001 deg",
-        "vessel.sway.added_mass": "4e7 kg",
-        "analysis.duration": "200 s",
-    }
-    run = alone(tmp_path, **scene, **{"riser[0].shear_modulus": None})
-    push, share = 4e7 * 1.0**2 / 3e10, 1.0 - 4e7 / 5e7
-    turn = np.deg2rad(0.001) / share * (np.cosh(np.sqrt(push * share) * run["time"]) - 1.0)
-    assert float(turn.max()) > 50 * np.deg2rad(0.001)
-    np.testing.assert_allclose(run["platform_yaw"], turn, atol=2e-3 * float(turn.max()))

@@ -1,9 +1,12 @@
-"""Thrusters: a case, and the plain version."""
+"""Thrusters: a case, the plain version, and what lagging, damping, limited and rising thrust moves."""
 
 from __future__ import annotations
 
 import numpy as np
+import pytest
+from bodies import UPPER, bodies, energy, motion
 from surroundings import Case, N, pair
+from vessel_alone import alone
 
 from riserstudy.effects.thrusters import Thrusters
 
@@ -37,3 +40,55 @@ def thrusters_inertia(record, s):
 CASES = {Thrusters: Case(some_thrusters, directions=(2, 3), loose=1)}
 
 PLAIN = {Thrusters: [("device", thrusters), ("device_inertia", thrusters_inertia)]}
+
+
+def test_thrust_that_lags_comes_up_exponentially(tmp_path):
+    """tau F' + F = F_c: F = F_c (1 - exp(-t / tau)), and the platform follows from rest."""
+    run = alone(tmp_path, **{"vessel.sway": None, "vessel.yaw": None, "vessel.thrusters.yaw": None})
+    t, tau = run["time"], 8.0
+    grown = -np.expm1(-t / tau)
+    np.testing.assert_allclose(run["thrust_x"], 1e6 * grown, atol=100.0)
+    surge = 1e6 / 1e7 * (0.5 * t**2 - tau * t + tau**2 * grown)
+    np.testing.assert_allclose(run["platform_surge"], surge, atol=1e-4 * float(surge.max()))
+
+
+def test_thrusters_are_spring_and_damper_between_the_vessel_and_the_commanded_place(tmp_path):
+    """Step response of an oscillator: x_c (1 - exp(-zeta w t) (cos w_d t + zeta w / w_d sin w_d t))."""
+    mass, gain, ratio, command = 1e7, 1e6, 0.3, 10.0
+    w = np.sqrt(gain / mass)
+    control = {"gain": f"{gain} N/m", "command": f"{command} m"}
+    control |= {"velocity_gain": f"{2.0 * ratio * w * mass} N*s/m"}
+    steps = {"analysis.step": "0.1 s", "analysis.output.interval": "0.5 s"}
+    changes = {"vessel.thrusters": control, "vessel.sway": None, "vessel.yaw": None}
+    run = alone(tmp_path, **changes, **steps)
+    t, damped = run["time"].values, w * np.sqrt(1.0 - ratio**2)
+    swing = np.cos(damped * t) + ratio * w / damped * np.sin(damped * t)
+    expected = command * (1.0 - np.exp(-ratio * w * t) * swing)
+    np.testing.assert_allclose(run["platform_surge"], expected, atol=1e-3 * command)
+
+
+def pushed(gain, rise, saturation):
+    """Motion over 10 s, and energy, of a body whose commanded place is far away obliquely."""
+    far = 1e9 * np.array([0.6, 0.8])
+    control = gain * np.eye(2), np.zeros((2, 2)), far
+    record = Thrusters(UPPER, 0, 2, *control, rise, saturation, 0.0, 1e6, 1.0, 0)
+    model = bodies(record, mass=1e6, probes="ab")
+    return motion(model, 10.0, 500), energy(model)
+
+
+def test_thrust_is_limited_along_the_way_to_the_commanded_place():
+    found, stored = pushed(gain=1.0, rise=0.0, saturation=2e5)
+    way = 0.5 * 2e5 / 1e6 * found.time**2
+    np.testing.assert_allclose(found.place[:, :2, UPPER], np.outer(way, [0.6, 0.8]), atol=1e-6 * way[-1])
+    assert found.supplied == pytest.approx(2e5 * way[-1], rel=1e-6)
+    assert found.supplied == pytest.approx(stored, rel=1e-6)
+
+
+def test_thrust_rises_exponentially_with_the_command():
+    """m x'' = F (1 - exp(-t / tau)), F the thrust of the whole way."""
+    thrust, tau = 2e5, 3.0
+    found, _ = pushed(gain=thrust / 1e9, rise=tau, saturation=np.inf)
+    t = found.time
+    way = thrust / 1e6 * (0.5 * t**2 - tau * t + tau**2 * -np.expm1(-t / tau))
+    # of second order in steps of a hundred-and-fiftieth of the rise
+    np.testing.assert_allclose(found.place[:, :2, UPPER], np.outer(way, [0.6, 0.8]), atol=1e-4 * way[-1])
