@@ -1,11 +1,14 @@
-"""Varying drag of vortices: a case, and the plain version."""
+"""Varying drag of vortices: a case, the plain version, and steady drag at its largest.
+
+tests/effects/test_vortex_drag.py has closed forms of a rigid cylinder, and its equations solved by others.
+"""
 
 from __future__ import annotations
 
 import numpy as np
 from plain import spread
 
-from each.vortex_lift import case, past, phases_along
+from each.vortex_lift import case, drag_and_vortices, past, phases_along
 from riserstudy.effects.vortex_drag import VortexDrag
 
 SHED = np.array([0.36, 0.14, 0.16, 20.0])
@@ -28,3 +31,9 @@ def phases(record, s):
 CASES = {VortexDrag: case(VortexDrag, SHED)}
 
 PLAIN = {VortexDrag: [("internal", phases), ("string", vortex_drag)]}
+
+
+def test_varying_drag_at_its_largest_is_drag_of_its_coefficient():
+    drag, varying, _ = drag_and_vortices(CASES[VortexDrag])
+    assert np.abs(drag).min() > 0.0
+    np.testing.assert_allclose(varying, drag, rtol=1e-12)

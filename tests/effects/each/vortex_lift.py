@@ -1,4 +1,7 @@
-"""Vortex lift: a case, and the plain version."""
+"""Vortex lift: a case, the plain version, and drag turned aside.
+
+tests/effects/test_vortex_lift.py has closed forms of a rigid cylinder, and its equations solved by others.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,10 @@ from plain import across, at_nodes, spread
 from scipy.optimize import brentq
 from surroundings import SEGMENTS, Case, N, sheared
 
+from riserstudy.effects.drag import Drag
 from riserstudy.effects.vortex_lift import VortexLift
+from riserstudy.model.model import Effect, Model, Unknowns
+from riserstudy.solve.evaluate import one_call, shape_of
 
 SHED = np.array([0.18, 0.07, 0.08, 20.0])
 DIAMETERS = np.append(np.linspace(0.4, 0.6, N), 0.0)  # nothing is shed at the last node
@@ -97,3 +103,29 @@ def case(kind, shed):
 CASES = {VortexLift: case(VortexLift, SHED)}
 
 PLAIN = {VortexLift: [("internal", phases), ("string", vortex_lift)]}
+
+
+def of_phase_zero(record, axis, speeds):
+    """Forces (d, n+1) of a record with phase zero on a straight pipe at rest, in water along x."""
+    model = Model(Unknowns(np.ones(N), 3, 0, internal=3), [Effect("", record, "")])
+    model.s.r[:] = np.outer(axis, np.arange(N + 1))
+    shape_of(model.programs, model.state)
+    model.s.clock[0] = 100.0
+    model.s.water[0] = speeds
+    one_call(model.programs.value.string, model.state)
+    return model.s.force.copy()
+
+
+def drag_and_vortices(one):
+    """Forces by drag, and by vortices of the same coefficient at phase zero; and the axis of the pipe."""
+    axis, speeds = np.array([0.48, 0.64, 0.6]), np.linspace(0.5, 1.4, N + 1)
+    record = one.record(3)
+    drag = Drag(record.low, record.up, np.zeros((3, N + 1)), 0)
+    return of_phase_zero(drag, axis, speeds), of_phase_zero(record, axis, speeds), axis
+
+
+def test_lift_at_its_largest_is_drag_of_its_coefficient_turned_aside():
+    """By a quarter of a turn about a straight pipe, against which water of one direction flows."""
+    drag, lift, axis = drag_and_vortices(CASES[VortexLift])
+    assert np.abs(drag).min() > 0.0
+    np.testing.assert_allclose(lift, np.cross(axis, drag, axis=0), rtol=1e-12, atol=1e-9)
