@@ -65,7 +65,7 @@ def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(fr
     job.kill()
     assert run.wait(1500) == 0, (fresh / "said").read_text()
     said = (fresh / "said").read_text()
-    assert "Trying to restart" in said
+    assert "riserstudy: the failed step starts again" in said
     assert said.count("has been submitted with SLURM jobid") >= 6
     assert_same_numbers(fresh, finished)
     assert len(fresh.stored()) == len(finished.stored())
@@ -78,8 +78,8 @@ def test_whole_papers_through_slurm_give_the_numbers_of_a_local_run(fresh, slurm
     everything = YAML().load(root / "config/config.yaml")["papers"]
     all_but_times = " ".join(paper for paper in everything if paper != "numerics")
     papers = os.environ.get("RISERSTUDY_CLUSTER_PAPERS", all_but_times).split()
-    for part in ("studies", "published"):
-        subprocess.run(["cp", "-r", root / "config" / part, fresh / "config"], check=True)
+    for part in ("config/studies", "config/published", "chapters"):
+        subprocess.run(["cp", "-r", root / part, (fresh / part).parent], check=True)
     fresh.edit("config/config.yaml", "papers:\n- chang2020", f"papers: [{', '.join(papers)}]")
     fresh.edit("config/config.yaml", "tier: standard", "tier: preview")
     run = start(fresh, slurm, *papers)

@@ -106,3 +106,14 @@ def test_a_plain_snakemake_finds_it_by_its_name(tmp_path):
     assert not done.stderr
     again = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
     assert again.stdout == "Nothing to do: every result is up to date.\n"
+
+
+def test_another_try_of_a_failed_step_is_announced(handler, capsys):
+    about = {"rule_name": "simulate", "jobid": 4, "output": ["results/one.nc"], "log": []}
+    handler.emit(record(LogEvent.JOB_ERROR, level=logging.ERROR, **about))
+    handler.emit(record(message="Trying to restart job 4."))
+    lines = capsys.readouterr().err.splitlines()
+    assert lines == [
+        "riserstudy: simulate failed to make results/one.nc",
+        "riserstudy: the failed step starts again",
+    ]

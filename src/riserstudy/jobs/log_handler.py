@@ -19,7 +19,7 @@ from riserstudy.jobs.progress import Progress
 
 ON_TERMINAL, IN_LOG = 1.0, 10.0  # time between updates of the progress (s)
 LOG_TAIL = 25  # lines
-NOTHING = "Nothing to be done"
+NOTHING, AGAIN = "Nothing to be done", "Trying to restart job"
 
 
 @dataclass
@@ -110,10 +110,12 @@ class LogHandler(LogHandlerBase):
         self._complain(lines)
 
     def _pass_on(self, record: LogRecord) -> None:
-        """Print messages that belong to no step: nothing to do, warnings, and the log of a failed run."""
+        """Print other messages: nothing to do, another try, warnings, and the log of a failed run."""
         text = record.getMessage()
         if text.startswith(NOTHING):
             print("Nothing to do: every result is up to date.", flush=True)
+        elif text.startswith(AGAIN):
+            self._complain(["riserstudy: the failed step starts again"])
         elif text.startswith("Complete log"):
             if self._steps_failed:
                 self._complain([text])
