@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from random_rigs import rig, written
 from scipy.integrate import quad
 
 from riserstudy.cli import app
@@ -128,6 +129,26 @@ def test_only_the_flow_across_a_riser_counts():
     lean = math.sqrt(1.0 - (OFFSET / LENGTH) ** 2)
     np.testing.assert_allclose(leaning["current_speed"][50:150], 0.1 * lean, rtol=2e-3)
     assert float(upright["current_speed"][100]) == pytest.approx(0.1, rel=1e-3)
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_speed_beside_a_jump_is_that_of_the_profile(seed, spatial):
+    tree = rig(seed, spatial=spatial, conductor=False)
+    chance = np.random.default_rng(seed)
+    seabed = tree["water"]["seabed"]
+    level, high, low = seabed * chance.uniform(0.3, 0.7), *chance.uniform(0.1, 1.0, 2)
+    points = [(seabed, 0.0), (level, 0.0), (level, high), (0.5 * level, high), (0.5 * level, low), (0.0, low)]
+    tree["current"] = {
+        "profile": [{"elevation": float(z), "speed": float(u)} for z, u in points],
+        "beyond": "hold",
+    }
+    tree["platform"]["position"] = {"surge": 0.0} | ({"sway": 0.0} if spatial else {})
+    found = screening(SceneFile("rig.yaml", written(tree)))
+    elevations, speeds = np.array(points).T
+    wet = found["z"].values <= 0.0
+    right = np.interp(found["z"].values[wet], elevations, speeds)
+    np.testing.assert_allclose(found["current_speed"].values[wet], right, rtol=1e-3, atol=1e-9)
 
 
 def test_a_stronger_current_excites_higher_modes():

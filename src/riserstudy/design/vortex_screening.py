@@ -7,7 +7,7 @@ equal over a cycle. Waves, other modes and structural damping are neglected.
 
 References
 ----------
-Thorsen, Saevik and Larsen, 2014, J. Fluids Struct. 51, for lift and drag; added drag C_d (1 + 2.1 A/D) as
+Thorsen, Saevik and Larsen, 2014, J. Fluids Struct. 49, for lift and drag; added drag C_d (1 + 2.1 A/D) as
 Vandiver, 1983, has it.
 """
 
@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES
+from riserstudy.model.sea import current_velocity
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -120,10 +121,13 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     n = len(mesh.l0)
     water, tangent = np.zeros((3, n)), np.zeros((3, n))
     axes = list(AXES[d])
-    water[axes] = 0.5 * (model.s.water[:, :n] + model.s.water[:, 1 : n + 1])
     tangent[axes] = model.s.tangent
-    across = water - (water * tangent).sum(axis=0) * tangent
     z = 0.5 * (model.s.r[-1, :n] + model.s.r[-1, 1 : n + 1])
+    if scene.current:  # the profile itself: near jumps, the loads of the nodes use another current
+        elevations, velocity = current_velocity(scene.current, scene.water)
+        for c in axes[:-1]:
+            water[c] = np.interp(z, elevations, velocity[c])
+    across = water - (water * tangent).sum(axis=0) * tangent
     wet = _in_water(scene, z)
     speed = np.where(wet, np.linalg.norm(across, axis=0), 0.0)
     diameter, drag = np.full(n, math.nan), np.zeros(n)
