@@ -41,13 +41,13 @@ def test_an_overpull_raises_a_string_evenly_from_the_middle_of_its_release(tmp_p
     file.write_text(SCENE)
     found = simulate(load_scene(file))
     t, gain = found["time"].values, (1e6 - 8e5) / 1e5
-    late = t > 0.7 + 1e-9
+    late = t > 0.7 + 1e-9  # the string is so stiff that it does not ring by more than 1e-9
     assert late.sum() > 20
-    np.testing.assert_allclose(found["lift_rate"][late], gain * (t[late] - 0.6), rtol=1e-3)
+    np.testing.assert_allclose(found["lift_rate"][late], gain * (t[late] - 0.6), rtol=1e-6)
     # the way is the integral of the speed, from the first of these times on
     begun = float(found["lift"][late][0])
     way = 0.5 * gain * ((t[late] - 0.6) ** 2 - (t[late][0] - 0.6) ** 2)
-    np.testing.assert_allclose(found["lift"][late] - begun, way, atol=1e-3 * way[-1])
+    np.testing.assert_allclose(found["lift"][late] - begun, way, atol=1e-6 * way[-1])
     still = t < 0.5 - 1e-9
     np.testing.assert_allclose(found["lift"][still], 0.0, atol=1e-9)
 
