@@ -27,8 +27,8 @@ of the scene that includes each effect.
 
 Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts
 them to SI. [Units](#units) lists the names of units. The engine refuses a bare number where a unit is
-required, a rotational stiffness without `/deg` or `/rad`, and a pressure without `absolute` or `gauge`. It
-also refuses `t` as a force (`tf` is a force).
+required, a rotational stiffness without `/deg` or `/rad`, and a pressure without `absolute` or `gauge`. The
+engine also refuses `t` as a force (`tf` is a force).
 Elevations increase upwards from one datum of your choice; arclengths start at the lower end of the riser.
 
 Every value has an origin. A value without a stated origin is *published* if the scene has the key `paper`,

@@ -21,7 +21,7 @@ MOST_VALUES = 300_000_000  # largest number of values of a history over all time
 
 
 class Layers(Strict):
-    """Lengths at the riser's ends to which bending is confined, about sqrt(EI/T). By default: none."""
+    """Lengths of the end layers in which bending is concentrated, about sqrt(EI/T); by default none."""
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
     top: Annotated[u.Length, POSITIVE] | None = None
@@ -57,8 +57,8 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories, by default from the start of the run and at all nodes.
 
-    Extremes are taken, and limits are checked, from ``start`` on only. ``stress_in`` names a section whose
-    largest stress at the outer fibre is output over time.
+    Extremes and limits are evaluated only from ``start`` on. ``stress_in`` names a section whose largest
+    stress at the outer fibre is output over time.
     """
 
     interval: Annotated[u.Time, POSITIVE]

@@ -30,8 +30,8 @@ class BodyAddedMass(Strict):
 class Body(Strict):
     """A concentrated mass, such as an LMRP or a tension ring.
 
-    Its submerged weight is given, or follows from mass, gravity and either the displaced volume or the
-    density of the material. Weight, drag and added mass are zero if they are not given. Without
+    The submerged weight of the body is given, or follows from mass, gravity and either the displaced volume
+    or the density of the material. Weight, drag and added mass are zero if they are not given. Without
     ``centre_below`` the body is a point at the riser's end. With ``centre_below`` the body turns rigidly with
     the lower end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the
     riser through the centre. If ``rotary_inertia`` is absent, it is zero. With ``centre_below`` arclengths in
@@ -184,7 +184,7 @@ class TensionLoss(Strict):
 
 
 class Top(Strict):
-    """Upper end. In the directions ``x`` (with y) and ``z``, it follows the platform, is held, or is free.
+    """Upper end. In ``x`` (with y) and in ``z``, this end follows the platform, is held, or is free.
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
     free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene

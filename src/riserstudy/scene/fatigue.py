@@ -117,9 +117,8 @@ class Detail(Strict):
     face of the wall, at which the stress by wall tension and bending is computed. For a detail at one end of
     a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided by the
     bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress by
-    tension is then neglected. ``stress_concentration`` multiplies this nominal stress.
-    The default thickness is that of the section's wall. Damage times ``safety_factor`` is the factored
-    damage.
+    tension is then neglected. ``stress_concentration`` multiplies this nominal stress. The default thickness
+    is the wall thickness of the section. Damage times ``safety_factor`` is the factored damage.
     """
 
     name: Annotated[str, Field(min_length=1)]

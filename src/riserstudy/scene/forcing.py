@@ -151,11 +151,11 @@ class Platform(Strict):
     Roll is about x, pitch about y (the platform's vertical leans towards +x), and yaw about z.
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
-    and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) are those of the
-    initial heading of the vessel. Phases are those of the wave at the initial place of the vessel, even if
-    the vessel drifts. A run warns if the vessel drifts by more than a tenth of the wavelength in the
-    direction of the waves of the scene. With a ``vessel``, a cruise and a position in surge or sway are not
-    allowed; ``top.offset`` gives the initial place of the vessel.
+    and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) apply for the
+    initial heading of the vessel, and phases for its initial place, even if the vessel drifts. A run warns if
+    the vessel drifts by more than a tenth of the wavelength in the direction of the waves of the scene. With
+    a ``vessel``, a cruise and a position in surge or sway are not allowed; ``top.offset`` gives the initial
+    place of the vessel.
     """
 
     position: Position | None = None
@@ -278,7 +278,7 @@ class Combined(Strict):
 
 
 class Current(Strict):
-    """Steady current. By default it flows along x, and from the start of the run, without a ramp.
+    """Steady current. By default it flows along x, and acts from the start of the run without a ramp.
 
     ``headings`` states whether headings are directions that the current flows to (towards, the default) or
     comes from. This key also applies to the ``direction`` of the points of the profile, which is given at all

@@ -147,14 +147,14 @@ class VortexInducedVibration(Strict):
 
 
 class Contents(Strict):
-    """Fluid inside the riser. Its weight is added to ``submerged_weight``.
+    """Fluid inside the riser. The weight of this fluid is added to ``submerged_weight``.
 
     The mass of the fluid moves with the pipe only in directions across the pipe.
 
     If ``contents`` are absent, no weight of contents is added. For a bore that is open to the sea, give sea
     water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by
     default to the upper end of the highest section with contents. The gauge pressure of the contents on the
-    wall is that of this column at rest. If a section between two sections with contents has none, the
+    wall is the static pressure of this column. If a section between two sections with contents has none, the
     pressure below this section is not known. The von Mises stress there is not computed.
     """
 
@@ -197,17 +197,18 @@ class Section(Strict):
     rigid in torsion. Mass, drag, tangential drag, added mass, vortex-induced vibration, contents, damping,
     load, joint and guide are zero or not present if they are not given.
 
-    ``submerged_weight`` excludes ``contents``. It is the weight of the pipe and everything fixed to it, minus
-    the weight of the water that its *outer* surface displaces. An example is a bare pipe with diameters of 21
-    in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, its
-    submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m. If
-    the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with contents of 1025
-    kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, both diameters, contents, gravity and
-    water. Above the water surface, no displaced water is subtracted. If one of these inputs is missing, the
-    scene is refused. A section that reaches through the water surface is divided at the surface if
-    ``submerged_weight`` is absent, or if the section has modules or lines. The upper part is called
-    ``<name>, above water``; the weight of the water that its outer diameter would displace is added to a
-    given ``submerged_weight``. For a section that is wholly above the water, give the weight in air.
+    ``submerged_weight`` excludes ``contents``. This weight is the weight of the pipe and everything fixed to
+    it, minus the weight of the water that its *outer* surface displaces. An example is a bare pipe with
+    diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81
+    m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
+    2153.4 N/m. If the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with
+    contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter,
+    gravity and water; above the water surface, no displaced water is subtracted. In this case, the scene is
+    refused if one of these inputs, the inner diameter or the contents is missing. A section that reaches
+    through the water surface is divided at the surface if ``submerged_weight`` is absent, or if the section
+    has modules or lines. The upper part is called ``<name>, above water``; the weight of the water that its
+    outer diameter would displace is added to a given ``submerged_weight``. For a section that is wholly above
+    the water, give the weight in air.
 
     ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it.
     ``buoyancy_lift`` has no effect on the simulation. The formula for the minimum tension requires this lift,
@@ -215,9 +216,9 @@ class Section(Strict):
     unknown, and the formula is not evaluated.
 
     ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
-    section are then those of the pipe alone. The values of modules and lines are added. The lift of the
-    modules becomes ``buoyancy_lift``; if any section has modules, the lift of sections without modules is
-    zero. The given diameters for drag and added mass apply to pipe, modules and lines together.
+    section then refer to the pipe alone. The values of modules and lines are added. The lift of the modules
+    becomes ``buoyancy_lift``; if any section has modules, the lift of sections without modules is zero. The
+    given diameters for drag and added mass apply to pipe, modules and lines together.
     """
 
     name: str

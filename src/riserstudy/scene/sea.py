@@ -52,11 +52,12 @@ class Swell(Strict):
 class RegularWave(Swell, Wave):
     """A regular Airy wave with an amplitude, or with a height of twice the amplitude.
 
-    The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and
-    the wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
-    ``above_mean_level``: velocities above the mean level are zero (none), those of the mean level (constant),
-    or those of a stretched profile (stretched, after Wheeler). A wave that is higher than 0.142 L tanh(k d)
-    would break, and has a warning; L is its length, k its wave number and d the depth of the water.
+    The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and the
+    wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
+    ``above_mean_level``: velocities above the mean level are zero (none), equal to the velocity at the mean
+    level (constant), or given by a stretched profile (stretched, after Wheeler). A wave that is higher than
+    0.142 L tanh(k d) would break, and causes a warning; L is its length, k its wave number and d the depth of
+    the water.
     """
 
 
@@ -92,8 +93,8 @@ class WindDrift(Strict):
     from the wind, and turns further away with depth. ``component`` selects the part of the drift that acts on
     the riser: the part along the wind, the part across the wind, the magnitude, or both parts. Integrated
     over depth, only the part across the wind transports water; the part along the wind sums to zero. With
-    ``both``, the heading of the current is that of the wind. The drift then turns to the right of the wind in
-    the northern ``hemisphere``, and to the left in the southern.
+    ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
+    wind in the northern ``hemisphere``, and to the left in the southern.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

@@ -18,7 +18,7 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 class Chamber(Strict):
     """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
 
-    ``pressure``: entered as a gauge pressure, it is converted to an absolute one. ``outside``: external
+    ``pressure``: a gauge pressure is converted to an absolute pressure. ``outside``: external
     pressure, which acts on ``area`` against the gas. By default it is the atmospheric pressure if
     ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default, because
     some published tensioner laws include the pressure of the gas alone.
@@ -175,7 +175,7 @@ class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default they have no damping and no stops.
 
     ``mid_stroke``: state of the riser in which all cylinders are at mid-stroke. In this state the riser is
-    vertical in still water, at an offset of zero. It is either unstretched, or in equilibrium with the
+    vertical in still water, at an offset of zero. The riser is either unstretched, or in equilibrium with the
     tension that all cylinders have at mid-stroke.
 
     ``table``: any other law, as the pull of one cylinder over its reach (its extension from mid-stroke). The

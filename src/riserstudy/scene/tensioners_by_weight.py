@@ -29,7 +29,7 @@ class Carried(Strict):
 
     At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
     ``doubles_over``: extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
-    It sets the stiffness.
+    This extension determines the stiffness.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]

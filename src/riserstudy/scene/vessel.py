@@ -36,7 +36,7 @@ class Wind(Strict):
 
 
 class WaveDrift(Strict):
-    """Mean second-order force of the waves. Its default direction is +x."""
+    """Mean second-order force of the waves. The default direction is +x."""
 
     force: Annotated[u.Force, NOT_NEGATIVE]
     heading: u.Angle | None = None
@@ -55,10 +55,10 @@ class SidewaysThrust(Strict):
 class Turning(Strict):
     """Moment of the thrusters about the vertical axis, G (psi_c - psi) - D d psi/dt.
 
-    psi is the present turn of the vessel, and psi_c is ``command``, the commanded turn. Both are measured
-    from the initial heading. G is ``gain``, and D is ``velocity_gain``. Without ``command`` the commanded
-    turn is zero. Without ``velocity_gain`` the thrusters do not damp the yaw. Without ``saturation`` the
-    moment is unlimited.
+    psi is the present turn of the vessel, and psi_c is ``command``, the commanded turn. Both angles are
+    measured from the initial heading. G is ``gain``, and D is ``velocity_gain``. Without ``command`` the
+    commanded turn is zero. Without ``velocity_gain`` the thrusters do not damp the yaw. Without
+    ``saturation`` the moment is unlimited.
     """
 
     gain: Annotated[u.RotationalStiffness, NOT_NEGATIVE]
@@ -115,7 +115,7 @@ class Coupling(Strict):
     ``staggered``: over each interval, the platform first moves under the riser's force at the start of the
     interval; then the riser is simulated with this motion of the platform. ``iterated``: the interval is
     repeated with the new force of the riser, until the motion of the platform changes by less than
-    ``tolerance``. The default tolerance is that of Newton's iteration.
+    ``tolerance``. The default is the tolerance of Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
