@@ -59,5 +59,5 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
         named, share = WORDS.get(names[first], names[first]), shares[first]
         headline(figure, f"The {named} explains {share:.0f} % of the spread, more than others")
     else:
-        headline(figure, "Damage of a conductor over what is not known of a well")
+        headline(figure, "Fatigue damage of a conductor over the unknown inputs of a well")
     return figure

@@ -164,7 +164,7 @@ def fig06(driveoff: xr.Dataset, deadline: float) -> Figure:
             [FORCE_AT_LIMIT],
             "o",
             color="black",
-            label=f"implied by print, at 0° (fitted): T sin 12° at {deadline:g} s",
+            label=f"implied by the printed angle, at 0° (fitted): T sin 12° at {deadline:g} s",
         )
         ax.axhline(0.0, color=GREY, linewidth=0.9)
         ax.set_xlabel(TIME)

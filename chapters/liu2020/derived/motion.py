@@ -49,12 +49,12 @@ def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
     """Time at which motion under roll begins at four depths."""
     riser = roll_case["x"].sel(s=roll_case["s"] <= RING + 1e-6, time=slice(0.0, 60.0))
     dataset = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
-    return described(dataset, PAPER, "when roll is first felt")
+    return described(dataset, PAPER, "start of the motion under roll")
 
 
 def roll_arrival(roll_start: xr.Dataset) -> xr.Dataset:
     """Time at which motion under roll begins, for every sample of the unspecified inputs."""
-    return _arrivals(roll_start, "when roll is first felt, for samples of the unspecified inputs")
+    return _arrivals(roll_start, "start of the motion under roll, for samples of the unspecified inputs")
 
 
 def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:

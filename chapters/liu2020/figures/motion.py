@@ -128,8 +128,8 @@ def baselines(
     )
     titles = (
         "smaller in a current\nof 1 m/s",
-        "smaller under surge,\nleast of 4 depths",
-        "lags under surge,\nleast of 4 depths",
+        "smaller under surge,\nlowest of 4 depths",
+        "lags under surge,\nlowest of 4 depths",
     )
     over, less = "displacement,\nwithout / with tensioners", (1.0 - smaller, 1.0 / (1.0 - smaller))
     labels = (over, over, "lag of the riser\non tensioners (°)")

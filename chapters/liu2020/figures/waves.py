@@ -164,7 +164,7 @@ def waves(waves: xr.Dataset) -> Figure:
         figure,
         f"Waves on the riser increase its stress at periods up to {float(raised.max()):g} s"
         if float(raised.max()) < float(lowered.min())
-        else f"Waves on the riser change its stress up to {float(ratio.max()):.0f} times",
+        else f"Waves on the riser multiply its stress by up to {float(ratio.max()):.0f}",
     )
     return figure
 

@@ -41,7 +41,7 @@ def end_loads(readings: xr.Dataset) -> xr.Dataset:
     made = {name: xr.zeros_like(speed.isel(s=0, drop=True)) for name in ("load_at_joint", "load_at_lmrp")}
     for place, scene in scenes_of(readings):
         if scene.current is None or scene.water is None or scene.riser[0].drag is None:
-            raise TypeError("a reading without a current or drag")
+            raise TypeError("an interpretation without a current or drag")
         drag = scene.riser[0].drag
         z, flow = current_table(scene.current, scene.water)
         levels, coefficients = zip(*drag.table, strict=True)
@@ -67,7 +67,7 @@ def current_profiles(readings: xr.Dataset) -> xr.Dataset:
     shares = {}
     for place, scene in scenes_of(readings.isel(riser_weight=[0], flow=[0], lmrp_mass=[0])):
         if scene.current is None or scene.water is None:
-            raise TypeError("a reading without a current")
+            raise TypeError("an interpretation without a current")
         z, speed = current_table(scene.current, scene.water)
         here = np.interp((scene.water.surface or 0.0) - below.values, z, speed)
         shares[place["current_profile"]] = below.copy(data=here / here[0])

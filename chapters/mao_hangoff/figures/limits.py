@@ -126,7 +126,11 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
     _bar(
-        figure, axes[2:], Normalize(0.0, most), HEAVES, "amplitude at negative tension (m)\n(darker is worse)"
+        figure,
+        axes[2:],
+        Normalize(0.0, most),
+        HEAVES,
+        "amplitude for negative tension (m)\n(darker is worse)",
     )
     kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
     key = {

@@ -39,7 +39,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     if found is None:
         return None
     answer = (
-        f"as long for {found.coarse / found.fine:.0f} times the accuracy "
+        f"as long for a tolerance {found.coarse / found.fine:.0f} times smaller "
         f"({100 * found.coarse:g}\u00a0% to {100 * found.fine:g}\u00a0%)."
     )
     if peers := others(accuracy):

@@ -36,5 +36,5 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
     (one,) = shown({"accuracy": accuracy})
     assert one.number == "2.5 to 3×"
-    assert "20 times the accuracy" in one.answer
+    assert "a tolerance 20 times smaller" in one.answer
     assert one.spark.count("<polyline") == 2
