@@ -113,9 +113,9 @@ def tension(
 
     The minimum tension is computed by the standard formula and by simulation. In the simulation, a constant
     tension replaces the tensioners. The upper end of the window is --share times --dynamic-limit. The lower
-    end is the setting for the minimum tension or for the tension that lifts the LMRP off with --overpull,
-    whichever requires the larger tension setting. The exit status is 4 if the scene lacks an input, such as
-    separate weights of steel and buoyancy.
+    end is the larger of two settings: one for the minimum tension, and one for the tension that lifts the
+    LMRP off with --overpull. The exit status is 4 if the scene lacks an input, such as separate weights of
+    steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -126,7 +126,7 @@ def tension(
     angle = quantity("--fleet-angle", fleet_angle, "rad")
     if not 0.0 <= angle < 0.5 * math.pi:
         allowed = "allowed is from 0 deg to less than 90 deg"
-        raise InputError("--fleet-angle", fleet_angle, "no angle of a line that pulls up", allowed)
+        raise InputError("--fleet-angle", fleet_angle, "not an angle of a line that pulls upwards", allowed)
     pulled = None if overpull is None else positive("--overpull", overpull, "N")
     limit = None if dynamic_limit is None else positive("--dynamic-limit", dynamic_limit, "N")
     from riserstudy.design import tension as formula
@@ -155,7 +155,7 @@ def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
         raise InputError("--failed", str(failed), "no unit is left", allowed)
     for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
         if not math.isfinite(tolerance):  # the option's minimum accepts these
-            raise InputError(option, str(tolerance), "no finite number", "allowed is such as 1.05")
+            raise InputError(option, str(tolerance), "no finite number", "write, for example, 1.05")
 
 
 def operability(
@@ -263,7 +263,9 @@ def viv(
     lift: Annotated[
         float, typer.Option(help="lift coefficient in phase with velocity; in the literature 0.6 to 1.3")
     ] = 1.2,
-    drag: Annotated[float | None, typer.Option(help="drag coefficient; default: that of the scene")] = None,
+    drag: Annotated[
+        float | None, typer.Option(help="drag coefficient; default: the coefficient of the scene")
+    ] = None,
     drag_gain: Annotated[
         float,
         typer.Option(

@@ -153,7 +153,7 @@ def downtime(
 
     Prediction bands for future years are computed from the workable shares of whole years in the record, by
     Student's t-distribution. The bands account for the dependence between years (--persistence).
-    A window ends at a gap of the record. Of a wait that reaches a gap, only a lower bound is known.
+    A window ends at a gap of the record. If a wait reaches a gap, only a lower bound of its length is known.
     With --scene, the limits of the scene apply to its riser. The command then simulates sea states of the
     record until the interpolation of the response between them meets the tolerance --error. Further simulated
     sea states check the result.

@@ -56,7 +56,7 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
         of = found.of_windows(length)
         print(
             f"{indent}{length:g} h: {counted(of.number, 'window')} with {of.inside:.2%} of the hours; "
-            f"{of.starts:.2%} can start one"
+            f"a window can start in {of.starts:.2%}"
         )
         print(f"{indent}  wait (h)   mean    50 %    90 %   open")
         for name, one in found.of_waits(length):
@@ -77,7 +77,7 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
         raise InputError(
             "--hold-back",
             str(last.years),
-            "no earlier years are left to predict from",
+            "no earlier years remain for the prediction",
             "allowed are fewer years",
         )
     first = recorded[-last.years]
@@ -92,5 +92,5 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
 def banded(of: Band) -> str:
     """A share with its band."""
     if math.isnan(of.low):
-        return f"{of.share:.2%} (no band: one year, or years alike)"
+        return f"{of.share:.2%} (no band: only one year, or equal years)"
     return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} with 90 % probability)"

@@ -46,7 +46,7 @@ GammaOption = Annotated[
         min=1.0,
         max=7.0,
         help="peak enhancement (JONSWAP gamma) with which zero-crossing periods of a record are converted to "
-        "peak periods; default: that of the study",
+        "peak periods; default: the value of the study",
     ),
 ]
 CalmOption = Annotated[
@@ -156,9 +156,9 @@ def _summed(
         record = with_peak_period(record, gamma or gamma_of(dataset) or USUAL_GAMMA)
         occurs = of_record(record, dataset, axes)
     elif axes:
-        raise InputError("--scatter", "", "not given", "allowed is a table, or --seas RECORD")
+        raise InputError("--scatter", "", "not given", "give a table, or --seas RECORD")
     else:
-        occurs = Occurrence({}, np.ones(1), ("the run's sea state all the time",))
+        occurs = Occurrence({}, np.ones(1), ("the sea state of the run, all year",))
     return over_years(dataset, occurs, place_of(at), calm)
 
 

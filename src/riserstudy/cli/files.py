@@ -138,7 +138,9 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
     for line in operators.left_out:
         print(f"left out: {line}")
     print(f"{output} is written; in a scene: {rao_files.lines_of_scene(operators, output)}")
-    print("Motions are those of the origin of the body's axes: give it as platform.centre_of_rotation")
+    print(
+        "Motions are those of the origin of the body's axes: enter this origin as platform.centre_of_rotation"
+    )
 
 
 def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()]) -> None:
@@ -147,7 +149,7 @@ def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="F
 
     new_study(folder)
     way = shlex.quote(str(folder))
-    print(f"{folder} is ready: `cd {way}`, then `snakemake`; README.md there goes on from here.")
+    print(f"{folder} is ready: `cd {way}`, then `snakemake`; README.md there explains the next steps.")
 
 
 def schema(

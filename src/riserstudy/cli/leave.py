@@ -48,7 +48,7 @@ def recoil(
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)
     if file.resolved().disconnect is None:
-        allowed = "Add `disconnect: {at: 12 s}` and what follows it"
+        allowed = "Add, for example, `disconnect: {at: 12 s}`"
         raise InputError(file.source, "disconnect", "absent: nothing disconnects", allowed)
     compile_kernels(file.resolved())
     from riserstudy.dataset import recoil_table

@@ -32,7 +32,7 @@ from riserstudy.records.numerals import at_most
 if TYPE_CHECKING:
     from riserstudy.scene.resolve import Resolved
 
-SUCH_AS = "allowed is such as 3 h"
+SUCH_AS = "write, for example, 3 h"
 SHORT = 10.0  # ratio of exposure time to record from which on there is a warning
 IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer miss peaks
 
@@ -114,7 +114,7 @@ def table(
     stored = source.suffix == ".nc"
     if stored and settings:
         raise InputError(
-            "--set", settings[0], "a dataset has its results already", "allowed only with a scene"
+            "--set", settings[0], "a dataset already contains its results", "allowed only with a scene"
         )
     file = None if stored else scene_of(source, settings)
     check_output(output, ("table", "workbook"), file.files if file else [source], force)
@@ -162,7 +162,7 @@ def statistics(
     exposure: Annotated[
         str | None,
         typer.Option(
-            help="duration for which extremes are estimated, such as '3 h'; default: that of the record"
+            help="duration for which extremes are estimated, such as '3 h'; default: the whole record"
         ),
     ] = None,
     over: Annotated[

@@ -59,8 +59,8 @@ def results(
     """List studies, or the points of one study with their results.
 
     If the arguments are words, the command lists the points (single simulations) that contain every word.
-    It searches the key (the name in the store), study, axis values, scene, engine, effects and warnings of a
-    point.
+    For each point, the command searches the key (the name in the store), study, axis values, scene, engine,
+    effects and warnings.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, connect
@@ -154,7 +154,7 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
         f"and {counted(verdict.points, 'point')}"
     )
     if verdict.gone:
-        print(f"not in this store: {counted(verdict.gone, 'point')}; their datasets do not need them")
+        print(f"not in this store: {counted(verdict.gone, 'point')}; the datasets are complete without them")
     if verdict.wrong:
         raise typer.Exit(1)
 
@@ -186,8 +186,8 @@ def prune(
     size = {name: sum(h.bytes for h in getattr(superfluous, name)) / 1e6 for name in ("old", "strange")}
     print(f"needed: {counted(superfluous.needed, 'point')}")
     old, strange = (counted(len(found), "file") for found in (superfluous.old, superfluous.strange))
-    print(f"of other engines or formats, or damaged: {old}, {size['old']:.1f} MB")
-    print(f"of this engine, but of no study here: {strange}, {size['strange']:.1f} MB")
+    print(f"damaged, or of another engine version or file format: {old}, {size['old']:.1f} MB")
+    print(f"of this engine version, but not used by a study here: {strange}, {size['strange']:.1f} MB")
     going = [*superfluous.old, *(superfluous.strange if every else [])]
     if not going:
         print("nothing to remove")

@@ -134,7 +134,7 @@ def announce(file: Any) -> None:
     if price and price.seconds > WORTH_TELLING:
         notify(
             f"takes about {duration(price.seconds)}: by its first {price.piece:.4g} s, "
-            f"{price.elements} segments and a step of {price.step:.3g} s will do"
+            f"{price.elements} segments and a step of {price.step:.3g} s are enough"
         )
         for line in recipe_lines(file.resolved()) if price.seconds > WORTH_A_RECIPE else []:
             notify(line)

@@ -22,7 +22,8 @@ def tune(
     studies: Annotated[Path, typer.Argument(help="study file (YAML)", metavar="STUDY.yaml")],
     study: Annotated[str | None, typer.Argument(help="study of the file to tune", metavar="[STUDY]")] = None,
     accuracy: Annotated[
-        str | None, typer.Option(help="tolerance, such as 1%; default: that of the study", metavar="PERCENT")
+        str | None,
+        typer.Option(help="tolerance, such as 1%; default: the tolerance of the study", metavar="PERCENT"),
     ] = None,
     points: Annotated[
         int, typer.Option(min=FEWEST, max=256, help="number of points at which the setting is selected")
