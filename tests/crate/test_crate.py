@@ -145,7 +145,7 @@ def test_a_result_that_is_not_as_its_job_wrote_it_is_not_packed(study, commands,
     file.write_bytes(file.read_bytes() + b"x")
     code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
     assert code == 2
-    assert f"{file}: is not as its job wrote it" in said
+    assert f"{file}: was changed after its job wrote it" in said
     assert not (tmp_path / "study.zip").exists()
 
 

@@ -150,8 +150,8 @@ def test_the_size_of_what_goes_is_told_before_anything_is_asked(command, monkeyp
     code, out, _ = command("prune")
     assert code == 1
     assert answers == ["remove 3 files?"]
-    assert "of other engines or formats, or damaged: 3 files" in out
-    assert "of this engine, but of no study here: 1 file, " in out
+    assert "damaged, or of another engine version or file format: 3 files" in out
+    assert "of this engine version, but not used by a study here: 1 file, " in out
     assert f"needed: {len(needed)} points" in out
     assert points() == every
     assert gone > 0

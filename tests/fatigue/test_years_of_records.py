@@ -78,7 +78,7 @@ def test_bearings_of_a_record_are_no_headings_of_a_study(seed):
     sets = json.dumps({str(angle): {"wave.heading": f"{angle} deg"} for angle in (0.0, 180.0)})
     both = xr.concat([study(), study()], dim=name, data_vars=["damage_rate"])
     of = both.assign_coords({name: (name, [0.0, 180.0], {"units": "degree", "sets": sets})})
-    with pytest.raises(InputError, match="bearings from north that waves come from"):
+    with pytest.raises(InputError, match="compass bearings that waves come from"):
         summed(of, record)
 
 

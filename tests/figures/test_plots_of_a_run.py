@@ -114,7 +114,7 @@ def test_what_cannot_be_shown_is_said(kind, moving, of, said):
 
 
 def test_a_riser_that_moves_along_itself_has_no_shape():
-    with pytest.raises(InputError, match="along itself"):
+    with pytest.raises(InputError, match="only axial motion"):
         draw("shape", run().drop_vars(["x", "x_max", "x_min", "x_static"]))
 
 

@@ -117,7 +117,7 @@ def test_a_check_that_contradicts_its_margin_is_refused(seed, says):
     margins = draw.uniform(0.1, 1.0, COUNT) * (1.0 if says else -1.0)
     margins[draw.integers(COUNT)] *= -1.0
     check = over_samples(np.full(COUNT, says), margins)
-    with pytest.raises(InputError, match=f"own/claims.py: said: says {str(says).lower()} where"):
+    with pytest.raises(InputError, match=f"own/claims.py: said: is {str(says).lower()} where"):
         row(check, np.full(COUNT, 100.0), CLAIM)
 
 
@@ -169,7 +169,7 @@ def test_a_share_is_no_larger_than_one_percent_and_of_a_number(within, number):
     "base, said",
     [
         ({"line": "tangent"}, "'tangent' is not on that axis; allowed are chord, least squares"),
-        ({"lines": "chord"}, "C1.base.lines: no axis of what the check finds; allowed are line"),
+        ({"lines": "chord"}, "C1.base.lines: no axis of the result of the check; allowed are line"),
     ],
 )
 def test_a_base_that_is_not_there_is_refused(base, said):

@@ -122,7 +122,7 @@ def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
     rows = [("blow", True, None, 0.03, 0.03, None), ("asked", False, 0.02, 0.001, None, None)]
     rows += [(f"tuned{k}", False, 0.02, None, None, None) for k in range(3)]
     said = missed(database(rows), kept(**{row[0]: (None, None) for row in rows})).sentences
-    assert said.startswith("All 1 points with a tolerance meet it")
+    assert said.startswith("The estimated errors of all 1 points with a tolerance are within this tolerance")
     assert "For 3 more, in tuned studies, the error was not estimated" in said
 
 

@@ -46,8 +46,10 @@ def test_a_month_of_which_little_is_recorded_has_no_share(seed):
             assert cell == ""
         else:
             assert cell == pytest.approx(100.0 * calm[at].mean(), abs=0.05)
-    named = [line for line in found.notes if "empty by month" in line]
-    assert named == ([f"less than 80% recorded, and empty by month: {', '.join(lacking)}"] * bool(lacking))
+    named = [line for line in found.notes if "months without a share" in line]
+    assert named == (
+        [f"months without a share, because less than 80% is recorded: {', '.join(lacking)}"] * bool(lacking)
+    )
     for k, share in enumerate(found.of_months()):
         assert share == pytest.approx(calm[number % 12 == k].mean())
 
@@ -62,7 +64,7 @@ def test_months_without_rows_are_listed_too(seed):
     out = (number > first) & (number <= first + count) | ((number == first) & (time.day > 5))
     found = hours(record(time[~out]), CALM)
     lacking = [f"{MONTHS[k % 12]} {2003 + k // 12}" for k in range(first, first + count + 1)]
-    (named,) = [line for line in found.notes if "empty by month" in line]
+    (named,) = [line for line in found.notes if "months without a share" in line]
     words = named.partition(": ")[2].partition(" and ")
     listed = words[0].split(", ")
     assert listed == lacking[: len(listed)]

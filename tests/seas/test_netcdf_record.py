@@ -188,7 +188,7 @@ def test_spectra_of_sources_become_heights_periods_and_directions(tmp_path, made
             "dir: a direction that does not state",
         ),
         (lambda d: d.rename(valid_time="step"), Place(60.0, 2.0), "has no times"),
-        (lambda d: d.rename(pp1d="mp2", mp2="pp1d"), Place(60.0, 2.0), "the two are interchanged"),
+        (lambda d: d.rename(pp1d="mp2", mp2="pp1d"), Place(60.0, 2.0), "the two columns are exchanged"),
     ],
 )
 def test_what_is_not_clear_is_refused(tmp_path, change, near, told):
@@ -385,7 +385,7 @@ def test_times_that_are_no_dates_are_refused_by_what_they_are(tmp_path, times, f
 def test_a_record_of_one_row_is_refused_by_its_number_of_rows(tmp_path):
     data = xr.Dataset({"hs": ("time", HEIGHT[:1], {"units": "m"})}, {"time": TIME[:1]})
     data.to_netcdf(tmp_path / "sea.nc")
-    with pytest.raises(InputError, match="time: 1 row; allowed are two and more"):
+    with pytest.raises(InputError, match="time: 1 row; allowed are two or more"):
         read_record(tmp_path / "sea.nc")
 
 

@@ -109,5 +109,5 @@ def test_a_point_that_is_not_there_is_refused(dataset, at, said):
 
 
 def test_a_dataset_that_was_not_simulated_is_refused():
-    with pytest.raises(InputError, match="does not hold a scene"):
+    with pytest.raises(InputError, match="does not contain a scene"):
         rerun(xr.Dataset({"x": 1.0}), {})

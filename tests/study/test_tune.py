@@ -137,7 +137,7 @@ def test_points_that_a_setting_is_held_against_are_none_that_it_was_tuned_on(fil
     "name, said",
     [
         ("rest", "only dynamic runs are tuned"),
-        ("stepped", "sets analysis.step, which tuning would choose"),
+        ("stepped", "sets analysis.step, which the tuning chooses"),
         ("few", "3 points, fewer than twice"),
         ("newmark", "which is not tuned"),
         ("absent", "no study 'absent'"),

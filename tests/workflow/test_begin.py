@@ -58,7 +58,7 @@ def test_every_flipped_bit_and_every_cut_is_seen(results):
         file.write_bytes(content)
         (found,), (line,) = start(results)
         assert found == str(file)
-        assert line.startswith(f"{file} is not as written")
+        assert line.startswith(f"{file} is not as its job wrote it")
         file.write_bytes(whole[file])
         assert start(results) == ([], [])
 
@@ -84,7 +84,7 @@ def test_a_dry_run_tells_and_touches_nothing(results):
     half = Path("results/paper/.b.png.123")
     half.write_bytes(b"half")
     _, (line,) = start(results, at_work=False)
-    assert line.startswith("results/paper/a.nc is not as written")
+    assert line.startswith("results/paper/a.nc is not as its job wrote it")
     assert results[0].read_bytes() == b"other"
     assert half.exists()
 

@@ -81,5 +81,5 @@ def test_without_a_range_or_a_number_there_is_nothing_to_fit(nearest, items):
     bare = replace(nearest, model=nearest.model.model_copy(update={"set": {}}))
     with pytest.raises(InputError, match="no calibrated values with a range"):
         calibrate.calibrate(bare, items, {}, 1)
-    with pytest.raises(InputError, match="no printed numbers"):
+    with pytest.raises(InputError, match="no published numbers"):
         calibrate.calibrate(nearest, [], {}, 1)

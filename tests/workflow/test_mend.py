@@ -155,7 +155,7 @@ def test_an_edit_is_seen_whatever_became_of_the_records(folder, how):
     source = folder / "config/a.yaml"
     source.write_text("other")
     os.utime(source, (time.time() - DAY, time.time() - DAY))  # so that its record alone tells of it
-    assert "a run mends it" in snakemake(folder, "-n")[1]
+    assert "a run repairs it" in snakemake(folder, "-n")[1]
     status, said = snakemake(folder)
     assert status == 0, said
     assert "damaged; the files of its job are made again" in said

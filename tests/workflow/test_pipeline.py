@@ -189,7 +189,7 @@ def test_damaged_points_and_datasets_are_made_anew(checkout, finished):
     assert status == 0
     notes = complained.splitlines()
     assert all(line.startswith("riserstudy: note: ") for line in notes)
-    assert sum("is not as written; it is made again when needed" in line for line in notes) == 3
+    assert sum("is not as its job wrote it; it is made again when needed" in line for line in notes) == 3
     assert whole < checkout.stored()
     assert len(checkout.stored()) == len(whole) + 1
     assert_same_numbers(checkout, finished)

@@ -16,7 +16,9 @@ from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT, in_words
 REPEATS = 5  # rounds of timed runs; the median counts
 BUDGET = 5e5  # node-steps of a run; longer scenes are cut
 COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
-DAMAGE = "Fatigue damage is not compared. An effect that leaves the peaks as they are may change the damage."
+DAMAGE = (
+    "Fatigue damage is not compared. An effect that does not change the peaks may still change the damage."
+)
 COMPARED = ("bending_moment", "effective_tension")  # outputs whose largest values are compared
 MISSING, NOT_MISSED = "recommended", "not needed"
 
@@ -55,14 +57,14 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     before, after = (f.resolved().analysis.duration for f in (file, base.file))
     step = f", step {base.step:.3g} s" if base.step else ""
     cut = f", over the first {after:.4g} s of {before:.4g} s" if before != after else ""
-    probe = f"Judged on {len(base.mesh.l0)} segments{step}{cut}; times are medians of {REPEATS} runs."
+    probe = f"Computed on {len(base.mesh.l0)} segments{step}{cut}; times are medians of {REPEATS} runs."
     return Advice(
         rows,
         [
             f"Removable, one at a time, with a shorter run: {', '.join(go) or 'none'}.",
             f"Removable, but no time is saved: {', '.join(idle) or 'none'}.",
             f"Recommended: {', '.join(missing) or 'none'}.",
-            f"An effect is removable if the answer changes by at most {limit}.",
+            f"An effect is removable if the results change by at most {limit}.",
             probe,
             _uncertain(base, notify),
             *_not_compared(file.resolved()),
@@ -104,10 +106,10 @@ def _uncertain(base: Ablation, notify: Notify) -> str:
     names = ("displacement", "moment", "tension")
     errors: dict[str, float] = {name: found[name] for name in names if name in found}
     if not errors:
-        return "The errors of these runs are not estimated: small changes may be numerical."
+        return "The errors of these runs are not estimated: small changes may be numerical errors."
     return (
         f"Estimated errors of the scene itself on this mesh: {in_words(errors)}. Changes that are smaller "
-        "than these errors may be numerical."
+        "than these errors may be numerical errors."
     )
 
 
@@ -119,8 +121,8 @@ def _in_doubt(base: Ablation) -> list[str]:
     if not doubtful:
         return []
     return [
-        f"Energy is not balanced in the runs of: {', '.join(doubtful)}. Their changes may be numerical; "
-        "give a shorter analysis.step, and analysis.mesh."
+        f"Energy is not balanced in the runs of: {', '.join(doubtful)}. Their changes may be numerical "
+        "errors; give a shorter analysis.step, together with analysis.mesh."
     ]
 
 

@@ -23,7 +23,7 @@ def pack(study: Path, target: Path) -> int:
     SimulationError when the zip cannot be written.
     """
     if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
-        found = "is there already" if target.exists() else "is no new .zip in a folder that exists"
+        found = "is there already" if target.exists() else "is no new .zip file in an existing folder"
         raise InputError("OUT.zip", str(target), found, "name a new file that ends in .zip")
     text = crate_text(study, study) if (study / "Snakefile").exists() else None
     if text is None:
@@ -32,7 +32,7 @@ def pack(study: Path, target: Path) -> int:
     results = [study / name for name in outputs_of(study)]
     for file in results:
         if not fits_seal(file, study / "results"):
-            found = "is not as its job wrote it"
+            found = "was changed after its job wrote it"
             raise InputError(file, "", found, "run the study again")
     if absent := _absent(study):
         found = "is absent: the last run was interrupted or failed, or the file was deleted"

@@ -105,7 +105,7 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     Raises InputError when it is not a single statement that only reads, or names a table or column that does
     not exist.
     """
-    allowed = "allowed is one `select ...`; tables and columns stand in docs/results_database.md"
+    allowed = "allowed is one `select ...`; docs/results_database.md lists tables and columns"
     try:
         cursor = db.execute(_with_names(sql), values)
         rows = _rows(cursor, where)

@@ -51,7 +51,7 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
 
     held = store.all_of(key)
     if held is None:
-        allowed = "dataset_of takes what its study keeps; the next run simulates what is missing"
+        allowed = "dataset_of returns the outputs that its study keeps; the next run simulates missing points"
         raise InputError("store", "", f"no whole point {key!r}", allowed)
     about, result = held
     left_out = about["left_out"]
@@ -75,7 +75,7 @@ def _anew(key: str, file: SceneFile, stored: Result) -> Result:
     scene = file.resolved()
     if store.key_of(scene) != key:
         found = f"point {key!r} was simulated by another engine or with other tables"
-        allowed = "whole=False gives what is stored; `riserstudy rerun` takes scene and tables from a dataset"
+        allowed = "use whole=False, or `riserstudy rerun` with the scene and tables of a dataset"
         raise InputError("store", "", found, allowed)
     return run(scene, estimated="error_estimate" in stored.facts)
 

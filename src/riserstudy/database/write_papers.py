@@ -105,7 +105,7 @@ def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
         grounds = Grounds.from_json(cell)
     except ValueError:
         where = f"{row['paper']}/{row['id']}: grounds"
-        allowed = "they are JSON as grading writes it; grade the paper again"
+        allowed = "the cell must contain the JSON that grading writes; grade the paper again"
         raise InputError("reproduction.csv", where, "no grounds of a verdict", allowed) from None
     return (
         *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),

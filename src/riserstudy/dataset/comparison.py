@@ -150,7 +150,7 @@ def _dim(run: xr.Dataset, path: Path, axis: str, title: str, name: str) -> str:
     found = next((d for d in dims if name in filled and d in run[name].dims), None)
     if found is None:
         there = sorted(n for n in filled if set(dims) & set(run[n].dims))
-        allowed = f"allowed are {', '.join(there)}" if there else "the run has nothing over it"
+        allowed = f"allowed are {', '.join(there)}" if there else "the run has no results over this axis"
         raise InputError(path, title, f"the run has no {name} over {axis}", allowed)
     return found
 

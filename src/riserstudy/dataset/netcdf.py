@@ -54,7 +54,7 @@ def written_whole(target: Path) -> Iterator[Path]:
     except (OSError, RuntimeError) as error:  # the netCDF library raises RuntimeError
         reason, remedy = _reason(error, partial), "see whether the disk is full"
         if "\\" in str(target.absolute()) and os.name == "posix":
-            remedy = "the netCDF library takes no folder with a backslash in its name"
+            remedy = "the netCDF library refuses a folder with a backslash in its name"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
         with suppress(OSError):  # if the folder cannot be written, the first error is reported

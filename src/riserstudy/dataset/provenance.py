@@ -77,7 +77,7 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
     else:
         record = {}
     if "scene" not in record or "tables" not in record:
-        found = "does not hold a scene and its tables"
+        found = "does not contain a scene and its tables"
         allowed = "allowed is a dataset that was simulated, by this version or a later one"
         raise InputError("dataset", "", found, allowed)
     for name in ("tables", "origins"):

@@ -67,7 +67,7 @@ def _clearance(of: dict[str, Any]) -> list[Cell]:
             None,
             "m",
             None,
-            "not evaluated: the LMRP still rises at the end of the run",
+            "not evaluated: the LMRP is still rising at the end of the run",
         ]
     aside = _aside(of.get("clearance_aside"))
     return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], aside]

@@ -87,8 +87,8 @@ class Walls:
             time = run["time"].values.astype(float) if "time" in z.dims else None
             return time, run["s"].values.astype(float), z.values.astype(float)
         if low is None:
-            raise self._refused("the run has no elevations", "say effective_tension")
-        self._notes.append("elevations are those before the riser stretches: the run has none")
+            raise self._refused("the run has no elevations", "compare effective_tension")
+        self._notes.append("the run has no elevations, so those of the unstretched riser are used")
         return None, self._ends, low[0] + self._ends
 
     def _force(self, places: FloatArray) -> FloatArray:
@@ -98,8 +98,8 @@ class Walls:
         needed = [*places, *(self._ends[[filled[0], filled[-1] + 1]] if filled else [])]
         near = SAME * self._ends[-1]
         if min(needed) < self._s[0] - near or max(needed) > self._s[-1] + near:
-            found = f"the run has elevations from {self._s[0]:g} to {self._s[-1]:g} m alone"
-            allowed = "run it with stations at the ends of its contents, or compare effective_tension"
+            found = f"the run has elevations only from {self._s[0]:g} to {self._s[-1]:g} m"
+            allowed = "run the scene with stations at the ends of the contents, or compare effective_tension"
             raise self._refused(found, allowed)
         z = np.apply_along_axis(lambda one: np.interp(stations, self._s, one), -1, self._z)
         at = np.searchsorted(stations, self._ends)
@@ -132,10 +132,10 @@ class Walls:
             lacks.append("water")
         if lacks:
             found = f"is not effective tension, and the scene lacks {' and '.join(lacks)}"
-            allowed = "convert it by T_e = T_w + p_o A_o - p_i A_i, and name that effective_tension"
+            allowed = "convert it by T_e = T_w + p_o A_o - p_i A_i, and name the result effective_tension"
             raise self._refused(found, allowed)
         if section.pipe_shares[0] != 1.0:
-            found = f"lines of section {section.name!r} share its tension, and the pipe's wall has a part"
+            found = f"lines of section {section.name!r} carry a part of its tension"
             raise self._refused(found, "compare effective_tension")
         outer, inner = section.outer_diameter or 0.0, section.inner_diameter or 0.0
         return 0.25 * math.pi * outer**2, 0.25 * math.pi * inner**2

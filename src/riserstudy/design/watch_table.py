@@ -53,11 +53,11 @@ def moves_off(scene: Resolved) -> None:
         raise InputError("analysis.duration", "", "absent", "Give, for example, `300 s`")
     if scene.disconnect:
         found = f"{scene.disconnect.at:g} s"
-        why = "from then on, limits would be those of a riser that hangs from the vessel"
+        why = "after it, the limits would apply to a riser that hangs from the vessel"
         raise InputError("disconnect.at", found, why, "Leave it out: `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
         found = f"{scene.analysis.output.start:g} s"
-        why = "a limit that is reached before it would be missed"
+        why = "a limit that is reached before this time would be missed"
         raise InputError("analysis.output.start", found, why, "Leave it out")
     if not scene.limits:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 9 deg, mode: disconnect}"

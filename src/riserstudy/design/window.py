@@ -102,6 +102,6 @@ def lift_off(scene: Resolved, overpull: float, weighed: float | None = None) -> 
 def lift_off_lacks(scene: Resolved) -> list[str]:
     """Fields that a scene lacks for lifting its LMRP off; empty if it has all."""
     if scene.lowest_riser_section:
-        return ["bottom.body as the LMRP: sections of the riser are below its flex joint"]
+        return ["an LMRP as bottom.body: in this scene, sections of the riser are below the flex joint"]
     missing = [] if scene.bottom.body else ["bottom.body"]
     return missing + ([] if scene.water else ["water"])

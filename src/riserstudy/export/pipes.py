@@ -123,7 +123,7 @@ def _above_water(deck: Deck, section: Section, k: int) -> None:
     more = ((section.mass or 0.0) * GRAVITY - (section.submerged_weight or 0.0)) * dry
     if abs(more) > 1e3 * STEEPER and deck.scene.gravity:
         deck.otherwise[f"riser[{k}].submerged_weight"] = (
-            f"above the water, OrcaFlex uses the weight of the mass: {1e-3 * more:+.4g} kN in total"
+            f"above the water, OrcaFlex computes the weight from the mass: {1e-3 * more:+.4g} kN in total"
         )
 
 

@@ -208,15 +208,16 @@ def _cylinders(deck: Deck, rig: Tensioners, ring: str, rest: Rest, high: float) 
         inner = outer = 0.0
         height, bearings = high, [0.0] * rig.count
         if deck.scene.top.telescopic_joint:
-            deck.otherwise["top.tensioners.arrangement"] = "absent: cylinders lean with the joint"
+            deck.otherwise["top.tensioners.arrangement"] = (
+                "absent: the cylinders have the inclination of the joint"
+            )
     length = math.hypot(outer - inner, height - zero)
     aside = deck.scene.top.offset or 0.0
     law, nothing = _law(deck, rig, length), _rows(np.array([-REACH, REACH]) + length, np.zeros(2))
     if rig.mid_stroke == "riser in equilibrium":
         deck.otherwise["top.tensioners.mid_stroke"] = (
-            "links have their lengths at rest; programs that read the deck measure extension from the "
-            "unstretched riser, "
-            f"{rest.unstretched - zero:+.4g} m off"
+            "links have their lengths in static equilibrium; programs that read the deck measure extension "
+            f"from the unstretched riser, which differs by {rest.unstretched - zero:+.4g} m"
         )
     for c, bearing in enumerate(bearings):
         x, y = math.cos(bearing), math.sin(bearing)

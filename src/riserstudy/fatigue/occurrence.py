@@ -45,8 +45,8 @@ OF_SEAS = ("hs", "h_s", "hm0", "swh", "significant_height", "significant_wave_he
 
 #: ambiguous names, of which the height or period is not clear, nor whether it is that of a regular wave
 UNSURE = {
-    "wave_height": "significant_height, if it is that: largest waves of a sea are twice as high",
-    "wave_period": "peak_period, if it is that",
+    "wave_height": "significant_height, unless it is the largest wave height, which is twice as large",
+    "wave_period": "peak_period, if the periods are peak periods",
 }
 
 
@@ -112,7 +112,7 @@ def _heads(
             raise InputError(path, text.strip(), "no axis of the study", allowed)
         else:
             if name in UNSURE and name != axis:
-                raise InputError(path, text.strip(), "is ambiguous", f"say {UNSURE[name]}")
+                raise InputError(path, text.strip(), "is ambiguous", f"write {UNSURE[name]}")
             if axis in (known for known, _ in factors.values()):
                 raise InputError(path, text.strip(), f"a second column of {axis}", "give one")
             irregular += [axis] if name in OF_SEAS else []
@@ -133,7 +133,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     for name in map(str, record.data_vars):
         if axis := axis_of(name, axes):
             if name == FROM:
-                found = "bearings from north that waves come from, not angles from the x axis"
+                found = "compass bearings that waves come from, not angles from the x axis"
                 allowed = "give a scatter table with the headings of the study"
                 raise InputError("--seas", name, found, allowed)
             unit = scene_notation(str(record[name].attrs.get("units", "")))
@@ -142,7 +142,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
             irregular += [axis] if name.lower() in OF_SEAS else []
     if not columns:
         allowed = f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
-        raise InputError("--seas", "", "nothing of the record is an axis of the study", allowed)
+        raise InputError("--seas", "", "no quantity of the record is an axis of the study", allowed)
     table = np.stack(list(columns.values()), axis=1)
     whole = np.asarray(np.isfinite(table).all(axis=1))
     if not whole.any():
@@ -187,14 +187,14 @@ def axis_of(name: str, axes: list[str]) -> str | None:
 def _head(path: Path, text: str) -> tuple[str, str]:
     match = _HEAD.fullmatch(text)
     if match is None:
-        raise InputError(path, text.strip(), "no name of a column", "allowed is as in 'hs (m)'")
+        raise InputError(path, text.strip(), "no name of a column", "write, for example, 'hs (m)'")
     return match["name"].strip().lower().replace(" ", "_"), (match["unit"] or "").strip()
 
 
 def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
     """Conversion factor from a column's unit to the unit of an axis, in CF notation."""
     if not unit:
-        allowed = f"allowed is a unit after the name, as in '{text.strip()} ({of_axis})'"
+        allowed = f"write the unit after the name: '{text.strip()} ({of_axis})'"
         raise InputError(path, text.strip(), "no unit", allowed)
     try:
         return to_si(f"1 {unit}", scene_notation(of_axis))

@@ -42,7 +42,7 @@ def _along(ax: Axes, years: Years) -> None:
         ax.set_xlim(right=3.0 * most)
     ax.set_xlabel("factored damage a year (1/year)")
     ax.set_ylabel("arclength from the bottom (m)")
-    panel_title(ax, "Along the riser, largest round the wall")
+    panel_title(ax, "Along the riser, largest around the wall")
 
 
 def _by_sea(figure: Figure, ax: Axes, years: Years) -> None:

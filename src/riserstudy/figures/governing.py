@@ -78,7 +78,7 @@ def _worst_heading(responses: xr.Dataset) -> tuple[xr.Dataset, str]:
     shares = {float(h): float(beyond[headings == h].mean()) for h in covered}
     worst = max(shares, key=lambda one: shares[one])
     at = np.flatnonzero(headings == worst)
-    return responses.isel(sea_state=at), f"of {len(shares)} headings the hardest, {worst:g} deg"
+    return responses.isel(sea_state=at), f"worst of {len(shares)} headings, {worst:g} deg"
 
 
 def _surface(responses: xr.Dataset) -> tuple[Surface, FloatArray, FloatArray]:

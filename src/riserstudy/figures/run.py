@@ -39,5 +39,5 @@ def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
         if kind == "shape":
             return shape(run, title)
         figure = time_series(run, of or _usual(run))
-        headline(figure, f"{title}: over time, where each varies most")
+        headline(figure, f"{title}: over time, where each quantity varies most")
     return figure

@@ -24,7 +24,7 @@ def shape(run: xr.Dataset, title: str) -> Figure:
     """
     names = [name for name in "xy" if {name, f"{name}_static"} & set(run)]
     if not names:
-        found = "no position across: it was not kept, or the riser moves along itself alone"
+        found = "no lateral position: it was not kept, or the riser has only axial motion"
         raise InputError(title, "x", found, "keep x and x_static, or plot range or time-series")
     if not {"z", "z_static"} & set(run):
         found, allowed = "no elevation: it was not kept", "keep z, or plot range or time-series"
@@ -35,7 +35,7 @@ def shape(run: xr.Dataset, title: str) -> Figure:
         ax.set_xlabel(label(_named(run, name)))
     axes[0].set_ylabel(label(_named(run, "z")))
     moving = " and in motion" if "time" in run else ""
-    headline(figure, f"{title}: shape at rest{moving}, stretched sideways")
+    headline(figure, f"{title}: shape at rest{moving}, lateral scale enlarged")
     key(figure, axes[0])
     return figure
 

@@ -63,7 +63,7 @@ def _lines(uses: xr.Dataset) -> Figure:
         )
     ax.axhline(1.0, color="black", linewidth=0.8)
     ax.set_xlabel(label(uses[axis]))
-    ax.set_ylabel("utilisation of a limit,\n2 if it is more")
+    ax.set_ylabel("utilisation of a limit\n(values above 2 drawn at 2)")
     key(figure, ax)
     return figure
 
@@ -89,7 +89,7 @@ def _maps(uses: xr.Dataset) -> Figure:
 
 def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
     largest = use.max("limit")
-    x, y = _frame(ax, use, "use of the limit that governs", called)
+    x, y = _frame(ax, use, "utilisation of the governing limit", called)
     colours = ax.pcolormesh(
         x, y, largest.clip(max=MOST), shading="nearest", cmap="RdYlGn_r", vmin=0.0, vmax=MOST
     )
@@ -112,7 +112,7 @@ def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
 
 def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
     """Draw the governing limits; returns those that govern anywhere, with -1 for cells without one."""
-    x, y = _frame(ax, use, "limit that governs", called)
+    x, y = _frame(ax, use, "governing limit", called)
     which = _which(use)
     colours = ListedColormap([GREY, *(_colour(k) for k in range(use.sizes["limit"]))])
     ax.pcolormesh(x, y, which, shading="nearest", cmap=colours, vmin=-1.5, vmax=use.sizes["limit"] - 0.5)
@@ -146,7 +146,7 @@ def _use_in_words(use: xr.DataArray) -> str:
     first = int(numbers[counts.argmax()])
     name = in_words(str(use["limit"].values[first]))
     many = "all" if counts.max() == all_points else f"{counts.max()}"
-    return f"{beyond} of {all_points} points exceed a limit; at {many} governs: {name}"
+    return f"{beyond} of {all_points} points exceed a limit; at {many}, {name} governs"
 
 
 def _colour(k: int) -> str:

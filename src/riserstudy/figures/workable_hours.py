@@ -87,7 +87,7 @@ def _hours(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     ax.set_yticks(range(rows), ticks, fontsize="small")
     ax.set_ylim(rows - 0.5, -0.5)
     ax.set_xlabel("workable hours (%)")
-    panel_title(ax, "wide: by the response; thin: by years")
+    panel_title(ax, "wide: error of the response; thin: mean year")
 
 
 def _months(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
@@ -116,7 +116,7 @@ def _limits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
     ax.set_yticks(range(len(names)), names, fontsize="small")
     ax.invert_yaxis()
     ax.set_xlabel("hours in which a limit is exceeded (%)")
-    panel_title(ax, "dark: hours in which no other is exceeded")
+    panel_title(ax, "dark: hours in which only this limit is exceeded")
 
 
 def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
@@ -125,13 +125,13 @@ def _waits(ax: Axes, drawn: list[tuple[str, xr.Dataset]]) -> None:
         of = one.isel(riser_mode=0)
         ax.plot(of["window"], of["wait_p50"], "o-", color=COLOURS[k], markersize=3.0)
         ax.plot(of["window"], of["wait_p90"], "s--", color=COLOURS[k], markersize=3.0)
-    ax.set_xlabel("length of work in one go (h)")
+    ax.set_xlabel("length of a weather window (h)")
     ax.set_ylabel("wait (h)")
     panel_title(ax, "wait: 50 % (line), 90 % (dashes) of starts")
     if not any(np.isfinite(one[name].isel(riser_mode=0)).any() for _, one in drawn for name in _OF_WINDOWS):
         first = drawn[0][1]
         windows = " or ".join(f"{hours:g}" for hours in first["window"].values)
-        text = f"no {windows} h of {first['riser_mode'].values[0]}\nin one go in the record"
+        text = f"no {windows} h of {first['riser_mode'].values[0]}\nwithout a break in the record"
         ax.text(0.5, 0.5, text, transform=ax.transAxes, ha="center", va="center")
         ax.set(xticks=[], yticks=[])
         return

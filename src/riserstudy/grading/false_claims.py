@@ -67,7 +67,9 @@ class Falsified(Strict):
     def _changes_something(self) -> Self:
         changes = (self.options, self.exchanged, self.relabelled, self.reversed, self.negated)
         if self.published is None and not any(changes):
-            raise Misfit("", "nothing is changed", "name published, with, or what changes places")
+            raise Misfit(
+                "", "nothing is changed", "give published, with, exchanged, relabelled, reversed or negated"
+            )
         return self
 
     @property

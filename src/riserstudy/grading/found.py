@@ -86,7 +86,7 @@ def consistent(found: Found, paper: str, check: str) -> Found:
     if bool(against.any()):
         worst = float(abs(margin.where(against)).max())
         answer = "true" if bool((found.true & (margin < 0.0)).any()) else "false"
-        found_text = f"says {answer} where its margin is {-worst if answer == 'true' else worst:.3g}"
+        found_text = f"is {answer} where its margin is {-worst if answer == 'true' else worst:.3g}"
         allowed = "return `judged(value, margin)`, which is true where the margin is above zero"
         raise InputError(f"chapters/{paper}/claims.py", check, found_text, allowed)
     return found
@@ -101,8 +101,8 @@ def at_cell(found: Found, cell: Mapping[str, Any], where: str, field: str) -> Fo
         there = found.value if axis in found.value.dims else found.true
         if there is None or axis not in there.dims:
             axes = ", ".join(map(str, (found.value if there is None else there).dims))
-            allowed = f"allowed are {axes}" if axes else "leave it out: what the check finds has none"
-            raise InputError(where, f"{field}.{axis}", "no axis of what the check finds", allowed)
+            allowed = f"allowed are {axes}" if axes else "leave it out: the result of the check has no axes"
+            raise InputError(where, f"{field}.{axis}", "no axis of the result of the check", allowed)
         values = there[axis].values.tolist()
         if value not in values:
             allowed = "allowed are " + ", ".join(map(str, values))

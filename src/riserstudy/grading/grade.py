@@ -275,7 +275,7 @@ def _answers(item: Item, found: Found) -> xr.DataArray:
     """Whether a published value is met, or a claim is true; as ``answers``."""
     if item.published is None or item.together:
         if found.true is None:
-            allowed = "allowed is `judged(value, margin)`, as of a claim; of a number, published and rounding"
+            allowed = "return `judged(value, margin)` for a claim; give published and rounding for a number"
             raise InputError("config/published", item.id, f"{item.check} judges no claim", allowed)
         return answers(found)
     return _met(item, found.value)

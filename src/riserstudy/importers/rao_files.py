@@ -239,10 +239,10 @@ def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
         return rao
     if "complex" not in rao.dims or rao.dtype.kind not in "fiu":
         found = "has no complex numbers" if rao.dtype.kind in "fiu" else "has no numbers"
-        raise InputError(path, "RAO", found, "allowed are re and im along complex")
+        raise InputError(path, "RAO", found, "the dimension complex needs re and im")
     parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
     if sorted(parts) != ["im", "re"]:
-        raise InputError(path, "RAO", f"has the parts {parts}", "allowed are re and im along complex")
+        raise InputError(path, "RAO", f"has the parts {parts}", "the dimension complex needs re and im")
     return rao.sel(complex="re", drop=True) + 1j * rao.sel(complex="im", drop=True)
 
 

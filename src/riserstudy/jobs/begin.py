@@ -47,13 +47,13 @@ def begin(papers: list[str], outputs: Iterable[str], at_work: bool, tier: str) -
         return [], []
     wanted = frozenset(outputs)
     damaged = seals.damaged(sorted(wanted))
-    lines = _listed(damaged, "not as written; it is made again when needed")
+    lines = _listed(damaged, "not as its job wrote it; it is made again when needed")
     former = [Path(file) for file in of_former_results(Path()) if file in wanted]
     lines += _listed(former, "made from former results; it is made again when needed")
     remade = [file.as_posix() for file in (*damaged, *former)]
     records = mend.unreadable(SNAKEMAKE)
     if not at_work:
-        return remade, lines + _listed(records, "damaged, and Snakemake may stop at it; a run mends it")
+        return remade, lines + _listed(records, "damaged, and Snakemake may stop at it; a run repairs it")
     lines += _listed(records, "damaged; the files of its job are made again when needed")
     lines += _dated()
     lines += _other_tier(tier)

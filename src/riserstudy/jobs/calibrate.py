@@ -146,7 +146,7 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
     """
     free = free_values(study)
     if not items or any(item.published is None for item in items):
-        raise InputError(study.where, "", "no printed numbers to fit to", "name some by ID")
+        raise InputError(study.where, "", "no published numbers to fit to", "name some by ID")
 
     def miss(shares: Sequence[float]) -> float:
         try:
@@ -160,7 +160,7 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
     reached = values_of(with_values(study, free, fit.shares), items, derived)
     for item in items:
         print(f"{item.id}: {reached[item.id]:.4g} {item.unit}, printed {item.published:g}")
-    print(f"worst miss {100.0 * fit.miss:.2f} % after {fit.looks} looks")
+    print(f"largest relative error {100.0 * fit.miss:.2f} % after {fit.looks} trials")
     return fit
 
 

@@ -49,7 +49,7 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
     bearing = [*labelled(scene)]
     for path in model.remarks:
         if path not in bearing:
-            found, allowed = "no part that can bear a remark", f"allowed are {', '.join(bearing)}"
+            found, allowed = "no part that can have a remark", f"allowed are {', '.join(bearing)}"
             raise InputError(where, f"schematics.{name}.remarks.{path}", found, allowed)
     rig = scene.top.tensioners
     if standing and (rig is None or rig.arrangement):

@@ -31,7 +31,7 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
         inputs = inputs_of(paper) if isinstance(paper, str) else []
         for path, value in unprinted(inputs, scene) if inputs else []:
             listed = published_path(config, str(paper))
-            found = f"{value} is plain, as printed values are, and {listed} has no such input"
+            found = f"{value} has no stated origin, like a printed value, and {listed} has no such input"
             allowed = f"list it under `inputs`, or state its origin, as {{chosen: {value}, because: ...}}"
             raise InputError(scene.source, path, found, allowed)
 

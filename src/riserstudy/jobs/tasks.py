@@ -88,7 +88,7 @@ def tune(paper: str, study: str, target: Path, tier: Tier, expect: Expect) -> No
     plan = read_plan(tier, [paper], only=[(paper, study)])
     check_unchanged(plan.settings_digest(paper, study), expect)
     found = tuned_for(plan.study(paper, study), lambda line: print(line, flush=True))
-    print(found.because or f"{found.setting}: work {found.work:.2g} of that of requests")
+    print(found.because or f"{found.setting}: work {found.work:.2g} of the work of runs with the tolerance")
     write_settings(found, target)
     _seal(target)
 
@@ -123,7 +123,7 @@ def shard(
         tuned = with_setting(planned, setting)
         pairs = zip(points, tuned.shard(int(shard), int(shards)), strict=True)
         again = sum(fill_tuned(planned, tuned, pairs, workers, PointsDone()).by_request)
-        summary = f"{counted(len(points), 'point')}, {again} of them by request"
+        summary = f"{counted(len(points), 'point')}, {again} of them with the tolerance"
     else:
         made = fill(planned, points, workers, PointsDone())
         summary = f"{counted(made, 'point')} simulated, {len(points) - made} from the store"

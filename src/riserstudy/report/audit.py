@@ -97,9 +97,9 @@ class Missed(NamedTuple):
             )
         judged = spaced(self.requested - self.not_estimated)
         requested = (
-            f"{spaced(self.missed_by_request)} of {judged} points with a tolerance miss it"
+            f"{spaced(self.missed_by_request)} of {judged} points with a tolerance have larger errors"
             if self.missed_by_request
-            else f"All {judged} points with a tolerance meet it, by their estimated error"
+            else f"The estimated errors of all {judged} points with a tolerance are within this tolerance"
         )
         if self.not_estimated:
             more = f"For {spaced(self.not_estimated)} more, in tuned studies"

@@ -77,10 +77,10 @@ COLUMNS = (
 NAMES = {name: one for one in COLUMNS for name in (one.name, *one.names)}
 #: ambiguous headers, and the text of their remedy
 UNSURE = {
-    "period": "peak_period or zero_crossing_period: one is some 1.3 times the other",
+    "period": "peak_period or zero_crossing_period; the peak period is about 1.3 times as long",
     "t": "peak_period or zero_crossing_period",
     "wave_period": "peak_period or zero_crossing_period",
-    "mean_period": "zero_crossing_period, if it is that of zero upcrossings",
+    "mean_period": "zero_crossing_period, if it is the mean period between zero upcrossings",
     "direction": "wave_from_direction or wave_to_direction",
     "wave_direction": "wave_from_direction or wave_to_direction",
     "dir": "wave_from_direction or wave_to_direction",
@@ -89,7 +89,7 @@ WRITTEN_FOR_NONE = (99.0, 999.0, 9999.0)
 # factor between adjacent rows beyond which a possible fill value is probably not a value
 JUMP = 2.0
 #: note on records with this header, which seldom contain other heights
-UNSURE_HEIGHT = "wave_height is taken as the significant height, not as that of the largest wave"
+UNSURE_HEIGHT = "wave_height is taken as the significant height, not as the height of the largest wave"
 _HEAD = re.compile(r"\s*(?P<name>[^(\[]+?)\s*[(\[](?P<unit>[^)\]]*)[)\]]\s*")
 
 
@@ -127,13 +127,13 @@ def head(where: str, text: str) -> Head:
     name, unit = (match["name"], match["unit"].strip()) if match else (text, "")
     key = plain(name)
     if key in UNSURE:
-        raise InputError(where, text.strip(), "is ambiguous", f"say {UNSURE[key]}")
+        raise InputError(where, text.strip(), "is ambiguous", f"write {UNSURE[key]}")
     turned = key in GOES_TO
     quantity = NAMES["wave_from_direction"] if turned else NAMES.get(key)
     if quantity is None or key == "time":
         return Head(None, key, 1.0, unit)
     if not unit:
-        allowed = f"allowed is a unit after the name, as in '{quantity.name} ({quantity.unit})'"
+        allowed = f"write the unit after the name: '{quantity.name} ({quantity.unit})'"
         raise InputError(where, text.strip(), "no unit", allowed)
     if quantity.unit == "deg":
         if plain(unit) not in ("deg", "degree", "degrees", "degt", "deg_true", "degree_true"):

@@ -79,7 +79,7 @@ def cover(
         more = _next(of, surface, scale, error, set(known))
         if not len(more):
             held = _drawn(of, surface, allowed, scale, known, draw)
-            notify(f"{counted(len(held), 'sea state')} to compare with the surface of {len(known)}")
+            notify(f"{counted(len(held), 'sea state')} to check the interpolation between {len(known)}")
             came = run(of.states[held]) if held else responses[:0]
             off = off_by(surface.at(of.states[held]), came, scale)
             failed = np.isnan(came).any() and not np.isnan(off).all()
@@ -90,7 +90,7 @@ def cover(
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
             notify(
-                f"{counted(len(more), 'further sea state')}: linear and cubic surfaces differ by "
+                f"{counted(len(more), 'further sea state')}: linear and cubic interpolation differ by "
                 f"{worst:.1%}, {len(known)} done"
             )
             found = run(of.states[more])

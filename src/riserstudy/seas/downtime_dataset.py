@@ -41,28 +41,31 @@ def summarise(
     many = f" in {counted(len(parts), 'heading')}" if directed else ""
     lines = [
         f"{counted(count, 'sea state')}{many} of {riser.exposure:g} s, {counted(riser.seeds, 'seed')} each; "
-        f"at {compared} that were compared the response differs by up to {off:.1%}"
+        f"at the {compared} sea states of the check, the interpolated response differs by up to {off:.1%}"
     ]
     if meshes := [part.mesh for part in parts if part.mesh]:
         words = sorted({one.words for one in meshes})
         off = max(float(one.error.max()) for one in meshes)
         lines.append(
-            f"runs on {' or '.join(words)}; where compared with runs by the scene's accuracy, demands differ "
-            f"by up to {off:.1%}"
+            f"runs on {' or '.join(words)}; compared with runs that meet the scene's accuracy, demands "
+            f"differ by up to {off:.1%}"
         )
     if riser.seeds == 1:
-        lines.append("the effect of other seeds is unknown and in no band")
+        lines.append("no band includes the effect of other seeds, which is unknown")
     if FROM in record and not directed:
-        why = "all seas come from the scene's heading"
+        why = "all seas have the heading of the scene"
         if not heading_paths(riser.file):
             why = "the operators have no headings, so the response is equal from all sides"
         lines.append(f"directions of the record are not used: {why}")
     if middles:
         count = sum(len(one.states) for one in middles)
         off = max(float(one.error.max()) for one in middles)
-        lines.append(f"at {count} half-way between headings the response differs by up to {off:.1%}")
+        lines.append(
+            f"at {count} sea states half-way between headings, the interpolated response differs by up to "
+            f"{off:.1%}"
+        )
     elif directed:
-        lines.append("each row has the nearest heading; the effect of headings in between is in no band")
+        lines.append("each row uses the nearest heading; no band includes the effect of headings in between")
     risers = [*(part.riser for part in parts), *(middle.riser for middle in middles)]
     failures = [one for of in risers for one in of.failures.items()]
     for (height, period), why in failures[:3]:

@@ -141,7 +141,9 @@ class Hours(NamedTuple):
             if not self._whole(months.get((year, k), NONE), year, k)
         ]
         more = f" and {len(partial) - NAMED} more" if len(partial) > NAMED else ""
-        named = f"less than {WHOLE:.0%} recorded, and empty by month: {', '.join(partial[:NAMED])}"
+        named = (
+            f"months without a share, because less than {WHOLE:.0%} is recorded: {', '.join(partial[:NAMED])}"
+        )
         return [line for line in (uneven_months(self.time), f"{named}{more}" if partial else "") if line]
 
     @property
@@ -163,7 +165,7 @@ def sea_limit(text: str) -> SeaLimit:
 
     Raises InputError when it names no quantity of the sea, has no unit, or has a value that no sea has.
     """
-    allowed = "allowed is such as 'significant_wave_height <= 2.5 m'"
+    allowed = "write, for example, 'significant_wave_height <= 2.5 m'"
     match = _LIMIT.fullmatch(text)
     quantity = NAMES.get(plain(match["name"])) if match else None
     if match is None or quantity is None or quantity.unit == "deg":

@@ -80,7 +80,7 @@ def mesh_of_seas(riser: RiserResponse, of: SeaStates, error: float, notify: Noti
         return None
     one = RiserResponse(riser.file, 1, riser.interval, riser.cores)
     states = probes(of)
-    notify(f"mesh and step by {len(states)} sea states that are run by the scene's accuracy")
+    notify(f"choosing mesh and time step by {len(states)} sea states, run with the scene's accuracy")
     reference = one(states)
     used = [facts for facts in one.facts(states) if facts]
     if len(used) < len(states):
@@ -95,7 +95,10 @@ def mesh_of_seas(riser: RiserResponse, of: SeaStates, error: float, notify: Noti
 
     found = _coarsest(elements, step, layers_of([riser.file.resolved()], None), differing, SHARE * error)
     if found is not None:
-        notify(f"{found.words}: demands differ by up to {found.error.max():.2%} from those by accuracy")
+        notify(
+            f"{found.words}: demands differ by up to {found.error.max():.2%} from those of the runs with "
+            "the scene's accuracy"
+        )
         return found
     notify("no coarser mesh gives the same demands, so each run finds its own mesh")
     return None

@@ -146,7 +146,7 @@ def _without_times(path: Path, data: xr.Dataset) -> InputError:
     if times is None:
         return InputError(path, "time", "the file has no times", "give it a coordinate 'time' as in CF")
     if times.ndim == 0:
-        return InputError(path, "time", "1 row", "allowed are two and more")
+        return InputError(path, "time", "1 row", "allowed are two or more")
     found = "numbers that are no dates"
     if calendar := times.encoding.get("calendar"):
         found = f"calendar {calendar!r}"
@@ -271,7 +271,7 @@ def _at_one_place(path: Path, data: xr.Dataset, near: Place | None) -> tuple[xr.
     place = dict(zip(map(str, latitude.dims), map(int, at), strict=True))
     found = latitude.isel(place).item(), longitude.isel(place).item()
     far = float(np.degrees(away[at])) * EARTH
-    note = f"read at {found[0]:.4g} N, {found[1]:.4g} E, {far:.0f} km from the place that is given"
+    note = f"read at {found[0]:.4g} N, {found[1]:.4g} E, {far:.0f} km from the given place"
     return data.isel(place), [note]
 
 

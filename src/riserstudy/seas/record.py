@@ -248,7 +248,7 @@ def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
     bad = times.isna() | (cells.str.strip().str.len() < (0 if known else SHORTEST_DATE))
     if bad.any():
         row = int(bad.to_numpy().argmax())
-        allowed = "allowed is as 2005-12-31 23:00, or a header such as 'time (YYYY-MM-DD-HH)'"
+        allowed = "write times such as 2005-12-31 23:00, or a header such as 'time (YYYY-MM-DD-HH)'"
         raise InputError(f"{path}, row {row + 2}", "time", repr(cells.iloc[row]), allowed)
     return times
 
@@ -302,7 +302,10 @@ def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64])
         row = int(closer.argmax())
         found = f"{steps[row] / 3600.0:g} h after the row before, most rows {usual / 3600.0:g} h"
         raise InputError(
-            f"{path}, row {row + 3}", "time", found, "allowed are rows one interval apart, and gaps"
+            f"{path}, row {row + 3}",
+            "time",
+            found,
+            "allowed are rows that are one interval apart, or further",
         )
 
 
@@ -312,16 +315,16 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
     Raises InputError at the first row with a fault.
     """
     if len(frame) < 2:
-        raise InputError(path, "time", f"{len(frame)} rows", "allowed are two and more")
+        raise InputError(path, "time", f"{len(frame)} rows", "allowed are two or more")
     steps = np.diff(frame.index.to_numpy()).astype("timedelta64[s]").astype(float)
     if (steps <= 0.0).any():
         row = int((steps <= 0.0).argmax()) + 3
-        raise InputError(f"{path}, row {row}", "time", "not after the row before", "allowed are rising times")
+        raise InputError(f"{path}, row {row}", "time", "not after the row before", "times must increase")
     _check_interval(path, frame, steps)
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
-        found = "most are shorter than the zero-crossing periods of their rows"
-        raise InputError(path, "peak_period", found, "check whether the two are interchanged")
+        found = "in most rows it is shorter than the zero-crossing period"
+        raise InputError(path, "peak_period", found, "check whether the two columns are exchanged")
     for one in COLUMNS:
         if one.name not in frame:
             continue

@@ -72,7 +72,7 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
     when fewer than five years are nearly complete, or the response is from one seed.
     """
     if of.seeds < FEWEST_SEEDS:
-        few = f"{of.seeds}: how extremes vary from run to run is not known"
+        few = f"{of.seeds}: the scatter of extremes between runs is not known"
         raise InputError("--seeds", few, "", f"return values need {FEWEST_SEEDS}")
     draw = np.random.default_rng(seed)
     found: list[Returned] = []

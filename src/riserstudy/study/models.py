@@ -147,7 +147,7 @@ class StudyModel(Strict):
         for path in self.preview:
             if not any(within(path, setting) for setting in SETTINGS):
                 allowed = "allowed are " + ", ".join(SETTINGS)
-                raise Misfit("preview", f"sets {path!r}, no setting of the analysis", allowed)
+                raise Misfit("preview", f"sets {path!r}, which is no setting of the analysis", allowed)
             for name, axis in self.axes.items():
                 if any(meets(path, own) for own in _paths_of(axis)):
                     found = f"sets {path!r}, and so does axis {name!r}"
@@ -278,7 +278,7 @@ class StudyFile(Strict):
             [*TopologicalSorter({n: d.reads for n, d in self.derived.items()}).static_order()]
         except CycleError as error:
             ring = " reads ".join(reversed(error.args[1]))
-            yield Misfit("derived", ring, "allowed are datasets that are made before")
+            yield Misfit("derived", ring, "a dataset may read only datasets that do not depend on it")
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
                 yield Misfit(f"figures.{name}.reads", f"no dataset {dataset!r}", _among(self.datasets))

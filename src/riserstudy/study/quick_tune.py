@@ -41,7 +41,7 @@ class QuickTuner(Tuner):
 
         Raises SimulationError when the run cannot be completed.
         """
-        self.notify(f"a request and a finer run at {self.study.place(index)}")
+        self.notify(f"a run with the tolerance and a finer run at {self.study.place(index)}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
         scene = file.with_values(self.request, "--accuracy").resolved()
         refinement = Refinement(scene)

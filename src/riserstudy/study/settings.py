@@ -214,7 +214,10 @@ def dataset_tuned(
         by_request = points.by_request
         results = _taken(study, tuned, points, processes)
         again = sum(by_request)
-        notify(f"{study.paper}/{study.name}: {counted(len(results), 'point')}, {again} of them by request")
+        notify(
+            f"{study.paper}/{study.name}: {counted(len(results), 'point')}, "
+            f"{again} of them with the tolerance"
+        )
         dataset = dataset_of(tuned, results)
         keys = [a.key if by else b.key for a, b, by in zip(*points, strict=True)]
         dataset["point_key"].values = np.array(keys, object).reshape(dataset["point_key"].shape)

@@ -174,7 +174,7 @@ def as_study(
         raise InputError("sweep", "axes", "none", "name at least one path with its values")
     made = dict(_axis(file, path, values) for path, values in axes.items())
     if len(made) < len(axes):
-        allowed = "name the values of one of them by labels"
+        allowed = "give the values of one of these axes as labels"
         raise InputError("sweep", "axes", "two axes would have one name", allowed)
     fields = {
         "scene": "scene.yaml",

@@ -82,7 +82,10 @@ def check_tunable(study: Study, count: int) -> None:
     where, analysis = study.where, study.base.tree.get("analysis") or {}
     if not isinstance(analysis, dict) or analysis.get("duration") is None:
         raise InputError(
-            where, "analysis", "no duration, and only dynamic runs are tuned", "request an accuracy"
+            where,
+            "analysis",
+            "no duration, and only dynamic runs are tuned",
+            "run its points with a tolerance (analysis.accuracy)",
         )
     for name, tuned in (("solver", (None,)), ("method", TUNED)):
         if analysis.get(name) not in tuned:
@@ -92,11 +95,16 @@ def check_tunable(study: Study, count: int) -> None:
     for axis, values in study.axes.items():
         for path in (path for _, sets in values for path in sets):
             if path in own or path.startswith("analysis.mesh."):
-                found = f"sets {path}, which tuning would choose"
+                found = f"sets {path}, which the tuning chooses"
                 raise InputError(where, f"axes.{axis}", found, "name another study")
     if (points := len(study.grid)) < 2 * count:
         found = f"{points} points, fewer than twice the {count} points to tune on"
-        raise InputError(where, "axes", found, "request an accuracy, or name fewer with --points")
+        raise InputError(
+            where,
+            "axes",
+            found,
+            "run its points with a tolerance (analysis.accuracy), or give fewer --points",
+        )
 
 
 def tune(study: Study, accuracy: str | None, count: int, seed: int, notify: Notify = lambda _: None) -> Tuned:
@@ -121,12 +129,12 @@ def tune(study: Study, accuracy: str | None, count: int, seed: int, notify: Noti
         found = [tuner.excess(setting, one) for one in checks]
         if max(found, default=0.0) <= 1.0:
             return tuner.worth(setting, places, checks)
-        notify(f"{described(setting)} errs by {max(found):.2f} of the accuracy at another point")
+        notify(f"{described(setting)} has an error of {max(found):.2f} times the tolerance at another point")
         seen += fresh
         places += checks
     raise SimulationError(
-        f"{study.where}: each of {ROUNDS} tuned settings missed the accuracy at other points; tune on "
-        "more points with --points, or request an accuracy"
+        f"{study.where}: each of {ROUNDS} tuned settings exceeded the tolerance at other points; tune on "
+        "more points with --points, or run all points with a tolerance (analysis.accuracy)"
     )
 
 
@@ -161,7 +169,7 @@ class Tuner:
         """
         at = self.study.place(index)
         where = f"{self.study.where}: at {at}"
-        self.notify(f"a request and a finer run at {at}")
+        self.notify(f"a run with the tolerance and a finer run at {at}")
         file = self.study.grid.file(index).with_values(FREE, "tune")
         scene = file.with_values(self.request, "--accuracy").resolved()
         try:
@@ -175,8 +183,8 @@ class Tuner:
         if self._over(requested.facts["error_estimate"]) > 1.0 or self._over(unsure) > UNSURE:
             found = f"estimated {_percent(requested.facts['error_estimate'])}, true {_percent(off)}"
             raise SimulationError(
-                f"{where} a run that requests the accuracy misses it ({found}), so no setting can be "
-                "compared with this run; tune to a larger --accuracy"
+                f"{where} a run with the tolerance does not meet it ({found}), so no setting can be "
+                "compared with this run; give a larger --accuracy"
             )
         work = sum(map(work_of, requested.facts["refinements"]))
         return Place(index, file, best, unsure, work)
@@ -247,8 +255,8 @@ class Tuner:
                     best, least = found, work
         if best is None:
             raise SimulationError(
-                f"{self.study.where}: no mesh, time step and method meets the accuracy at all points "
-                "with less work than runs that request it; request an accuracy"
+                f"{self.study.where}: no mesh, time step and method meets the tolerance at all points "
+                "with less work than runs with the tolerance; run its points with analysis.accuracy"
             )
         return best
 

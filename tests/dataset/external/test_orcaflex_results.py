@@ -106,7 +106,7 @@ def test_a_bend_moment_has_no_sign(tmp_path):
         (["Arc length (m)", "Effective tension (kN) Max"], None, "which end is end A"),
         (["Arc length (m)", "Effective tension (kN) Max"], "middle", "no place on the riser"),
         (["Arc length (m)", "Effective tension (kN) Max"], "400 m down", "no place on the riser"),
-        (["Arc length (m)", "Effective tension (kN) Mean"], "top", "no run has it along"),
+        (["Arc length (m)", "Effective tension (kN) Mean"], "top", "no means or deviations along"),
         (["Arc length (m)", "x bend moment (kN.m) Max"], "top", "one of two components"),
         (["Arc length (m)", "Maximum"], "top", "is no heading with a unit"),
         (["Time (s)", "Effective tension (kN) at End A"], None, "which end is end A"),

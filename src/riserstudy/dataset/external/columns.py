@@ -86,7 +86,7 @@ def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) ->
     try:
         return values * factor("*".join(product.split()), si)
     except ValueError as error:
-        raise InputError(path, title, f"unit {unit!r} {error}", f"allowed is such as {si}") from None
+        raise InputError(path, title, f"unit {unit!r} {error}", f"write, for example, {si}") from None
 
 
 def rising(path: Path, title: str, along: FloatArray) -> FloatArray:

@@ -48,7 +48,10 @@ _RESULT = re.compile(
 _PLACE = re.compile(
     r"\W*(?:at )?(?:(?P<end>end [ab])|arc length:?\s*(?P<arc>\d+\.?\d*)\s*m?)\W*", re.IGNORECASE
 )
-END_A = "allowed is `top`, `bottom`, or its arclength from the riser's lower end with its way, `872 m down`"
+END_A = (
+    "allowed is `top`, `bottom`, or its arclength from the riser's lower end and the direction of arc "
+    "length, `872 m down`"
+)
 
 
 class EndA(NamedTuple):
@@ -106,7 +109,9 @@ def heading_of(path: Path, title: str, above: list[str], end: EndA | None, lengt
     after = found[0]["after"] or ""
     suffix = STATISTICS.get(re.sub(r"[^a-z]+", " ", after.lower()).strip(), statistic)
     if suffix in ("mean", "std"):
-        raise InputError(path, title, "no run has it along the riser", "leave the column out")
+        raise InputError(
+            path, title, "a run contains no means or deviations along the riser", "leave the column out"
+        )
     if suffix:
         return Heading(f"{ours}_{suffix}", None, found[0]["unit"], size)
     return Heading(ours, _place(path, title, after, end, length), found[0]["unit"], size)

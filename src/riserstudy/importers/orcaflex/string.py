@@ -157,12 +157,12 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
             found.append((line, low, high))
         aside = math.hypot(line.lower.x, line.lower.y)
         line.part.otherwise["ConnectionX"] = (
-            f"its distance of {aside:.4g} m from the riser's axis is left out: bending of the riser "
-            "does not stretch it"
+            f"its distance of {aside:.4g} m from the riser's axis is left out: in a scene, bending of the "
+            "riser does not stretch it"
         )
         if abs(long - reach) > 1e-9 * reach:
             line.part.otherwise["Length"] = (
-                f"its {long - reach:+.3g} m compared with the riser, both unstretched, are left out"
+                f"the difference of {long - reach:+.3g} m from the unstretched riser is left out"
             )
     return found
 

@@ -120,7 +120,7 @@ def _law(law: tuple[tuple[float, float], ...]) -> dict[str, Any]:
     (low, at_low), (high, at_high) = law
     stiffness = (at_high - at_low) / (high - low)
     tension = at_low - stiffness * low
-    derived = {"derived": q(tension, "kN"), "from": "stretch of a link, the riser unstretched"}
+    derived = {"derived": q(tension, "kN"), "from": "stretch of a link while the riser is unstretched"}
     return {"linear": {"tension": derived, "stiffness": q(stiffness, "kN/m")}}
 
 

@@ -203,7 +203,7 @@ def _response(kind: Part, table: Part, crest: Crest) -> dict[str, Any]:
         for row in one.figures(*TABLE):
             period = row[0]
             if not 0.0 < period < math.inf:
-                one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: it is not a period of a wave"
+                one.otherwise[TABLE[0]] = f"its row at {period:g} is left out: no wave has this period"
                 continue
             circular = TURN / period if by[1] == "s" else period * (TURN if by[1] == "Hz" else 1.0)
             later = half_a_turn + sign * crest.lead(math.radians(heading), circular)
