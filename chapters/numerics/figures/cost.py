@@ -69,7 +69,7 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
     _time_over_error(ax, FINEST / 280.0)  # room for names at the right
     ax.set_xlabel("tolerance (%): more accurate →")
     ax.set_ylabel("elapsed time of all runs (s)")
-    between = f"; ×: {100 * found.fine:g} % compared with {100 * found.coarse:g} %" if found else ""
+    between = f"; ×: time at {100 * found.fine:g} % / time at {100 * found.coarse:g} %" if found else ""
     ax.set_title(f"(a) riserstudy, time over tolerance{between}", loc="left", fontsize="small")
 
 
