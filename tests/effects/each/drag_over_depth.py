@@ -1,12 +1,32 @@
-"""Drag over depth: a case, and the plain version."""
+"""Drag over depth: a case, the plain version, and a string whose coefficient grows with elevation."""
 
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from plain import pressed, spread
+from small_scenes import simulated
 from surroundings import SEGMENTS, Case, N, sheared
 
 from riserstudy.effects.drag_over_depth import DragOverDepth
+
+SCENE = """\
+title: string in a current
+water: {density: 1000 kg/m^3, surface: 100 m, seabed: 0 m}
+riser:
+  - name: string
+    length: 100 m
+    axial_stiffness: 100 GN
+    submerged_weight: 0 N/m
+    drag: {coefficient: [{elevation: 0 m, value: 0}, {elevation: 100 m, value: 1}], diameter: 0.5 m}
+bottom: {hold: wellhead, elevation: 0 m}
+top: {x: held, z: free, tension: 1 MN}
+current: {profile: [{elevation: 0 m, speed: 0.5 m/s}, {elevation: 100 m, speed: 0.5 m/s}], beyond: hold}
+analysis: {mesh: {elements: 20}}
+"""
+
+
+LOAD = 0.5 * 1000.0 * 0.5 * 0.5**2  # where the coefficient is one (N/m)
 
 
 def depths(d: int) -> DragOverDepth:
@@ -34,3 +54,23 @@ def drag_over_depth(record, s):
 CASES = {DragOverDepth: Case(depths, lambda d: [sheared(d)])}
 
 PLAIN = {DragOverDepth: [("drive string", drag_over_depth)]}
+
+
+def test_a_string_whose_coefficient_grows_with_elevation_sags_by_a_cubic(tmp_path):
+    """T x'' = -q s / L, so that x = q L^2 (s / L - (s / L)^3) / (6 T), at slopes of 1e-3."""
+    found = simulated(tmp_path, SCENE)
+    share = found["s"].values / 100.0
+    expected = LOAD * 100.0**2 * (share - share**3) / (6.0 * 1e6)
+    # a strain of 1e-5, and 20 segments
+    np.testing.assert_allclose(found["x"], expected, atol=1e-4 * expected.max())
+
+
+def test_a_jump_within_a_segment_leaves_force_and_lever_whole(tmp_path):
+    """Loaded above 47 m alone: the support below bears q (L - 47 m)^2 / (2 L)."""
+    jump = [(0, 0), (47, 0), (47, 1), (100, 1)]
+    table = [{"elevation": f"{z} m", "value": c} for z, c in jump]
+    found = simulated(tmp_path, SCENE, {"riser[0].drag.coefficient": table})
+    below = LOAD * 53.0**2 / (2.0 * 100.0)
+    slope = float(found["x"][1] / found["z"][1])
+    # a strain of 1e-5
+    assert slope == pytest.approx(below / 1e6, rel=3e-5)

@@ -1,4 +1,7 @@
-"""Draining contents: a case, and the plain version."""
+"""Draining contents: a case, and the plain version.
+
+The closed forms of the column, and of what hangs while it drains, are in tests/verification/test_recoil.py.
+"""
 
 from __future__ import annotations
 
