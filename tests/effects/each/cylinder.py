@@ -1,11 +1,24 @@
-"""Cylinder: a case, and the plain version."""
+"""Cylinder: a case, the plain version, and a bar below upright cylinders."""
 
 from __future__ import annotations
 
 import numpy as np
+import pytest
+from small_scenes import simulated
 from surroundings import Case, cylinders
 
 from riserstudy.effects.cylinder import Upright
+
+SCENE = """\
+title: bar on upright cylinders
+riser: [{name: bar, length: 100 m, axial_stiffness: 100 MN}]
+bottom: {hold: wellhead, elevation: 0 m}
+top:
+  z: free
+  tensioners: {count: 4, linear: {tension: 250 kN, stiffness: 50 kN/m}, mid_stroke: riser in equilibrium}
+platform: {position: {heave: 2 m}}
+analysis: {mesh: {elements: 5}}
+"""
 
 
 def upright(record, s):
@@ -19,3 +32,14 @@ def upright(record, s):
 CASES = {Upright: Case(cylinders)}
 
 PLAIN = {Upright: [("drive device", upright)]}
+
+
+@pytest.mark.parametrize("heave", [2.0, -1.5])
+def test_four_cylinders_and_a_bar_share_a_heave_as_springs_in_series(tmp_path, heave):
+    found = simulated(tmp_path, SCENE, {"platform.position.heave": f"{heave} m"})
+    cylinders, bar = 4 * 50e3, 100e6 / 100.0
+    pull = 1e6 + heave / (1.0 / cylinders + 1.0 / bar)
+    np.testing.assert_allclose(found["effective_tension"], pull, rtol=1e-9)
+    reach = heave * bar / (cylinders + bar)
+    np.testing.assert_allclose(found["tensioner_stroke"], reach, rtol=1e-7)
+    np.testing.assert_allclose(found["tensioner_force"].sum("cylinder"), pull, rtol=1e-9)
