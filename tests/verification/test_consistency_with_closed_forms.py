@@ -6,8 +6,6 @@ import reference as ref
 from engine import dataset, off, scene, slopes
 
 from riserstudy.errors import SimulationError
-from riserstudy.scene.models import Scene
-from riserstudy.scene.resolve import resolve
 from riserstudy.simulation.modes import modes_of
 
 TENSION = 2275e3
@@ -126,18 +124,6 @@ def test_an_accuracy_asked_of_a_massless_beam_is_reached(name):
     assert off(found["x"], np.interp(found["s"], best["s"], best["x"])) < 1e-3
     moment = np.interp(found["s"], best["s"], best["bending_moment"])
     assert off(found["bending_moment"], moment) < 1e-3
-
-
-def test_modes_of_a_mass_on_a_massless_spring_are_those_of_the_oscillator():
-    spring = {
-        "title": "mass on a spring",
-        "riser": [{"name": "spring", "length": "100 m", "axial_stiffness": "343 MN"}],
-        "bottom": {"hold": "wellhead", "elevation": "0 m"},
-        "top": {"z": "free", "body": {"name": "mass", "mass": "749 t"}},
-        "analysis": {},
-    }
-    found = modes_of(resolve(Scene.model_validate(spring)), 3)
-    assert found["frequency"].values == pytest.approx([np.sqrt(3.43e6 / 749e3) / (2 * np.pi)])
 
 
 def test_modes_without_mass_are_refused_with_the_reason():
