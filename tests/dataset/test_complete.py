@@ -1,6 +1,7 @@
 """What CF asks of datasets, whoever made them."""
 
 import sys
+from importlib import import_module
 
 import netCDF4
 import numpy as np
@@ -82,3 +83,32 @@ def test_a_library_that_xarray_has_found_is_found_again_after_it_was_kept_away()
     with without(name):
         assert not module_available(name)
     assert module_available(name)
+
+
+def shares(heave):
+    """What a chapter derives without a word on units."""
+    force = heave["force"]
+    most = abs(force).max()
+    return heave[["force"]].assign(share=force / most, swing=force - most)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_derived_variable_that_the_chapter_names_has_the_unit_of_the_chapter(tmp_path, monkeypatch, seed):
+    """xarray hands the attributes of operands on: a share of a tension was written as a tension in N."""
+    lay_out(tmp_path / "study")
+    named = "share: {units: '1', long_name: share of the tension}\nswing: {units: N, long_name: swing}\n"
+    (tmp_path / "study/chapters/example/variables.yaml").write_text(named, "utf-8")
+    monkeypatch.chdir(tmp_path / "study")
+    monkeypatch.setattr(import_module("riserstudy.chapters.derive"), "function_of", lambda *_: shares)
+    force = np.random.default_rng(seed).uniform(1.0, 9.0, 4)
+    about = {"units": "N", "long_name": "tension at a place", "comment": "of the source"}
+    source = xr.Dataset({"force": ("x", force, about)}, attrs={"origins": "{}"})
+    write_dataset(derive("example", "shares", {"heave": source}), tmp_path / "d.nc")
+    with xr.open_dataset(tmp_path / "d.nc") as found:
+        told = {name: (found[name].units, found[name].long_name) for name in ("force", "share", "swing")}
+    assert told == {
+        "force": ("N", "tension at a place"),
+        "share": ("1", "share of the tension"),
+        "swing": ("N", "swing"),
+    }
+    assert "comment" not in found["share"].attrs

@@ -6,6 +6,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.chapters import function_of
+from riserstudy.dataset.complete import without_inherited
 from riserstudy.dataset.extremes import OVER
 from riserstudy.dataset.label import history
 from riserstudy.dataset.origins import joined, origins_of
@@ -30,7 +31,7 @@ def derive(
     plain, given, _ = unwrap(settings or {})
     dataset: xr.Dataset = function_of(paper, "derived", name)(**datasets, **plain)
     # statistics of runs, not of the derived dataset
-    dataset = dataset.drop_dims(OVER, errors="ignore")
+    dataset = without_inherited(dataset.drop_dims(OVER, errors="ignore"), datasets.values())
     own = {f"with.{path}": origin.status for path, origin in given.items()}
     if settings:
         dataset.attrs["settings"] = json.dumps(settings)

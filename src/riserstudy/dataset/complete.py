@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from riserstudy.dataset.variables import attributes, cf_unit
 
 if TYPE_CHECKING:
     import xarray as xr
+
+NAMING = ("units", "long_name")  # attributes that together tell what a variable is
 
 
 def complete(dataset: xr.Dataset) -> xr.Dataset:
@@ -32,4 +35,28 @@ def complete(dataset: xr.Dataset) -> xr.Dataset:
         if label in dataset.coords and numbers:
             variable.encoding["_FillValue"] = None
     dataset.attrs.setdefault("Conventions", "CF-1.11")
+    return dataset
+
+
+def without_inherited(dataset: xr.Dataset, sources: Iterable[xr.Dataset]) -> xr.Dataset:
+    """The dataset without attributes that its named variables only inherited from a source.
+
+    xarray gives a result the attributes of its operands: the ratio of two tensions would be a tension in N. A
+    variable whose name has other attributes in `riserstudy.dataset.variables` loses those of a source's
+    variable; `complete` then writes its own.
+    """
+    inherited = [
+        (str(name), dict(values.attrs))
+        for source in sources
+        for name, values in source.variables.items()
+        if all(key in values.attrs for key in NAMING)
+    ]
+    dataset = dataset.copy()
+    for label, values in dataset.data_vars.items():
+        known, found = attributes(str(label)), [values.attrs.get(key) for key in NAMING]
+        for name, attrs in inherited:
+            if name != label and known and found == [attrs[key] for key in NAMING]:
+                own = {key: value for key, value in values.attrs.items() if attrs.get(key) != value}
+                values.attrs = own
+                break
     return dataset
