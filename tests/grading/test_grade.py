@@ -13,7 +13,7 @@ from invented import dataset, number_row, row, samples
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading import words
-from riserstudy.grading.grade import Found, _answers
+from riserstudy.grading.grade import Found, _answers, graded
 from riserstudy.grading.models import Item
 from riserstudy.grading.names import input_name, option_name
 from riserstudy.grading.rows import ErratumRow, Row, table
@@ -259,3 +259,40 @@ def test_inputs_that_explain_little_are_not_called_deciding(explained, said):
     influence = Influence("model", "the model", None, {})
     grounds = Grounds(because="inputs", decided_by=[influence], explained=explained)
     assert words.decided_by(grounds) == said
+
+
+def a_force(values):
+    return xr.Dataset({"quantity": (("sample",), values, {"units": "N"})}, attrs={"origins": "{}"})
+
+
+@pytest.mark.parametrize("unit", ["m", "1", "kN", "%", "N m", "s"])
+@pytest.mark.parametrize("check", ["number", "alone"])
+def test_a_published_unit_that_is_not_that_of_the_checked_variable_is_refused(unit, check):
+    runs = a_force([2.0]).isel(sample=0)
+    with pytest.raises(InputError, match=f"X1.unit.*{unit}.*returns 'N'"):
+        number_row({"base": runs}, unit=unit, check=check)
+    assert number_row({"base": runs}, unit="N", check=check).verdict == "reproduced"
+    assert number_row({"base": runs}, unit="kg m s-2", check=check).verdict == "reproduced"
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_ratio_of_two_forces_is_no_force(seed):
+    force = np.random.default_rng(seed).uniform(1.0, 9.0, 4)
+    about = {"id": "X1", "figure": "1", "statement": "invented", "reads": {"runs": "base"}}
+    item = Item(**about, kind="number", published=1.0, rounding=0.1, unit="1", check="ratio")
+    checks = {"ratio": lambda runs: runs["quantity"].max() / runs["quantity"].max()}
+    found = graded("paper", item, checks.__getitem__, {"base": a_force(force)})
+    assert (found.verdict, found.simulated) == ("reproduced", 1.0)
+
+
+def test_a_check_that_names_the_unit_of_its_result_is_held_to_it():
+    about = {"id": "X1", "figure": "1", "statement": "invented", "reads": {"runs": "base"}}
+    item = Item(**about, kind="number", published=0.002, rounding=0.001, unit="kN", check="largest")
+    checks = {
+        "largest": lambda runs: (runs["quantity"].max() / 1e3).assign_attrs(units="kN"),
+        "of_another_unit": lambda runs: runs["quantity"].max().assign_attrs(units="N"),
+    }
+    assert graded("paper", item, checks.__getitem__, {"base": a_force([1.0, 2.0])}).verdict == "reproduced"
+    other = item.model_copy(update={"check": "of_another_unit"})
+    with pytest.raises(InputError, match="'kN', but of_another_unit returns 'N'"):
+        graded("paper", other, checks.__getitem__, {"base": a_force([1.0, 2.0])})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from functools import cache
 from typing import Annotated
@@ -32,6 +33,19 @@ def known_unit(name: str) -> str:
     if name not in PLAIN and not _USUAL.fullmatch(text):
         _look_up(name, text)
     return name
+
+
+def factor_between(one: str, other: str) -> float:
+    """Number of the unit ``other`` in the unit ``one``, which are known; NaN if their dimensions differ."""
+    if one == other:
+        return 1.0
+    from riserstudy.scene.units import factor
+
+    one, other = ({"": "1", "%": "percent"}.get(name) or scene_notation(name) for name in (one, other))
+    try:
+        return factor("dimensionless" if one == "1" else one, "dimensionless" if other == "1" else other)
+    except (Misfit, ValueError):
+        return math.nan
 
 
 @cache

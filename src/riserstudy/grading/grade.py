@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
+from riserstudy.dataset.unit_names import factor_between
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Sources, places_of, regrade
 from riserstudy.grading.found import FALSE, NO_DIFFERENCE, TRUE, Found, answers, at_cell, consistent, judged
@@ -131,14 +132,21 @@ class Task(NamedTuple):
     def _found(self, item: Item, reads: Mapping[str, str]) -> Found:
         """The result of an item's check; the check of a published value may return a number alone.
 
-        Raises InputError when the check returns anything else.
+        Raises InputError when the check returns anything else, or a quantity in another unit.
         """
         answer = _answer(item, reads, self.checks, self.datasets)
-        if isinstance(answer, Found):
-            return answer
+        where = f"config/published/{self.paper}.yaml"
         if item.kind == "number" and isinstance(answer, int | float | xr.DataArray):
-            return Found(xr.DataArray(answer))
-        where, found = (f"config/published/{self.paper}.yaml", f"{item.check} returns {answer!r}"[:60])
+            answer = Found(xr.DataArray(answer))
+        if isinstance(answer, Found):
+            unit = str(answer.value.attrs.get("units", item.unit))
+            if item.unit and factor_between(unit, item.unit) != 1.0:
+                allowed = f"write {unit!r}, or convert the result in the check"
+                raise InputError(
+                    where, f"{item.id}.unit", f"{item.unit!r}, but {item.check} returns {unit!r}", allowed
+                )
+            return answer
+        found = f"{item.check} returns {answer!r}"[:60]
         allowed = "a claim needs judged(value, margin), a number the number itself"
         raise InputError(where, f"{item.id}.check", found, allowed)
 
@@ -297,7 +305,14 @@ def errata(file: PublishedFile, datasets: Datasets, checks: Checks) -> list[Erra
 
 
 def _answer(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: Datasets) -> Any:
-    return checks(entry.check or "")(**{name: datasets[of] for name, of in reads.items()}, **entry.options)
+    """What a check returns; with a unit only if this is a variable of a dataset, or the check names the unit.
+
+    Elsewhere xarray would keep the unit of an operand: the ratio of two forces would be a force.
+    """
+    with xr.set_options(keep_attrs=False):
+        return checks(entry.check or "")(
+            **{name: datasets[of] for name, of in reads.items()}, **entry.options
+        )
 
 
 def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:
