@@ -97,6 +97,90 @@ def test_beside_runs_that_fail_nothing_is_workable(record):
     assert hours.unknown >= high.mean()
 
 
+def board(rows):
+    """Sea states over a grid of heights and periods, (9, 9), with the numbers of rows that have them."""
+    height, period = np.meshgrid(np.linspace(1.0, 5.0, 9), np.linspace(6.0, 14.0, 9), indexing="ij")
+    states = np.column_stack([height.ravel(), period.ravel()])
+    return SeaStates(states, rows(*states.T).astype(int), np.arange(len(states)))
+
+
+def test_runs_that_fail_when_they_are_compared_make_their_surroundings_unknown():
+    """The surface is linear, so only the comparison finds the failing ones, most frequent in the record."""
+
+    def fails(height, period):
+        return np.hypot(height - 3.5, (period - 9.0) / 2.0) < 0.6
+
+    def run(states):
+        return np.where(fails(*states.T)[:, None], np.nan, states[:, :1])
+
+    of = board(lambda *sea: np.where(fails(*sea), 400, 1))
+    found = cover(of, run, np.array([1e3]), 0.05, 80)
+    assert np.isnan(found.responses).any()
+    assert np.isfinite(found.responses[found.held_out]).all()
+    assert np.isnan(found.surface.at(of.states[fails(*of.states.T)])).all()
+
+
+def test_half_of_the_compared_sea_states_are_near_a_limit():
+    """The limit is at a height that one row in a thousand has."""
+    of = board(lambda height, _: np.where(height > 4.0, 1, 2000))
+    found = cover(of, lambda states: states[:, :1], np.array([5.0]), 0.05, 80)
+    height = found.states[found.held_out, 0]
+    assert len(height) == 16
+    assert (np.abs(height - 5.0) <= 0.3 * 5.0).sum() >= 8
+
+
+@pytest.mark.parametrize("side, allowed", [("largest", 4.0), ("smallest", 0.0)])
+def test_units_of_a_response_change_nothing(side, allowed):
+    """Errors are relative to the allowable, or the usual response; uncertainties are in its unit."""
+    of = board(lambda height, _: np.ceil(9.0 - height))
+    found = []
+    for unit in (1.0, 1e-3, 2e6):
+        limit = Limit(output="effective_tension", **{side: f"{allowed * unit!r} N"}, mode="drilling")
+        own = np.array([allowed * unit])
+        one = cover(of, lambda states, u=unit: u * resonant()(states)[:, :1], own, 0.03, 80)
+        seeds = np.zeros_like(one.responses)
+        found.append((one, response_of(of, one, seeds, seeds, [limit], 0.01).off / unit))
+    (one, off), *others = found
+    true = resonant()(of.states)[:, :1]
+    assert (np.abs(one.surface.at(of.states) - true) <= off).mean() > 0.95
+    for other, changed in others:
+        np.testing.assert_array_equal(other.states, one.states)
+        np.testing.assert_allclose(other.error, one.error, rtol=1e-3)
+        np.testing.assert_allclose(changed, off, rtol=1e-3)
+
+
+def test_a_response_that_one_run_lacks_leaves_the_others_known():
+    of = board(lambda height, _: 1.0 + height)
+    responses = np.column_stack([of.states[:, 0], of.states[:, 1]])
+    lacking = 4 * 9 + 4
+    responses[lacking, 1] = np.nan
+    found = Surface(of.states, responses).at(of.states)
+    far = np.abs(of.states - of.states[lacking]).max(axis=1) > 1.01
+    np.testing.assert_allclose(found[far], of.states[far], rtol=1e-6)
+    assert np.isnan(found[lacking, 1])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_sea_states_of_some_rows_are_those_of_these_rows(seed):
+    draw = np.random.default_rng(seed)
+    of = board(lambda height, _: np.zeros_like(height))
+    state = draw.integers(-1, 12, 60)
+    rows = draw.random(60) < 0.4
+    besides = [70, 3]
+    there = of._replace(state_of_row=state).among(rows, besides)
+    expected = [of.states[k].tolist() for k in sorted({*state[rows & (state >= 0)], *besides})]
+    assert there.states.tolist() == expected
+    for k in range(60):
+        if rows[k] and state[k] >= 0:
+            assert there.states[there.state_of_row[k]].tolist() == of.states[state[k]].tolist()
+        else:
+            assert there.state_of_row[k] == -1
+    counts = [
+        sum(1 for one in state[rows] if one >= 0 and of.states[one].tolist() == each) for each in expected
+    ]
+    assert there.rows.tolist() == counts
+
+
 def test_beyond_the_sea_states_that_were_simulated_there_is_no_number():
     square = np.array([[1.0, 5.0], [1.0, 15.0], [4.0, 5.0], [4.0, 15.0], [2.0, 10.0]])
     surface = Surface(square, square)

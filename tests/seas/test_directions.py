@@ -11,9 +11,11 @@ from test_riser_downtime import RISER, SEA, demands
 from riserstudy import load_scene, simulate
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
+from riserstudy.seas.between_headings import states_between
 from riserstudy.seas.directions import FROM, Directions, directions_that_count
 from riserstudy.seas.heading_parts import headings
 from riserstudy.seas.riser_downtime import riser_downtime
+from riserstudy.seas.sea_states import SeaStates
 from riserstudy.seas.synthetic import synthetic
 from riserstudy.study.in_sea import Sea, heading_paths, in_sea
 
@@ -53,6 +55,51 @@ def test_headings_turn_the_other_way_than_bearings(record, x_towards, wave_from,
     one = record.assign({FROM: ("time", np.full(record.sizes["time"], wave_from))})
     between = Directions(72, math.radians(x_towards)).between(one)
     assert (between.lower * 5.0 + between.share * 5.0) % 360.0 == pytest.approx(heading)
+
+
+@pytest.mark.parametrize("sectors", [4, 12, 36])
+@pytest.mark.parametrize("x_towards", [0.0, 137.3, 350.0])
+def test_waves_along_the_headings_are_between_none(record, sectors, x_towards):
+    """The sums of angles round, which no row between two headings may come from."""
+    count = record.sizes["time"]
+    bearings = (x_towards + 180.0 + 360.0 / sectors * np.arange(count)) % 360.0
+    found = Directions(sectors, math.radians(x_towards)).between(record.assign({FROM: ("time", bearings)}))
+    assert not any(found.inside(k).any() for k in range(sectors))
+    np.testing.assert_array_equal(found.lower, -np.arange(count) % sectors)
+
+
+def test_rows_half_way_between_four_headings_count_half_for_each_and_with_fewer_for_one(record):
+    for sectors, parts in ((2, [0.0, 1.0]), (3, [0.0, 0.0, 1.0]), (4, [0.0, 0.0, 0.5, 0.5])):
+        away = 360.0 / sectors * np.where(sectors < 4, 0.4, 0.5)
+        one = record.assign({FROM: ("time", np.full(record.sizes["time"], 180.0 - away))})
+        found = weights(Directions(sectors, 0.0), one)
+        np.testing.assert_allclose(np.sort(found, axis=0), np.transpose([parts] * found.shape[1]), atol=1e-9)
+
+
+@pytest.mark.parametrize("count", [1, 3, 4, 40])
+def test_the_compared_sea_states_are_the_highest_and_others_of_the_rows_between(count):
+    draw = np.random.default_rng(count)
+    states = np.column_stack([draw.permutation(60) / 7.0, draw.uniform(5.0, 15.0, 60)])
+    of = SeaStates(states, np.ones(60, int), np.arange(60))
+    inside = np.isin(np.arange(60), draw.choice(60, count, replace=False))
+    found = states_between(of, inside)
+    assert len(np.unique(found, axis=0)) == len(found) == min(4, count)
+    assert found[0, 0] == states[inside, 0].max()
+    assert {*map(tuple, found)} <= {*map(tuple, states[inside])}
+
+
+def test_a_heading_of_two_rows_has_the_corners_of_the_record_and_one_of_none_has_no_sea_state(file, record):
+    bearings = np.full(record.sizes["time"], 0.0)
+    bearings[:2] = 90.0
+    one = record.assign({FROM: ("time", bearings)})
+    found = headings(file, one, Directions(4, 0.0))
+    sizes = {int(heading.of.rows.sum()): heading.of for heading in found}
+    assert sorted(sizes) == [0, 2, record.sizes["time"] - 2]
+    assert not len(sizes[0].states)
+    seas = np.column_stack([one[name].values for name in ("significant_wave_height", "peak_period")])
+    assert len(sizes[2].states) > 2
+    for side in (np.min, np.max):
+        np.testing.assert_allclose(side(sizes[2].states, axis=0), side(seas, axis=0), rtol=1e-12)
 
 
 def weights(of, record):

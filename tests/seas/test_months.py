@@ -46,6 +46,10 @@ def test_a_month_of_which_little_is_recorded_has_no_share(seed):
             assert cell == ""
         else:
             assert cell == pytest.approx(100.0 * calm[at].mean(), abs=0.05)
+    for row in found.by_month().rows:
+        at = time.year == int(row[0])
+        whole = 8 * (366 if row[0] == "2004" else 365)
+        assert row[13:] == pytest.approx([100.0 * calm[at].mean(), 100.0 * at.sum() / whole], abs=0.051)
     named = [line for line in found.notes if "months without a share" in line]
     assert named == (
         [f"months without a share, because less than 80% is recorded: {', '.join(lacking)}"] * bool(lacking)

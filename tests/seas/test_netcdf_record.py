@@ -111,6 +111,26 @@ def test_sources_give_the_same_record(tmp_path, made, near):
     assert (record["time"].values == TIME).all()
 
 
+@pytest.mark.parametrize(
+    "unit, a_second", [("Hz", 1.0), ("s-1", 1.0), ("1/s", 1.0), ("rad/s", 2 * np.pi), ("rad s-1", 2 * np.pi)]
+)
+def test_a_peak_frequency_of_each_unit_is_the_same_period(tmp_path, unit, a_second):
+    data = ww3().assign(fp=(("time", "node"), a_second / PEAK[:, None], {"units": unit}))
+    data.to_netcdf(tmp_path / "source.nc")
+    np.testing.assert_allclose(read_record(tmp_path / "source.nc")["peak_period"].values, PEAK, rtol=1e-6)
+
+
+@pytest.mark.parametrize("unit, turn", [("degrees", 360.0), ("rad", 2.0 * np.pi), ("radian", 2.0 * np.pi)])
+@pytest.mark.parametrize("away, sense", [("from", 0.0), ("to", 0.5)])
+def test_a_bearing_of_each_unit_and_sense_is_the_same(tmp_path, unit, turn, away, sense):
+    turns = (FROM / 360.0 + sense) % 1.0
+    about = {"units": unit, "standard_name": f"sea_surface_wave_{away}_direction"}
+    data = nora3().assign(thq=("time", turns * turn, about))
+    data.to_netcdf(tmp_path / "source.nc")
+    record = read_record(tmp_path / "source.nc")
+    np.testing.assert_allclose(record["wave_from_direction"].values, FROM, rtol=1e-6)
+
+
 def density(frequency):
     """JONSWAP spectra of all rows (m2/Hz), by the definition, with the heights that they are to have."""
     ratio = frequency * PEAK[:, None]
@@ -288,15 +308,16 @@ def test_a_column_of_zones_counts(tmp_path, zone, fits):
             read_record(path)
 
 
-@pytest.mark.parametrize("packed", [False, True])
+@pytest.mark.parametrize("packed, offset", [(False, 0.0), (True, 0.0), (True, 5.0)])
 @pytest.mark.parametrize("ends", ["range", "ends", "one end", "unpacked range"])
 @pytest.mark.parametrize("seed", range(3))
-def test_values_beyond_a_valid_range_are_missing(tmp_path, seed, ends, packed):
+def test_values_beyond_a_valid_range_are_missing(tmp_path, seed, ends, packed, offset):
     draw = np.random.default_rng(seed)
     heights = draw.uniform(0.5, 12.0, ROWS).round(2)
     beyond = draw.random(ROWS) < 0.4
     written = np.where(beyond, 32.0, heights)
-    scale, least, most = (0.01, 0, 2000) if packed else (1.0, 0.0, 20.0)
+    scale = 0.01 if packed else 1.0
+    least, most = (round((end - offset) / scale) for end in (0.0, 20.0))
     kind = "i2" if packed else "f4"
     if ends == "unpacked range":
         least, most, kind = 0.0, 20.0, "f8"
@@ -307,7 +328,8 @@ def test_values_beyond_a_valid_range_are_missing(tmp_path, seed, ends, packed):
         "one end": {"valid_max": np.array(most, kind)},
     }[ends]
     variables = over("time", swh=(written, "m", attributes), pp1d=(PEAK, "s"))
-    encoding = {"swh": {"dtype": "i2", "scale_factor": scale, "_FillValue": -9} if packed else {}}
+    packing = {"dtype": "i2", "scale_factor": scale, "add_offset": offset, "_FillValue": -9999}
+    encoding = {"swh": packing if packed else {}}
     xr.Dataset(variables, {"time": TIME}).to_netcdf(tmp_path / "r.nc", encoding=encoding)
     record = read_record(tmp_path / "r.nc", None)
     expected = np.where(beyond, np.nan, heights)

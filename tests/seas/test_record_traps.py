@@ -26,7 +26,7 @@ def written(tmp_path, columns, head="time", times=None):
 def test_values_that_others_write_for_none_are_values_where_they_can_be(tmp_path, seed):
     """Bearings of 99.0 deg, and 99.0 and 999 cm beside such heights; 99.0 m, 99.0 s and 999 deg are none."""
     draw = np.random.default_rng(seed)
-    bearing = draw.choice([98.0, 99.0, 100.0, 999.0], 60)
+    bearing = draw.choice([3.0, 99.0, 100.0, 999.0], 60)
     steps = [98.0, 99.0, 150.0, 250.0, 450.0, 800.0, 998.0, 999.0]
     height = np.sort([*steps, *draw.choice(steps, 52)])
     period = draw.choice([8.0, 99.0], 60)

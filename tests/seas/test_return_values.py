@@ -59,6 +59,13 @@ def test_peaks_are_of_storms_apart_and_above_their_threshold():
     at = np.sort(time[np.isin(values, peaks)])
     assert (np.diff(at) >= np.timedelta64(72, "h")).all()
     assert peaks.max() == values.max()
+    # storm after storm, each with all rows around its peak taken out
+    left, found = values.copy(), []
+    for _ in range(25):
+        top = int(left.argmax())
+        found.append(left[top])
+        left[np.abs(time - time[top]) < np.timedelta64(72, "h")] = 0.0
+    assert [*peaks, threshold] == found
 
 
 def test_missing_values_and_another_unit_change_nothing_that_they_should_not():

@@ -48,8 +48,9 @@ def demands(run):
     return [row["demand"] for row in json.loads(run.attrs["limits"])]
 
 
-def test_demands_are_those_of_runs_in_these_seas(file, found):
+def test_demands_are_those_of_runs_in_these_seas(file, record, found):
     of = found.responses
+    assert of.attrs["interval_hours"] == record.attrs["interval_hours"]
     for k in range(0, of.sizes["sea_state"], 7):
         sea = Sea(*(float(of[n][k]) for n in ("significant_wave_height", "peak_period")))
         run = simulate(in_sea(file, sea, 1), progress=False)

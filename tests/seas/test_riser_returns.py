@@ -9,7 +9,8 @@ from riserstudy.dataset.statistics import NOT_EXCEEDED
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import Limit
 from riserstudy.seas.riser_hours import Met
-from riserstudy.seas.riser_returns import Demands, returned, table_of
+from riserstudy.seas.riser_returns import OF_SCALE, Demands, returned, table_of
+from riserstudy.study import demand_in_sea
 
 INTERVAL = 6.0  # h
 A_YEAR = 1461  # rows
@@ -99,6 +100,13 @@ def test_what_is_not_known_of_the_response_widens_the_band():
         widths.append(one.by_years.high - one.by_years.low)
     assert widths[0] < widths[1] < widths[2]
     assert widths[1] > 1.9  # of 90 % of a normal distribution that is 1 to each side
+
+
+def test_the_scale_by_several_seeds_is_off_by_its_standard_error():
+    """Scales that are fitted to drawn extremes, whose distribution has a scale of one."""
+    draw = np.random.default_rng(9)
+    scales = [demand_in_sea.demand(draw.gumbel(10.0, 1.0, 40), "largest", 1.0).scale for _ in range(300)]
+    assert np.std(scales) * math.sqrt(40) == pytest.approx(OF_SCALE, rel=0.12)
 
 
 def test_a_smallest_value_is_the_mirror_of_a_largest():

@@ -193,6 +193,9 @@ def test_a_synthetic_record_has_the_statistics_that_it_is_said_to_have():
     xr.testing.assert_identical(record, synthetic(30, 2))
     assert not record.equals(synthetic(30, 3))
 
+    (steps,) = np.unique(np.diff(record["time"].values) / np.timedelta64(1, "h"))
+    assert record.attrs["interval_hours"] == steps
+
 
 @pytest.mark.parametrize("text", ["hs < 2 m", "hs <= 2", "height <= 2 m", "hs <= 2 s", "", "hs"])
 def test_a_limit_in_seas_that_cannot_be_meant_is_refused(text):

@@ -33,6 +33,7 @@ MODEL = {
     "headings": {"sectors": 2, "x_towards": "90 deg"},
     "seeds": 1,
     "error": 0.1,
+    "windows": ["147 h", "294 h"],
     "axes": {"offset": {"path": "platform.position.surge", "unit": "m", "values": [0.0, 6.0]}},
 }
 CONFIG = "papers: [mine]\ntier: standard\ntiers: {preview: {}, standard: {}, reference: {}}\n"
@@ -94,6 +95,11 @@ def test_hours_are_those_of_the_command_at_each_setting(study, made):
             assert float(of["workable"]) == mode.hours.share
             assert float(of["workable_at_worst"]) == mode.low
             assert float(of["workable_at_best"]) == mode.high
+            for hours in (147.0, 294.0):
+                wait = dict(mode.hours.of_waits(hours))["all"]
+                at = of.sel(window=hours)
+                kept = [float(at[f"wait_{name}"]) for name in ("mean", "p50", "p90")]
+                np.testing.assert_array_equal(kept, [wait.mean, wait.p50, wait.p90])
         mine = made["offset_of_sea_state"].values == offset
         np.testing.assert_array_equal(
             made["demand_of_limit"].values[mine], alone.responses["demand_of_limit"].values
