@@ -28,7 +28,7 @@ def section(chance, name, length, dressed):
         "added_mass": {"coefficient": 1.0, "diameter": f"{outer + 1e-3 * foam} m"},
     }
     if chance.random() < 0.5:
-        made["tangential_drag"] = {"coefficient": 0.01, "diameter": f"{outer} m"}
+        made["tangential_drag"] = {"coefficient": 0.01, "diameter": f"{1.25 * outer} m"}
     if dressed and chance.random() < 0.5:
         made["lines"] = [
             {

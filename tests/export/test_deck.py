@@ -73,6 +73,17 @@ def test_masses_and_drag_come_back(tmp_path, seed):
                 assert a.coefficient * a.diameter**power == pytest.approx(b.coefficient * b.diameter**power)
 
 
+@pytest.mark.parametrize("duration, ramp, stages", [(100, "20 s", [20, 80]), (15, "15 s", [15])])
+def test_the_first_stage_is_the_ramp_of_the_wave_and_both_last_as_long_as_the_run(
+    tmp_path, duration, ramp, stages
+):
+    wave = {"height": "3 m", "period": "10 s", "above_mean_level": "none", "ramp": ramp}
+    time = {"duration": f"{duration} s", "output": {"interval": "0.5 s"}}
+    deck = tmp_path / "deck.yml"
+    deck.write_text(write_deck(file_of(drawn(1) | {"wave": wave, "analysis": time})).text)
+    assert YAML(typ="safe").load(deck)["General"]["StageDuration"] == stages
+
+
 def test_what_a_deck_cannot_say_is_named(tmp_path):
     scene = drawn(0)
     scene["limits"] = [{"output": "lfj_angle", "largest": "4 deg", "mode": "drilling"}]
