@@ -111,9 +111,7 @@ class Item(Checked):
                 "published", "is inconsistent", "every number has a printed value, and no claim has one"
             )
         if (self.published is None) != (self.rounding is None):
-            raise Misfit(
-                "rounding", "is inconsistent", "the unit of the last printed digit needs a printed value"
-            )
+            raise Misfit("rounding", "is inconsistent", "give published and rounding together, or neither")
         if self.rounding and self.published and self.rounding > abs(self.published):
             raise Misfit(
                 "rounding",
