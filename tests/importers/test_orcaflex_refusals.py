@@ -32,6 +32,8 @@ pytestmark = pytest.mark.filterwarnings("ignore::ruamel.yaml.error.MantissaNoDot
         (lambda d: d["Environment"].pop("Density"), "nothing is guessed"),
         (lambda d: d["LineTypes"][0].update(EIy=100.0), "EIy: 100.0"),
         (lambda d: d["LineTypes"][1].update(Category="Stress joint"), "Homogeneous pipe"),
+        (lambda d: d["LineTypes"][0].pop("Cdx"), "Cdx or Cdn or Cd: missing; nothing is guessed"),
+        (lambda d: d["LineTypes"][1].update(Cax=None), "Cax or Can or Ca: missing; nothing is guessed"),
         (lambda d: d["Lines"][0][SECTIONS][0].__setitem__(0, "Foam"), "no line type 'Foam'"),
         (lambda d: d["Lines"][0][ENDS][1].__setitem__(0, "Buoy"), "from 'Rig' to 'Buoy'"),
         (lambda d: d["Lines"][0][ENDS][0].__setitem__(5, 90), "declination 90"),

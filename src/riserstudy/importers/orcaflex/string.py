@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.chain import Roles, depth
-from riserstudy.importers.orcaflex.deck import Part, q
+from riserstudy.importers.orcaflex.deck import GUESS, Part, q
 from riserstudy.importers.orcaflex.ends import Line, in_series
 from riserstudy.importers.orcaflex.pipe import (
     across,
@@ -124,7 +124,7 @@ def _water(kind: Part) -> dict[str, Any]:
     """Return drag and added mass of a line type."""
     outer = kind.number("OD")
     fields: dict[str, Any] = {}
-    drag, added = across(kind, "Cd"), across(kind, "Ca")
+    drag, added = _coefficient(kind, "Cd"), _coefficient(kind, "Ca")
     sliding, extra = along(kind, "Cd"), along(kind, "Ca")
     wide, long = kind.given("NormalDragLiftDiameter"), kind.given("AxialDragLiftDiameter")
     if drag:
@@ -137,6 +137,14 @@ def _water(kind: Part) -> dict[str, Any]:
     if extra:
         kind.otherwise["Ca"] = f"{extra:g} along the line is left out"
     return fields
+
+
+def _coefficient(kind: Part, name: str) -> float | None:
+    """Return a coefficient across the line; its absence, for which OrcaFlex has a default, is an error."""
+    value = across(kind, name)
+    if value is None:
+        kind.note(kind.refused(f"{name}x or {name}n or {name}", "missing", GUESS))
+    return value
 
 
 def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float, float]]:
