@@ -66,7 +66,6 @@ def test_shards_on_slurm_one_of_them_killed_give_the_numbers_of_one_local_job(fr
     assert run.wait(1500) == 0, (fresh / "said").read_text()
     said = (fresh / "said").read_text()
     assert "riserstudy: the failed step starts again" in said
-    assert said.count("has been submitted with SLURM jobid") >= 6
     assert_same_numbers(fresh, finished)
     assert len(fresh.stored()) == len(finished.stored())
     assert "0 points simulated" in (fresh / "logs/chang2020/quasi_static.log").read_text()
