@@ -260,19 +260,36 @@ def test_a_dataset_names_details_and_places():
     assert "damage" in json.loads(found.attrs["error_estimate"])
 
 
-def test_cycles_of_vortices_count_once_their_vibration_is_built_up():
-    """A riser in a current without waves: damage from the time on at which its vibration is judged."""
+def vibrating(details, seed=4, spatial=False):
+    """A run of a rig in a current without waves, whose riser vibrates by its vortices."""
     vortices = {"model": "synchronisation", "diameter": 1.0, "coefficient": 1.2}
     vortices |= {"frequencies": [0.11, 0.18, 0.26], "memory": 20.0, "seed": 3, "ramp": 30.0}
-    tree = moving(4, spatial=False, conductor=False)
+    tree = moving(seed, spatial=spatial, conductor=False)
     tree["platform"] = {"position": {"surge": 0.0}, "centre_of_rotation": {"elevation": 0.0}}
     for section in tree["riser"]:
         section["viv"] = vortices
     tree["analysis"] |= {"duration": 300.0, "output": {"interval": 0.5}}
-    tree["fatigue"] = {"angles": 8, "details": [WELD]}
+    tree["fatigue"] = {"angles": 8, "details": details}
     tree["analysis"]["step"] = 0.25
-    found = run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
+    return run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=False)
+
+
+def test_cycles_of_vortices_count_once_their_vibration_is_built_up():
+    """Damage from the time on at which the vibration is judged."""
+    found = vibrating([WELD])
     (row,) = found.facts["fatigue"]
     assert row["since"] == found.facts["vibration_since"] == 165.0
     assert row["since"] + row["time"] == pytest.approx(300.0, abs=0.5)
     assert row["largest_rate"] == np.nanmax(found.arrays["damage_rate"])
+
+
+@pytest.mark.parametrize("seed, spatial", [(3, False), (6, False), (3, True), (9, True)])
+def test_the_chance_of_several_details_is_that_of_the_most_uncertain(seed, spatial):
+    """One detail in each section: each alone, and all together in either order."""
+    names = [section["name"] for section in moving(seed, spatial=spatial, conductor=False)["riser"]]
+    details = [WELD | {"name": f"weld of {name}", "at": name} for name in names]
+    alone = [vibrating([one], seed, spatial).facts["sampling_error"]["damage"] for one in details]
+    assert max(alone) > 1.01 * min(alone) > 0.0
+    for order in (details, details[::-1]):
+        together = vibrating(order, seed, spatial).facts["sampling_error"]["damage"]
+        assert together == pytest.approx(max(alone), rel=1e-12)
