@@ -26,6 +26,10 @@ def crossing(seed: int) -> dict[str, Any]:
     highest = tree["riser"][-1]
     del highest["submerged_weight"]
     highest["mass"] = 7850.0 * 0.25 * np.pi * (highest["outer_diameter"] ** 2 - BORE**2)
+    # carries the section, which may be heavier than before: a riser that buckles has several equilibria
+    joint = tree["top"]["telescopic_joint"]
+    if "tension" in joint:
+        joint["tension"] += 9.81 * highest["mass"] * highest["length"]
     return tree
 
 

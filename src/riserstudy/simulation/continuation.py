@@ -1,4 +1,7 @@
-"""Statics by continuation: a riser with a large offset is moved there in parts, from the upright position."""
+"""Statics by continuation: a riser is moved to its offset in parts, and then loaded from the side.
+
+Newton's iteration fails from afar: a riser that is not under tension yet hardly resists a line load.
+"""
 
 from __future__ import annotations
 
@@ -63,19 +66,20 @@ def folded_at(model: Model) -> int | None:
 
 
 def by_parts(scene: Resolved, mesh: Mesh, elevation: float | None, lost: Lost) -> Settled:
-    """The equilibrium of a riser with an offset, which is applied in parts; then the current is applied.
+    """The equilibrium of a riser with an offset, which is applied in parts; then current and line loads act.
 
-    Raises SimulationError when the top has no offset, or parts become too small.
+    Raises SimulationError when the top has no offset and no line load acts, or parts become too small.
 
     Parameters
     ----------
     elevation : elevation of the ring (m), as in `build`.
     lost : model that has no equilibrium from its initial shape, and the reason.
     """
-    if not any(_aside(scene, 1.0)):
+    if not any(_aside(scene, 1.0)) and not any(section.lateral_load for section in scene.riser):
         raise _failed(scene, mesh, lost.why, 0.0)
     d = len(lost.model.s.dim)
-    calm = scene.model_copy(update={"current": None})
+    sections = [section.model_copy(update={"lateral_load": None}) for section in scene.riser]
+    calm = scene.model_copy(update={"current": None, "riser": sections})
     reached, part, total = 0.0, 1.0, 0
     last = build(_moved(calm, 0.0), mesh, elevation, d)
     try:
