@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from itertools import pairwise
+from typing import cast
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import prescribed
+from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
@@ -16,6 +18,7 @@ from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
+from riserstudy.simulation.tolerance import doubt_of
 
 COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
 RESOLVED = 2  # halvings of a mesh chosen by the engine that resolve the bending of a conductor
@@ -56,6 +59,20 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     else:
         result.facts["warnings"].append(NOT_ESTIMATED)
     return result
+
+
+def without_estimate(facts: RunFacts) -> RunFacts:
+    """Facts of a run with a prescribed mesh, without its error estimate and the warnings that follow from it.
+
+    The facts of a run for which the engine chose the mesh are returned unchanged, because such a run always
+    has an estimate.
+    """
+    if "error_estimate" not in facts or "refinements" in facts:
+        return facts
+    of_estimate = (NOT_ESTIMATED, doubt_of(facts))
+    other = {name: value for name, value in facts.items() if name != "error_estimate"}
+    other["warnings"] = [warning for warning in facts["warnings"] if warning not in of_estimate]
+    return cast("RunFacts", other)
 
 
 def refuse_unseen_periods(scene: Resolved) -> None:

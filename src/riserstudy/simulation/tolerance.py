@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError
+from riserstudy.records.facts import RunFacts
 from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import rounding
@@ -39,17 +40,22 @@ def check_error(result: Result, scene: Resolved) -> None:
     With a prescribed mesh and time step, the result is kept with a warning, and no limit counts as met.
     Raises SimulationError with the quantity, its error and the remedy, if the engine chose mesh and step.
     """
-    error = result.facts.get("error_estimate", {})
+    if doubt := doubt_of(result.facts):
+        if scene.analysis.mesh is None:
+            raise SimulationError(doubt)
+        result.facts["warnings"].append(doubt)
+
+
+def doubt_of(facts: RunFacts) -> str:
+    """The message for a run whose estimated error exceeds its largest value; empty for other runs."""
+    error = facts.get("error_estimate", {})
     if not any(value > 1.0 for value in controlled(error).values()):
-        return
-    doubt = (
+        return ""
+    return (
         f"the estimated error is larger than the result: {in_words(error)}, on "
-        f"{size(result.facts['elements'], result.facts.get('step'))}; use a finer mesh and a shorter time "
+        f"{size(facts['elements'], facts.get('step'))}; use a finer mesh and a shorter time "
         "step, or omit both, and the program chooses them"
     )
-    if scene.analysis.mesh is None:
-        raise SimulationError(doubt)
-    result.facts["warnings"].append(doubt)
 
 
 def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> None:

@@ -29,7 +29,7 @@ from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits, limited
 from riserstudy.study.modes import add_modes
 from riserstudy.study.needed import with_envelopes
-from riserstudy.study.simulate_points import Count, fill, lacks
+from riserstudy.study.simulate_points import Count, fill, has_error_estimate, lacks
 from riserstudy.study.study import Study
 
 if TYPE_CHECKING:
@@ -81,16 +81,20 @@ def results_of(
 def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: dict[Any, Any]) -> list[Point]:
     """Read the arrays that a study keeps from the store; returns the points that lack some of them.
 
-    Equal values of many points are kept in memory once, by ``shared``.
+    Equal values of many points are kept in memory once, by ``shared``. An error estimate that another study
+    with the same point required is left out, because a dataset must not depend on other studies.
     """
+    from riserstudy.simulation.prescribed_run import without_estimate
+
     extremes = limited(study)
     needed = {column.fact for column in point_columns()}  # a few of the many facts of a point
     for point in points:
         stored = store.get(point.key, study.model.keep)
         if stored is not None and not lacks(study, point, stored):
+            about = stored.facts if has_error_estimate(study, point) else without_estimate(stored.facts)
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
-                for name, value in stored.facts.items()
+                for name, value in about.items()
                 if name in needed or (extremes and name == "extremes")
             }
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
