@@ -7,21 +7,20 @@ from typing import cast
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
-from riserstudy.model.mesh import prescribed
+from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
-from riserstudy.scene.at_rest import static
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.halved import Halved, enter, error_of
+from riserstudy.simulation.resolving_mesh import are_halved, error_from_resolved, larger
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.sampling_error import floor, of_two_runs
-from riserstudy.simulation.starting_mesh import coarsest_mesh
+from riserstudy.simulation.starting_mesh import massless
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
 from riserstudy.simulation.tolerance import doubt_of
 
 COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
-RESOLVED = 2  # halvings of a mesh chosen by the engine that resolve the bending of a conductor
 NOT_ESTIMATED = "the error is not estimated, because the coarser run for the estimate failed"
 
 
@@ -49,13 +48,19 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
         return result
     seen: dict[str, Halved] = {}
     sampling = result.facts.get("sampling_error", {})
-    runs = [result, *(run for _, run in coarser)]
-    for (way, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
+    runs = [result, *(run for _, _, run in coarser)]
+    for (way, _, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
         enter(seen, way, difference(coarse, fine), floor(sampling))
     result.facts["error_estimate"] = {}
     if all(way in seen for way in ways):
         found = error_of(seen.values(), of_two_runs(sampling))
-        result.facts["error_estimate"] = _at_least(found, _in_soil(scene, elements, result, watch))
+        own = prescribed(scene, elements)
+        halved = are_halved([own, *(mesh for way, mesh, _ in coarser if way == "mesh")])
+        if not massless(scene):
+            # with the doubled time step if possible, which takes half as long
+            run, step = (coarser[0][2], 2.0 * a.step) if a.step and "step" in ways else (result, a.step)
+            found = larger(found, error_from_resolved(scene, own, run, step, halved, watch))
+        result.facts["error_estimate"] = found
     else:
         result.facts["warnings"].append(NOT_ESTIMATED)
     return result
@@ -95,39 +100,8 @@ def refuse_unseen_periods(scene: Resolved) -> None:
         )
 
 
-def _in_soil(scene: Resolved, elements: int, result: Result, watch: Watch) -> dict[str, float]:
-    """Relative difference of a run from runs on meshes that resolve the bending of the conductor in soil.
-
-    Results on meshes with longer segments differ little from each other, but much from the converged result.
-    Empty without soil, or if the scene has no equilibrium on a mesh that resolves the bending.
-    """
-    if scene.soil is None:
-        return {}
-    rest = static(scene)
-    own = prescribed(scene, elements)
-    try:
-        chosen = coarsest_mesh(rest)
-        fine = chosen
-        for _ in range(RESOLVED):
-            fine = fine.halved()
-        watch.begin(f"the static state, to estimate the error: {size(len(fine.l0), None)}")
-        found = difference(march(rest, own, None), march(rest, fine, None))
-        if scene.analysis.step and own.l0[0] > chosen.l0[0]:
-            watch.begin(f"a run that resolves the soil: {size(len(chosen.l0), scene.analysis.step)}")
-            moving = march(scene, chosen, scene.analysis.step, watch=watch, extremes=False)
-            found = _at_least(found, difference(result, moving))
-    except SimulationError:
-        return {}
-    return found
-
-
-def _at_least(error: dict[str, float], least: dict[str, float]) -> dict[str, float]:
-    """Estimated errors (1), each at least the error that was found for the quantity."""
-    return {name: max(value, least.get(name, 0.0)) for name, value in error.items()}
-
-
-def _coarser(scene: Resolved, elements: int, ways: list[str], watch: Watch) -> list[tuple[str, Result]]:
-    """Coarser runs, each with mesh or step doubled relative to the previous run, and which one it is."""
+def _coarser(scene: Resolved, elements: int, ways: list[str], watch: Watch) -> list[tuple[str, Mesh, Result]]:
+    """Coarser runs, each with its mesh, and which of mesh or step is doubled relative to the previous run."""
     step, runs = scene.analysis.step, []
     for way in (way for way in COARSER if way in ways):
         elements = max(1, elements // 2) if way == "mesh" else elements
@@ -136,7 +110,7 @@ def _coarser(scene: Resolved, elements: int, ways: list[str], watch: Watch) -> l
         watch.begin(f"a coarser run, to estimate the error: {size(len(mesh.l0), step)}")
         try:
             coarse = march(thinned(scene, step)[0], mesh, step, watch=watch, extremes=False)
-            runs.append((way, coarse))
+            runs.append((way, mesh, coarse))
         except SimulationError:  # a coarse mesh may buckle, and a long step may fail
             break
     return runs

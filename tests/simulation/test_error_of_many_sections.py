@@ -1,0 +1,70 @@
+"""The error of a run on a prescribed mesh if coarser meshes are no coarser, or if none resolves bending.
+
+A section has at least one segment: with many sections, meshes of fewer segments are nearly the same mesh, and
+the runs on them differ by little.
+"""
+
+import copy
+import random
+from itertools import pairwise
+
+import pytest
+from random_rigs import moving, written
+
+from riserstudy.model.mesh import prescribed
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.refine import run
+from riserstudy.simulation.run import single
+
+QUANTITIES = ("displacement", "moment", "tension")
+SMALL = 1e-3  # errors below which the convergence of the finest run counts
+
+
+def of_many_sections(tree, count, draw):
+    """The rig with its sections cut at random places into about this number of sections, of drawn masses."""
+    length = sum(section["length"] for section in tree["riser"])
+    sections = []
+    for section in tree["riser"]:
+        parts = max(1, round(count * section["length"] / length))
+        cuts = [0.0, *sorted(draw.random() for _ in range(parts - 1)), 1.0]
+        for k, (low, up) in enumerate(pairwise(cuts)):
+            part = copy.deepcopy(section) | {"name": f"{section['name']} {k}"}
+            part["length"] *= up - low
+            part["mass"] *= draw.uniform(0.8, 1.2)
+            if k:
+                part.pop("flex_joint_below", None)
+            sections.append(part)
+    tree["riser"] = sections
+
+
+def check_errors(tree, elements):
+    """The estimated errors of a run are at least those against a run eight times as fine."""
+    tree["analysis"]["mesh"] = {"elements": elements}
+    scene = SceneFile("rig.yaml", written(tree)).resolved()
+    found = run(scene)
+    fine = prescribed(scene, elements).halved().halved().halved()
+    true = difference(found, single(scene, fine, scene.analysis.step and scene.analysis.step / 4.0))
+    estimated = found.facts["error_estimate"]
+    for name in QUANTITIES:
+        assert true[name] <= max(1.25 * estimated[name], SMALL), (name, elements)
+
+
+@pytest.mark.parametrize("count", [0, 5, 12, 30])
+@pytest.mark.parametrize("seed", range(10))
+def test_the_error_at_rest_is_not_underestimated(seed, count):
+    for elements in (1, 2, 4, 8, 16, 32, 64):
+        tree = moving(seed, spatial=seed % 2 == 1, conductor=False)
+        of_many_sections(tree, count, random.Random(seed))
+        tree["analysis"] = {}
+        check_errors(tree, elements)
+
+
+@pytest.mark.parametrize("count", [0, 12, 30])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_error_of_a_motion_is_not_underestimated(seed, count):
+    for elements in (8, 24):
+        tree = moving(seed, spatial=seed % 2 == 1, conductor=seed % 3 == 2)
+        of_many_sections(tree, count, random.Random(seed))
+        tree["analysis"]["duration"] = 12 * tree["analysis"]["output"]["interval"]
+        check_errors(tree, elements)
