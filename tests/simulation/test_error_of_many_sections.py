@@ -11,8 +11,10 @@ from itertools import pairwise
 import pytest
 from random_rigs import moving, written
 
+from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import prescribed
 from riserstudy.scene.load import SceneFile
+from riserstudy.simulation import resolving_mesh
 from riserstudy.simulation.error_estimate import difference
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
@@ -68,3 +70,20 @@ def test_the_error_of_a_motion_is_not_underestimated(seed, count):
         of_many_sections(tree, count, random.Random(seed))
         tree["analysis"]["duration"] = 12 * tree["analysis"]["output"]["interval"]
         check_errors(tree, elements)
+
+
+@pytest.mark.parametrize("count", [1, 30])
+def test_without_any_comparison_no_error_is_estimated(count, monkeypatch):
+    """If no run on a mesh that resolves bending is possible, the coarser meshes decide, unless they are none."""
+
+    def fails(*_, **__):
+        raise SimulationError("no equilibrium")
+
+    tree = moving(0, spatial=False, conductor=False)
+    of_many_sections(tree, count, random.Random(0))
+    tree["analysis"] = {"mesh": {"elements": 24}}
+    monkeypatch.setattr(resolving_mesh, "march", fails)
+    found = run(SceneFile("rig.yaml", written(tree)).resolved()).facts
+    warned = any("the error is not estimated" in warning for warning in found["warnings"])
+    assert warned == (count == 30)
+    assert bool(found["error_estimate"]) == (count == 1)

@@ -21,7 +21,7 @@ from riserstudy.simulation.time_limit import Watch, size
 from riserstudy.simulation.tolerance import doubt_of
 
 COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
-NOT_ESTIMATED = "the error is not estimated, because the coarser run for the estimate failed"
+NOT_ESTIMATED = "the error is not estimated, because a run for the estimate failed"
 
 
 def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
@@ -46,24 +46,34 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
         ) from None
     if not estimated:
         return result
+    found = _error(scene, result, ways, coarser, watch)
+    result.facts["error_estimate"] = found or {}
+    if found is None:
+        result.facts["warnings"].append(NOT_ESTIMATED)
+    return result
+
+
+def _error(
+    scene: Resolved, result: Result, ways: list[str], coarser: list[tuple[str, Mesh, Result]], watch: Watch
+) -> dict[str, float] | None:
+    """Estimated relative error of a run, by quantity; None if a run that it requires failed."""
     seen: dict[str, Halved] = {}
     sampling = result.facts.get("sampling_error", {})
     runs = [result, *(run for _, _, run in coarser)]
     for (way, _, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
         enter(seen, way, difference(coarse, fine), floor(sampling))
-    result.facts["error_estimate"] = {}
-    if all(way in seen for way in ways):
-        found = error_of(seen.values(), of_two_runs(sampling))
-        own = prescribed(scene, elements)
-        halved = are_halved([own, *(mesh for way, mesh, _ in coarser if way == "mesh")])
-        if not massless(scene):
-            # with the doubled time step if possible, which takes half as long
-            run, step = (coarser[0][2], 2.0 * a.step) if a.step and "step" in ways else (result, a.step)
-            found = larger(found, error_from_resolved(scene, own, run, step, halved, watch))
-        result.facts["error_estimate"] = found
-    else:
-        result.facts["warnings"].append(NOT_ESTIMATED)
-    return result
+    if any(way not in seen for way in ways):
+        return None
+    found = error_of(seen.values(), of_two_runs(sampling))
+    if massless(scene):
+        return found
+    a = scene.analysis
+    own = prescribed(scene, a.mesh.elements if a.mesh else 1)
+    halved = are_halved([own, *(mesh for way, mesh, _ in coarser if way == "mesh")])
+    # with the doubled time step if possible, which takes half as long
+    run, step = (coarser[0][2], 2.0 * a.step) if a.step and "step" in ways else (result, a.step)
+    least = error_from_resolved(scene, own, run, step, halved, watch)
+    return None if least is None else larger(found, least)
 
 
 def without_estimate(facts: RunFacts) -> RunFacts:

@@ -24,12 +24,13 @@ HALF = 0.6  # largest ratio of the segments of two meshes of which one counts as
 
 def error_from_resolved(
     scene: Resolved, own: Mesh, run: Result, step: float | None, halved: bool, watch: Watch
-) -> dict[str, float]:
+) -> dict[str, float] | None:
     """Relative difference of a run from runs on meshes that resolve the bending of the riser, by quantity.
 
     Results on meshes with too long segments differ little from each other, but much from the converged
     result. Such a mesh is recognised by the coarsest mesh that the program would choose. Empty if all
-    segments are much shorter than those of the latter, and coarser meshes could be compared.
+    segments are much shorter than those of the latter, and coarser meshes could be compared. None if the
+    error is unknown, because coarser meshes could not be compared, and a run that resolves bending failed.
 
     Parameters
     ----------
@@ -37,6 +38,8 @@ def error_from_resolved(
     halved : whether each of the coarser meshes has about half the segments of the next mesh.
     """
     rest = static(scene)
+    if scene.analysis.method == "explicit":  # which would require a shorter step on shorter segments
+        scene = scene.model_copy(update={"analysis": scene.analysis.model_copy(update={"method": None})})
     found: dict[str, float] = {}
     try:
         chosen = coarsest_mesh(rest)
@@ -51,7 +54,7 @@ def error_from_resolved(
             moving = march(thinned(scene, step)[0], fine, step, watch=watch, extremes=False)
             found = larger(found, difference(run, moving))
     except SimulationError:  # no equilibrium, or a failed step, on a mesh that resolves bending
-        pass
+        return found if halved else None
     return found
 
 
