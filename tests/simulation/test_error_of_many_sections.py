@@ -74,7 +74,7 @@ def test_the_error_of_a_motion_is_not_underestimated(seed, count):
 
 @pytest.mark.parametrize("count", [1, 30])
 def test_without_any_comparison_no_error_is_estimated(count, monkeypatch):
-    """If no run on a mesh that resolves bending is possible, the coarser meshes decide, unless they are none."""
+    """If no run on a mesh that resolves bending is possible, coarser meshes decide, if there are any."""
 
     def fails(*_, **__):
         raise SimulationError("no equilibrium")
