@@ -194,7 +194,7 @@ def test_waves_beyond_the_operators_are_refused():
         ({"operators": [{"period": "5 s", "pitch": "1 m/m", "pitch_phase": "0 deg"}, ROWS[1]]}, "rad/m"),
         ({"motions": ["surge"]}, "no surge"),
         ({"motions": ["heave", "heave"]}, "heave occurs twice"),
-        ({"heading": "90 deg", "wave": {"height": "3 m", "period": "12 s"}}, "operators without headings"),
+        ({"heading": "90 deg", "wave": {"height": "3 m", "period": "12 s"}}, "operators have no headings"),
         ({"operators": [*towards(0, 1.0), *ROWS]}, "in every line or in none"),
         ({"operators": HEADED}, "'towards' or 'from'"),
         ({"operators": ROWS, "headings": "from"}, "'towards' or 'from'"),

@@ -101,7 +101,10 @@ def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
 
 def test_where_nothing_misses_that_is_all_that_is_said():
     db = database([("fine", True, None, 0.001, 0.002, None)])
-    assert missed(db, kept(fine=(None, None))).sentences.startswith("All 1 points")
+    assert (
+        missed(db, kept(fine=(None, None))).sentences
+        == "At 1 point, the estimated errors are within the tolerance."
+    )
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -113,7 +116,7 @@ def test_no_point_without_an_estimate_is_said_to_be_within_its_tolerance(seed):
     ]
     told = sum(row[-1] is not None for row in rows)
     of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
-    assert of.sentences.startswith(f"All {told} points")
+    assert of.sentences.startswith(f"At {told} point{'s' * (told != 1)}, the estimated errors are within")
     silent = len(rows) - told
     assert (f"For the other {silent}, the error was not estimated" in of.sentences) == (silent > 0)
 
@@ -122,7 +125,7 @@ def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
     rows = [("blow", True, None, 0.03, 0.03, None), ("asked", False, 0.02, 0.001, None, None)]
     rows += [(f"tuned{k}", False, 0.02, None, None, None) for k in range(3)]
     said = missed(database(rows), kept(**{row[0]: (None, None) for row in rows})).sentences
-    assert said.startswith("The estimated errors of all 1 points with a tolerance are within this tolerance")
+    assert said.startswith("At 1 point with a tolerance, the estimated errors are within it")
     assert "For 3 more, in tuned studies, the error was not estimated" in said
 
 

@@ -48,7 +48,7 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING, scene=SCENE
         ("envelope", "x_min", ["x_max"], "'x_min' is not kept"),
         ("lines", "z", ["z_max"], "'z' is not kept"),
         ("lines", "x_static", ["x"], "'x_static' is not kept"),
-        ("lines", "von_mises_stress", None, "no section whose wall is given"),
+        ("lines", "von_mises_stress", None, "no section with diameters and contents"),
         ("lines", "thrust_y_static", None, "has no value at rest"),
         ("lines", "stroke_static", None, "has no value at rest"),
         ("envelope", "effective_tension_absmax", None, "its sign has a meaning"),

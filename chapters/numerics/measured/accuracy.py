@@ -160,7 +160,7 @@ class Climb:
         if m in self._given_up:
             return Attempt(None, None, f"on a coarser mesh: {self._given_up[m]}", 0.0)
         if k in self._settled:
-            return Attempt(None, None, "on this mesh a longer step errs as much", 0.0)
+            return Attempt(None, None, "on this mesh, a longer time step has the same error", 0.0)
         one = rung(self.file, self.method, self.ladder, (k, m), self.budget, self.repeats, self._warm)
         if one.refused == Outcome.TOO_LONG:
             self._given_up[m] = one.message
@@ -285,9 +285,9 @@ def judged(one: Request, best: Reference) -> dict[str, Any]:
 
 
 ABOUT = {
-    "wall_seconds": ("s", "median wall time of a run, compiling apart"),
-    "wall_seconds_min": ("s", "least wall time of a run"),
-    "cpu_seconds": ("s", "least processor time of a run"),
+    "wall_seconds": ("s", "median elapsed time of a run, without compilation"),
+    "wall_seconds_min": ("s", "shortest elapsed time of a run"),
+    "cpu_seconds": ("s", "shortest CPU time of a run"),
     "newton_iterations": ("1", "Newton iterations; of Radau, evaluations of the forces"),
     "steps": ("1", "time steps"),
     "step": ("s", "time step; of Radau, the mean of its own"),
@@ -297,9 +297,9 @@ ABOUT = {
     "opinion_difference": ("1", "difference of fine runs by other methods from the reference"),
     "peer_error": ("1", "error of displacement of another simulator"),
     "peer_ratio": ("1", "its time divided by the time of riserstudy's cheapest run with the same error"),
-    "requested": ("1", "requested accuracy"),
-    "request_seconds": ("s", "wall time of all runs that a request took"),
-    "request_last_seconds": ("s", "time of the last of them"),
-    "request_elements": ("1", "segments that were chosen"),
-    "request_step": ("s", "step that was chosen"),
+    "requested": ("1", "tolerance"),
+    "request_seconds": ("s", "elapsed time of all runs for a tolerance"),
+    "request_last_seconds": ("s", "elapsed time of the last of these runs"),
+    "request_elements": ("1", "segments that the program chose"),
+    "request_step": ("s", "time step that the program chose"),
 }

@@ -167,10 +167,10 @@ def row(name: str, case: LongCase, label: str, step: float, tried: Attempt, best
 ABOUT = {
     "asked_step": ("s", "time step"),
     "elements": ("1", "segments"),
-    "wall_seconds": ("s", "least wall time"),
-    "cpu_seconds": ("s", "least processor time"),
-    "published_seconds": ("s", "wall time that the paper names"),
-    "target_seconds": ("s", "wall time that we aim at"),
+    "wall_seconds": ("s", "shortest elapsed time"),
+    "cpu_seconds": ("s", "shortest CPU time"),
+    "published_seconds": ("s", "elapsed time that the paper gives"),
+    "target_seconds": ("s", "aimed-at elapsed time"),
     "error_moment": ("1", "error of the moment, all nodes and outputs, over its largest value"),
     "error_peak": ("1", "error of the largest moment"),
 }

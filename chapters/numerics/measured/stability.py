@@ -363,10 +363,10 @@ BEST: Iterable[str] = (
 ABOUT = {
     "step": ("s", "time step"),
     "error": ("1", "error of moment, or of tension and displacement, against the reference"),
-    "wall_seconds": ("s", "wall time of a run, with other runs at work"),
-    "largest_stable_step": ("s", "largest step that survives"),
+    "wall_seconds": ("s", "elapsed time of a run, with other runs at the same time"),
+    "largest_stable_step": ("s", "largest step at which the run completes"),
     "largest_accurate_step": ("s", "largest step accurate to 1 %"),
-    "best_seconds": ("s", "wall time at the largest accurate step"),
+    "best_seconds": ("s", "elapsed time at the largest accurate step"),
     "best_unexplained_energy": ("1", "energy residual divided by the energy exchanged"),
     "best_numerical_dissipation": ("1", "share of the energy exchanged dissipated by the method"),
     "written_error": ("1", "error of the scene as written"),

@@ -129,9 +129,9 @@ def once(file: SceneFile, accuracy: str, patience: float) -> Attempt:
 
 
 ABOUT = {
-    "wall_seconds": ("s", "wall time with all refinements"),
+    "wall_seconds": ("s", "elapsed time with all refinements"),
     "elements": ("1", "segments"),
     "step": ("s", "time step"),
-    "estimated": ("1", "error that the run estimates"),
+    "estimated": ("1", "estimated error of the run"),
     "error": ("1", "difference of the largest value from that of the reference"),
 }

@@ -92,7 +92,7 @@ def plot(found: list[Price], title: str, target: Path) -> None:
         ax.annotate(
             f"  {_requested(p.requested)}: {p.elements} segments", (p.seconds, p.estimated), fontsize=8
         )
-    ax.set_xlabel("wall time of a run, all refinements (s)")
+    ax.set_xlabel("elapsed time of a run with all refinements (s)")
     ax.set_ylabel("estimated error (-)")
     ax.set_title(title, fontsize="medium")
     ax.margins(x=0.4)

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-from riserstudy.records.words import listed
+from riserstudy.records.words import counted, listed
 from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, share, spaced
 from riserstudy.study.models import StudyFile, StudyModel
@@ -89,17 +89,15 @@ class Missed(NamedTuple):
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
         if not self.off:
             silent = self.not_estimated + prescribed - self.estimated
-            if not silent:
-                return f"All {spaced(self.points)} points have estimated errors within their tolerance."
-            return (
-                f"All {spaced(self.points - silent)} points with an estimated error are within their "
-                f"tolerance. For the other {spaced(silent)}, the error was not estimated."
-            )
-        judged = spaced(self.requested - self.not_estimated)
+            known = self.points - silent
+            kept = f"At {counted(known, 'point', spaced)}, the estimated errors are within the tolerance."
+            other = f"For the other {spaced(silent)}, the error was not estimated."
+            return f"{kept} {other}" if silent else kept
+        judged = counted(self.requested - self.not_estimated, "point", spaced)
         requested = (
-            f"{spaced(self.missed_by_request)} of {judged} points with a tolerance have larger errors"
+            f"{spaced(self.missed_by_request)} of {judged} with a tolerance have larger errors"
             if self.missed_by_request
-            else f"The estimated errors of all {judged} points with a tolerance are within this tolerance"
+            else f"At {judged} with a tolerance, the estimated errors are within it"
         )
         if self.not_estimated:
             more = f"For {spaced(self.not_estimated)} more, in tuned studies"

@@ -90,7 +90,7 @@ QUANTITIES: dict[str, Quantity] = {
     "bending_moment": Quantity(_ACROSS, lambda s: bool(s.lateral), "N*m", along=True),
     "shear_force": Quantity(_ACROSS, lambda s: bool(s.lateral), "N", along=True),
     "von_mises_stress": Quantity(
-        "section whose wall is given: diameters, contents, gravity and water.surface",
+        "section with diameters and contents, or no gravity or water.surface",
         lambda s: not all(wall_lacks(s, section) for section in s.riser),
         "N/m^2",
         along=True,

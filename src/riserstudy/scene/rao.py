@@ -187,7 +187,7 @@ class Response(Strict):
         if self.heading is not None and self.headings is None:
             raise Misfit(
                 "heading",
-                "is given for operators without headings, whose response is that to waves from any side",
+                "is given, but the operators have no headings and apply to waves of any heading",
                 "leave it out, or give operators with headings",
             )
 

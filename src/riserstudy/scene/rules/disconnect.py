@@ -82,8 +82,11 @@ def events(scene: Parts) -> Iterator[Misfit]:
         return
     path = next(path for path, there in _sudden(scene).items() if there)
     if a.method == "explicit" or a.solver:
-        found, also = ("needs an implicit method of lumped masses", ("analysis.method", "analysis.solver"))
-        yield Misfit(path, found, "leave out analysis.method and solver", also)
+        found, also = (
+            "requires an implicit method, and the lumped-mass solver",
+            ("analysis.method", "analysis.solver"),
+        )
+        yield Misfit(path, found, "omit analysis.method and analysis.solver", also)
     if scene.vessel and scene.vessel.coupling:
         found = "is not possible with vessel.coupling"
         yield Misfit(path, found, "leave coupling out", ("vessel.coupling",))
