@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from riserstudy.report.audit import NO_REASON, missed, relevant_errors
+from riserstudy.report.audit import NO_REASON, audit, missed, relevant_errors, warned
 from riserstudy.report.wording import counted, spaced
 
 TABLES = """
@@ -33,6 +33,8 @@ insert into numbers_and_claims values
         (["bending_moment_max"], ["moment"]),
         (["x", "effective_tension"], ["displacement", "tension"]),
         (["largest_stress"], ["moment", "tension"]),
+        (["tensioner_force", "riser_reaction_x"], ["tension"]),
+        (["time_of_nothing", "bending_moment"], ["displacement", "moment"]),
     ],
 )
 def test_an_error_counts_where_what_it_tells_of_is_kept(keep, errors):
@@ -135,3 +137,62 @@ def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
 def test_thousands_stand_apart_from_five_digits_on(count, text):
     assert spaced(count).replace("\u00a0", " ") == text
     assert counted(count, "point").replace("\u00a0", " ").startswith(f"{text} point")
+
+
+@pytest.mark.parametrize("keep, misses", [(0.0099, 0), (0.0101, 1)])
+def test_without_a_requested_accuracy_an_error_of_one_per_cent_is_the_most(keep, misses):
+    of = missed(database([("runs", True, None, keep, None, None)]), kept(runs=(None, None)))
+    assert (of.off, of.worst) == (misses, keep if misses else 0.0)
+
+
+def test_points_of_both_kinds_that_miss_are_counted_apart_and_the_largest_error_is_named():
+    rows = [
+        ("asked", False, 0.001, 0.03, None, None),
+        ("blow", True, None, 0.001, 0.05, 0.2),
+        ("stop", True, None, 0.02, None, None),
+        ("fine", True, None, 0.001, None, None),
+    ]
+    of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
+    assert of.sentences.replace("\N{NO-BREAK SPACE}", " ") == (
+        "1 of 1 points with a tolerance have larger errors. The other 3 use a fixed mesh and time step; "
+        "their error was estimated for 3 of them and exceeds 1 % for 2. "
+        "The largest estimate is 20 %, in paper/blow (tension)."
+    )
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
+    """Points in any order, of which some lack values."""
+    draw = random.Random(seed)
+    db = database([])
+    db.execute("insert into studies values ('paper/runs', 'paper', 'runs', 'a caption', '{}', 'wide')")
+    points = []
+    for point in range(draw.randint(3, 12)):
+        errors = [draw.choice([None, draw.uniform(0.0, 0.02)]) for _ in range(3)]
+        spent, lost = draw.choice([None, draw.uniform(1.0, 9.0)]), draw.uniform(0.0, 1e-3)
+        text, fixed = draw.choice(["", "a warning"]), draw.random() < 0.5
+        points.append((errors, spent, lost, text, fixed))
+        row = (point, "paper/runs", "", *errors, text, spent, lost)
+        db.execute("insert into points values (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
+        if fixed:
+            db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
+    (row,) = audit(db, kept(runs=(None, None)))
+    assert (row.points, row.about) == (len(points), "a caption")
+    for k, name in enumerate(("displacement", "moment", "tension")):
+        assert row.errors[name] == max([0.0, *(p[0][k] for p in points if p[0][k] is not None)])
+    assert row.energy == max(p[2] for p in points)
+    seconds = [p[1] for p in points if p[1] is not None]
+    assert row.total == pytest.approx(sum(seconds))
+    assert row.longest == max(seconds, default=0.0)
+    assert row.warned == sum(p[3] != "" for p in points)
+    assert row.mesh == ("fixed" if all(p[4] for p in points) else "refined")
+    assert row.off == sum(any(error is not None and error > 0.01 for error in p[0]) for p in points)
+
+
+def test_the_most_frequent_warning_is_told_first_with_its_datasets():
+    db = database([("one", True, None, None, None, None), ("two", True, None, None, None, None)])
+    db.execute("update points set warnings = 'rare\nfrequent' where point = 0")
+    db.execute("update points set warnings = 'frequent' where point = 1")
+    assert [(one.points, one.datasets) for one in warned(db)] == [
+        (2, ["paper/one", "paper/two"]), (1, ["paper/one"])
+    ]  # fmt: skip

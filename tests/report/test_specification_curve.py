@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 import pytest
 
-from riserstudy.report.curve import LEFT, RIGHT, Cases, curve, options_of, ordered
+from riserstudy.report.curve import ABOVE, HIGH, LEFT, RIGHT, Cases, curve, options_of, ordered
 
 
 def cases(seed, count=60):
@@ -84,3 +84,62 @@ def test_more_options_than_fit_are_joined_and_counted():
 
 def test_names_are_escaped():
     assert "sand &amp; silt" in curve(ordered(cases(0), [])).svg
+
+
+def bars(svg, kind):
+    """Centre and height of each bar of a kind; positive heights point up."""
+    paths = re.findall(rf'class="{kind}" stroke-width="[\d.]+" d="([^"]*)"', svg)
+    found = re.findall(r"M([\d.]+) ([\d.]+)v(-?[\d.]+)", "".join(paths))
+    assert {float(y) for _, y, _ in found} <= {ABOVE + 0.5 * HIGH}
+    return [(float(x), -float(up)) for x, _, up in found]
+
+
+@pytest.mark.parametrize("most, top", [(0.04, 0.05), (0.13, 0.2), (0.2, 0.2), (0.7, 1.0)])
+def test_bars_stand_in_the_order_of_their_margins_with_their_sign_and_kind(most, top):
+    """Six cases; of two with the same value neither is met; the panel ends at the next scale."""
+    share = np.array([0.5, -1.0, 1.0, -0.2, 0.1, -0.5])
+    met = np.array([True, False, True, False, False, False])
+    same = np.array([True, False, False, True, True, False])  # what is met counts first
+    of = Cases(most * share, met, same, {}, most * share[4])
+    svg = curve(of).svg
+    width, place = (RIGHT - LEFT) / 6.0, np.argsort(np.argsort(share))
+    for kind, members in (("true", [0, 2]), ("same", [3, 4]), ("false", [1, 5])):
+        expected = sorted(
+            (LEFT + (place[k] + 0.5) * width, share[k] * most / top * 0.5 * HIGH) for k in members
+        )
+        np.testing.assert_allclose(bars(svg, kind), expected, atol=0.051)
+    said = texts(svg)
+    assert f"+{100 * top:.0f} %" in said
+    assert f"\u2212{100 * top:.0f} %" in said
+    # the triangle marks the base case: three margins are smaller
+    (x,) = re.findall(r'class="base" d="M([\d.]+) ', svg)
+    assert float(x) == pytest.approx(LEFT + 3.0 * width, abs=0.051)
+
+
+def test_a_base_case_of_the_largest_margin_sets_the_scale():
+    of = Cases(np.array([0.01, 0.02, -0.01]), np.array([True, True, False]), np.zeros(3, bool), {}, 0.4)
+    assert "+50 %" in texts(curve(of).svg)
+
+
+def test_of_many_options_the_most_frequent_are_shown():
+    values = np.array([f"option {k}" for k in range(12) for _ in range(k + 1)])
+    *most, rest = options_of(values)
+    assert {one.name for one in most} == {f"option {k}" for k in range(4, 12)}
+    assert int(rest.has.sum()) == 1 + 2 + 3 + 4
+
+
+@pytest.mark.parametrize("share, shown", [(0.015, 0), (0.025, 1)])
+def test_an_input_is_shown_from_two_per_cent_of_the_variance_on(share, shown):
+    """Two inputs of two options each, that add."""
+    large, small = np.tile([0, 1], 200), np.repeat([0, 1], 200)
+    margin = large + np.sqrt(share / (1.0 - share)) * small
+    inputs = {"large": np.array(["a", "b"])[large], "small": np.array(["c", "d"])[small]}
+    found = ordered(Cases(margin, margin > 0.0, np.zeros(400, bool), inputs, None), [])
+    assert list(found.inputs) == ["large", "small"][: 1 + shown]
+    assert found.hidden == 1 - shown
+
+
+def test_thirds_of_a_range_are_told_by_their_ends_the_largest_first():
+    parts = options_of(np.array([f"{k} kN*m^2" for k in range(1, 10)]))
+    assert [part.name for part in parts] == ["7 to 9 kN m²", "4 to 6 kN m²", "1 to 3 kN m²"]
+    assert [np.flatnonzero(part.has).tolist() for part in parts] == [[6, 7, 8], [3, 4, 5], [0, 1, 2]]
