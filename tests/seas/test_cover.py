@@ -220,6 +220,8 @@ def test_means_and_single_seeds_count_as_they_are():
     assert demand(np.array([3.0]), "largest", 6.0).value == 3.0
     assert demand(np.array([1.0, 2.0, 3.0, 4.0, 5.0]), "mean", 6.0).value == 3.0
     assert demand(np.full(5, 2.5), "smallest", 6.0) == (2.5, 0.0, 0.0)
+    # squares of deviations from 3 add to 10: a variance of 2.5 for one seed, of 0.5 for the mean of five
+    assert demand(np.array([1.0, 2.0, 3.0, 4.0, 5.0]), "mean", 6.0).deviation == pytest.approx(0.5**0.5)
     check_seeds(1)
     with pytest.raises(InputError, match="allowed are 1"):
         check_seeds(3)

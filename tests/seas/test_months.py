@@ -10,7 +10,7 @@ import xarray as xr
 from riserstudy.cli.seas import described
 from riserstudy.fatigue.occurrence import of_record
 from riserstudy.seas.hours import hours, sea_limit
-from riserstudy.study.months import MONTHS
+from riserstudy.study.months import MONTHS, uneven_months
 
 HEIGHT = "significant_wave_height"
 CALM = [sea_limit("hs <= 2 m")]
@@ -94,6 +94,15 @@ def test_whole_years_are_even_and_parts_of_years_are_noted(seed, years):
         said = [[line for line in lines if "unevenly" in line] for lines in ways]
         assert said[0] == said[1] == said[2]
         assert len(said[0]) == noted
+
+
+@pytest.mark.parametrize("lost, noted", [(0.10, False), (0.115, True)])
+def test_a_month_short_of_a_tenth_of_its_hours_is_uneven(lost, noted):
+    """July without a share of its hours has 9.2 and 10.6 % less than an even share of what is left."""
+    time = pd.date_range("2001-01-01", "2004-12-31 23:00", freq="h")
+    july = np.flatnonzero(time.month == 7)
+    time = time.delete(july[: round(lost * len(july))])
+    assert bool(uneven_months(time.to_numpy())) == noted
 
 
 @pytest.mark.parametrize("seed", range(4))
