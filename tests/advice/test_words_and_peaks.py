@@ -1,4 +1,4 @@
-"""Peaks that changes of an effect are measured by, verdicts, and their words, of runs whose answer is known."""
+"""Peaks that measure the changes of an effect, verdicts, and their words, of runs whose answer is known."""
 
 import math
 from types import SimpleNamespace
@@ -163,7 +163,8 @@ def test_an_added_current_reaches_from_one_end_of_the_riser_to_the_other(bottom,
     """An elevation that is not given follows from the other end and the length of all sections."""
     parts = [
         {"name": name, "length": length, "axial_stiffness": "5e9 N", "submerged_weight": "1 kN/m",
-         "bending_stiffness": "1e8 N*m^2", "mass": "500 kg/m", "drag": {"coefficient": 1.0, "diameter": "1 m"}}
+         "bending_stiffness": "1e8 N*m^2", "mass": "500 kg/m",
+         "drag": {"coefficient": 1.0, "diameter": "1 m"}}
         for name, length in (("a", "200 m"), ("b", "300 m"))
     ]  # fmt: skip
     tree = {

@@ -11,7 +11,7 @@ import xarray as xr
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes
 from riserstudy.study.axes import Numbers
-from riserstudy.study.collect import _named, dataset_of, write_dataset
+from riserstudy.study.collect import _named, dataset_of, laid_on, write_dataset
 from riserstudy.study.grid import Grid, Point
 from riserstudy.study.models import StudyModel
 from riserstudy.study.simulate_points import has_error_estimate, lacks
@@ -54,6 +54,28 @@ def test_a_vibration_is_kept_of_the_points_that_have_one():
 def test_numbers_are_put_at_every_path_of_their_axis():
     axis = Numbers(path=["wave.period", "platform.heave.period"], unit="s", values=[9.0])
     assert axis.overrides(9.0) == {"wave.period": "9.0 s", "platform.heave.period": "9.0 s"}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_between_nodes_a_parabola_stays_one_and_tension_is_straight(seed):
+    """Above the top there is no value; at a node, even if it is rounded, there is the node's own."""
+    draw = np.random.default_rng(seed)
+    s = np.concatenate([[0.0], np.sort(draw.uniform(20.0, 480.0, 6)), [500.0]])
+    a, b, c = draw.uniform(-1.0, 1.0, 3)
+    pull = draw.uniform(1e6, 2e6, 8)
+    arrays = {"s_node": s, "x_max": a + b * s + c * 1e-3 * s**2, "effective_tension_max": pull}
+    nodes = np.sort(np.concatenate([draw.uniform(0.0, 500.0, 30), s + 4e-7, [510.0, 533.0]]))
+    laid = laid_on(Result(arrays, FACTS), nodes).arrays
+    below = nodes < 500.5
+    assert np.isnan(laid["x_max"][~below]).all()
+    parabola = a + b * nodes + c * 1e-3 * nodes**2
+    np.testing.assert_allclose(laid["x_max"][below], parabola[below], rtol=1e-5, atol=1e-5)
+    np.testing.assert_allclose(
+        laid["effective_tension_max"][below], np.interp(nodes, s, pull)[below], rtol=1e-6
+    )
+    at_nodes = np.isin(nodes, s + 4e-7)
+    for name in ("x_max", "effective_tension_max"):
+        np.testing.assert_array_equal(laid[name][at_nodes], arrays[name])
 
 
 @pytest.mark.parametrize("nodes", [(9, 9, 9, 9), (9, 5, 9, 5), (5, 9, 17, 9)])
