@@ -148,13 +148,16 @@ def test_without_a_requested_accuracy_an_error_of_one_per_cent_is_the_most(keep,
 def test_points_of_both_kinds_that_miss_are_counted_apart_and_the_largest_error_is_named():
     rows = [
         ("asked", False, 0.001, 0.03, None, None),
+        ("again", False, 0.01, 0.005, None, None),
+        ("none", False, 0.01, None, None, None),
         ("blow", True, None, 0.001, 0.05, 0.2),
         ("stop", True, None, 0.02, None, None),
         ("fine", True, None, 0.001, None, None),
     ]
     of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
     assert of.sentences.replace("\N{NO-BREAK SPACE}", " ") == (
-        "1 of 1 points with a tolerance have larger errors. The other 3 use a fixed mesh and time step; "
+        "1 of 2 points with a tolerance have larger errors. For 1 more, in tuned studies, "
+        "the error was not estimated. The other 3 use a fixed mesh and time step; "
         "their error was estimated for 3 of them and exceeds 1 % for 2. "
         "The largest estimate is 20 %, in paper/blow (tension)."
     )
