@@ -57,7 +57,8 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     if known:
         first = max(known, key=lambda k: float(shares[k]))
         named, share = WORDS.get(names[first], names[first]), shares[first]
-        headline(figure, f"The {named} explains {share:.0f} % of the spread, more than others")
+        most = ", more than others" if share >= shares.max() else ""
+        headline(figure, f"The {named} explains {share:.0f} % of the spread{most}")
     else:
         headline(figure, "Fatigue damage of a conductor over the unknown inputs of a well")
     return figure
