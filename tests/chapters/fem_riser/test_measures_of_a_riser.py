@@ -128,3 +128,10 @@ def test_the_current_is_largest_at_the_surface_and_leaves_only_the_drift_s_rest_
     drift = 0.0127 / np.sqrt(np.sin(np.deg2rad(20.0))) * 20.0 / np.sqrt(2.0)
     assert float(found[0]) == pytest.approx(0.75 + drift, rel=1e-6)
     assert abs(float(found[-1])) < 1e-6
+
+
+def test_water_is_the_same_whatever_elevations_are_measured_from():
+    lower = {"water": TREE["water"] | {"seabed": "-700 m", "surface": "1300 m"}}
+    lower["bottom"] = TREE["bottom"] | {"elevation": "-700 m"}
+    found = water(xr.Dataset(attrs={"scene": json.dumps(TREE | lower)}))
+    xr.testing.assert_allclose(found, of_wave(8.0), atol=1e-12)
