@@ -9,9 +9,12 @@ import xarray as xr
 
 from chapters.liu2017 import derived
 from chapters.liu2017.limits import LIMITS
+from riserstudy.dataset.label import labelled
 from riserstudy.scene.load import read_scene
+from riserstudy.simulation.refine import run as simulated
 
-TREE = read_scene(Path(__file__).parents[3] / "config/scenes/liu2017/ref_0.yaml").tree
+FILE = read_scene(Path(__file__).parents[3] / "config/scenes/liu2017/ref_0.yaml")
+TREE = FILE.tree
 SCENE = {"scene": json.dumps(TREE)}
 TIME = np.arange(0.0, 101.0)
 TENSION = 3.02e6  # N, printed
@@ -170,3 +173,25 @@ def test_a_riser_at_rest_has_the_angles_strokes_and_stresses_of_its_shape():
     area, modulus = pipe(TREE["riser"][0])
     stresses = [3e6 / area + 2e5 / modulus, 2e6 / area + 6e5 / modulus, 1e6 / area + 4e5 / modulus]
     assert used["conductor"] == pytest.approx(max(stresses))
+
+
+@pytest.mark.parametrize("offset, speed", [(120.0, 0.6), (-90.0, 0.3), (60.0, -1.0)])
+def test_angles_at_rest_are_those_that_the_engine_gives_at_the_start_of_a_run(offset, speed):
+    """With their signs: of the chord and of the moments in the joint, and of the lower joint's moment."""
+    held = FILE.with_values(
+        {"vessel": None, "wave": None, "top.x": "held", "top.offset": f"{offset} m"}, "test"
+    )
+    held = held.with_values({"current.profile.surface_speed": f"{speed} m/s"}, "test")
+    held = held.with_values({"analysis": {"mesh": {"elements": 80}}}, "test")
+    moving = {"analysis": {"mesh": {"elements": 80}, "duration": "1 s", "step": "0.5 s",
+                           "output": {"interval": "0.5 s"}}}  # fmt: skip
+    rest = labelled(simulated(held.resolved(), estimated=False))
+    start = labelled(simulated(held.with_values(moving, "test").resolved(), estimated=False)).isel(time=0)
+    runs = rest.expand_dims(surface_speed=[0.0], offset=[0.0]).assign_attrs(SCENE)
+    share = derived.envelope(runs)["limit_share"].squeeze()
+    found = derived._at_rest(runs).squeeze()
+    for name, joint in (("ufj_angle", "upper flex joint"), ("lfj_angle", "lower flex joint")):
+        assert float(found[name]) == pytest.approx(float(start[name]), rel=1e-5)
+        used = abs(float(start[name])) / LIMITS[joint].most
+        assert float(share.sel(limit=joint)) == pytest.approx(used, rel=1e-5)
+    assert float(found["ufj_angle"]) * offset > 0.0
