@@ -9,7 +9,7 @@ import xarray as xr
 from scipy.optimize import brentq
 
 from chapters.fem_riser.along import measures
-from chapters.fem_riser.derived import BEAM, rest, sample_error, water
+from chapters.fem_riser.derived import BEAM, LUMPED, lumped_trends, reading_trends, rest, sample_error, water
 from riserstudy.scene.load import read_scene
 
 BASE = Path(__file__).parents[3] / "config/scenes/fem_riser/base.yaml"
@@ -88,6 +88,41 @@ def test_measures_keep_their_axis_and_have_units():
     found = rest(bent(5.0, 50.0, 0.0, 0.5)[0].expand_dims(case=["soft"]))
     assert found["stress_by_case"].dims == ("case",)
     assert found["stress_by_case"].attrs["units"] == "Pa"
+
+
+def over(name, levels):
+    """Runs over an axis, each with its own deflection (m)."""
+    runs = [bent(0.0, level, 0.0, 0.5)[0] for level in levels.values()]
+    return xr.concat(runs, xr.DataArray(list(levels), dims=name, name=name), combine_attrs="override")
+
+
+def test_the_share_that_blocks_carry_is_what_the_left_weight_lacks():
+    """30 % left is a factor of 0.7 in R4, whose deflection stands beside those of other interpretations."""
+    others = over("buoyant_factor", {0.3: 40.0, 0.7: 50.0}).expand_dims(reading=["R1"])
+    found = reading_trends(others, over("weight_left", {0.7: 60.0, 0.3: 70.0}))["deflection_by_factor"]
+    for reading, factor, level in (
+        ("R1", 0.3, 40.0),
+        ("R1", 0.7, 50.0),
+        ("R4", 0.3, 60.0),
+        ("R4", 0.7, 70.0),
+    ):
+        assert found.sel(reading=reading, buoyant_factor=factor).item() == pytest.approx(level + 0.5)
+
+
+def test_lengths_of_a_trend_are_those_of_the_scenes_and_other_axes_their_own():
+    studies = {}
+    for length in (500, 1000, 1500):
+        tree = TREE | {"riser": [TREE["riser"][0] | {"length": f"{length} m"}]}
+        runs = over("solver", {BEAM: 10.0, LUMPED: 0.02 * length})
+        studies[f"length_{length}"] = runs.assign_attrs(scene=json.dumps(tree))
+    for name in ("tension_ratio", "buoyant_factor"):
+        both = [over(name, {1.1: 1.0, 1.3: 1.0}), over(name, {1.1: 30.0, 1.3: 40.0})]
+        studies[name] = xr.concat(both, xr.Variable("solver", [BEAM, LUMPED]), combine_attrs="override")
+    found = lumped_trends(**studies)
+    assert found["length"].values.tolist() == [500.0, 1000.0, 1500.0]
+    assert found["deflection_by_length"].values == pytest.approx([10.5, 20.5, 30.5])
+    assert found["deflection_by_ratio"].values == pytest.approx([30.5, 40.5])
+    assert found["vibration_by_factor"].values == pytest.approx([0.5, 0.5])
 
 
 def of_wave(period, **wave):

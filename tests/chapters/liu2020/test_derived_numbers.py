@@ -185,6 +185,22 @@ def test_methods_that_differ_at_one_depth_are_apart_by_this(monkeypatch):
         np.testing.assert_allclose(found["displacement"].sel(code=code), exact, atol=within)
 
 
+def test_assumed_currents_are_shares_of_their_surface_speed_by_depth(monkeypatch):
+    """A ramp of 0.8 m/s, and a calibrated parabola of 1 m/s; the surface is at 40 m."""
+    lower = {"bottom.elevation": "-493 m", "water.seabed": "-493 m", "water.surface": "40 m"}
+    ramp = load_scene(SCENES / "check_riser.yaml", **lower).resolved()
+    bowl = {"shape": "power", "power": 2, "surface_speed": "1 m/s"}
+    parabola = load_scene(SCENES / "check_riser.yaml", **lower, **{"current.profile": bowl}).resolved()
+    places = iter([[({"current_profile": "ramp"}, ramp)], [({"calibration": "fit"}, parabola)]])
+    monkeypatch.setattr(codes, "scenes_of", lambda _: iter(next(places)))
+    checked = xr.Dataset({"x": (("contents", "s_node"), np.zeros((1, 3)))}, {"s_node": [0.0, 9.0, 533.0]})
+    tuned = xr.Dataset(coords={"tensioner_model": ["gas law"], "surface_speed": [1.0]})
+    found = codes.current_profiles(checked, tuned)["current_share"]
+    left = 1.0 - found["depth"] / 533.0
+    np.testing.assert_allclose(found.sel(current_profile="ramp"), left, atol=1e-9)
+    np.testing.assert_allclose(found.sel(current_profile="calibrated: fit"), left**2, atol=1e-3)
+
+
 def test_displacements_differ_from_the_gas_law_s_by_their_mean_square():
     """The second model moves 1.5 times as far; the third late by half a turn; a jump before the last wave."""
     time = np.arange(0.0, 60.01, 0.25)

@@ -9,6 +9,7 @@ from mao import CONFIG, PAPER, WORD
 
 from chapters.mao_hangoff.claims.further import moments_vary, upper_half_moves_faster
 from chapters.mao_hangoff.claims.heave import amplitude_grows_with_depth, level_rises, one_frequency
+from chapters.mao_hangoff.derived import towed as derived_towed
 from chapters.mao_hangoff.derived.limits import speed_limits, tension_limits
 from chapters.mao_hangoff.derived.towed import towed
 from chapters.mao_hangoff.runs import at_nodes_of_paper, misses_of_print
@@ -197,3 +198,16 @@ def test_one_frequency_has_nine_tenths_of_the_motion(other, true):
     found = one_frequency(heaving(0.0, (1.0, 2.0, 3.0), other), [0.0, 100.0, 400.0])
     assert float(found.value) == pytest.approx(1.0 / (1.0 + other**2), rel=2e-3)
     assert bool(found.true) == true
+
+
+def test_profiles_of_the_current_fall_from_one_at_the_surface(monkeypatch):
+    """The layer of the steady scene: full down to 100 m, none from 300 m on, without the platform."""
+    layer = STEADY["current"]["profile"]["sum"][1]
+    steady_scene = read_scene(CONFIG / "scenes" / PAPER / "steady.yaml")
+    scene = steady_scene.with_values({"current.profile": layer}, "test").resolved()
+    monkeypatch.setattr(derived_towed, "scenes_of", lambda _: iter([({"current_profile": "layer"}, scene)]))
+    axes = {name: ["one"] for name in ("riser_weight", "flow")} | {"lmrp_mass": [140.0]}
+    found = derived_towed.current_profiles(xr.Dataset(coords=axes))["current_share"].isel(current_profile=0)
+    assert found.sel(below_surface=[0.0, 50.0, 95.0]).values == pytest.approx([1.0, 1.0, 1.0])
+    assert found.sel(below_surface=[305.0, 900.0, 1800.0]).values == pytest.approx([0.0, 0.0, 0.0])
+    assert 0.0 < found.sel(below_surface=250.0) < found.sel(below_surface=150.0) < 1.0
