@@ -1,6 +1,7 @@
 """Peaks that measure the changes of an effect, verdicts, and their words, of runs whose answer is known."""
 
 import math
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -25,7 +26,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.effects.catalogue import changes
 from riserstudy.model.build import build
 from riserstudy.model.mesh import even
-from riserstudy.scene.load import SceneFile
+from riserstudy.scene.load import SceneFile, read_scene
 
 S = np.array([0.0, 10.0, 20.0, 30.0])
 LIMITS = (0.02, 0.05, 0.05)
@@ -179,3 +180,11 @@ def test_an_added_current_reaches_from_one_end_of_the_riser_to_the_other(bottom,
     ]
     over = added[0].resolved().current.profile
     assert (over.seabed, over.surface) == ((-500.0, 0.0) if None in (bottom, top) else (bottom, top))
+
+
+def test_a_body_without_added_mass_gets_half_of_its_mass():
+    file = read_scene(Path(__file__).parents[2] / "config/scenes/mao_hangoff/evacuation.yaml")
+    body = {"name": "LMRP", "mass": "84 t", "density": "7850 kg/m^3"}
+    bare = file.with_values({"bottom.body": body}, "test")
+    (heavy,) = [other for change, other in fitting(bare) if change.label == "with body's added mass"]
+    assert heavy.resolved().bottom.body.added_mass.horizontal == 42e3

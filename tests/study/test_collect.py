@@ -56,6 +56,14 @@ def test_numbers_are_put_at_every_path_of_their_axis():
     assert axis.overrides(9.0) == {"wave.period": "9.0 s", "platform.heave.period": "9.0 s"}
 
 
+@pytest.mark.parametrize(
+    "factor, offset, text", [(2.5, None, "10.0 m"), (0.5, 3.0, "5.0 m"), (None, -1.0, "3.0 m")]
+)
+def test_a_number_is_multiplied_before_it_is_shifted(factor, offset, text):
+    axis = Numbers(path="top.offset", unit="m", factor=factor, offset=offset, values=[4.0])
+    assert axis.overrides(4.0) == {"top.offset": text}
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_between_nodes_a_parabola_stays_one_and_tension_is_straight(seed):
     """Above the top there is no value; at a node, even if it is rounded, there is the node's own."""
