@@ -64,7 +64,7 @@ def build(scene: Resolved, mesh: Mesh, ring_elevation: float | None = None, d: i
     model.s.r[:, : of.last + 1] = first_shape(of)
     first_phases(scene, mesh, model)
     for state in (model.s, model.spare.value):
-        blend_by_weight(state.blend, mesh, of.weight)
+        blend_by_weight(state.blend, state.kink, mesh, of.weight)
     return model
 
 

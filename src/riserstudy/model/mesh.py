@@ -163,20 +163,36 @@ def graded(
     return _with_joint(scene, l0, section)._replace(mapping=tuple(mapping))
 
 
-def blend_by_weight(blend: NDArray[np.float64], mesh: Mesh, weight: NDArray[np.float64]) -> None:
-    """Set the share of the upper segment in the tension at nodes where sections of different weight meet.
+def blend_by_weight(
+    blend: NDArray[np.float64], kink: NDArray[np.float64], mesh: Mesh, weight: NDArray[np.float64]
+) -> None:
+    """Set how the tension at nodes where sections of different weight meet follows from both segments.
 
-    The tension has a corner there, and is a mean of the tensions of both segments, by their weights.
-    Above a body that turns with the riser's end the tension jumps, and the tension of the riser is used.
+    The tension has a corner there. If both segments are heavy, or both are buoyant, it is a mean of the
+    tensions of both segments, by their weights. Otherwise the tension has an extreme there, which may be
+    outside the range of these tensions: their mean by lengths, plus a constant force. Below a telescopic
+    joint, the tension continues that of the two highest segments; a constant force corrects it if they differ
+    in weight. Above a body that turns with the riser's end the tension jumps, and the tension of the riser is
+    used.
 
     Parameters
     ----------
-    blend : (n+1,) shares, changed where sections meet.
+    blend : (n+1,) shares of the upper segment, changed where sections meet.
+    kink : (n+1,) forces (N), changed where sections meet.
     weight : (n,) weight in water per length (N/m).
     """
-    if mesh.body:
-        blend[1] = 1.0
-    heavy = np.abs(weight) * mesh.l0
+    heavy = weight * mesh.l0
     for i in range(1, mesh.ring):
-        if mesh.section[i - 1] != mesh.section[i] and heavy[i - 1 : i + 1].min() > 0.0:
-            blend[i] = heavy[i - 1] / heavy[i - 1 : i + 1].sum()
+        below, above = heavy[i - 1 : i + 1].tolist()
+        if mesh.section[i - 1] == mesh.section[i]:
+            continue
+        if below * above > 0.0:
+            blend[i] = below / (below + above)
+        else:
+            kink[i] = 0.5 * (below - float(blend[i]) * (below + above))
+    if mesh.body:
+        blend[1], kink[1] = 1.0, 0.0
+    if mesh.joint and mesh.ring > 1 and mesh.section[mesh.ring - 1] != mesh.section[mesh.ring - 2]:
+        last = slice(mesh.ring - 2, mesh.ring)
+        mean = float(heavy[last].sum() / mesh.l0[last].sum())
+        kink[mesh.ring] = 0.5 * float(mesh.l0[mesh.ring - 1] * (weight[mesh.ring - 1] - mean))

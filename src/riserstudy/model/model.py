@@ -125,6 +125,7 @@ class Model:
                 "a",
                 "moment",
                 "blend",
+                "kink",
                 "reach",
                 "deck",
                 "carried",

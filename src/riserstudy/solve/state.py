@@ -68,6 +68,7 @@ class State(NamedTuple):
     water_rate: np.ndarray  # (d, n+1) water acceleration at the nodes (m/s2)
 
     blend: np.ndarray  # (n+1,) share of the segment above in the tension at a node
+    kink: np.ndarray  # (n+1,) force of a change of weight at a node, added to this tension (N)
 
     density: np.ndarray  # (d, n+1) scratch: a load per length at the nodes
     block: np.ndarray  # (n+1, d*d) scratch: minus its derivative by the position of the node
@@ -163,6 +164,7 @@ def new_state(
         shear=shear,
         water_rate=water_rate,
         blend=zeros(n + 1),
+        kink=zeros(n + 1),
         density=zeros(d, n + 1),
         block=zeros(n + 1, d * d),
         segment=segment,

@@ -14,8 +14,9 @@ def tabulate(s, record, values):
 
     Shear and stress are included if the record requests them.
 
-    Tension at a node is a mean of the tensions of its segments by ``s.blend``. At the ends it is the force
-    that holds the string, which includes weight, drag and inertia of the end node.
+    Tension at a node is a mean of the tensions of its segments by ``s.blend``, plus ``s.kink`` where sections
+    of different weight meet. At the ends it is the force that holds the string, which includes weight, drag
+    and inertia of the end node.
     """
     d, n = len(s.dim), s.l0.shape[0]
     for c in range(d):
@@ -29,6 +30,7 @@ def tabulate(s, record, values):
             values[d, i] = below + s.blend[i] * (above - below)
         else:  # no tension above: the tension of the segment below, continued to its end
             values[d, i] = below + (below - before) * s.l0[i - 1] / (s.l0[i - 1] + s.l0[max(i - 2, 0)])
+        values[d, i] += s.kink[i] * s.tangent[d - 1, i - 1]
         before, below = below, above
     values[d, 0], values[d, n] = 0.0, 0.0
     for c in range(d):
