@@ -8,6 +8,9 @@ if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
 ROUNDED = 1.0  # m, to which papers round elevations of decks
+# distance (m) from the water surface up to which an end of a section counts as an end at the surface: the sum
+# of many lengths has a rounding error, which must not become a section
+AT_SURFACE = 1e-6
 
 
 class Span(NamedTuple):
@@ -27,7 +30,10 @@ def span(scene: Parts) -> Span | None:
 
 
 def levels(scene: Parts, k: int) -> tuple[float, float] | None:
-    """Elevations of a section's ends before it stretches (m); None where they are not given."""
+    """Elevations of a section's ends before it stretches (m); None where they are not given.
+
+    An end is exactly at the water surface if only a rounding error is between them.
+    """
     lengths = [section.total_length for section in scene.riser]
     bottom = scene.bottom.elevation
     if bottom is None:
@@ -35,7 +41,12 @@ def levels(scene: Parts, k: int) -> tuple[float, float] | None:
             return None
         bottom = scene.top.elevation - sum(lengths)
     low = bottom + sum(lengths[:k])
-    return low, low + lengths[k]
+    surface = scene.water.surface if scene.water else None
+    at = [
+        surface if surface is not None and abs(z - surface) < AT_SURFACE else z
+        for z in (low, low + lengths[k])
+    ]
+    return at[0], at[1]
 
 
 def length_of(scene: Parts) -> float:
