@@ -11,7 +11,7 @@ from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import Halved, enter, error_of
+from riserstudy.simulation.halved import Halved, enter, error_of, most_fall
 from riserstudy.simulation.resolving_mesh import are_halved, error_from_resolved, larger
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.sampling_error import floor, of_two_runs
@@ -61,7 +61,7 @@ def _error(
     sampling = result.facts.get("sampling_error", {})
     runs = [result, *(run for _, _, run in coarser)]
     for (way, _, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
-        enter(seen, way, difference(coarse, fine), floor(sampling))
+        enter(seen, way, difference(coarse, fine), floor(sampling), most_fall(scene, way))
     if any(way not in seen for way in ways):
         return None
     found = error_of(seen.values(), of_two_runs(sampling))

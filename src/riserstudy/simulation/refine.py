@@ -16,6 +16,7 @@ from riserstudy.records.numerals import duration, percent
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import RUNS, Convergence
 from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.halved import most_fall
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import refuse_unseen_periods, run_prescribed
 from riserstudy.simulation.refinement_warnings import missed_accuracy, slow_convergence, sparse_outputs
@@ -97,7 +98,8 @@ class Refinement:
 
     def _convergence(self, ways: list[str]) -> Convergence:
         """The errors to be estimated, and the rule by which mesh or step is chosen."""
-        return Convergence(allowed_of(self.scene), ways)
+        most = {way: most_fall(self.scene, way) for way in ways}
+        return Convergence(allowed_of(self.scene), ways, most)
 
     def result(self) -> Result:
         """The finest run, with its estimated error.
