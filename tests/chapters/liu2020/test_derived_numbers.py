@@ -252,3 +252,23 @@ def test_responses_of_platforms_are_drawn_under_their_own_names(monkeypatch):
     assert sorted(called) == ["heave", "pitch", "surge"]
     for name, expected in (("surge", 3.0), ("heave", 2.0), ("pitch", 1.0)):
         assert (found[f"rao_{name}"] == expected).all()
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+def test_the_stress_is_that_of_the_fibre_in_which_tension_and_bending_add(sign, monkeypatch):
+    """20 MPa by tension and 30 MPa by bending, in phase or not: one fibre swings by 50 MPa."""
+    scene = load_scene(SCENES / "system.yaml").resolved()
+    monkeypatch.setattr(motion, "scenes_of", lambda _: iter([({}, scene)]))
+    outer, inner = 0.5 * scene.riser[0].outer_diameter, 0.5 * scene.riser[0].inner_diameter
+    time = np.arange(0.0, 30.01, 0.05)
+    wave = np.cos(2.0 * np.pi * time / PERIODS[:, None])[..., None] * np.array([0.5, 1.0, 9.0])
+    tension = 2e6 + 20e6 * np.pi * (outer**2 - inner**2) * wave
+    moment = sign * 30e6 * np.pi * (outer**4 - inner**4) / (4.0 * outer) * wave
+    dims = ("wave_period", "time", "s")
+    runs = xr.Dataset(
+        {"effective_tension": (dims, tension), "bending_moment": (dims, moment),
+         "point_key": ("wave_period", ["a", "b"])},
+        {"wave_period": PERIODS, "time": time, "s": [100.0, 533.0, 545.0]},
+    )  # fmt: skip
+    found = motion.waves(runs)["stress_amplitude"]
+    np.testing.assert_allclose(found, 50e6, rtol=1e-3)
