@@ -11,6 +11,7 @@ from __future__ import annotations
 from riserstudy.dataset.result import Result
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import Convergence
+from riserstudy.simulation.halved import most_fall
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.time_limit import Watch
 from riserstudy.simulation.tolerance import allowed_of, in_words
@@ -46,7 +47,8 @@ class VibrationRefinement(Refinement):
         self.halvings = dict.fromkeys(self.convergence.ways, 0)
 
     def _convergence(self, ways: list[str]) -> Convergence:
-        return VibrationConvergence(allowed_of(self.scene), ways)
+        most = {way: most_fall(self.scene, way) for way in ways}
+        return VibrationConvergence(allowed_of(self.scene), ways, most)
 
     def result(self) -> Result:
         """The finest run with its estimated error, and with a warning if chance exceeds the tolerance.
