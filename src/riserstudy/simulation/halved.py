@@ -40,7 +40,8 @@ class Halved:
         # If the other of mesh and step was halved in between, changes are comparable only to second order;
         # and after a decrease of less than second order, a steep decrease may be chance.
         doubtful = before and (before.since or before.fall < SURE_FALL)
-        self.error = estimate(change, before.change if before else None, SURE_FALL if doubtful else most)
+        most = min(SURE_FALL, most) if doubtful else most
+        self.error = estimate(change, before.change if before else None, most)
         chance = floor or {}
         #: errors of quantities whose change exceeds chance, which a finer run would reduce
         self.above = {k: v for k, v in self.error.items() if change[k] > chance.get(k, 0.0)}

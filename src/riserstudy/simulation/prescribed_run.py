@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from itertools import pairwise
 from typing import cast
 
@@ -9,8 +10,9 @@ from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
+from riserstudy.records.numerals import at_most
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.error_estimate import LEAST_FALL, MOST_FALL, difference
 from riserstudy.simulation.halved import Halved, enter, error_of, most_fall
 from riserstudy.simulation.resolving_mesh import are_halved, error_from_resolved, larger
 from riserstudy.simulation.run import march, single
@@ -21,6 +23,11 @@ from riserstudy.simulation.time_limit import Watch, size
 from riserstudy.simulation.tolerance import doubt_of
 
 COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
+#: largest decrease of differences that is used for a step with fewer than so many steps in the shortest period:
+#: coarser runs then do not show the order of the method
+TRUSTED = {8.0: LEAST_FALL, 24.0: 2.0}
+ROUNDING = 1e-9  # relative rounding error of a step
+FEWEST_STEPS = 4.0  # in the period of a regular motion; with fewer, a doubled step can see its zeros alone
 NOT_ESTIMATED = "the error is not estimated, because a run for the estimate failed"
 
 
@@ -61,7 +68,9 @@ def _error(
     sampling = result.facts.get("sampling_error", {})
     runs = [result, *(run for _, _, run in coarser)]
     for (way, _, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
-        enter(seen, way, difference(coarse, fine), floor(sampling), most_fall(scene, way))
+        most = most_fall(scene, way)
+        most = min(most, _trusted(scene)) if way == "step" else most
+        enter(seen, way, difference(coarse, fine), floor(sampling), most)
     if any(way not in seen for way in ways):
         return None
     found = error_of(seen.values(), of_two_runs(sampling))
@@ -74,6 +83,12 @@ def _error(
     run, step = (coarser[0][2], 2.0 * a.step) if a.step and "step" in ways else (result, a.step)
     least = error_from_resolved(scene, own, run, step, halved, watch)
     return None if least is None else larger(found, least)
+
+
+def _trusted(scene: Resolved) -> float:
+    """Largest decrease of differences by halving the scene's step that the estimate uses."""
+    steps = (scene.shortest_period or math.inf) / (scene.analysis.step or 1.0)
+    return next((most for fewest, most in TRUSTED.items() if steps < fewest * (1.0 - ROUNDING)), MOST_FALL)
 
 
 def without_estimate(facts: RunFacts) -> RunFacts:
@@ -91,10 +106,11 @@ def without_estimate(facts: RunFacts) -> RunFacts:
 
 
 def refuse_unseen_periods(scene: Resolved) -> None:
-    """Refuse a prescribed time step of at least half the period of a regular motion or wave.
+    """Refuse a prescribed time step of more than a quarter of the period of a regular motion or wave.
 
-    Steps, also those of coarser runs, can then fall on the zeros of the motion alone. Neither the result nor
-    its estimated error contains the motion.
+    Steps of half a period can fall on the zeros of the motion alone, and do not show it. A run with doubled
+    steps, which is necessary for the error estimate, then shows nothing of the motion or another motion, and
+    the estimate is too small.
 
     Raises
     ------
@@ -102,11 +118,13 @@ def refuse_unseen_periods(scene: Resolved) -> None:
         With the step, the period and the remedy.
     """
     step, shortest = scene.analysis.step, scene.shortest_regular_period
-    if scene.analysis.duration and step and shortest and 2.0 * step >= shortest:
+    longest = shortest and shortest / FEWEST_STEPS
+    if scene.analysis.duration and step and shortest and longest and step > longest * (1.0 + ROUNDING):
         raise SimulationError(
-            f"analysis.step: {step:g} s is at least half of {shortest:g} s, the shortest period of platform "
-            "and waves: steps can fall on the zeros of the motion alone; give a shorter step, or omit mesh "
-            "and step, and the program chooses them"
+            f"analysis.step: {step:g} s is more than a quarter of {shortest:g} s, the shortest period of "
+            "platform and waves: the run, or a run with doubled steps that shows its error, can miss the "
+            f"motion; give a step of at most {at_most(longest)} s, or omit mesh and step, and the program "
+            "chooses them"
         )
 
 

@@ -1,4 +1,4 @@
-"""A time step of half a period sees only the zeros of a motion: refused, whatever has the period."""
+"""A step of over a quarter of a period is refused: with doubled steps, a run sees zeros of motion alone."""
 
 import numpy as np
 import pytest
@@ -27,12 +27,12 @@ def ended(tree, step):
     return run(file.resolved(), estimated=False)
 
 
-@pytest.mark.parametrize("share", [0.5, 1.0, 2.0])
+@pytest.mark.parametrize("share", [0.26, 0.4, 0.5, 1.0, 2.0])
 @pytest.mark.parametrize("spatial", [False, True])
 @pytest.mark.parametrize("seed", range(4))
-def test_half_a_period_or_more_is_refused(seed, spatial, share):
+def test_more_than_a_quarter_of_a_period_is_refused(seed, spatial, share):
     tree, period = rig(seed, spatial)
-    with pytest.raises(SimulationError, match=r"analysis\.step: .* is at least half of"):
+    with pytest.raises(SimulationError, match=r"analysis\.step: .* is more than a quarter of"):
         ended(tree, share * period)
 
 
@@ -41,4 +41,4 @@ def test_half_a_period_or_more_is_refused(seed, spatial, share):
 def test_less_is_accepted_and_so_is_a_motion_without_amplitude(seed, spatial):
     tree, period = rig(seed, spatial)
     tree["platform"]["pitch"] = {"amplitude": 0.0, "period": 0.1 * period}
-    assert ended(tree, period / 6.0).facts["steps"] > 5
+    assert ended(tree, period / 4.0).facts["steps"] > 5

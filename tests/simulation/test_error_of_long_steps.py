@@ -1,0 +1,33 @@
+"""The error that is estimated for steps of a quarter to a twenty-fourth of a period, beside true ones."""
+
+import pytest
+from random_rigs import moving, written
+
+from riserstudy.scene.load import SceneFile
+from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.refine import run
+
+FINER = 16
+
+
+def ended(seed, steps, finer=1):
+    """A rig over four periods, with outputs at all of so many steps in a period."""
+    tree = moving(seed, spatial=bool(seed % 2))
+    period = tree["platform"]["surge"]["period"]
+    tree["analysis"] = {
+        "duration": 4.0 * period,
+        "step": period / steps / finer,
+        "mesh": {"elements": 24},
+        "output": {"interval": period / steps},
+    }
+    return run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=finer == 1)
+
+
+@pytest.mark.parametrize("steps", [4, 7, 12, 20])
+@pytest.mark.parametrize("seed", [0, 5, 7, 12, 18])
+def test_the_estimated_error_is_not_below_the_true_one(seed, steps):
+    given = ended(seed, steps)
+    off = difference(given, ended(seed, steps, FINER))
+    told = given.facts["error_estimate"]
+    for name in ("displacement", "moment", "tension"):
+        assert off[name] <= told[name], name
