@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from random_rigs import moving, written
+from scipy.interpolate import CubicSpline
 from scipy.stats import gumbel_r
 
 from riserstudy import load_scene, simulate, sweep
@@ -238,9 +239,11 @@ def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
     out = tmp_path / "out.csv"
     (row,) = table(monkeypatch, seeds, "-o", out, "--over", "seed")
     with xr.open_dataset(seeds, decode_times=False) as found:
-        largest = found["stroke"].max("time").values
-    assert float(row["most probable largest"]) == pytest.approx(gumbel(largest).mode, rel=1e-9)
-    assert (row["seeds"], float(row["largest"])) == ("8", pytest.approx(largest.max()))
+        seas = found["stroke"].transpose("seed", "time").values
+    at = np.arange(0.0, seas.shape[1] - 1.0, 0.02)
+    largest = CubicSpline(np.arange(seas.shape[1]), seas, axis=1)(at).max(axis=1)
+    assert float(row["most probable largest"]) == pytest.approx(gumbel(largest).mode, rel=1e-3)
+    assert (row["seeds"], float(row["largest"])) == ("8", pytest.approx(largest.max(), rel=1e-3))
     # a Gaussian sea's: the mode of an hour, give or take three of its errors
     count = 3600.0 / (0.78 * PEAK)
     expected = HEIGHT / 4.0 * math.sqrt(2.0 * math.log(count))

@@ -35,7 +35,10 @@ HARD = {
         }
         | ONE,
     ),
-    "surge of 400 m": ("bench/s2", {"platform__surge__amplitude": "400 m", "analysis__step": "5 s"} | FORTY),
+    "surge of 1500 m": (
+        "bench/s2",
+        {"platform__surge__amplitude": "1500 m", "analysis__step": "3.75 s"} | FORTY,
+    ),
     "surge of 400 m, held": (
         "bench/s2c",
         {"platform__surge__amplitude": "400 m", "analysis__step": "2 s"} | FORTY,
@@ -48,7 +51,7 @@ HARD = {
     ),
 }  # fmt: skip
 #: all others run to their end
-MAY_BE_REFUSED = {"heave faster than the step", "stops hit", "surge of 400 m", "step of 10 s"}
+MAY_BE_REFUSED = {"heave faster than the step", "stops hit", "surge of 1500 m", "step of 10 s"}
 
 
 @pytest.mark.parametrize("case", HARD)
@@ -68,7 +71,7 @@ def test_a_hard_run_is_finite_or_refused(case):
 
 
 def test_a_step_that_cannot_converge_names_time_node_effect_and_remedy():
-    name, values = HARD["surge of 400 m"]
+    name, values = HARD["surge of 1500 m"]
     with pytest.raises(SimulationError) as failure:
         simulate(from_file(name, **values))
     said = str(failure.value)

@@ -27,14 +27,14 @@ from riserstudy.cli.shared import (
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
-from riserstudy.records.numerals import at_most
+from riserstudy.records.numerals import at_most, percent
 
 if TYPE_CHECKING:
     from riserstudy.scene.resolve import Resolved
 
 SUCH_AS = "write, for example, 3 h"
 SHORT = 10.0  # ratio of exposure time to record from which on there is a warning
-IN_A_PERIOD = 4.0  # outputs in the shortest period of waves and platform: fewer miss peaks
+MISSED = 0.03  # share of a range by which extremes of outputs may differ from those over all time steps
 
 
 class PlotKind(StrEnum):
@@ -195,6 +195,7 @@ def statistics(
     within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)
     if exposure and not (within or 0.0) > 0.0:
         raise InputError("--exposure", exposure, "no duration", SUCH_AS)
+    missed = ("", 0.0)
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
         index = {axis: k for axis, k in place(apart, place_of(at)).items() if axis != over}
@@ -204,8 +205,10 @@ def statistics(
         index = place(of_run, place_of(at))
         run = complete(of_run.isel(index))
         made = statistics_tables.of_a_run(run, begin, within)
+        missed = statistics_tables.most_missed(run)
         record = float(run["time"][-1]) - begin
-    for text in _warnings(scene_of_point(of_run, index), begin, record, within):
+    scene = scene_of_point(of_run, index)
+    for text in [*_warnings(scene, begin, record, within), *_of_outputs(scene, missed)]:
         notify(f"warning: {text}")
     tables.write_csv(tables.in_units(made, units), output)
     wrote(output)
@@ -213,7 +216,7 @@ def statistics(
 
 def _warnings(scene: Resolved, begin: float, record: float, exposure: float | None) -> Iterator[str]:
     """Reasons why statistics of a record (s) from a time (s) on may be wrong."""
-    output, shortest = scene.analysis.output, scene.shortest_period
+    output = scene.analysis.output
     if exposure and exposure > SHORT * record:
         yield (
             f"extremes of {exposure:g} s are estimated from a record of {record:g} s, "
@@ -224,8 +227,24 @@ def _warnings(scene: Resolved, begin: float, record: float, exposure: float | No
             f"ramps end at {scene.built_up:.4g} s, and the statistics include earlier "
             f"times; leave these out by --start '{scene.built_up:.4g} s'"
         )
+
+
+def _of_outputs(scene: Resolved, missed: tuple[str, float]) -> Iterator[str]:
+    """Reasons why outputs are too far apart for statistics.
+
+    ``missed``: the history whose extremes differ most from those over all steps, and the share of its range.
+    """
+    from riserstudy.dataset.statistics import IN_A_PERIOD
+
+    output, shortest = scene.analysis.output, scene.shortest_period
     if output and shortest and output.interval > shortest / IN_A_PERIOD * (1.0 + 1e-9):
         yield (
             f"outputs {output.interval:g} s apart miss peaks: extremes are too small, and periods too long; "
             f"run the scene with analysis.output.interval of at most {at_most(shortest / IN_A_PERIOD)} s"
+        )
+    elif output and missed[1] > MISSED:
+        yield (
+            f"outputs {output.interval:g} s apart miss peaks of {missed[0]}: its extremes differ by "
+            f"{percent(missed[1])} of the range from those over all time steps; run the scene with "
+            f"analysis.output.interval of at most {at_most(0.5 * output.interval)} s"
         )

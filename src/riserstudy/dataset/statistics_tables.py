@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from riserstudy.dataset.provenance import scene_of_point
-from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, gumbel, record_statistics
+from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, extremes, gumbel, record_statistics
 from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import SIGNED
@@ -18,6 +18,7 @@ from riserstudy.scene.limits import SIGNED
 if TYPE_CHECKING:
     import xarray as xr
 
+NEGLIGIBLE = 1e-4  # range of a history that counts as constant, relative to its largest value
 EVEN = 1e-6  # largest relative deviation of intervals that count as equal
 OF_A_RECORD = {
     "mean": OF_ROW, "standard deviation": OF_ROW, "mean upcrossing period": "s", "largest": OF_ROW,
@@ -49,8 +50,10 @@ def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
     for name, s, unit, history in _histories(run, start):
         time = history["time"].values
         record = record_statistics(time, history.values, exposure or float(time[-1] - time[0]))
-        smallest = _least(record.most_probable_smallest, name in sizes)
-        rows.append([name, s, unit, *record._replace(most_probable_smallest=smallest)])
+        ends = (_least(one, name in sizes) for one in (record.smallest, record.most_probable_smallest))
+        smallest, most_probable = ends
+        record = record._replace(smallest=smallest, most_probable_smallest=most_probable)
+        rows.append([name, s, unit, *record])
     return Table(["output", "s", "unit", *OF_A_RECORD], ["", "m", "", *OF_A_RECORD.values()], rows)
 
 
@@ -75,17 +78,49 @@ def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
     sizes = _sizes(grid)
     for name, s, unit, history in _histories(grid, start):
         values, size = history.transpose(axis, "time").values, name in sizes
-        high, low = gumbel(values.max(axis=1)), gumbel(-values.min(axis=1))
+        smallest, largest = extremes(values)
+        smallest = np.array([_least(one, size) for one in smallest])
+        high, low = gumbel(largest), gumbel(-smallest)
         rows.append(
             [
                 name, s, unit, count,
                 float(values.mean()), math.sqrt(float(values.var(axis=1).mean())),
-                float(values.max()), high.mode, high.mode_error, high.scale, high.fractile,
-                float(values.min()), _least(-low.mode, size), low.mode_error, low.scale,
+                float(largest.max()), high.mode, high.mode_error, high.scale, high.fractile,
+                float(smallest.min()), _least(-low.mode, size), low.mode_error, low.scale,
                 _least(-low.fractile, size),
             ]
         )  # fmt: skip
     return Table(["output", "s", "unit", *OF_SEEDS], ["", "m", "", *OF_SEEDS.values()], rows)
+
+
+def most_missed(run: xr.Dataset) -> tuple[str, float]:
+    """The history whose extremes differ most from those over all time steps, and the share (1) of its range.
+
+    The share is 0 where a dataset has no extremes over all steps, as in studies. The name includes the place.
+    Raises InputError as `of_a_run` does.
+    """
+    found = [("", 0.0)]
+    for name, s, _, history in _histories(run, -math.inf):
+        ends = _over_all_steps(run, name, s)
+        if ends is None or not ends[1] - ends[0] > NEGLIGIBLE * max(map(abs, ends)):
+            continue
+        (least,), (most,) = extremes(history.values[None])
+        share = max(abs(ends[1] - most), abs(least - ends[0])) / (ends[1] - ends[0])
+        found.append((name if s is None else f"{name} at s = {s:.4g} m", share))
+    return max(found, key=lambda one: one[1])
+
+
+def _over_all_steps(run: xr.Dataset, name: str, s: float | None) -> tuple[float, float] | None:
+    """Smallest and largest value of an output over all time steps, at a place (m); None if not known."""
+    if s is not None:
+        if f"{name}_max" not in run or "s_node" not in run[f"{name}_max"].dims:
+            return None
+        at = np.flatnonzero(run["s_node"].values == s)
+        ends = [run[f"{name}_{end}"].values[at] for end in ("min", "max")]
+        return (float(ends[0][0]), float(ends[1][0])) if len(at) else None
+    rows = json.loads(run.attrs.get("extremes", "[]"))
+    row = next((row for row in rows if (row["output"], row["where"]) == (name, "")), None)
+    return (row["smallest"], row["largest"]) if row else None
 
 
 def _sizes(run: xr.Dataset) -> tuple[str, ...]:

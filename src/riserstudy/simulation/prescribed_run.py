@@ -23,8 +23,8 @@ from riserstudy.simulation.time_limit import Watch, size
 from riserstudy.simulation.tolerance import doubt_of
 
 COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
-#: largest decrease of differences that is used for a step with fewer than so many steps in the shortest period:
-#: coarser runs then do not show the order of the method
+#: largest decrease of differences that is used, by smallest number of steps in the shortest period: with
+#: fewer steps, coarser runs do not show the order of the method
 TRUSTED = {8.0: LEAST_FALL, 24.0: 2.0}
 ROUNDING = 1e-9  # relative rounding error of a step
 FEWEST_STEPS = 4.0  # in the period of a regular motion; with fewer, a doubled step can see its zeros alone
