@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
-from riserstudy.scene.limit_inputs import lacks
+from riserstudy.scene.limit_inputs import lacks, times_of_mean
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.outputs import QUANTITIES
@@ -192,13 +192,11 @@ def takes(scene: Resolved, limit: Limit) -> str:
 
 def _times_of_mean(scene: Resolved, limit: Limit) -> str:
     """Times that a mean is taken over, if these are not the whole run or include ramps."""
-    duration, output = scene.analysis.duration or 0.0, scene.analysis.output
-    start = (output.start if output else None) or 0.0
-    end = min(duration, scene.lower_joint_until) if limit.output == "lfj_angle" else duration
-    if start < scene.built_up < end:
-        return f"from {scene.built_up:g} s on, when ramps are over"
-    if duration and scene.built_up >= end and scene.built_up > start:
-        return f"includes ramps, which end at {scene.built_up:g} s"
+    start, end = times_of_mean(scene, limit)
+    if scene.built_up > start:
+        return f"includes ramps, which end at {scene.built_up:g} s" if end else ""
+    if start and start == scene.built_up:
+        return f"from {start:g} s on, when ramps are over"
     return f"from {start:g} s on" if start else ""
 
 

@@ -100,10 +100,14 @@ class Parts(Strict):
     @property
     def shortest_regular_period(self) -> float | None:
         """Shortest period of harmonic motions and regular waves (s); None without them."""
+        return min(self.regular_periods, default=None)
+
+    @property
+    def regular_periods(self) -> list[float]:
+        """Periods of harmonic motions and regular waves (s)."""
         motions = self.platform.harmonics if self.platform else []
         periods = [motion.period for _, motion in motions if motion.amplitude]
-        regular = [wave.period for wave in self._waves if isinstance(wave, Swell)]
-        return min([*periods, *regular], default=None)
+        return periods + [wave.period for wave in self._waves if isinstance(wave, Swell)]
 
     @property
     def _waves(self) -> list[Swell | Storm]:
