@@ -190,8 +190,7 @@ def test_how_many_points_miss_a_tolerance_is_counted_from_the_database(sources):
             "from points"
         ).fetchone()
     text = " ".join(Page(render(sources)).words)
-    within = "have estimated errors" if known == points else "with an estimated error are within"
-    said = f"In {off} of {points} points" if off else f"All {known} points {within}"
+    said = f"In {off} of {points} points" if off else f"At {known} points, the estimated errors are within"
     assert said in text
 
 
