@@ -11,6 +11,10 @@ from riserstudy.seas.record import FILLS, gaps, read_record
 
 HEIGHTS, FROM = "significant_wave_height", "wave_from_direction"
 PER_METRE = {"m": 1, "cm": 100, "mm": 1000}
+ROWS = 6
+TIME = np.datetime64("2001-01-01T00", "ns") + np.timedelta64(3, "h") * np.arange(ROWS)
+HEIGHT = np.array([1.0, 1.5, 2.2, 3.0, 2.4, 1.2])
+PEAK = np.array([7.0, 8.0, 9.0, 11.0, 10.0, 8.5])
 
 
 def written(tmp_path, columns, head="time", times=None):
@@ -227,3 +231,48 @@ def test_rows_some_minutes_early_or_late_are_next_to_each_other(tmp_path, seed):
     np.testing.assert_equal(found[1], found[0])
     assert found[0][0] > 0
     assert found[0][1].number > 3
+
+
+def numbered(calendar="standard", units="hours since 2001-01-01"):
+    """Times as numbers, with a calendar and units."""
+    return xr.DataArray(3.0 * np.arange(ROWS), dims="time", attrs={"units": units, "calendar": calendar})
+
+
+@pytest.mark.parametrize(
+    "times, found",
+    [
+        (numbered("noleap"), "calendar 'noleap'"),
+        (numbered("360_day"), "calendar '360_day'"),
+        (xr.DataArray(3.0 * np.arange(ROWS), dims="time"), "numbers that are no dates"),
+        (None, "the file has no times"),
+    ],
+)
+def test_times_that_are_no_dates_are_refused_by_what_they_are(tmp_path, times, found):
+    data = xr.Dataset({"hs": ("time", HEIGHT, {"units": "m"}), "tp": ("time", PEAK, {"units": "s"})})
+    (data if times is None else data.assign_coords(time=times)).to_netcdf(tmp_path / "sea.nc")
+    with pytest.raises(InputError, match=f"time: {found}"):
+        read_record(tmp_path / "sea.nc")
+
+
+def test_a_record_of_one_row_is_refused_by_its_number_of_rows(tmp_path):
+    data = xr.Dataset({"hs": ("time", HEIGHT[:1], {"units": "m"})}, {"time": TIME[:1]})
+    data.to_netcdf(tmp_path / "sea.nc")
+    with pytest.raises(InputError, match="time: 1 row; allowed are two or more"):
+        read_record(tmp_path / "sea.nc")
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_several_heights_at_a_time_without_places_are_named(tmp_path, seed):
+    """Of stations, members or grid points, in either order of dimensions, by any of the known names."""
+    draw = np.random.default_rng(seed)
+    dim = str(draw.choice(["station", "site", "number", "node"]))
+    name = str(draw.choice(["swh", "hs", "significant_wave_height", "VHM0"]))
+    many = int(draw.integers(2, 6))
+    attributes = {"units": "m"}
+    if name == "VHM0":
+        attributes["standard_name"] = "sea_surface_wave_significant_height"
+    values = xr.DataArray(np.tile(HEIGHT[:, None], many), dims=("time", dim), attrs=attributes)
+    variables = {name: values if seed % 2 else values.T} | {"pp1d": ("time", PEAK, {"units": "s"})}
+    xr.Dataset(variables, {"time": TIME}).to_netcdf(tmp_path / "r.nc")
+    with pytest.raises(InputError, match=f"{name}: several values at a time: {many} of {dim}; write one"):
+        read_record(tmp_path / "r.nc")
