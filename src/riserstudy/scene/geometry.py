@@ -8,9 +8,9 @@ if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
 ROUNDED = 1.0  # m, to which papers round elevations of decks
-# distance (m) from the water surface up to which an end of a section counts as an end at the surface: the sum
-# of many lengths has a rounding error, which must not become a section
-AT_SURFACE = 1e-6
+# distance (m) below which an end of a section is at a level: the sum of many lengths has a rounding error,
+# which must not become a section
+NEAR = 1e-6
 
 
 class Span(NamedTuple):
@@ -42,11 +42,12 @@ def levels(scene: Parts, k: int) -> tuple[float, float] | None:
         bottom = scene.top.elevation - sum(lengths)
     low = bottom + sum(lengths[:k])
     surface = scene.water.surface if scene.water else None
-    at = [
-        surface if surface is not None and abs(z - surface) < AT_SURFACE else z
-        for z in (low, low + lengths[k])
-    ]
-    return at[0], at[1]
+    return at_level(surface, low), at_level(surface, low + lengths[k])
+
+
+def at_level(level: float | None, end: float) -> float:
+    """A level (m) if only a rounding error is between it and an elevation (m), else the elevation."""
+    return level if level is not None and abs(end - level) < NEAR else end
 
 
 def length_of(scene: Parts) -> float:

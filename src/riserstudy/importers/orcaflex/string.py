@@ -20,11 +20,11 @@ from riserstudy.importers.orcaflex.pipe import (
     wall,
 )
 from riserstudy.importers.orcaflex.sea import Sea
+from riserstudy.scene.geometry import at_level
 
 # share of its length by which a line along the riser may be longer or shorter than that
 SLACK = 1e-3
 DECIMALS = 9  # of elevations: a rounding error must not become a short section
-NEAR = 1e-6  # distance (m) up to which the end of a piece is at a level where pieces are cut
 
 
 class Piece(NamedTuple):
@@ -75,7 +75,10 @@ def _pieces(cast: Roles, bottom: float) -> Iterator[Piece]:
 def _cut(pieces: list[Piece], levels: list[float], surface: float) -> list[Piece]:
     """Return the pieces, cut at the water surface and at the ends of lines along them (m)."""
     for level in (surface, *levels):
-        pieces = [piece._replace(low=_at(level, piece.low), high=_at(level, piece.high)) for piece in pieces]
+        pieces = [
+            piece._replace(low=at_level(level, piece.low), high=at_level(level, piece.high))
+            for piece in pieces
+        ]
         for k in range(len(pieces) - 1, -1, -1):
             piece = pieces[k]
             if piece.low < level < piece.high:
@@ -83,11 +86,6 @@ def _cut(pieces: list[Piece], levels: list[float], surface: float) -> list[Piece
                 upper = piece._replace(name=name, low=level, begins=False)
                 pieces[k : k + 1] = [piece._replace(high=level), upper]
     return pieces
-
-
-def _at(level: float, end: float) -> float:
-    """Return the level if an elevation (m) differs from it by no more than rounding, else the elevation."""
-    return level if abs(end - level) <= NEAR else end
 
 
 def _section(deck: Part, cast: Roles, piece: Piece, sea: Sea) -> dict[str, Any]:
