@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import cast
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError, TakesTooLong
 from riserstudy.model.mesh import Mesh, prescribed
-from riserstudy.records.facts import RunFacts
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import LEAST_FALL, MOST_FALL, difference
@@ -20,7 +18,6 @@ from riserstudy.simulation.sampling_error import floor, of_two_runs
 from riserstudy.simulation.starting_mesh import massless
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
-from riserstudy.simulation.tolerance import doubt_of
 
 COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from run to run
 #: largest decrease of differences that is used, by smallest number of steps in the shortest period: with
@@ -44,16 +41,17 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
     ways = ["mesh"] if elements > 1 else []
     ways += ["step"] if a.step and a.method != "explicit" else []
     coarser = _coarser(scene, elements, ways, watch) if estimated else []
+    own = prescribed(scene, elements)
     watch.begin(f"the requested run: {size(elements, a.step)}")
     try:
-        result = single(scene, prescribed(scene, elements), a.step, watch=watch)
+        result = single(scene, own, a.step, watch=watch)
     except TakesTooLong as late:
         raise TakesTooLong(
             f"analysis.mesh, analysis.step: the run exceeds the time limit of {watch.patience:g} s, {late}"
         ) from None
     if not estimated:
         return result
-    found = _error(scene, result, ways, coarser, watch)
+    found = _error(scene, [("", own, result), *coarser], ways, watch)
     result.facts["error_estimate"] = found or {}
     if found is None:
         result.facts["warnings"].append(NOT_ESTIMATED)
@@ -61,26 +59,27 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
 
 
 def _error(
-    scene: Resolved, result: Result, ways: list[str], coarser: list[tuple[str, Mesh, Result]], watch: Watch
+    scene: Resolved, runs: list[tuple[str, Mesh, Result]], ways: list[str], watch: Watch
 ) -> dict[str, float] | None:
-    """Estimated relative error of a run, by quantity; None if a run that it requires failed."""
+    """Estimated relative error of the first of some runs, by quantity; None if a run that it requires failed.
+
+    ``runs``: as from `_coarser`.
+    """
+    _, own, result = runs[0]
     seen: dict[str, Halved] = {}
     sampling = result.facts.get("sampling_error", {})
-    runs = [result, *(run for _, _, run in coarser)]
-    for (way, _, _), (fine, coarse) in reversed([*zip(coarser, pairwise(runs), strict=True)]):
-        most = most_fall(scene, way)
-        most = min(most, _trusted(scene)) if way == "step" else most
+    for (_, _, fine), (way, _, coarse) in reversed([*pairwise(runs)]):
+        most = _trusted(scene) if way == "step" else most_fall(scene, way)
         enter(seen, way, difference(coarse, fine), floor(sampling), most)
     if any(way not in seen for way in ways):
         return None
     found = error_of(seen.values(), of_two_runs(sampling))
     if massless(scene):
         return found
-    a = scene.analysis
-    own = prescribed(scene, a.mesh.elements if a.mesh else 1)
-    halved = are_halved([own, *(mesh for way, mesh, _ in coarser if way == "mesh")])
-    # with the doubled time step if possible, which takes half as long
-    run, step = (coarser[0][2], 2.0 * a.step) if a.step and "step" in ways else (result, a.step)
+    halved = are_halved([own, *(mesh for way, mesh, _ in runs if way == "mesh")])
+    run, step = result, scene.analysis.step
+    if step and "step" in ways:  # with the doubled time step, which takes half as long
+        run, step = runs[1][2], 2.0 * step
     least = error_from_resolved(scene, own, run, step, halved, watch)
     return None if least is None else larger(found, least)
 
@@ -89,20 +88,6 @@ def _trusted(scene: Resolved) -> float:
     """Largest decrease of differences by halving the scene's step that the estimate uses."""
     steps = (scene.shortest_period or math.inf) / (scene.analysis.step or 1.0)
     return next((most for fewest, most in TRUSTED.items() if steps < fewest * (1.0 - ROUNDING)), MOST_FALL)
-
-
-def without_estimate(facts: RunFacts) -> RunFacts:
-    """Facts of a run with a prescribed mesh, without its error estimate and the warnings that follow from it.
-
-    The facts of a run for which the engine chose the mesh are returned unchanged, because such a run always
-    has an estimate.
-    """
-    if "error_estimate" not in facts or "refinements" in facts:
-        return facts
-    of_estimate = (NOT_ESTIMATED, doubt_of(facts))
-    other = {name: value for name, value in facts.items() if name != "error_estimate"}
-    other["warnings"] = [warning for warning in facts["warnings"] if warning not in of_estimate]
-    return cast("RunFacts", other)
 
 
 def refuse_unseen_periods(scene: Resolved) -> None:
@@ -118,8 +103,10 @@ def refuse_unseen_periods(scene: Resolved) -> None:
         With the step, the period and the remedy.
     """
     step, shortest = scene.analysis.step, scene.shortest_regular_period
-    longest = shortest and shortest / FEWEST_STEPS
-    if scene.analysis.duration and step and shortest and longest and step > longest * (1.0 + ROUNDING):
+    if not (scene.analysis.duration and step and shortest):
+        return
+    longest = shortest / FEWEST_STEPS
+    if step > longest * (1.0 + ROUNDING):
         raise SimulationError(
             f"analysis.step: {step:g} s is more than a quarter of {shortest:g} s, the shortest period of "
             "platform and waves: the run, or a run with doubled steps that shows its error, can miss the "

@@ -84,14 +84,12 @@ def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: di
     Equal values of many points are kept in memory once, by ``shared``. An error estimate that another study
     with the same point required is left out, because a dataset must not depend on other studies.
     """
-    from riserstudy.simulation.prescribed_run import without_estimate
-
     extremes = limited(study)
     needed = {column.fact for column in point_columns()}  # a few of the many facts of a point
     for point in points:
         stored = store.get(point.key, study.model.keep)
         if stored is not None and not lacks(study, point, stored):
-            about = stored.facts if has_error_estimate(study, point) else without_estimate(stored.facts)
+            about = stored.facts if has_error_estimate(study, point) else _without_estimate(stored.facts)
             facts = {
                 name: value if isinstance(value, float) else _once(shared, value)
                 for name, value in about.items()
@@ -100,6 +98,24 @@ def _take(study: Study, points: list[Point], kept: dict[str, Result], shared: di
             arrays = {name: _once(shared, values) for name, values in stored.arrays.items()}
             kept[point.key] = Result(arrays, cast("RunFacts", facts))
     return [point for point in points if point.key not in kept]
+
+
+def _without_estimate(facts: RunFacts) -> RunFacts:
+    """Facts of a run with a prescribed mesh, without its error estimate and the warnings that follow from it.
+
+    The facts of a run for which the engine chose the mesh are returned unchanged, because such a run always
+    has an estimate.
+    """
+    if "error_estimate" not in facts or "refinements" in facts:
+        return facts
+    # which load the engine
+    from riserstudy.simulation.prescribed_run import NOT_ESTIMATED
+    from riserstudy.simulation.tolerance import doubt_of
+
+    of_estimate = (NOT_ESTIMATED, doubt_of(facts))
+    other = {name: value for name, value in facts.items() if name != "error_estimate"}
+    other["warnings"] = [warning for warning in facts["warnings"] if warning not in of_estimate]
+    return cast("RunFacts", other)
 
 
 def _once(shared: dict[Any, Any], value: Any) -> Any:
