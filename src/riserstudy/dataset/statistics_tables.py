@@ -50,10 +50,9 @@ def of_a_run(run: xr.Dataset, start: float, exposure: float | None) -> Table:
     for name, s, unit, history in _histories(run, start):
         time = history["time"].values
         record = record_statistics(time, history.values, exposure or float(time[-1] - time[0]))
-        ends = (_least(one, name in sizes) for one in (record.smallest, record.most_probable_smallest))
-        smallest, most_probable = ends
-        record = record._replace(smallest=smallest, most_probable_smallest=most_probable)
-        rows.append([name, s, unit, *record])
+        size = name in sizes
+        smallest, probable = _least(record.smallest, size), _least(record.most_probable_smallest, size)
+        rows.append([name, s, unit, *record._replace(smallest=smallest, most_probable_smallest=probable)])
     return Table(["output", "s", "unit", *OF_A_RECORD], ["", "m", "", *OF_A_RECORD.values()], rows)
 
 

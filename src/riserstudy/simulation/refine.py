@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Any
+from typing import Any, ClassVar
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import PhysicallyUnstable, SimulationError, StepFailed, TakesTooLong
@@ -81,13 +81,17 @@ def _exact(result: Result) -> Result:
 class Refinement:
     """Halve mesh or time step, as `Convergence` chooses, until both errors together meet the tolerance."""
 
+    #: estimates errors, and chooses mesh or step
+    rule: ClassVar[type[Convergence]] = Convergence
+
     def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         self.scene, self.watch = scene, watch or Watch()
         self.meshes = [coarsest_mesh(scene)]  # each with the segments of the previous mesh halved
         self.step = _longest_step(scene) if scene.analysis.duration else None
         ways = [] if massless(scene) else ["mesh"]
         ways += ["step"] if self.step else []
-        self.convergence = self._convergence(ways)
+        most = {way: most_fall(scene, way) for way in ways}
+        self.convergence = self.rule(allowed_of(scene), ways, most)
         self.lost = 0  # meshes without equilibrium
         self.last: Result | None = None  # run to compare the next run with
         self.finest: Result | None = None  # finest completed run
@@ -95,11 +99,6 @@ class Refinement:
         self.rest: Rest | None = None  # scene at rest on the last mesh
         self.thin = False  # whether the run has fewer outputs than requested
         self.spent: list[dict[str, Any]] = []  # cost of each run
-
-    def _convergence(self, ways: list[str]) -> Convergence:
-        """The errors to be estimated, and the rule by which mesh or step is chosen."""
-        most = {way: most_fall(self.scene, way) for way in ways}
-        return Convergence(allowed_of(self.scene), ways, most)
 
     def result(self) -> Result:
         """The finest run, with its estimated error.

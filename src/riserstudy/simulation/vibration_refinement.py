@@ -11,10 +11,9 @@ from __future__ import annotations
 from riserstudy.dataset.result import Result
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import Convergence
-from riserstudy.simulation.halved import most_fall
 from riserstudy.simulation.refine import Refinement
 from riserstudy.simulation.time_limit import Watch
-from riserstudy.simulation.tolerance import allowed_of, in_words
+from riserstudy.simulation.tolerance import in_words
 
 # largest number of halvings of mesh and of step: statistics that still change are of another vibration
 HALVINGS = 4
@@ -42,13 +41,11 @@ class VibrationConvergence(Convergence):
 class VibrationRefinement(Refinement):
     """Halve mesh or step until their errors, without chance, are below the tolerance."""
 
+    rule = VibrationConvergence
+
     def __init__(self, scene: Resolved, watch: Watch | None = None) -> None:
         super().__init__(scene, watch)
         self.halvings = dict.fromkeys(self.convergence.ways, 0)
-
-    def _convergence(self, ways: list[str]) -> Convergence:
-        most = {way: most_fall(self.scene, way) for way in ways}
-        return VibrationConvergence(allowed_of(self.scene), ways, most)
 
     def result(self) -> Result:
         """The finest run with its estimated error, and with a warning if chance exceeds the tolerance.
