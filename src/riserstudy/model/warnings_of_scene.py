@@ -5,6 +5,7 @@ from __future__ import annotations
 from riserstudy.model import rao
 from riserstudy.model.steep_waves import breaking
 from riserstudy.model.unusual_loads import unusual_loads
+from riserstudy.scene.limit_inputs import lacks_outputs
 from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
@@ -25,6 +26,18 @@ def warnings_of(scene: Resolved) -> list[str]:
         *unusual_loads(scene),
         *rao.doubts(scene),
         *_raised_stations(scene),
+        *_few_outputs(scene),
+    ]
+
+
+def _few_outputs(scene: Resolved) -> list[str]:
+    """A warning that histories see few phases of a periodic motion, and show another one."""
+    output, shortest = scene.analysis.output, scene.shortest_regular_period
+    if not scene.analysis.duration or output is None or shortest is None or not lacks_outputs(scene):
+        return []
+    return [
+        f"analysis.output.interval: {output.interval:g} s is at least half of the shortest period, "
+        f"{shortest:g} s, so histories do not show this motion; choose less than {0.5 * shortest:g} s"
     ]
 
 
