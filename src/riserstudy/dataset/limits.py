@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping
 from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
-from riserstudy.scene.limit_inputs import lacks, times_of_mean
+from riserstudy.scene.limit_inputs import lacks, lacks_outputs, times_of_mean
 from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.outputs import QUANTITIES
@@ -162,7 +162,8 @@ def _one(scene: Resolved, limit: Limit, rows: list[dict[str, Any]], origin: str)
     missing = lacks(scene, limit)
     found = demand_of(scene, limit, rows)
     if found is None:
-        why = ", ".join(missing) or f"{limit.output} in this run"
+        few = lacks_outputs(scene) if limit.side == "mean" else ""
+        why = ", ".join(missing) or few or f"{limit.output} in this run"
         return Checked(*about, None, None, None, None, UNKNOWN, why, origin, unit)
     demand, s, time = found
     share = use(limit.side, demand, limit.allowable)
@@ -192,9 +193,11 @@ def takes(scene: Resolved, limit: Limit) -> str:
 
 def _times_of_mean(scene: Resolved, limit: Limit) -> str:
     """Times that a mean is taken over, if these are not the whole run or include ramps."""
-    start, end = times_of_mean(scene, limit)
+    start, end, periods = times_of_mean(scene, limit.output)
     if scene.built_up > start:
         return f"includes ramps, which end at {scene.built_up:g} s" if end else ""
+    if periods:
+        return f"from {start:g} s on, over {periods} whole period{'s' if periods > 1 else ''}"
     if start and start == scene.built_up:
         return f"from {start:g} s on, when ramps are over"
     return f"from {start:g} s on" if start else ""
@@ -210,6 +213,7 @@ def demand_of(
     names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
     places = limit.places(names)
     there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
+    there = [row for row in there if limit.side in row]  # few outputs have no mean
     demands = [_demand(limit, row) for row in there]
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
 

@@ -26,5 +26,5 @@ class Seen:
     # time (s) and outputs with one value per time, (steps,) or (steps, cylinders), by name
     steps: dict[str, NDArray[np.float64]] = field(default_factory=dict)
     peaks: dict[str, Peak] = field(default_factory=dict)  # peaks of these values, by name
-    # rotations of flex joints in space, at the outputs, (time, 3) rad, by name
+    # rotations of flex joints in space, at these steps, else at the outputs, (time, 3) rad, by name
     rotations: dict[str, NDArray[np.float64]] = field(default_factory=dict)

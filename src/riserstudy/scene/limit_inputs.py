@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from typing import TYPE_CHECKING, NamedTuple
 
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.outputs import QUANTITIES, wall_lacks
@@ -16,8 +17,8 @@ ROUNDING = 1e-9  # relative
 def lacks(scene: Parts, limit: Limit) -> list[str]:
     """What a scene lacks for the output of a limit; empty where the output can be computed."""
     name = limit.output
-    if limit.side == "mean" and (few := _lacks_times(scene, limit)):
-        return few
+    if limit.side == "mean" and (short := _lacks_period(scene, name)):
+        return short
     if name == "von_mises_stress":
         names = limit.sections([section.name for section in scene.riser])
         return [
@@ -30,29 +31,46 @@ def lacks(scene: Parts, limit: Limit) -> list[str]:
     return [] if quantity.is_in(scene) else [quantity.needs]
 
 
-def times_of_mean(scene: Parts, limit: Limit) -> tuple[float, float]:
-    """Start and end (s) of the times over which the mean of a limit is taken; equal for a scene at rest.
+class MeanTimes(NamedTuple):
+    """Times over which a mean is taken (s); start and end are equal for a scene at rest."""
 
-    A mean starts after the ramps, unless the run ends before; an angle of a lower flex joint ends at a
-    disconnect.
+    start: float
+    end: float
+    periods: int = 0  # number of whole periods that fit; 0 for other motion
+
+
+def times_of_mean(scene: Parts, output: str, last: float = math.inf) -> MeanTimes:
+    """Times over which the mean of an output is taken.
+
+    A mean starts after the ramps, unless the run ends before. After the ramps of a periodic motion, it is
+    taken over the last whole periods, since a part of a period would bias it. An angle of a lower flex joint
+    ends at a disconnect. ``last``: last known time (s), if it is before the end of the run.
     """
-    output, end = scene.analysis.output, scene.analysis.duration or 0.0
-    start = (output.start if output else None) or 0.0
-    if limit.output == "lfj_angle":
+    given, periods = scene.analysis.output, scene.regular_periods
+    end = min(scene.analysis.duration or 0.0, last)
+    start = (given.start if given else None) or 0.0
+    if output == "lfj_angle":
         end = min(end, scene.lower_joint_until)
-    return (scene.built_up if start < scene.built_up < end else start), end
+    start = scene.built_up if start < scene.built_up < end else start
+    if not periods:
+        return MeanTimes(start, end)
+    whole = max(math.floor((end - start) / max(periods) * (1.0 + ROUNDING)), 0)
+    if whole and start >= scene.built_up:
+        start = max(start, end - whole * max(periods))
+    return MeanTimes(start, end, whole)
 
 
-def _lacks_times(scene: Parts, limit: Limit) -> list[str]:
-    """What a scene lacks for a mean over a periodic motion: that of few outputs depends on their phase."""
+def lacks_outputs(scene: Parts) -> str:
+    """What a scene lacks for means over outputs: outputs that see few phases of a motion are biased."""
+    output, shortest = scene.analysis.output, scene.shortest_regular_period
+    if not output or not shortest or output.interval < 0.5 * shortest * (1.0 - ROUNDING):
+        return ""
+    return f"an analysis.output.interval below half of the shortest period, {shortest:g} s"
+
+
+def _lacks_period(scene: Parts, output: str) -> list[str]:
+    """What a scene lacks for a mean over a periodic motion: a part of a period would give its phase."""
     periods = scene.regular_periods
-    start, end = times_of_mean(scene, limit)
-    if not periods or not scene.analysis.duration:
+    if not periods or not scene.analysis.duration or times_of_mean(scene, output).periods:
         return []
-    output, shortest, longest = scene.analysis.output, min(periods), max(periods)
-    lacking = []
-    if output and output.interval >= 0.5 * shortest * (1.0 - ROUNDING):
-        lacking.append(f"an analysis.output.interval below half of the shortest period, {shortest:g} s")
-    if end - start < longest * (1.0 - ROUNDING):
-        lacking.append(f"an analysis.duration with the longest period, {longest:g} s, after the ramps")
-    return lacking
+    return [f"an analysis.duration with the longest period, {max(periods):g} s, after the ramps"]

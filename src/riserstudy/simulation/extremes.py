@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.model.mesh import Mesh
 from riserstudy.records.seen import Peak, Seen
+from riserstudy.scene.limit_inputs import lacks_outputs, times_of_mean
 from riserstudy.scene.limits import ALONG, UNITS
 from riserstudy.scene.outputs import QUANTITIES, wall_lacks
 from riserstudy.scene.resolve import Resolved
@@ -32,26 +33,22 @@ def extremes(
 
     Values along the riser are from the envelopes at the nodes, which include every time step. Their times are
     times of outputs, and absent if no output is near the extreme. Means begin after all ramps, if the run
-    continues after them. A static run has no times, and its values are also the means. In space, the mean of
-    an angle is the magnitude of the mean rotation; in a plane it has a sign. ``histories``: histories along
-    the riser, (time, n + 1), in addition to those in ``arrays``.
+    continues after them, and cover whole periods of a periodic motion. They are taken over all time steps.
+    Means of values along the riser are taken over outputs, and absent if the outputs see few phases of the
+    motion. A static run has no times, and its values are also the means. In space, the mean of an angle is
+    the magnitude of the mean rotation; in a plane it has a sign. ``histories``: histories along the riser,
+    (time, n + 1), in addition to those in ``arrays``.
     """
     rows = []
-    time = arrays.get("time", np.zeros(0))
-    later = time >= scene.built_up if len(time) and scene.built_up < time[-1] else time >= 0.0
     for name in ALONG:
         for where, nodes in places(scene, mesh, name):
-            if row := _along(name, where, nodes, arrays, histories, later):
+            if row := _along(scene, name, where, nodes, arrays, histories):
                 rows.append(row)
     for name in OVER_TIME:
         held = until_release(scene, name, arrays)
-        counted = later[: len(held["time"])] if "time" in held else later
-        counted = counted if counted.any() else np.ones_like(counted)
-        if row := _over_time(name, held, counted):
+        if row := _over_time(name, held):
             row |= _seen_by_steps(scene, mesh, name, arrays, _peaks(scene, name, of))
-            if name in of.rotations:
-                turns = of.rotations[name][: len(counted)][counted]
-                row["mean"] = float(np.linalg.norm(turns.mean(axis=0)))
+            row |= _mean_over_time(scene, name, arrays, of)
             if held is not arrays:  # an estimated error is relative to this value
                 row["of_whole_run"] = float(abs(arrays[name]).max())
             rows.append(row)
@@ -108,7 +105,7 @@ def places(scene: Resolved, mesh: Mesh, name: str) -> Iterator[tuple[str, slice]
 
 
 def _along(
-    name: str, where: str, nodes: slice, arrays: Arrays, histories: Arrays, later: NDArray[np.bool_]
+    scene: Resolved, name: str, where: str, nodes: slice, arrays: Arrays, histories: Arrays
 ) -> dict[str, Any] | None:
     moving = name + "_max" in arrays
     ends = ("_max", "_min") if moving else ("_static", "_static")
@@ -131,13 +128,15 @@ def _along(
             if abs(seen[output] - row[side]) <= near:
                 row[side + "_time"] = float(arrays["time"][output])
         if nodes.stop - nodes.start == 1:
-            row["mean"] = float(history[later][:, nodes].mean())
+            mean = _time_mean(scene, name, arrays["time"], history[:, nodes])
+            if mean is not None:
+                row["mean"] = float(mean[0])
     elif not moving and nodes.stop - nodes.start == 1:
         row["mean"] = row["largest"]
     return row
 
 
-def _over_time(name: str, arrays: Arrays, later: NDArray[np.bool_]) -> dict[str, Any] | None:
+def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
     """The row of an output with one value per time; for cylinders, one row for all of them together."""
     row: dict[str, Any] = {"output": name, "where": ""}
     rest = arrays.get(name + "_static")
@@ -148,10 +147,43 @@ def _over_time(name: str, arrays: Arrays, later: NDArray[np.bool_]) -> dict[str,
         high, low = (np.unravel_index(f(values), values.shape)[0] for f in (np.argmax, np.argmin))
         row |= {"largest": float(values.max()), "largest_time": float(arrays["time"][high])}
         row |= {"smallest": float(values.min()), "smallest_time": float(arrays["time"][low])}
-        values = values[later]
     elif rest is not None:
         values = rest.reshape(1, -1)
         row |= {"largest": float(values.max()), "smallest": float(values.min())}
+        row["mean"] = float(values.mean())
     else:
         return None
-    return row | {"mean": float(values.mean())}
+    return row
+
+
+def _mean_over_time(scene: Resolved, name: str, arrays: Arrays, of: Seen) -> dict[str, float]:
+    """The mean of an output with one value per time, over all steps if they are known; empty at rest."""
+    by_steps = name in of.steps
+    held = until_release(scene, name, of.steps if by_steps else arrays)
+    if name not in held or "time" not in held or not len(held["time"]):
+        return {}
+    values = of.rotations.get(name, held[name])[: len(held["time"])]
+    mean = _time_mean(scene, name, held["time"], values, by_steps)
+    if mean is None:
+        return {}
+    return {"mean": float(np.linalg.norm(mean) if name in of.rotations else mean.mean())}
+
+
+def _time_mean(
+    scene: Resolved, name: str, times: FloatArray, values: FloatArray, by_steps: bool = False
+) -> FloatArray | None:
+    """Mean over time of values, (time, ...), linear in between; None if outputs see few phases of motion."""
+    if not by_steps and lacks_outputs(scene):
+        return None
+    start = times_of_mean(scene, name, float(times[-1])).start
+    later = int(np.searchsorted(times, start, "right"))
+    if later == len(times):
+        return np.asarray(values[-1])
+    if later:
+        share = (start - times[later - 1]) / (times[later] - times[later - 1])
+        first = values[later - 1] + share * (values[later] - values[later - 1])
+        times = np.concatenate([[start], times[later:]])
+        values = np.concatenate([first[None], values[later:]])
+    if len(times) == 1:
+        return np.asarray(values[0])
+    return np.asarray(np.trapezoid(values, times, axis=0) / (times[-1] - times[0]))

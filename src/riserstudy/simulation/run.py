@@ -262,9 +262,9 @@ def _seen(
     For a run that is only compared (not ``judged``), only the peaks of the flex joint angles.
     """
     seen = Seen()
-    if judged and len(model.s.dim) == 3:
-        seen.rotations = outputs.rotations(scene, model, mesh, record.value)
     every_step = steps_of(record.value)
+    if judged and len(model.s.dim) == 3:
+        seen.rotations = outputs.rotations(scene, model, mesh, every_step or record.value)
     if not every_step:
         return seen
     if not judged:
