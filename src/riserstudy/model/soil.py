@@ -48,22 +48,26 @@ def springs(
 ) -> LinearSoil | SoftClay | TabulatedSprings:
     """Springs at the nodes; each represents the part of its two half segments that is below the mudline.
 
-    ``bottom``: elevation of the lowest node (m).
+    Where the diameters of two sections meet at a node, each half segment has a spring of its own. ``bottom``:
+    elevation of the lowest node (m).
     """
     nodes = bottom + mesh.s
+    # the last one is that of a telescopic joint, a section of the mesh alone
+    diameters = np.array([*(section.outer_diameter or 0.0 for section in riser), 0.0])[mesh.section]
+    both = np.flatnonzero(diameters[1:] != diameters[:-1]) + 1  # nodes with two springs
     edges = np.concatenate([nodes[:1], 0.5 * (nodes[1:] + nodes[:-1]), nodes[-1:]])
+    edges = np.sort(np.concatenate([edges, nodes[both]]))
+    held = np.sort(np.concatenate([np.arange(len(nodes)), both]))
+    segment = np.searchsorted(nodes[1:-1], 0.5 * (edges[1:] + edges[:-1]))
     tops = np.minimum(edges[1:], soil.mudline)
     length = tops - edges[:-1]
-    held = np.flatnonzero(length > 0.0)
-    length = length[held]
-    least, most = soil.mudline - tops[held], soil.mudline - edges[held]
+    below = length > 0.0
+    held, length, diameter = held[below], length[below], diameters[segment[below]]
+    least, most = soil.mudline - tops[below], soil.mudline - edges[:-1][below]
     depth = 0.5 * (least + most)
     of = soil.resistance
     if isinstance(of, ElasticSoil):
         return LinearSoil(held, of.stiffness * length)
-    # section of the segment below a node, in the soil
-    section = mesh.section[np.maximum(held - 1, 0)]
-    diameter = np.array([riser[k].outer_diameter or 0.0 for k in section])
     if isinstance(of, Matlock):
         y50 = 2.5 * of.strain_at_half_strength * diameter
         ultimate = ultimate_resistance(of, depth, diameter)
