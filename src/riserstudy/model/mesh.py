@@ -16,6 +16,9 @@ GROWTH = 0.15  # increase of the segment length per metre of distance from a ben
 LAYER = 0.5
 COARSEST = 8  # segments of the coarsest mesh
 GRADED = 16  # segments of a graded mesh before its grading
+# shortest segments that halving makes, as a share of the riser's length: rounding changes the moments between
+# two much shorter ones, while a short section as one segment gives no such moments
+SHORTEST = 5e-6
 FINE = 4000  # points of the mapping that a graded mesh follows
 
 
@@ -54,9 +57,9 @@ class Mesh(NamedTuple):
         return int(np.searchsorted(self.section, section))
 
     def halved(self) -> Mesh:
-        """The mesh with twice the number of segments in the riser."""
+        """The mesh with twice the number of segments in the riser, but none shorter than `SHORTEST`."""
         if not self.mapping:
-            cuts = np.full(len(self.l0), 2)
+            cuts = np.where(self.l0 >= 2.0 * SHORTEST * self.riser_length, 2, 1)
             cuts[self.ring :] = 1
             cuts[: int(self.body)] = 1
             return self._replace(l0=np.repeat(self.l0 / cuts, cuts), section=np.repeat(self.section, cuts))
@@ -65,7 +68,9 @@ class Mesh(NamedTuple):
     def _scaled(self, times: float) -> Mesh:
         """The graded mesh with ``times`` the number of segments in the riser."""
         natural = np.bincount(self.section[: self.ring])
-        counts = np.maximum(1, np.round(times * natural).astype(int))
+        lengths = np.bincount(self.section[: self.ring], self.l0[: self.ring])
+        most = np.maximum(lengths / (SHORTEST * self.riser_length), natural)
+        counts = np.maximum(1, np.minimum(np.round(times * natural), most).astype(int))
         counts[: int(self.body)] = 1
         l0, section = _laid(self.mapping, list(counts))
         return self._replace(
