@@ -1,4 +1,4 @@
-"""A section of some millimetres, of the same pipe as its neighbours, changes no result, on fine meshes either."""
+"""A section of some millimetres, of the same pipe as its neighbours, changes no result on any mesh."""
 
 import copy
 
