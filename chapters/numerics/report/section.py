@@ -124,7 +124,7 @@ def costs(effects: xr.Dataset) -> list[str]:
         f"Most expensive effects, by their highest share of the run time in any scene: {listed(named)}.",
         f"{compiled}; compiling all of them takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
-        else f"{compiled}.",
+        else f"{compiled}; their compile times are unknown, because some had been compiled before.",
     ]
 
 
