@@ -51,6 +51,13 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
     assert found.rows[0].how == "one sign changed"
 
 
+@pytest.mark.parametrize("verdict", ["not comparable", "not reproducible"])
+def test_a_claim_without_a_grade_does_not_count_as_undecided(verdict, tmp_path):
+    rows = [row()] * 2 + [row("depends")] + [row(verdict)] * 3
+    said = written(tmp_path, rows).sentences
+    assert "2 fail, and 1 depend on unspecified inputs. 3 cannot be graded. The false" in said
+
+
 def test_a_claim_without_samples_has_no_share_and_no_file_has_no_summary(tmp_path):
     assert false_claims(tmp_path) is None
     assert written(tmp_path, []) is None

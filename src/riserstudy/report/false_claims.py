@@ -77,10 +77,12 @@ def _summary(rows: list[dict[str, str]]) -> str:
     subtle = sum(row["subtle"] == "1" for row in rows)
     believed = sum(row["verdict_of_that"] in BELIEVED for row in rows)
     high = 100.0 * binomtest(accepted, count).proportion_ci(method="exact").high
-    undecided = count - failing - accepted
+    undecided = sum(row["verdict"] == "depends" for row in rows)
+    rest = count - accepted - failing - undecided
+    others = f" {rest} cannot be graded." if rest else ""
     return (
         f"Of {counted(count, 'deliberately false claim')}, {subtle} of them subtle, the grader accepts "
-        f"{accepted or 'none'}. {failing} fail, and {undecided} depend on unspecified inputs. "
+        f"{accepted or 'none'}. {failing} fail, and {undecided} depend on unspecified inputs.{others} "
         f"The false-positive rate is {100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). "
         f"The same checks accept the paper's own statement behind {believed} of them."
     )
