@@ -14,6 +14,7 @@ from riserstudy.scene.water import Water
 
 FloatArray = NDArray[np.float64]
 PROFILE_POINTS = 2001  # points of a named current profile
+SAME = 1e-9  # distance of two elevations that count as one, as a share of the profile's height
 # depth below the surface at which its velocity is evaluated, as a share of the profile's height
 BELOW = 1e-9
 
@@ -84,12 +85,25 @@ def _as_table(current: Current, water: Water | None) -> tuple[FloatArray, FloatA
         elevations, speeds = current.table(water)
         return np.array(elevations), np.array(speeds)
     spans = [levels(part, water) for part in current.parts]
-    z = np.linspace(min(low for low, _ in spans), max(high for _, high in spans), PROFILE_POINTS)
+    z = _elevations(current, spans)
     speed = np.zeros_like(z)
     for part, span in zip(current.parts, spans, strict=True):
         if not (isinstance(part, WindDrift) and part.component == "both"):
             speed += profile(part, span, z)
     return z, speed
+
+
+def _elevations(current: Current, spans: list[tuple[float, float]]) -> FloatArray:
+    """Even elevations over the spans of all parts, with those at which a part has a kink."""
+    low, high = min(low for low, _ in spans), max(high for _, high in spans)
+    kinks = [end for span in spans for end in span]
+    for part, (_, top) in zip(current.parts, spans, strict=True):
+        if isinstance(part, Shape) and part.shape == "layer":
+            kinks += [top - depth for depth in (part.layer or 0.0, part.vanishes or 1.0)]
+    even = np.linspace(low, high, PROFILE_POINTS)
+    inside = np.unique([kink for kink in kinks if low <= kink <= high])
+    near = abs(even[:, None] - inside).min(axis=1) < SAME * (high - low)
+    return np.sort(np.concatenate([even[~near], inside]))
 
 
 def _spiral(part: WindDrift, span: tuple[float, float], z: FloatArray, wind: float) -> FloatArray:
