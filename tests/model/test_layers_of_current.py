@@ -19,7 +19,9 @@ def test_layers_have_their_speed_at_every_elevation(seed, spatial):
     for _ in range(int(draw.integers(1, 4))):
         edge, below = np.sort(draw.uniform(0.02, 0.9, 2)) * depth
         speed = float(draw.uniform(-0.5, 1.5))
-        parts.append({"shape": "layer", "surface_speed": speed, "layer": float(edge), "vanishes": float(below)})
+        parts.append(
+            {"shape": "layer", "surface_speed": speed, "layer": float(edge), "vanishes": float(below)}
+        )
         ends.append((speed, edge, below))
     profile = parts[0] if len(parts) == 1 else {"sum": parts}
     tree["current"] = {"profile": profile, "beyond": "hold"}
