@@ -181,4 +181,4 @@ def terminal(_: Files) -> Iterator[Row]:
     now = float(run["platform_speed_x"])
     yield Row(case, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
     went = float(run["platform_surge"])
-    yield Row(case, "distance after 400 s", "m", CLOSED, "its integral", way, went, 1e-5, because)
+    yield Row(case, "distance after 400 s", "m", CLOSED, "integral of this speed", way, went, 1e-5, because)

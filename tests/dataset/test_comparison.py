@@ -107,7 +107,7 @@ def test_values_along_the_riser(table):
         (["time (s)", "tension at 300 m (kN)"], "has no tension over time"),
         (["time (s)", "effective_tension at 300 m (m)"], "wrong dimension"),
         (["time (s)", "effective_tension at 300 m"], "no heading with a unit"),
-        (["depth (m)", "bending_moment_max (kN m)"], "is no axis"),
+        (["depth (m)", "bending_moment_max (kN m)"], "is not an axis"),
     ],
 )
 def test_what_cannot_be_compared_is_refused_with_the_remedy(table, headings, said):

@@ -202,7 +202,7 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
         ("hs (m),tp (s)\n1,8\n", "does not state how often sea states occur"),
         ("hs (m),tp (s),share\n1,8,10\n", "unit ''"),
         ("hs (m),tp (s),share (%),count\n1,8,10,1\n", "a second column"),
-        ("hs (m),wind (m/s),share (%)\n1,8,10\n", "no axis of the study"),
+        ("hs (m),wind (m/s),share (%)\n1,8,10\n", "not an axis of the study"),
         ("hs (m),share (%)\n1,10\n", "not given, nor in the table"),
         ("hs (m),tp (s),share (%)\n1,8,90\n2,8,20\n", "add to 110 %"),
         ("hs (m),tp (s),share (%)\n1,8,-1\n2,8,20\n", "0 and more"),

@@ -67,7 +67,8 @@ def test_a_missing_value_is_neither_yes_nor_no(seed, about):
     assert found.verdict == (alone.verdict if could == {alone.verdict} else "depends")
     share = found.grounds.share
     assert (share.met, share.samples) == ((others == 100.0).sum(), others.size)
-    assert f"left out, because they have no result: {off.sum()} of {COUNT}" in said(found)
+    are = "is" if off.sum() == 1 else "are"
+    assert f"{off.sum()} of {COUNT} cases {are} left out, because" in said(found)
     assert [case.met for case in found.cases if case.met is None] == [None] * off.sum()
     assert not any(case.judged for case in found.cases if case.met is None)
     assert regrade(found.kind, found.cases) == found.verdict
@@ -169,7 +170,7 @@ def test_a_share_is_no_larger_than_one_percent_and_of_a_number(within, number):
     "base, said",
     [
         ({"line": "tangent"}, "'tangent' is not on that axis; allowed are chord, least squares"),
-        ({"lines": "chord"}, "C1.base.lines: no axis of the result of the check; allowed are line"),
+        ({"lines": "chord"}, "C1.base.lines: not an axis of the result of the check; allowed are line"),
     ],
 )
 def test_a_base_that_is_not_there_is_refused(base, said):

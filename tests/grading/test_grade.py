@@ -88,7 +88,7 @@ def test_a_claim_holds_where_its_base_and_enough_samples_are_true(count, base):
     if not base:
         assert found.depends_on.startswith(f"the base case; {share}")
     elif not enough:
-        assert found.depends_on.startswith(f"too few samples ({count} of 59); {share}")
+        assert found.depends_on.startswith(f"too few samples ({count}; at least 59 are needed); {share}")
 
 
 def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
@@ -97,7 +97,10 @@ def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
     space = space.assign_attrs(origins="{}").merge(samples(lever=["in"] * 8))
     about = {"kind": "claim", "check": "claim", "with": {"at_least": 3.0}, "over": {"runs": "space"}}
     found = row({"base": dataset(5.0), "space": space}, **about)
-    assert found.depends_on == "too few samples (8 of 59): true with every interpretation (a; b; c)"
+    assert (
+        found.depends_on
+        == "too few samples (8; at least 59 are needed): true with every interpretation (a; b; c)"
+    )
 
 
 def test_all_readings_of_a_grid_are_enough_however_few():
@@ -212,7 +215,7 @@ def test_the_table_has_the_columns_of_the_contract():
     "premise, told, verdict",
     [
         (120.0, "True in 80 of 80 samples (100 %). Only the 80 of 200 samples that meet", "holds"),
-        (150.0, "too few samples (50 of 59)", "depends"),
+        (150.0, "too few samples (50; at least 59 are needed)", "depends"),
         (40.0, "true in 100 of 160 samples (62 %", "depends"),
         (999.0, "None of 200 samples meets the premise, so the base case is judged", "holds"),
     ],

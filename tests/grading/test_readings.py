@@ -141,7 +141,7 @@ def test_chance_hits_of_a_continuous_spread_meet_no_number(seed):
     assert found.verdict == "fails"
     assert found.grounds.share.met == 0
     assert (found.grounds.together.alone.met, found.grounds.together.others) == (alone, ["b"])
-    assert f"On its own it is met in {alone} of 512 samples" in row_of(found).note
+    assert f"Judged alone, it is met in {alone} of 512 samples" in row_of(found).note
     proportional = numbers(size, 2.0 * size)
     assert proportional.verdict == ("depends" if alone else "fails")
     assert proportional.grounds.share.met == alone
@@ -164,7 +164,7 @@ def test_numbers_together_are_met_where_each_is(seed):
 @pytest.mark.parametrize("other", ["a", "c"])
 def test_a_number_is_judged_with_other_numbers_of_its_paper_alone(other):
     items = [number("a", 1.0, reads={"runs": "x"}, together=[other])]
-    with pytest.raises(ValueError, match=f"'{other}' is no other number"):
+    with pytest.raises(ValueError, match=f"'{other}' is not another number"):
         PublishedFile(paper="own", items=items)
 
 
@@ -178,7 +178,9 @@ def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_v
     found = claim(space, space.isel(sample=0, drop=True), chosen=chosen)
     assert found.verdict == verdict
     note = row_of(found).note
-    assert re.search("chosen accordingly: the profile. (Samples vary|No sample varies) this choice", note)
+    assert re.search(
+        "chosen to make it agree: the profile. (Samples vary|No sample varies) this choice", note
+    )
     assert Grounds.from_json(row_of(found).grounds) == found.grounds
     never = claim(of_lines([0.0]).isel(line=0, drop=True), space.isel(sample=0), chosen=chosen)
     assert never.verdict == "fails"

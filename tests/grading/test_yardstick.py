@@ -166,7 +166,7 @@ items: [{{id: C1, figure: '1', kind: claim, statement: s, check: c, reads: {{run
 def test_a_word_that_is_not_in_the_table_is_refused_with_those_that_are(tmp_path):
     (tmp_path / "published").mkdir()
     (tmp_path / "published/paper.yaml").write_text(FILE.format("huge"))
-    with pytest.raises(InputError, match="words: no table of words"):
+    with pytest.raises(InputError, match="words: not a table of words"):
         read_published(tmp_path, "paper", {"base"})
     (tmp_path / "published/words.yaml").write_text(
         "no_difference: 2 %\nbecause: b\nwords: {large: {at_least: 9 %, because: b}}\n"
@@ -210,7 +210,9 @@ def test_differences_of_a_hundredth_of_a_per_cent_hold_nothing():
     share = found.grounds.share
     assert (share.met, share.same, share.samples) == (0, 256, 256)
     note = row_of(found).note
-    assert '"Smaller" means a difference of at least 2 %; less is no difference.' in note
+    assert (
+        '"Smaller" means a difference of at least 2 %; a smaller difference counts as no difference.' in note
+    )
     assert "true in 0 of 256 samples (0 %, 95 % interval 0 to 1 %), no difference in 256" in note.lower()
     assert "Base case: 1, no difference." in note
     assert all(case.same and not case.met for case in found.cases)

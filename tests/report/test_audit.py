@@ -90,9 +90,7 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     assert (of.points, of.off, of.requested, of.missed_by_request, of.estimated) == (4, 1, 1, 0, 2)
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
-    assert (
-        "The other 3 use a fixed mesh and time step; their error was estimated for 2 of them" in of.sentences
-    )
+    assert "The other 3 use a fixed mesh and time step; the error was estimated at 2 of them" in of.sentences
 
 
 def test_each_point_is_held_to_the_accuracy_that_it_asks_for():
@@ -105,7 +103,7 @@ def test_where_nothing_misses_that_is_all_that_is_said():
     db = database([("fine", True, None, 0.001, 0.002, None)])
     assert (
         missed(db, kept(fine=(None, None))).sentences
-        == "At 1 point, the estimated errors are within the tolerance."
+        == "At 1 grid point, the estimated errors are within the tolerance."
     )
 
 
@@ -118,17 +116,19 @@ def test_no_point_without_an_estimate_is_said_to_be_within_its_tolerance(seed):
     ]
     told = sum(row[-1] is not None for row in rows)
     of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
-    assert of.sentences.startswith(f"At {told} point{'s' * (told != 1)}, the estimated errors are within")
+    assert of.sentences.startswith(
+        f"At {told} grid point{'s' * (told != 1)}, the estimated errors are within"
+    )
     silent = len(rows) - told
-    assert (f"For the other {silent}, the error was not estimated" in of.sentences) == (silent > 0)
+    assert (f"At the other {silent}, the error was not estimated" in of.sentences) == (silent > 0)
 
 
 def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
     rows = [("blow", True, None, 0.03, 0.03, None), ("asked", False, 0.02, 0.001, None, None)]
     rows += [(f"tuned{k}", False, 0.02, None, None, None) for k in range(3)]
     said = missed(database(rows), kept(**{row[0]: (None, None) for row in rows})).sentences
-    assert said.startswith("At 1 point with a tolerance, the estimated errors are within it")
-    assert "For 3 more, in tuned studies, the error was not estimated" in said
+    assert said.startswith("At 1 grid point with a tolerance, the estimated errors are within this tolerance")
+    assert "At 3 more, whose mesh and time step were tuned for their study, the error was not" in said
 
 
 @pytest.mark.parametrize(
@@ -156,9 +156,9 @@ def test_points_of_both_kinds_that_miss_are_counted_apart_and_the_largest_error_
     ]
     of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
     assert of.sentences.replace("\N{NO-BREAK SPACE}", " ") == (
-        "1 of 2 points with a tolerance have larger errors. For 1 more, in tuned studies, "
-        "the error was not estimated. The other 3 use a fixed mesh and time step; "
-        "their error was estimated for 3 of them and exceeds 1 % for 2. "
+        "1 of 2 grid points with a tolerance have larger errors. At 1 more, whose mesh and time step were "
+        "tuned for their study, the error was not estimated. The other 3 use a fixed mesh and time step; "
+        "the error was estimated at 3 of them and exceeds 1 % at 2. "
         "The largest estimate is 20 %, in paper/blow (tension)."
     )
 

@@ -243,7 +243,7 @@ def numbered(calendar="standard", units="hours since 2001-01-01"):
     [
         (numbered("noleap"), "calendar 'noleap'"),
         (numbered("360_day"), "calendar '360_day'"),
-        (xr.DataArray(3.0 * np.arange(ROWS), dims="time"), "numbers that are no dates"),
+        (xr.DataArray(3.0 * np.arange(ROWS), dims="time"), "numbers that are not dates"),
         (None, "the file has no times"),
     ],
 )

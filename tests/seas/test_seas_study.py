@@ -138,7 +138,7 @@ def test_the_parts_simulate_all_that_the_dataset_needs(study, made, monkeypatch)
         ({"seeds": 3}, "seeds: 3"),
         ({"windows": ["90 min"]}, "no whole number"),
         ({"windows": ["90 kg"]}, "windows|kg"),
-        ({"sea_limits": ["height < 2"]}, "no limit on the sea"),
+        ({"sea_limits": ["height < 2"]}, "not a limit on the sea"),
         ({"sea_limits": ["current <= 1 m/s"]}, "current_speed: not in the record"),
         ({"axes": {"heading": {"one": {}}}}, "axes.heading: headings give it"),
         ({"set": MODEL["set"] | {"platform.response": None}}, "no irregular sea"),

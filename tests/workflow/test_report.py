@@ -190,7 +190,9 @@ def test_how_many_points_miss_a_tolerance_is_counted_from_the_database(sources):
             "from points"
         ).fetchone()
     text = " ".join(Page(render(sources)).words)
-    said = f"In {off} of {points} points" if off else f"At {known} points, the estimated errors are within"
+    said = (
+        f"In {off} of {points} points" if off else f"At {known} grid points, the estimated errors are within"
+    )
     assert said in text
 
 
@@ -227,7 +229,7 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["A2"].sentences == ["Base case: 1.5, true.", "Margin to a change of the outcome: +25 %."]
     assert found["B0"].sentences == []
     assert found["A10"].why == "Depends on the flow; U: m/s."
-    assert found["A4"].why == "No single input or pair decides it."
+    assert found["A4"].why == "No single input or pair of inputs decides the outcome."
     assert found["B0"].why == "Simulated -3.142e+06 N, published -3.142e+06 N; error 0 %."
 
 

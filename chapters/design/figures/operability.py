@@ -83,14 +83,13 @@ def _answer(of: xr.Dataset, mode: str) -> str:
     speeds = of["surface_speed"].values
     left = speeds[(lowest <= highest).values]
     if not len(left):
-        return f"No offset allows {ALLOWED[mode]} in every mud, in any current"
+        return f"In no current does an offset allow {ALLOWED[mode]} in every mud"
     at = {"surface_speed": left[-1]}
     offsets = _offsets(float(lowest.sel(at)), float(highest.sel(at)))
     if not offsets:
-        return f"At {left[-1]:g} m/s no limit bounds the offset for {ALLOWED[mode]}"
+        return f"At {left[-1]:g} m/s of current, no limit bounds the offset for {ALLOWED[mode]}"
     muds = "every mud" if of.sizes["mud_weight"] > 1 else "this mud"
-    tested = ", the strongest tested," if left[-1] == speeds[-1] else ""
-    return f"At {left[-1]:g} m/s{tested} {offsets} allow {ALLOWED[mode]} in {muds}"
+    return f"At {left[-1]:g} m/s of current, {offsets} allow {ALLOWED[mode]} in {muds}"
 
 
 def _offsets(low: float, high: float) -> str:

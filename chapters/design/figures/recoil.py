@@ -67,10 +67,10 @@ def _answer(of: xr.Dataset) -> str:
     if not every[0]:
         some = heaves[serves.any("mud_weight").values]
         if not len(some):
-            return "No tested setting allows a safe disconnect in any heave"
-        return f"Above {some.max():g} m of heave no tested setting allows a safe disconnect"
+            return "No tested tension setting allows a safe disconnect at any heave amplitude"
+        return f"Above {some.max():g} m heave amplitude, no tested tension setting allows a safe disconnect"
     largest = heaves[np.logical_and.accumulate(every)].max()
-    return f"Up to {largest:g} m of heave a tested setting allows a safe disconnect"
+    return f"Up to {largest:g} m heave amplitude, a tested tension setting allows a safe disconnect"
 
 
 def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
@@ -127,7 +127,7 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
     failed = max(units) - min(units)
     headline(
         figure,
-        f"Open valves change the lift from {closed:.0f} to {opened:.0f} m, "
+        f"Open valves change the LMRP lift from {closed:.0f} to {opened:.0f} m, "
         f"{failed:g} failed unit{'' if failed == 1 else 's'} to {fewer:.0f} m",
     )
     return figure

@@ -114,7 +114,7 @@ def _allowed(window: xr.Dataset, outcome: xr.Dataset, tension_ratio: float) -> s
     most = float(np.nanmax(high))
     if most >= ceiling:
         return "Recoil allows tension settings up to the ceiling"
-    return f"Recoil limits the setting to at most {most:.1f} MN; ceiling {ceiling:.1f} MN"
+    return f"Recoil limits the tension setting to at most {most:.1f} MN; the ceiling is {ceiling:.1f} MN"
 
 
 def heaviest(at: xr.Dataset) -> float | None:

@@ -158,7 +158,9 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
         colour = OF_HEADING["0° (along)"]
         (tick,) = axes[0].plot([deadline], [end], "_", color=colour, ms=14, mew=2.0, label="_")
         label_line(axes[0], tick, 0.0, (8.0, 0.0), name=f"{end:.0f}°")
-    set_title(figure, f"At the printed time, most samples along give {least:.0f}° to {most:.0f}°")
+    set_title(
+        figure, f"At the printed time along the environment, most samples give {least:.0f}° to {most:.0f}°"
+    )
     panel_title(axes[0], "median and band of 90 % of the samples")
     axes[0].set_xlabel(TIME)
     axes[0].set_ylabel("upper flex joint angle (°)")

@@ -142,7 +142,7 @@ def fig05(ref_0: xr.Dataset, ref_180: xr.Dataset) -> Figure:
     )  # fmt: skip
     below = "hardly" if low < HARDLY * high else f"{low:.1f} m"
     far = f"the top has moved {high:.0f} m, the bottom {below}"
-    set_title(figure, f"Along, after {EARLY:g} s, {far}")
+    set_title(figure, f"After {EARLY:g} s along the environment, {far}")
     axes[0].set_ylabel("elevation above the wellhead (m)")
     return figure
 
@@ -187,7 +187,7 @@ def _when_it_drives(force: xr.DataArray) -> str:
     against = max(float(force.sel(case=f"{kind}_180").max()) for kind in SETS)
     ever = "never" if against < 0.0 else "at times"
     time = f" for {_range(until)} s" if np.isfinite(until).all() else ""
-    return f"Along, the riser acts in drive-off direction{time}; against, {ever}"
+    return f"Along the environment, the riser drives the platform{time}; against, {ever}"
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:
@@ -250,7 +250,8 @@ def envelope(envelope: xr.Dataset) -> Figure:
     ax.set_xlabel("static offset of the platform (m)")
     ax.set_ylabel("utilisation of the limit")
     set_title(
-        figure, f"Stroke-out occurs at {end:.0f} m of static offset, the conductor limit at {then:.0f} m"
+        figure,
+        f"Stroke-out occurs at {end:.0f} m of static offset; the conductor reaches its limit at {then:.0f} m",
     )
     lines = {str(line.get_label()): line for line in named(ax)}
     speeds = [float(speed) for speed in used["surface_speed"].values]

@@ -44,7 +44,8 @@ def losses(losses: xr.Dataset) -> Figure:
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     set_title(
         figure,
-        f"In a drift-off stroke-out occurs at {end:.0f} s, the conductor limit {stress - end:.0f} s later",
+        f"In a drift-off, stroke-out occurs at {end:.0f} s; the conductor limit is reached "
+        f"{stress - end:.0f} s later",
     )
     mark_both(axes[1], end, stress, "s")
     axes[0].set_ylabel("utilisation of the limit")
@@ -144,8 +145,8 @@ def _slowest_in_time(disconnect: xr.Dataset, station: float) -> str:
     least = float(longest.min())
     shortest = longest["scenario"].values[longest.values == least]
     longer = tested.values[tested.values > least]
-    late = f", {longer.min():g} s too late" if longer.size else ""
+    late = f"; {longer.min():g} s is too late" if longer.size else ""
     where = f"Under {', '.join(map(str, shortest))}"
     if set(shortest) == set(longest["scenario"].values) - {DRIFT_OFF}:
         where = "In a drive-off"
-    return f"{where} a {least:g} s disconnect is in time{late}"
+    return f"{where}, a {least:g} s disconnect is in time{late}"

@@ -163,7 +163,7 @@ def _loses(lost: xr.DataArray) -> str:
     if bool(lost.isnull().all()):
         return ""
     worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
-    return f"from {_two_digits(float(worst))} m amplitude at {float(worst['heave_period']):g} s"
+    return f"from {_two_digits(float(worst))} m amplitude at {float(worst['heave_period']):g} s period"
 
 
 def _two_digits(value: float) -> str:

@@ -59,7 +59,7 @@ def _answer(quickest: list[str]) -> str:
     if not wins:
         return f"No method reaches an error of {100 * TARGET:g} %"
     name, count = wins[0]
-    return f"{name} is fastest at {100 * TARGET:g} % in {count} of {len(quickest)} scenes"
+    return f"At an error of {100 * TARGET:g} %, {name} is fastest in {count} of {len(quickest)} scenes"
 
 
 def _scene(ax: Axes, of: xr.Dataset) -> str:

@@ -45,7 +45,7 @@ def answer(tiers: xr.Dataset) -> str:
     first, last = str(tiers["tier"].values[0]), str(tiers["tier"].values[-1])
     if first == last:
         spent = float(tiers["wall_seconds"].median())
-        return f"A scene of the {first} tier takes {spent:.2g} s in the median"
+        return f"The median run time of a scene in the {first} tier is {spent:.2g} s"
     ratio = (tiers["wall_seconds"].sel(tier=last) / tiers["wall_seconds"].sel(tier=first)).dropna("scene")
     if not ratio.size:
         return f"No scene was simulated at both {first} and {last}"

@@ -149,16 +149,16 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
 
     honest = float(((ratio >= HONEST[0]) & (ratio <= HONEST[1])).mean())
     lines = [
-        f"{counts}. In {within(ran)} of the judged scenes the true error is within the tolerance; of the "
-        f"scenes that were not used for tuning, in {within(held)}. In {100 * honest:.0f} % of the scenes the "
-        "estimate is between 0.5 and 5 times the true error."
+        f"{counts}. The true error is within the tolerance in {within(ran)} of the judged scenes, and in "
+        f"{within(held)} of the scenes that were not used for tuning. In {100 * honest:.0f} % of the scenes "
+        "the estimate is between 0.5 and 5 times the true error."
     ]
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
             f"All refinements together cost {middle:.2g} times the work of the cheapest uniform mesh and "
             f"time step of equal error (median; in 95 % of the scenes at most {most:.2g} times). "
-            f"In {none} scenes no cheaper setting was found."
+            f"Number of scenes for which no cheaper setting was found: {none}."
         )
     return lines
 

@@ -58,9 +58,9 @@ def hard_cases(stability: xr.Dataset) -> Table:
             ]
         )
     about = (
-        "Each row is a case. Error and estimate refer to the scene as written. For each method: the longest "
-        "time step (s) that is accurate to 1 %, and the longest that is stable, on the mesh of the default "
-        "accuracy. A dash means that no tested time step is accurate or stable."
+        "Each row is a case. Error and estimate refer to the scene as written. The columns of the methods "
+        "give the longest time step (s) that is accurate to 1 %, and the longest that is stable, on the mesh "
+        "of the default accuracy. A dash means that no tested time step is accurate or stable."
     )
     columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)
@@ -83,8 +83,9 @@ def changes(effects: xr.Dataset) -> Table:
             cells = [Cell(str(scene)), Cell(str(change)), *map(_share, values), Cell(signed, _order(time))]
             rows.append([*cells, Cell(f"not possible: {sentences}" if sentences else "")])
     about = (
-        "Each row removes an effect from a scene (without) or adds one (with), on the same mesh and time "
-        "step. Relative change of the largest displacement, moment and top tension, and of the run time."
+        "In each row, an effect is removed from a scene (without) or added (with), on the same mesh and time "
+        "step. Columns: relative change of the largest displacement, moment and top tension, and of the run "
+        "time."
     )
     columns = ["Scene", "Change", *map(str.capitalize, CHANGES.values()), "Time", "Remark"]
     return Table("Effects, one by one", about, columns, {2, 3, 4, 5}, rows)

@@ -96,7 +96,7 @@ def _called(settings: list[str] | None) -> dict[str, str]:
     for setting in settings or []:
         name, equals, heading = setting.rpartition("=")
         if not equals or not name.strip() or name.strip() in called:
-            found = "no NAME=HEADING" if name.strip() not in called else "given twice"
+            found = "not NAME=HEADING" if name.strip() not in called else "given twice"
             allowed = "allowed is 'Line 1 Te=effective_tension at 300 m (kN)'"
             raise InputError("--column", setting, found, allowed)
         called[name.strip()] = heading.strip()

@@ -155,7 +155,7 @@ def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
         raise InputError("--failed", str(failed), "no unit is left", allowed)
     for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
         if not math.isfinite(tolerance):  # the option's minimum accepts these
-            raise InputError(option, str(tolerance), "no finite number", "write, for example, 1.05")
+            raise InputError(option, str(tolerance), "not a finite number", "write, for example, 1.05")
 
 
 def operability(
@@ -240,7 +240,7 @@ def envelope(
     found = computed(file, far, speeds, seas, seeds, notify)
     show(found.table, csv)
     for name, why in found.missing.items():
-        print(f"{name}: not evaluated: {why}; rows with this note leave it out")
+        print(f"{name}: not evaluated: {why}; rows with this note leave this limit out")
     if found.missing:
         raise typer.Exit(4)
 
@@ -294,7 +294,7 @@ def viv(
     _show_modes(found, csv)
     shed = found["shedding_frequency"].values
     print(
-        f"vortices are shed at {shed.min():.3g} to {shed.max():.3g} Hz, by a Strouhal number of "
+        f"vortices are shed at {shed.min():.3g} to {shed.max():.3g} Hz, for a Strouhal number of "
         f"{strouhal:g}; the table depends on reduced velocities, not on this number"
     )
     if any(section.viv for section in file.resolved().riser):
@@ -348,7 +348,7 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
         name, equals, text = (part.strip() for part in one.partition("="))
         if not equals or name not in UNITS:
             allowed = "allowed is OUTPUT=VALUE, of " + ", ".join(UNITS)
-            raise InputError("--allowance", one, "no output that has limits", allowed)
+            raise InputError("--allowance", one, "not an output that can have limits", allowed)
         if name in added:
             raise InputError("--allowance", one, "given twice", "give each output once")
         if name not in used:

@@ -122,7 +122,8 @@ def fatigue(
             print(line)
     if years.by_vibration > 0.0:
         print(
-            f"sea states simulated with vortex-induced vibration cause {100 * years.by_vibration:.3g} % of it"
+            f"sea states simulated with vortex-induced vibration cause {100 * years.by_vibration:.3g} % "
+            "of the damage"
         )
     if without is not None:
         _print_comparison(years, _summed(without, scatter, seas, gamma, at, calm))

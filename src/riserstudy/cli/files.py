@@ -138,9 +138,7 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
     for line in operators.left_out:
         print(f"left out: {line}")
     print(f"{output} is written; in a scene: {rao_files.lines_of_scene(operators, output)}")
-    print(
-        "Motions are those of the origin of the body's axes: enter this origin as platform.centre_of_rotation"
-    )
+    print("Motions refer to the origin of the body's axes: enter this origin as platform.centre_of_rotation")
 
 
 def new(folder: Annotated[Path, typer.Argument(help="folder to make", metavar="FOLDER"), Writes()]) -> None:
@@ -163,5 +161,5 @@ def schema(
     from riserstudy.study.schemas import schemas
 
     if kind not in (known := schemas(own_chapters()) | {"claims": claims_schema}):
-        raise InputError("schema", kind, "no kind of file", f"allowed are {', '.join(known)}")
+        raise InputError("schema", kind, "not a kind of file", f"allowed are {', '.join(known)}")
     print(json.dumps(known[kind](), indent=2))

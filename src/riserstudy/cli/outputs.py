@@ -194,7 +194,7 @@ def statistics(
     begin = quantity("--start", start, "s", SUCH_AS)
     within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)
     if exposure and not (within or 0.0) > 0.0:
-        raise InputError("--exposure", exposure, "no duration", SUCH_AS)
+        raise InputError("--exposure", exposure, "not a duration", SUCH_AS)
     missed = ("", 0.0)
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run
@@ -220,7 +220,7 @@ def _warnings(scene: Resolved, begin: float, record: float, exposure: float | No
     if exposure and exposure > SHORT * record:
         yield (
             f"extremes of {exposure:g} s are estimated from a record of {record:g} s, "
-            f"{exposure / record:.0f} times shorter; simulate longer, or more seeds"
+            f"which is {exposure / record:.0f} times shorter; simulate a longer record, or more seeds"
         )
     if max(begin, (output and output.start) or 0.0) < scene.built_up * (1.0 - 1e-9):
         yield (
@@ -245,6 +245,6 @@ def _of_outputs(scene: Resolved, missed: tuple[str, float]) -> Iterator[str]:
     elif output and missed[1] > MISSED:
         yield (
             f"outputs {output.interval:g} s apart miss peaks of {missed[0]}: its extremes differ by "
-            f"{percent(missed[1])} of the range from those over all time steps; run the scene with "
+            f"{percent(missed[1])} of the range from the extremes over all time steps; run the scene with "
             f"analysis.output.interval of at most {at_most(0.5 * output.interval)} s"
         )

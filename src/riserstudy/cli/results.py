@@ -34,7 +34,7 @@ def results(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            help="name of a study; or words, to list the points that contain all of them",
+            help="name of a study; or words, to list the points in which all these words are found",
             metavar="[STUDY | FILTER...]",
         ),
     ] = None,
@@ -58,7 +58,7 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    If the arguments are words, the command lists the points (single simulations) that contain every word.
+    If the arguments are words, the command lists the points (simulations) in which every word is found.
     For each point, the command searches the key (the name in the store), study, axis values, scene, engine,
     effects and warnings.
     """

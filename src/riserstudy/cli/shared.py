@@ -83,7 +83,7 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     for setting in settings or []:
         name, equals, text = setting.partition("=")
         if not equals or not name.strip():
-            raise InputError("--set", setting, "no PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
+            raise InputError("--set", setting, "not PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
         overrides[name.strip()] = plain_yaml(text, f"--set {name.strip()}")
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
@@ -244,7 +244,7 @@ def place_of(at: list[str] | None) -> dict[str, str]:
     """Values by axis, as text."""
     given = [one.partition("=") for one in at or []]
     if bad := [name for name, equals, _ in given if not equals]:
-        raise InputError("--at", bad[0], "no AXIS=VALUE", "allowed is heave_amplitude=5")
+        raise InputError("--at", bad[0], "not AXIS=VALUE", "allowed is heave_amplitude=5")
     places = {name.strip(): value.strip() for name, _, value in given}
     if len(places) < len(given):
         found = ", ".join(at or [])

@@ -72,7 +72,7 @@ def check_output(
         if output.exists() and not force:
             _check_replaced(output, kinds, reads, option)
     except (OSError, ValueError) as error:  # a name that is too long or empty, or a loop of links
-        reason = getattr(error, "strerror", None) or "no file name"
+        reason = getattr(error, "strerror", None) or "not a file name"
         raise InputError(option, str(output), reason, "name another file") from None
 
 

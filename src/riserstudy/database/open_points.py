@@ -140,7 +140,7 @@ def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr
     import xarray as xr
 
     if not path.is_file():
-        raise InputError(path, "", "no dataset", "the next run makes it again")
+        raise InputError(path, "", "not a dataset", "the next run makes it again")
     refuse_damaged(path)
     refuse_other_files(path)
     with xr.open_dataset(path, engine="netcdf4") as dataset:

@@ -69,7 +69,7 @@ def planned(config: Path) -> Set[str]:
     path = config / "config.yaml"
     tree = read_yaml(path, keep=True)
     if not isinstance(tree, dict):
-        raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
+        raise InputError(path, "", "not a mapping", "it starts with names such as 'papers:'")
     settings = check(Config, tree, path)
     keys: set[str] = set()
     for paper in settings.papers:

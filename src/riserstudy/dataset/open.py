@@ -49,4 +49,4 @@ def open_dataset(path: Path) -> xr.Dataset:
     except (OSError, ValueError, RuntimeError):
         scene = path.suffix in (".yaml", ".yml")
         how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it again"
-        raise InputError(path, "", "no dataset", how) from None
+        raise InputError(path, "", "not a dataset", how) from None

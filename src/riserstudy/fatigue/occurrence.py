@@ -109,7 +109,7 @@ def _heads(
             weight = k
         elif (axis := axis_of(name, axes)) is None:
             allowed = f"allowed are {', '.join([*axes, *WEIGHTS])}"
-            raise InputError(path, text.strip(), "no axis of the study", allowed)
+            raise InputError(path, text.strip(), "not an axis of the study", allowed)
         else:
             if name in UNSURE and name != axis:
                 raise InputError(path, text.strip(), "is ambiguous", f"write {UNSURE[name]}")
@@ -187,7 +187,7 @@ def axis_of(name: str, axes: list[str]) -> str | None:
 def _head(path: Path, text: str) -> tuple[str, str]:
     match = _HEAD.fullmatch(text)
     if match is None:
-        raise InputError(path, text.strip(), "no name of a column", "write, for example, 'hs (m)'")
+        raise InputError(path, text.strip(), "not the name of a column", "write, for example, 'hs (m)'")
     return match["name"].strip().lower().replace(" ", "_"), (match["unit"] or "").strip()
 
 

@@ -102,7 +102,7 @@ def at_cell(found: Found, cell: Mapping[str, Any], where: str, field: str) -> Fo
         if there is None or axis not in there.dims:
             axes = ", ".join(map(str, (found.value if there is None else there).dims))
             allowed = f"allowed are {axes}" if axes else "leave it out: the result of the check has no axes"
-            raise InputError(where, f"{field}.{axis}", "no axis of the result of the check", allowed)
+            raise InputError(where, f"{field}.{axis}", "not an axis of the result of the check", allowed)
         values = there[axis].values.tolist()
         if value not in values:
             allowed = "allowed are " + ", ".join(map(str, values))

@@ -196,7 +196,7 @@ class PublishedFile(Strict):
         for item in self.items:
             for other in item.together:
                 if item.id not in numbers or other not in numbers or other == item.id:
-                    found = f"{other!r} is no other number"
+                    found = f"{other!r} is not another number"
                     raise Misfit(f"{item.id}.together", found, f"allowed are {', '.join(numbers)}")
                 if set(numbers[other].reads) != set(item.reads):
                     found, allowed = f"{other!r} reads by other names", "allowed are the same"

@@ -25,6 +25,7 @@ from riserstudy.records.words import listed
 
 DECIDES = 1.0 / 3.0  # smallest share of the outcome's variance that deciding inputs must explain
 MANY, NAMED = 12, 6  # of more than MANY interpretations, only NAMED are named
+NOT_ONE = "no single input or pair"  # instead of deciding inputs, if none explains most of the outcome
 _HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
 
 
@@ -83,7 +84,7 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
         if many and len(names) == len(readings):
             parts.append(f"{word} with all {len(names)} interpretations")
         elif names and many and len(names) > NAMED:
-            parts.append(f"{word} with {len(names)} of {len(readings)}")
+            parts.append(f"{word} with {len(names)} of {len(readings)} interpretations")
         elif len(names) == len(readings) > 1:
             parts.append(f"{word} with every interpretation ({'; '.join(names)})")
         elif names:
@@ -107,7 +108,8 @@ def decided_by(grounds: Grounds) -> str:
     """Deciding inputs; "" if the verdict does not depend."""
     if grounds.because == "too few samples":
         shares = [reading.share for reading in grounds.readings] or [grounds.share or Share(0, 1)]
-        return f"too few samples ({min(share.draws or 0 for share in shares)} of {ENOUGH})"
+        count = min(share.draws or 0 for share in shares)
+        return f"too few samples ({count}; at least {ENOUGH} are needed)"
     if grounds.because == "base case":
         return "the base case"
     if grounds.because == "missing values" and grounds.missing:
@@ -116,7 +118,7 @@ def decided_by(grounds: Grounds) -> str:
     if grounds.because == "inputs":
         names = [influence.name for influence in grounds.decided_by]
         weak = grounds.explained is not None and grounds.explained < DECIDES
-        return listed(names) if names and not weak else "no single input or pair"
+        return listed(names) if names and not weak else NOT_ONE
     return ""
 
 
@@ -175,11 +177,14 @@ def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
         if word.most:
             yield f'"{_capital(word.word)}" means a difference of at most {bound}.'
         elif word.bound == word.band:
-            yield f'"{_capital(word.word)}" means a difference of at least {bound}; less is no difference.'
+            yield (
+                f'"{_capital(word.word)}" means a difference of at least {bound}; '
+                "a smaller difference counts as no difference."
+            )
         else:
             yield (
                 f'"{_capital(word.word)}" means a difference of at least {bound}; '
-                f"less than {band} is no difference."
+                f"a difference of less than {band} counts as no difference."
             )
 
 
@@ -196,7 +201,8 @@ def _premise(premise: Premise | None) -> Iterator[str]:
 def _missing(missing: Missing | None) -> Iterator[str]:
     """Number of cases without a result."""
     if missing is not None:
-        yield f"Left out, because they have no result: {missing.cases} of {missing.of} cases."
+        are, they = ("is", "it has") if missing.cases == 1 else ("are", "they have")
+        yield f"{missing.cases} of {missing.of} cases {are} left out, because {they} no result."
 
 
 def _together(together: Together | None) -> Iterator[str]:
@@ -205,7 +211,7 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others, alone = listed(together.others), together.alone
     of = "samples" if alone.draws is not None else "interpretations"
-    met = f"On its own it is met in {alone.met} of {alone.samples} {of}."
+    met = f"Judged alone, it is met in {alone.met} of {alone.samples} {of}."
     yield f"The number must be met in the same case as {others}. {met}"
 
 
@@ -216,7 +222,7 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
     then = "Samples vary this choice."
     if not chosen.varied:
         then = "No sample varies this choice, so the agreement proves nothing."
-    yield f"The base case agrees because the following was chosen accordingly: {chosen.what}. {then}"
+    yield f"The base case agrees because the following was chosen to make it agree: {chosen.what}. {then}"
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:
@@ -240,7 +246,8 @@ def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
     """The base case or a further case, with one or many cells."""
     true, false = _HIT[kind]
     of = f" {unit}" if unit not in ("", "1") else ""
-    cells = f"{_plain(outcome.low)} to {_plain(outcome.high)}{of}"
+    ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
+    cells = f"{' to '.join(ends)}{of}"
     if outcome.readings:
         return f"{outcome.name}: {cells}, {by_reading(kind, outcome.readings)}."
     if outcome.share is None:

@@ -70,5 +70,5 @@ def read_words(config: Path) -> WordsFile:
     path = words_path(config)
     if not path.exists():
         allowed = "write no_difference, because and words, as the table of riserstudy has them"
-        raise InputError(path, "words", "no table of words", allowed)
+        raise InputError(path, "words", "not a table of words", allowed)
     return check(WordsFile, read_yaml(path, keep=True), path)

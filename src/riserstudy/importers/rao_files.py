@@ -178,7 +178,7 @@ def _dataset(path: Path) -> xr.Dataset:
         dataset = load(path)
     except (OSError, ValueError, RuntimeError) as error:
         raise InputError(
-            path, "", f"is no netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
+            path, "", f"is not a netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
         ) from None
     if "RAO" not in dataset:
         allowed = "allowed is a dataset with capytaine.post_pro.rao(dataset) as its variable RAO"

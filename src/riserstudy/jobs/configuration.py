@@ -89,7 +89,7 @@ class Configuration:
         path = config / "config.yaml"
         settings = read_yaml(path, keep=True)
         if not isinstance(settings, dict):
-            raise InputError(path, "", "no mapping", "it starts with names such as 'papers:'")
+            raise InputError(path, "", "not a mapping", "it starts with names such as 'papers:'")
         return cls(config, settings | overrides, only)
 
     def _refuse_equal_names(self) -> None:

@@ -26,7 +26,7 @@ RELEVANT_ERRORS = {
 }
 ERRORS = ("displacement", *RELEVANT_ERRORS)
 LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))
-NO_REASON = "one mesh and one step serve all points of a study"
+NO_REASON = "one mesh and one time step are used for all points of the study"
 #: points, whether their mesh is prescribed, and their requested accuracy, which an axis may set
 POINTS = f"""
 with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%'),
@@ -90,26 +90,30 @@ class Missed(NamedTuple):
         if not self.off:
             silent = self.not_estimated + prescribed - self.estimated
             known = self.points - silent
-            kept = f"At {counted(known, 'point', spaced)}, the estimated errors are within the tolerance."
-            other = f"For the other {spaced(silent)}, the error was not estimated."
+            kept = (
+                f"At {counted(known, 'grid point', spaced)}, the estimated errors are within the tolerance."
+            )
+            other = f"At the other {spaced(silent)}, the error was not estimated."
             return f"{kept} {other}" if silent else kept
-        judged = counted(self.requested - self.not_estimated, "point", spaced)
+        judged = counted(self.requested - self.not_estimated, "grid point", spaced)
         requested = (
             f"{spaced(self.missed_by_request)} of {judged} with a tolerance have larger errors"
             if self.missed_by_request
-            else f"At {judged} with a tolerance, the estimated errors are within it"
+            else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
         )
         if self.not_estimated:
-            more = f"For {spaced(self.not_estimated)} more, in tuned studies"
+            more = (
+                f"At {spaced(self.not_estimated)} more, whose mesh and time step were tuned for their study"
+            )
             requested += f". {more}, the error was not estimated"
         sentence = (
             f"The other {spaced(prescribed)} use a fixed mesh and time step; "
-            f"their error was estimated for {self.estimated} of them"
+            f"the error was estimated at {self.estimated} of them"
         )
         if not fixed:
             return f"{requested}. {sentence} and is at most {share(TOLERANCE)}."
         return (
-            f"{requested}. {sentence} and exceeds {share(TOLERANCE)} for {fixed}. "
+            f"{requested}. {sentence} and exceeds {share(TOLERANCE)} at {fixed}. "
             f"The largest estimate is {share(self.worst)}, in {self.where}."
         )
 

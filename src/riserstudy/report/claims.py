@@ -8,7 +8,8 @@ from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
-from riserstudy.grading.words import by_reading, margin_in_words, remarks
+from riserstudy.grading.verdict import ENOUGH
+from riserstudy.grading.words import NOT_ONE, by_reading, margin_in_words, remarks
 from riserstudy.records.graded import Grounds, Influence, ItemResult
 from riserstudy.report.wording import number, sentence, share, unit
 
@@ -66,7 +67,11 @@ class Claim(ItemResult):
     def _by_reading(self) -> str:
         """The findings under each interpretation, after the deciding input."""
         found = by_reading(self.kind, self.grounds.readings)
-        return f"{self.decided_by}: {found}" if self.decided_by else found
+        depends = self.verdict == "depends" and self.grounds.because in ("inputs", "base case")
+        if depends and self.decided_by == NOT_ONE:
+            return f"{NOT_ONE} of inputs decides the outcome: {found}"
+        by = f"depends on {self.decided_by}" if depends else self.decided_by
+        return f"{by}: {found}" if by else found
 
     @property
     def why(self) -> str:
@@ -79,9 +84,10 @@ class Claim(ItemResult):
             return sentence(self._by_reading)
         if self.verdict == "depends":
             if self.grounds.because == "too few samples":
-                return f"True in {self.met} of {self.samples} samples: {self.decided_by}."
+                found = f"True in {self.met} of {self.samples} samples"
+                return f"{found}, which are too few: at least {ENOUGH} are needed."
             if not self.grounds.decided_by and self.grounds.because == "inputs":
-                return sentence(f"{self.decided_by} decides it")
+                return sentence(f"{self.decided_by} of inputs decides the outcome")
             return f"Depends on {self.decided_by}."
         if self.published is not None:
             text = f"Simulated {number(self.simulated)}{unit(self.unit)}, published {number(self.published)}"

@@ -98,13 +98,13 @@ def curve(cases: Cases) -> Curve:
 
 def _caption(cases: Cases, step: int) -> str:
     count, left = len(cases.margin), cases.hidden
-    every = f" (one of {step} is drawn)" if step > 1 else ""
+    every = f" (only one in {step} is drawn)" if step > 1 else ""
     more = f" {counted(left, 'other input')} {VARY[left > 1]}." if left else ""
     return (
         f"Top: one line for each of {count} cases{every}, in ascending order of the margin. Cases with a "
         "positive margin agree; the triangle marks the base case. Below: one row per option of an input. "
-        "Marks show which cases have this option, and the number at the right is the share of them that "
-        f"agree. If all marks of an option are on one side, that input decides.{more}"
+        "Marks show which cases have this option, and the number at the right is the share of these cases "
+        f"that agree. If all marks of an option are on one side, its input decides the outcome.{more}"
     )
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.grading.models import PrintedInput
 from riserstudy.grading.printed import printed_as, printed_inputs
+from riserstudy.records.words import counted
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, within
 from riserstudy.study.axes import Numbers
@@ -105,7 +106,7 @@ def _values(
         elif any(within(path, place) for place in study.on_top):
             values[path] = (value, "chosen", "set by the study")
         elif path not in written:
-            values[path] = (value, "chosen", f"by the tier, {dataset.attrs['tier']}")
+            values[path] = (value, "chosen", f"set by the tier {dataset.attrs['tier']}")
         else:
             values[path] = (value, plain, "")
     return values
@@ -142,7 +143,8 @@ def _varied(dataset: xr.Dataset) -> list[str]:
         name = str(axis).replace("_", " ")
         if values.dtype.kind == "f":
             unit = dataset[axis].attrs.get("units", "")
-            words.append(f"{name}: {len(values)} values, {values.min():g} to {values.max():g} {unit}")
+            ends = " to ".join(dict.fromkeys((f"{values.min():g}", f"{values.max():g}")))
+            words.append(f"{name}: {counted(len(values), 'value')}, {ends} {unit}")
         elif values.dtype.kind in "iu":
             words.append(f"{name}: {len(values)} samples of the unspecified inputs")
         else:

@@ -27,14 +27,15 @@ class WithoutPoints(NamedTuple):
         """Number of verdicts that change, in words."""
         many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = len(self.turned) + len(self.stand)
-        return f"If these points are left out, {many} of {graded} verdicts change{ends}"
+        return f"Without the points whose error is too large, {many} of {graded} verdicts change{ends}"
 
     @property
     def left(self) -> str:
         """Number of verdicts that cannot be graded again, in words; "" if all can."""
         if not self.bound:
             return ""
-        return f"{len(self.bound)} cannot be checked, because the base case or every case needs such a point"
+        many, their = len(self.bound), "its" if len(self.bound) == 1 else "their"
+        return f"{many} cannot be checked, because {their} base case or all {their} cases use such points"
 
 
 def without_points(

@@ -169,7 +169,7 @@ def sea_limit(text: str) -> SeaLimit:
     match = _LIMIT.fullmatch(text)
     quantity = NAMES.get(plain(match["name"])) if match else None
     if match is None or quantity is None or quantity.unit == "deg":
-        raise InputError("--limit", text, "no limit on the sea", allowed)
+        raise InputError("--limit", text, "not a limit on the sea", allowed)
     try:
         value = to_si(match["value"], quantity.unit)
     except ValueError as error:

@@ -147,7 +147,7 @@ def _without_times(path: Path, data: xr.Dataset) -> InputError:
         return InputError(path, "time", "the file has no times", "give it a coordinate 'time' as in CF")
     if times.ndim == 0:
         return InputError(path, "time", "1 row", "allowed are two or more")
-    found = "numbers that are no dates"
+    found = "numbers that are not dates"
     if calendar := times.encoding.get("calendar"):
         found = f"calendar {calendar!r}"
     allowed = "allowed are dates of the standard calendar, with units such as 'hours since 2000-01-01'"

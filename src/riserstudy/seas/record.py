@@ -142,7 +142,7 @@ def rows_of(hours: float, interval: float) -> int:
     """
     rows = hours / interval
     if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
-        found = f"no whole number of the record's {interval:g} h"
+        found = f"not a multiple of the record's interval of {interval:g} h"
         raise InputError("--window", f"{hours:g} h", found, "allowed is a multiple")
     return round(rows)
 
@@ -179,7 +179,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
             io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
         )
     except pd.errors.EmptyDataError:
-        raise InputError(path, "", "no text", "allowed is a header and a line for each time") from None
+        raise InputError(path, "", "not text", "allowed is a header and a line for each time") from None
     except pd.errors.ParserError as error:
         found = str(error).strip().rpartition(": ")[2] or str(error)
         raise InputError(path, "", found, "allowed is a cell for each column") from None

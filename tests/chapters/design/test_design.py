@@ -57,14 +57,14 @@ def test_a_limit_that_no_offset_keeps_leaves_nothing():
 def test_the_chart_says_where_drilling_goes_on():
     dataset = xr.Dataset({"offset_of_limit": NARROW}, attrs={"reach": 240.0})
     title = operability_drilling(dataset.merge(envelopes(NARROW))).get_suptitle()
-    assert title == "At 0 m/s offsets from −40 to 30 m allow drilling in this mud"
+    assert title == "At 0 m/s of current, offsets from −40 to 30 m allow drilling in this mud"
 
 
 def test_the_chart_says_on_which_side_offsets_are_without_a_limit():
     one_side = offsets(np.where(NARROW.values[0] < 0.0, -np.inf, NARROW.values[0]))
     dataset = xr.Dataset({"offset_of_limit": one_side}, attrs={"reach": 240.0})
     title = operability_drilling(dataset.merge(envelopes(one_side))).get_suptitle()
-    assert title == "At 0 m/s offsets below 30 m allow drilling in this mud"
+    assert title == "At 0 m/s of current, offsets below 30 m allow drilling in this mud"
 
 
 def test_the_heaviest_mud_is_where_the_gap_closes():

@@ -56,7 +56,7 @@ def test_a_heave_beyond_one_that_no_setting_survives_does_not_count():
         {"recoil_verdict": (("heave_amplitude", "mud_weight", "gas_pressure"), [[[0]], [[1]], [[0]]])},
         {"heave_amplitude": [0.5, 1.0, 2.0]},
     )
-    assert _answer(of) == "Up to 0.5 m of heave a tested setting allows a safe disconnect"
+    assert _answer(of) == "Up to 0.5 m heave amplitude, a tested tension setting allows a safe disconnect"
 
 
 def windows(failed):
@@ -188,7 +188,7 @@ def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():
         {"varied_input": ["cement", "damping", "platform"]},
     )
     said = headline(wellhead_fatigue(of))
-    assert said.startswith("The structural damping explains 20 % of the spread")
+    assert said.startswith("The structural damping explains 20 % of damage variance")
 
 
 def test_the_title_on_alarms_states_its_disconnect_time():

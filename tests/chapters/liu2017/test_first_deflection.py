@@ -38,6 +38,6 @@ def circles(radii):
 
 def test_a_circle_within_station_keeping_is_too_late():
     wide = circles([[30.0, 40.0], [8.0, 9.0]])
-    assert _slowest_in_time(wide, 3.0) == "In a drive-off a 30 s disconnect is in time"
-    assert "a 15 s disconnect is in time, 30 s too late" in _slowest_in_time(wide, 8.5)
+    assert _slowest_in_time(wide, 3.0) == "In a drive-off, a 30 s disconnect is in time"
+    assert "a 15 s disconnect is in time; 30 s is too late" in _slowest_in_time(wide, 8.5)
     assert "No tested disconnect" in _slowest_in_time(wide, 35.0)

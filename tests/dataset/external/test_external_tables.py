@@ -117,12 +117,12 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
         ("time (s),ufj_angle (deg),ufj_angle (rad)\n0,1,1\n1,1,1\n", "is the same variable and place"),
         ("time (s),ufj_angle (deg),\n0,1,1\n1,1,1\n", "cells, 2 headings"),
         ("time (s),,ufj_angle (deg)\n0,1,1\n1,1,1\n", "a column without a heading"),
-        ("time (s),effective_tension at 1.2.3 m (kN)\n" + LONG, "is no heading with a unit"),
+        ("time (s),effective_tension at 1.2.3 m (kN)\n" + LONG, "is not a heading with a unit"),
         ("time (s),effective_tension at 0 m (furlong)\n" + LONG, "wrong dimension"),
         ("time (s),effective_tension at 0 m (kNN)\n" + LONG, "unit that is not known"),
         ("time (m),effective_tension at 0 m (kN)\n" + LONG, "wrong dimension"),
-        ("when (s),effective_tension at 0 m (kN)\n" + LONG, "is no axis"),
-        ("time at 3 m (s),effective_tension at 0 m (kN)\n" + LONG, "is no axis"),
+        ("when (s),effective_tension at 0 m (kN)\n" + LONG, "is not an axis"),
+        ("time at 3 m (s),effective_tension at 0 m (kN)\n" + LONG, "is not an axis"),
     ],
 )
 def test_an_external_table_that_cannot_be_meant_is_refused(tmp_path, text, said):

@@ -66,7 +66,7 @@ def heading_of(path: Path, text: str) -> Heading:
     """The content of a heading in the terms of a run. Raises InputError when the text is no such heading."""
     found = _HEADING.fullmatch(text.strip())
     if not found:
-        raise InputError(path, text, "is no heading with a unit", EXAMPLE)
+        raise InputError(path, text, "is not a heading with a unit", EXAMPLE)
     place = None if found["place"] is None else float(found["place"]) * _LENGTHS[found["length"]]
     cylinder = None if found["cylinder"] is None else int(found["cylinder"])
     unit = (found["unit"] or found["other"]).strip()

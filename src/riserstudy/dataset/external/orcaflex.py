@@ -124,7 +124,7 @@ def _place(path: Path, title: str, after: str, end: EndA | None, length: float) 
     found = _PLACE.fullmatch(after)
     if not found:
         allowed = f"give the place with --column '{title}=effective_tension at 300 m (kN)'"
-        raise InputError(path, title, f"{after.strip()!r} is no place on a line", allowed)
+        raise InputError(path, title, f"{after.strip()!r} is not a place on a line", allowed)
     if end is None:
         raise InputError(path, title, "the file does not state which end is end A", f"add --end-a: {END_A}")
     if found["arc"]:

@@ -106,7 +106,7 @@ def _axis(path: Path, title: str, called: Mapping[str, str]) -> tuple[str, str, 
         return *theirs, True
     heading = own.heading_of(path, called.get(title, title))
     if heading.name not in AXES or heading.place is not None:
-        raise InputError(path, title, "is no axis", AXIS)
+        raise InputError(path, title, "is not an axis", AXIS)
     return heading.name, heading.unit, False
 
 

@@ -64,7 +64,7 @@ def roles(deck: Part, on: Bearings) -> Roles:
         else:
             touches = [name for name in (upper, lower) if name in nodes and name not in on.ground]
             pulls = f"; its pull at {touches[0]!r} is left out too" if touches else ""
-            line.part.apart = f"a line from {upper!r} to {lower!r} that is no part of the riser{pulls}"
+            line.part.apart = f"a line from {upper!r} to {lower!r} that is not part of the riser{pulls}"
     return Roles(riser, nodes, joint, alongside)
 
 
