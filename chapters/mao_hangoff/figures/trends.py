@@ -80,7 +80,7 @@ def _matters_most(inputs: set[str]) -> str:
     """Title: inputs to which results are most sensitive, in % of result per % of input."""
     names = sorted(in_words(axis) for axis in inputs)
     if len(names) == 1:
-        return f"For equal relative changes, {names[0]} has the largest effect in each profile"
+        return f"Relative changes of {names[0]} have the largest effect in each profile"
     return f"Results are most sensitive to the {' or the '.join(names)}, depending on profile and result"
 
 
