@@ -185,9 +185,9 @@ def _when_it_drives(force: xr.DataArray) -> str:
     """Title: time for which the riser drives the platform along, and whether it ever drives it against."""
     until = [float(first_crossing(-force.sel(case=f"{kind}_0"), 0.0)) for kind in SETS]
     against = max(float(force.sel(case=f"{kind}_180").max()) for kind in SETS)
-    ever = "never" if against < 0.0 else "at times"
+    ever = "never" if against < 0.0 else "sometimes"
     time = f" for {_range(until)} s" if np.isfinite(until).all() else ""
-    return f"Along the environment, the riser drives the platform{time}; against, {ever}"
+    return f"The riser drives the platform{time} along the environment, {ever} against"
 
 
 def _until_the_stop(ax: Axes, run: xr.Dataset, name: str, scale: float) -> xr.Dataset:

@@ -44,7 +44,7 @@ def losses(losses: xr.Dataset) -> Figure:
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
     set_title(
         figure,
-        f"In a drift-off, stroke-out occurs at {end:.0f} s; the conductor limit is reached "
+        f"In a drift-off, stroke-out occurs at {end:.0f} s, the conductor limit follows "
         f"{stress - end:.0f} s later",
     )
     mark_both(axes[1], end, stress, "s")
