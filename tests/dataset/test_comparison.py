@@ -106,7 +106,7 @@ def test_values_along_the_riser(table):
         (["time (s)", "effective_tension at 400 m (kN)"], "is not on the riser"),
         (["time (s)", "tension at 300 m (kN)"], "has no tension over time"),
         (["time (s)", "effective_tension at 300 m (m)"], "wrong dimension"),
-        (["time (s)", "effective_tension at 300 m"], "no heading with a unit"),
+        (["time (s)", "effective_tension at 300 m"], "not a heading with a unit"),
         (["depth (m)", "bending_moment_max (kN m)"], "is not an axis"),
     ],
 )

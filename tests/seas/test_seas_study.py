@@ -136,7 +136,7 @@ def test_the_parts_simulate_all_that_the_dataset_needs(study, made, monkeypatch)
         ({"record": "../sea.csv"}, "record: .*must lie below"),
         ({"record": "records/none.csv"}, "record: .*none.csv"),
         ({"seeds": 3}, "seeds: 3"),
-        ({"windows": ["90 min"]}, "no whole number"),
+        ({"windows": ["90 min"]}, "not a multiple"),
         ({"windows": ["90 kg"]}, "windows|kg"),
         ({"sea_limits": ["height < 2"]}, "not a limit on the sea"),
         ({"sea_limits": ["current <= 1 m/s"]}, "current_speed: not in the record"),
