@@ -32,6 +32,7 @@ if TYPE_CHECKING:
 
     import xarray as xr
 
+    from riserstudy.design.operability import Offsets
     from riserstudy.scene.limits import Limit
 
 TensionRatioOption = Annotated[
@@ -186,7 +187,7 @@ def operability(
 
     found = offsets(riser, far, added)
     for limit, between in zip(riser.limits or [], found, strict=True):
-        print(f"{label(limit):50s} {_between(between.low, between.high, between.missing)}")
+        print(f"{label(limit):50s} {_between(between)}")
     if any(between.missing for between in found):
         raise typer.Exit(4)
 
@@ -361,11 +362,12 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
     return added
 
 
-def _between(low: float, high: float, missing: str) -> str:
+def _between(found: Offsets) -> str:
     """Offsets between which a limit is met, in words."""
-    if missing:
-        return f"not evaluated: {missing}"
-    if math.isnan(low):
+    if found.missing:
+        return f"not evaluated: {found.missing}"
+    if math.isnan(found.low):
         return "met at no offset"
-    ends = ["not reached" if math.isinf(end) else f"{end:+.1f} m" for end in (low, high)]
-    return f"{ends[0]} to {ends[1]}"
+    ends = ["not reached" if math.isinf(end) else f"{end:+.1f} m" for end in (found.low, found.high)]
+    also = "" if math.isnan(found.also) else f"; also met at other offsets, such as {found.also:+.1f} m"
+    return f"{ends[0]} to {ends[1]}{also}"

@@ -64,12 +64,13 @@ def envelope(
     labels = [label(limit) for limit in limits]
     found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
     lost = np.zeros(found.shape[:-1], bool)
+    also = np.full(found.shape[:-1], math.nan)
     missing: dict[str, str] = {}
     for c, (speed, of) in enumerate(zip(currents, with_speeds, strict=True)):
         notify(f"offsets in a current of {speed:g} m/s")
         for n, between in enumerate(_each(of, reach, added)):
             for k, one in enumerate(between):
-                found[n, c, k] = one[:2]
+                found[n, c, k], also[n, c, k] = one[:2], one.also
                 if one.missing:
                     lost[n, c, k] = True
                     missing.setdefault(labels[k], one.missing)
@@ -81,7 +82,7 @@ def envelope(
     )
     of_seas = [array.isel(sea=n) for n in range(len(names))]
     rows = [
-        [mode, name, float(speed), *_ends(of_sea.isel(current=c), mode, lost[n, c])]
+        [mode, name, float(speed), *_ends(of_sea.isel(current=c), mode, lost[n, c], also[n, c])]
         for mode in dict.fromkeys(limit.mode for limit in limits)
         for n, (name, of_sea) in enumerate(zip(names, of_seas, strict=True))
         for c, speed in enumerate(currents)
@@ -134,26 +135,35 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
 
 
-def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_]) -> list[Cell]:
+def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_], also: NDArray[np.float64]) -> list[Cell]:
     """Offsets of one mode in one sea and current, the governing limits, and a note.
 
-    ``lost``: (limits,), true for limits that could not be evaluated.
+    Parameters
+    ----------
+    lost : (limits,) true for limits that could not be evaluated.
+    also : (limits,) offset (m) outside of its range at which a limit is met, too; NaN: none.
     """
     labels = [str(name).split(": ", 1) for name in limits["limit"].values]
     of = [k for k, (of_mode, _) in enumerate(labels) if of_mode == mode]
     without = [labels[k][1] for k in of if lost[k]]
     limits = limits.isel(limit=[k for k in of if not lost[k]])
-    untold = f"not evaluated: {', '.join(without)}" if without else ""
+    notes = [f"not evaluated: {', '.join(without)}"] if without else []
+    notes += [
+        f"{labels[k][1]} is met at other offsets, too, such as {also[k]:.4g} m"
+        for k in of
+        if not math.isnan(also[k])
+    ]
     if not limits.sizes["limit"]:
-        return [None, None, "", "", untold]
+        return [None, None, "", "", "; ".join(notes)]
     one = envelopes(limits).isel(operation=0)
     ends = [float(value) for value in one["envelope_offset"]]
     names = [str(name) for name in one["governing_limit_name"].values]
     if math.isnan(ends[0]):
-        note = "no offset meets all limits"
-        return [None, None, "", "", "; ".join([note, untold]) if untold else note]
+        several = not np.isnan(also[of]).all()
+        note = "the offsets of the limits do not overlap" if several else "no offset meets all limits"
+        return [None, None, "", "", "; ".join([note, *notes])]
     return [
         *(end if math.isfinite(end) else None for end in ends),
         *(name if math.isfinite(end) else "not reached" for name, end in zip(names, ends, strict=True)),
-        untold,
+        "; ".join(notes),
     ]

@@ -1,7 +1,8 @@
 """Offsets at which limits are reached, to both sides of the well, for risers at rest, limit by limit.
 
-An offset is the horizontal distance of the riser's top from the well. The platform, the tensioners and their
-deck have the same offset.
+An offset is the distance of the riser's top from the well along x, with the platform upright. The platform,
+the tensioners and their deck have the same offset. A sway and tilts of the platform's position
+stay as they are.
 
 Waves are represented by a dynamic allowance, which is added to the static value of an output. Limits on means
 have no allowance.
@@ -42,12 +43,14 @@ class Offsets(NamedTuple):
     """Offsets (m) between which a limit is met.
 
     Infinite: not reached within the search. NaN: exceeded at every offset, or not evaluated because of the
-    missing inputs in ``missing``.
+    missing inputs in ``missing``. ``also``: an offset outside of these at which the limit is met, too, such
+    as on the other side of the well; NaN: at none of the first offsets of the search.
     """
 
     low: float
     high: float
     missing: str = ""
+    also: float = math.nan
 
 
 def offsets(scene: Resolved, reach: float, allowances: Mapping[str, float]) -> list[Offsets]:
@@ -173,7 +176,8 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
     if missing := lacks(at.scene, limit):
         return Offsets(math.nan, math.nan, ", ".join(missing))
     over = partial(excess, at, limit, allowances.get(limit.output, 0.0))
-    for offset in np.linspace(-reach, reach, NODES).tolist():
+    first = np.linspace(-reach, reach, NODES).tolist()
+    for offset in first:
         with suppress(SimulationError):
             at.extremes(offset)
     if not at.rows:
@@ -186,8 +190,11 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, fl
         if over(inside) > 0.0:
             mud = not_in_demand(at.scene, limit)
             return Offsets(math.nan, math.nan, taken_by(mud) if over(inside) <= mud else "")
+        _climb(over, at, first)
         found = Offsets(_edge(over, inside, at, -1), _edge(over, inside, at, 1))
-        return _if_sure(at, limit, found)
+        outside = [one for one in first if one in at.rows and not found.low <= one <= found.high]
+        also = min((one for one in outside if over(one) <= 0.0), key=abs, default=math.nan)
+        return _if_sure(at, limit, found._replace(also=also))
     except SimulationError as failure:
         return Offsets(math.nan, math.nan, f"a static equilibrium ({failure})")
 
@@ -228,6 +235,25 @@ def _least(over: Callable[[float], float], near: float, tried: list[float]) -> f
     k = tried.index(near)
     ends = tried[max(k - 1, 0)], tried[min(k + 1, len(tried) - 1)]
     return float(minimize_scalar(over, bounds=ends, method="bounded", options={"xatol": CLOSE}).x)
+
+
+def _climb(over: Callable[[float], float], at: AtRest, first: list[float]) -> None:
+    """Try further offsets where a limit that is met at neighbouring offsets may be exceeded between them.
+
+    The excess may have a maximum there: the smallest tension is least about where the riser is upright. The
+    maximum exceeds the largest of three values by at most the difference to the smallest one, if the excess
+    rises less steeply between them than before.
+    """
+    tried = [one for one in first if one in at.rows]
+    values = [over(one) for one in tried]
+    for k, top in enumerate(values):
+        near = slice(max(k - 1, 0), k + 2)
+        if max(values[near]) > top or top > 0.0 or 2.0 * top <= min(values[near]):
+            continue
+        ends = tried[near][0], tried[near][-1]
+        if any(ends[0] < gone < ends[1] for gone in at.lost):
+            continue  # an interval that reaches it is not evaluated
+        minimize_scalar(lambda x: -over(x), bounds=ends, method="bounded", options={"xatol": CLOSE})
 
 
 def _edge(over: Callable[[float], float], inside: float, at: AtRest, side: int) -> float:
