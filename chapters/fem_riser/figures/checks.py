@@ -121,7 +121,7 @@ def region(map_trends: xr.Dataset, open_trends: xr.Dataset, change: float) -> Fi
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"The six claims hold together at {100 * float(held.all('claim').mean()):.0f} % of grid points, "
+        f"The six claims are all true at {100 * float(held.all('claim').mean()):.0f} % of grid points, "
         f"{100 * shares['all six']:.0f} % of samples",
     )
     return figure

@@ -357,7 +357,7 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
             raise InputError("--allowance", one, found, f"allowed are {', '.join(sorted(used))}")
         added[name] = quantity("--allowance", text, UNITS[name])
         if added[name] < 0.0:
-            allowed = "allowed is the size of the effect, also for a smallest value"
+            allowed = "give the magnitude of the effect, also for a lower limit"
             raise InputError("--allowance", one, "below 0", allowed)
     return added
 

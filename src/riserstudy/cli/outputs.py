@@ -189,7 +189,7 @@ def statistics(
     of_run = open_dataset(dataset)
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
-        allowed = "with --over, extremes are those of the whole duration: leave --exposure out"
+        allowed = "with --over, extremes are taken over the whole duration: leave --exposure out"
         raise InputError("--exposure", exposure, "given with --over", allowed)
     begin = quantity("--start", start, "s", SUCH_AS)
     within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)

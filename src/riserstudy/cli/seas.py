@@ -82,8 +82,8 @@ def seas(
 ) -> None:
     """Read a record of sea states, summarise it, and write it as a labelled dataset.
 
-    The command lists gaps and never fills them. A CSV file has a header such as ``time,hs (m),tp (s)``,
-    times in UTC.
+    The command lists gaps and never fills them. A CSV file has a header such as ``time,hs (m),tp (s)``;
+    its times are in UTC.
     """
     if (record is None) == (synthetic is None):
         raise InputError("RECORD", "", "no record, or both a file and --synthetic", "give one of them")

@@ -92,7 +92,7 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     for reading in readings:
         if reading.answer == "depends":
             by = f", decided by {listed(reading.decided_by)}" if reading.decided_by else ""
-            parts.append(f"{_share(reading.share, true)} with {reading_name(reading)}{by}")
+            parts.append(f"with {reading_name(reading)}, {_share(reading.share, true)}{by}")
     return "; ".join(parts)
 
 
@@ -262,7 +262,7 @@ def _share(share: Share, word: str) -> str:
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
         percent += f", 95 % interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
-    same = f", no difference in {share.same}" if share.same else ""
+    same = f", no difference in {share.same} of them" if share.same else ""
     of = "samples" if share.draws is not None else "interpretations"
     return f"{word} in {share.met} of {share.samples} {of} ({percent}){same}"
 
