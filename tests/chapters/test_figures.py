@@ -33,10 +33,15 @@ CONFIG = Path(__file__).parents[2] / "config"
 
 
 class Small(NamedTuple):
-    """A paper in small: axes with few points, what else its studies set; the rest is as in preview."""
+    """A paper in small: axes with few points, what else its studies set; the rest is as in preview.
+
+    ``coarser``: how many times fewer segments and longer steps prescribed meshes have.
+    """
 
     axes: dict[str, Any]
-    settings: dict[str, dict[str, str]]
+    settings: dict[str, dict[str, Any]]
+    accuracy: str = "1 %"
+    coarser: int = 1
 
 
 FEW = {"preview": 4, "standard": 128, "reference": 256}
@@ -54,19 +59,43 @@ PAPERS = {
             "surface_speed": [0.0, 1.6],
             "significant_height": [2.0, 6.0],
             "sample": FEW,
+            "phase": [0.0, 180.0],
         },
         {
+            "rests": {"analysis.mesh.elements": 120},  # which others are derived from
+            "varied": {"analysis.mesh.elements": 120},
             "seas": {"analysis.duration": "300 s"},
             "wellhead": {"analysis.duration": "60 s"},
             "wellhead_mesh": {"analysis.duration": "60 s"},
         },
+        "2 %",
+        coarser=2,
     ),
-    "liu2017": Small({"sample": FEW, "offset": [0.0, 100.0, 400.0], "surface_speed": [-1.0, 0.0, 1.0]}, {}),
+    "liu2017": Small(
+        {
+            "sample": FEW,
+            "offset": [0.0, 100.0, 400.0],
+            "surface_speed": [-1.0, 0.0, 1.0],
+            "gain": [60.0, 65.9, 72.0],
+            "hull_drag": [100.0, 500.0, 1000.0],
+            "wave_phase": [0.0, 90.0],
+        },
+        {
+            name: {"analysis.mesh.elements": 428, "analysis.step": "0.05 s"}
+            for name in ("ref_0", "ref_180", "sat_0", "sat_180")
+        },
+        coarser=2,
+    ),
     "liu2020": Small(
         {"sample": FEW, "wave_period": [10.0, 15.0], "roll_period": [5.0, 10.0, 20.0]},
-        {"sea": {"analysis.duration": "900 s"}, "surge_case": {"analysis.output.interval": "0.5 s"}},
+        {
+            "sea": {"analysis.duration": "900 s"},
+            "statics_calibrated": {"analysis.accuracy": "1 %"},
+            "surge_case": {"analysis.output.interval": "0.5 s"},
+        },
+        coarser=2,
     ),
-    "fem_riser": Small({"sample": FEW}, {}),
+    "fem_riser": Small({"sample": FEW}, {}, "5 %", coarser=4),
 }
 GRADED = [paper for paper in PAPERS if (CONFIG / f"published/{paper}.yaml").exists()]
 FIGURES = [(paper, name) for paper in PAPERS for name in read_studies(CONFIG, paper).figures]
@@ -80,7 +109,25 @@ def small(paper, name, model):
             field = "count" if axis == "sample" else "preview"
             axes[axis] = axes[axis].model_copy(update={field: values})
     settings = model.set | PAPERS[paper].settings.get(name, {})
-    return model.model_copy(update={"axes": axes, "set": settings})
+    update = {"axes": axes, "set": settings, "preview": model.preview}
+    return model.model_copy(update=coarsened(update, PAPERS[paper].coarser))
+
+
+def coarsened(settings, by):
+    """Settings of studies with fewer segments, of which at least 12 stay, and longer steps."""
+    found = {}
+    for name, value in settings.items():
+        match name.rpartition(".")[2], value:
+            case _, dict():
+                found[name] = coarsened(value, by)
+            case "elements", _:
+                found[name] = max(value // by, min(value, 12))
+            case "step", _:
+                number, unit = value.split()
+                found[name] = f"{float(number) * by} {unit}"
+            case _:
+                found[name] = value
+    return found
 
 
 @cache
@@ -89,7 +136,9 @@ def datasets_of(paper):
     file: StudyFile = read_studies(CONFIG, paper)
     made = {}
     for name, model in file.studies.items():
-        study = Study(paper, name, small(paper, name, model), CONFIG, "preview", "1 %", file.readings)
+        study = Study(
+            paper, name, small(paper, name, model), CONFIG, "preview", PAPERS[paper].accuracy, file.readings
+        )
         results, _ = results_of(study, 1, lambda text: None)
         made[name] = dataset_of(study, results)
     for name, how in file.derived.items():
