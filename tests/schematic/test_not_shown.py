@@ -166,9 +166,9 @@ def picture_of(scene):
 def test_what_is_said_to_be_shown_changes_the_drawing():
     """Each part that scenes of the project can do without: without it some drawing is another one."""
     tried, changed = set(), set()
-    for path in SCENES:
+    for path in sorted(SCENES, key=lambda one: -len(load_scene(one).tree)):  # few drawings show most parts
         tree = load_scene(path).tree
-        for shown in sorted(DRAWN_PARTS - changed):
+        for shown in sorted(DRAWN_PARTS - changed - ONLY_WHERE_SOMETHING_MOVES):
             name, _, inner = shown.partition(".")
             parts = [f"riser[{k}]" for k in range(len(tree["riser"]))] if name == "riser" else [name]
             where = tuple(f"{part}.{inner}" if inner else part for part in parts)
@@ -180,7 +180,7 @@ def test_what_is_said_to_be_shown_changes_the_drawing():
             tried.add(shown)
             changed |= {shown} if without != picture(path, ()) else set()
     assert len(changed) > 25, changed
-    assert tried - changed <= ONLY_WHERE_SOMETHING_MOVES
+    assert tried <= changed
 
 
 def stands(tree, path):
