@@ -22,8 +22,8 @@ from riserstudy.study.in_sea import Sea, heading_paths, in_sea
 
 @pytest.fixture(scope="module")
 def record():
-    """A row in twelve days of two years."""
-    return synthetic(2, 8).isel(time=slice(None, None, 293))
+    """A row in 24 days of two years."""
+    return synthetic(2, 8).isel(time=slice(None, None, 586))
 
 
 @pytest.fixture(scope="module")

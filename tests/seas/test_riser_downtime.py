@@ -27,8 +27,8 @@ SEA = in_a_sea(LIMITS, (1, 6, 12, 60), components=30, duration="80 s")
 
 @pytest.fixture(scope="module")
 def record():
-    """A row in six days of two years."""
-    return synthetic(2, 8).isel(time=slice(None, None, 147))
+    """A row in twelve days of two years."""
+    return synthetic(2, 8).isel(time=slice(None, None, 293))
 
 
 @pytest.fixture(scope="module")

@@ -44,9 +44,9 @@ def given(words):
 
 
 def test_the_words_of_a_recipe_make_a_run_with_an_error_like_that_of_its_piece():
-    found = recipe(in_a_sea(3000).resolved())
+    found = recipe(in_a_sea(1800).resolved())
     assert found is not None
-    own = simulate(in_a_sea(3000).with_values(given(found.words), "recipe"), progress=False)
+    own = simulate(in_a_sea(1800).with_values(given(found.words), "recipe"), progress=False)
     estimate = json.loads(own.attrs["error_estimate"])
     assert own.attrs["step"] == pytest.approx(found.step, rel=0.01)
     worst, on_the_piece = (max(controlled(one).values()) for one in (estimate, found.error))
