@@ -1,6 +1,7 @@
 """Figures and grades of Mao's chapter, from few and coarse runs."""
 
 import re
+from functools import cache
 
 import numpy as np
 import pytest
@@ -78,16 +79,23 @@ def datasets():
     return made
 
 
-def drawn(datasets, name):
-    model = FILE.figures[name]
-    settings = with_printed(model.settings, CONFIG, PAPER)
-    return draw(PAPER, name, {key: datasets[key] for key in model.reads}, settings)
+@pytest.fixture(scope="module")
+def drawn(datasets):
+    """Figures by name, each drawn once."""
+
+    @cache
+    def of(name):
+        model = FILE.figures[name]
+        settings = with_printed(model.settings, CONFIG, PAPER)
+        return draw(PAPER, name, {key: datasets[key] for key in model.reads}, settings)
+
+    return of
 
 
-def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
+def test_a_reading_of_the_weight_has_one_colour_in_both_figures(drawn):
     colours = []
     for name in ("readings", "open_choices"):
-        figure = drawn(datasets, name)
+        figure = drawn(name)
         lines = figure.axes[0].get_lines()
         named = {line: str(line.get_label()).removeprefix("weight: ") for line in lines}
         weights = {line: re.split(r"; | \(", name)[0] for line, name in named.items()}
@@ -98,8 +106,8 @@ def test_a_reading_of_the_weight_has_one_colour_in_both_figures(datasets):
 
 
 @pytest.mark.parametrize("name", FILE.figures)
-def test_a_figure_has_units_a_short_title_and_readable_text(datasets, name):
-    figure = drawn(datasets, name)
+def test_a_figure_has_units_a_short_title_and_readable_text(drawn, name):
+    figure = drawn(name)
     if name != "fig08":  # of whose profiles few are simulated here, so that panels are empty
         assert_units(figure)
     assert_one_finding(figure)
@@ -107,17 +115,17 @@ def test_a_figure_has_units_a_short_title_and_readable_text(datasets, name):
 
 
 @pytest.mark.parametrize("name", FILE.figures)
-def test_a_figure_has_the_colours_of_its_chapter_only(datasets, name):
-    figure = drawn(datasets, name)
+def test_a_figure_has_the_colours_of_its_chapter_only(drawn, name):
+    figure = drawn(name)
     for line in figure.findobj(Line2D):
         assert base_of(PAPER, line.get_color()), to_hex(line.get_color())
 
 
 @pytest.mark.parametrize("name", FILE.figures)
-def test_lines_are_the_darker_the_larger_their_number(datasets, name):
+def test_lines_are_the_darker_the_larger_their_number(drawn, name):
     """Those of one panel whose names differ by their first number alone, and that have a colour."""
     named = {}
-    for ax in drawn(datasets, name).axes:
+    for ax in drawn(name).axes:
         for line in ax.get_lines():
             label = str(line.get_label())
             number = re.search(r"\d+(\.\d+)?", label)
@@ -132,8 +140,8 @@ def test_lines_are_the_darker_the_larger_their_number(datasets, name):
     assert (name not in ordered) or max(map(len, named.values())) >= 2
 
 
-def test_dash_dotted_lines_of_tracks_are_in_the_key(datasets):
-    figure = drawn(datasets, "fig13")
+def test_dash_dotted_lines_of_tracks_are_in_the_key(drawn):
+    figure = drawn("fig13")
     lines = [line for line in figure.axes[0].get_lines() if line.get_linestyle() == "-."]
     shown = [text.get_text() for legend in figure.legends for text in legend.get_texts()]
     assert len(lines) > 1
@@ -173,8 +181,8 @@ def test_a_heave_that_never_loses_tension_is_as_light_as_the_largest(datasets):
 
 
 @pytest.mark.parametrize("name", FILE.figures)
-def test_every_figure_is_drawn_whole_with_units(datasets, name):
-    figure = drawn(datasets, name)
+def test_every_figure_is_drawn_whole_with_units(drawn, name):
+    figure = drawn(name)
     assert_whole(figure)
     for ax in figure.axes:
         for label in (ax.get_xlabel(), ax.get_ylabel()):
