@@ -1,6 +1,7 @@
 """A request for statistics of a vibration: its estimate covers the truth, and it does not chase chance."""
 
 import copy
+from functools import cache
 
 import numpy as np
 import pytest
@@ -58,6 +59,7 @@ def scene_of(tree):
     return SceneFile("river.yaml", written(copy.deepcopy(tree), unit_of=UNITS), {}).resolved()
 
 
+@cache
 def refined(seed, uniform):
     """The refinement of a river with its result, the true error, and the work of both."""
     scene = scene_of(river(seed, uniform))
@@ -83,7 +85,7 @@ def work(run):
 
 @pytest.mark.parametrize("seed", range(3))
 def test_a_request_costs_a_few_runs_and_says_what_it_did_not_reach(seed):
-    refinement, found, _ = refined(seed, uniform=False)
+    refinement, found, _ = refined(seed, False)
     assert sum(map(work, refinement.spent)) < WORK * work(refinement.spent[-1]) / 10.0
     error = controlled(found.facts["error_estimate"])
     missed = any("accuracy not reached" in line for line in found.facts["warnings"])
