@@ -92,8 +92,8 @@ def test_a_terminal_shows_what_is_run(tmp_path):
     """On a terminal of its own, which a pipe is not."""
     pty = pytest.importorskip("pty")
     mine, its = pty.openpty()
-    longer = ["--set", "analysis.duration=400 s"]
-    words = ["run", SURGE, "-o", tmp_path / "out.nc", *QUICK, *longer, "--accuracy", "0.01 %"]
+    longer = ["--set", "analysis.duration=200 s"]
+    words = ["run", SURGE, "-o", tmp_path / "out.nc", *QUICK, *longer, "--accuracy", "0.03 %"]
     with subprocess.Popen(
         [Path(sys.executable).with_name("riserstudy"), *words], stdout=its, stderr=its
     ) as command:

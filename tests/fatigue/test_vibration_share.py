@@ -53,11 +53,14 @@ def test_the_estimate_of_damage_covers_the_true_error():
     assert found.facts["error_estimate"]["damage"] <= 0.1
 
 
+def study_of(file):
+    """The scene in several currents."""
+    return sweep(file, {"current.profile.surface_speed": [0.0, *SPEEDS]}, keep=["damage_rate"])
+
+
 def studies(file):
     """The same currents with vortices and without."""
-    axes = {"current.profile.surface_speed": [0.0, *SPEEDS]}
-    files = (file, file.with_values({"riser[0].viv": None}, "test"))
-    return [sweep(one, axes, keep=["damage_rate"]) for one in files]
+    return [study_of(file), study_of(file.with_values({"riser[0].viv": None}, "test"))]
 
 
 def test_in_steady_current_vibration_brings_all_of_the_damage(tmp_path):
@@ -81,8 +84,7 @@ def test_studies_that_cannot_be_compared_are_refused(tmp_path):
     renamed = file.with_values({"riser[0].viv": None, "fatigue.details[0].name": "other"}, "test")
     with_it, without = (over_years(of, of_table(path, of, axes_of(of)), {}) for of in studies(file))
     others = [
-        over_years(of[1], of_table(path, of[1], axes_of(of[1])), {})
-        for of in (studies(coarser), studies(renamed))
+        over_years(of, of_table(path, of, axes_of(of)), {}) for of in (study_of(coarser), study_of(renamed))
     ]
     for pair, said in (
         ((with_it, with_it), "with vortex-induced vibration"),
