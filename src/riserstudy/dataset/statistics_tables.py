@@ -141,7 +141,7 @@ def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | Non
     time = run["time"].values
     steps = np.diff(time[time >= start])
     if not len(steps):
-        allowed = f"allowed is before {time[-1]:g} s"
+        allowed = f"allowed is a time before {time[-1]:g} s"
         raise InputError("--start", f"{start:g} s", "nothing is left", allowed)
     if np.ptp(steps) > EVEN * steps[0]:
         raise InputError("dataset", "time", "uneven intervals", "statistics need even ones")

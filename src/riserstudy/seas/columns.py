@@ -165,7 +165,7 @@ def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
     near = np.any([(of >= values / JUMP) & (of <= values * JUMP) for of in neighbours], axis=0)
     if (some & ~near).any():
         row = int((some & ~near).argmax())
-        found = f"{values[row]:g} {one.unit} is possible, and also written for a missing value"
+        found = f"{values[row]:g} {one.unit} is a possible value, but it is also used for a missing value"
         allowed = f"leave missing cells empty, or give the column in {_other(one)}"
         raise InputError(f"{path}, row {row + 2}", one.heading, found, allowed)
 
