@@ -270,7 +270,10 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
         "paper_milliseconds": 46 * 3.6e6 * PAPER_STEP / STABLE,
     }
     if finest > PAPER_STEP:
-        words = f"this tier does not run them all; by the time per step, they would take {whole:.0f} s"
+        words = (
+            "the whole run is not part of this tier; estimated from the time per step, it would take "
+            f"{whole:.0f} s"
+        )
         return times | {"run": words}
     apart = []
     for runs in (own["x_max"].max("s_node"), own["bending_moment_max"].max("s_node")):

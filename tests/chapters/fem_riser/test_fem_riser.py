@@ -216,7 +216,7 @@ def timed(**seconds):
 def test_the_papers_run_is_timed_or_told_by_the_time_of_a_step():
     short = checks.run_time(timed(s0_05=1.5))
     assert short["seconds"] == pytest.approx(150.0)
-    assert short["run"].startswith("this tier does not run them all")
+    assert short["run"].startswith("the whole run is not part of this tier")
     whole = checks.run_time(timed(s0_05=1.5, s0_0005=120.0))
     assert whole["seconds"] == pytest.approx(120.0)
     assert whole["milliseconds"] == pytest.approx(0.2)
