@@ -1,13 +1,27 @@
 """Shared by all tests; being here, it also lets them import ``strategies``."""
 
+import copy
 import sys
 
 import pytest
 from hypothesis import HealthCheck, settings
 
 from riserstudy.blas import use_one_thread
+from riserstudy.inputs import plain_yaml as reading
 
 use_one_thread()  # several processes test at once
+
+parse, parsed = reading.plain_yaml, {}
+
+
+def parsed_once(text, source):
+    """Data of a text, which is parsed once in a process; faults are found each time."""
+    if text not in parsed:
+        parsed[text] = parse(text, source)
+    return copy.deepcopy(parsed[text])
+
+
+reading.plain_yaml = parsed_once
 
 # Seeded by the test itself, so that a run can be repeated; no deadline, since kernels may compile.
 settings.register_profile(
