@@ -29,6 +29,8 @@ BOUNDED = {
 }
 # smallest remainder of a value after subtraction of its error, as a share; below it, nothing is known
 LEAST_LEFT = 0.1
+# largest error on a prescribed mesh, as a share, with which the place or time of reaching a limit is known
+SURE = 0.05
 WITHIN, EXCEEDED, UNKNOWN = "within", "exceeded", "not evaluated"
 
 
@@ -108,6 +110,17 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     # the error at the foot is relative to the largest value anywhere
     of = QUANTITIES[output].at_foot_of or output
     return Error(_absolute(share, (of,), facts), share, words)
+
+
+def too_coarse(limit: Limit, error: Error) -> str:
+    """Why it is not known where or when a limit is reached on a prescribed mesh; empty if it is known."""
+    bounded = limit.output in BOUNDED
+    if (error.share if bounded else error.size / abs(limit.allowable)) <= SURE:
+        return ""
+    most = f"{100.0 * SURE:g} %{'' if bounded else ' of its allowable'}"
+    return (
+        f"{error.words}, below {most}; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
+    )
 
 
 def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) -> float:

@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from riserstudy.dataset.limits import BOUNDED, Error, demand_of, error_of, taken_by
+from riserstudy.dataset.limits import Error, demand_of, error_of, taken_by, too_coarse
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
@@ -36,7 +36,6 @@ from riserstudy.study.processes import each
 
 NODES = 9  # number of initial offsets of a search, the same for all limits
 CLOSE = 0.05  # m, tolerance of an offset
-SURE = 0.05  # largest error on a prescribed mesh, as a share of the allowable
 
 
 class Offsets(NamedTuple):
@@ -205,14 +204,8 @@ def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
         return found
     ends = {min(max(end, -at.reach), at.reach) for end in (found.low, found.high)}
     error = max((at.error_of(limit.output, end) for end in ends), key=lambda one: one.size)
-    bounded = limit.output in BOUNDED
-    if (error.share if bounded else error.size / abs(limit.allowable)) <= SURE:
-        return found
-    most = f"{100.0 * SURE:g} %{'' if bounded else ' of its allowable'}"
-    missing = (
-        f"{error.words}, below {most}; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
-    )
-    return Offsets(math.nan, math.nan, missing)
+    missing = too_coarse(limit, error)
+    return Offsets(math.nan, math.nan, missing) if missing else found
 
 
 def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, label
+from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, error_of, label, too_coarse
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.scene.limits import Limit
 from riserstudy.scene.resolve import Resolved
 
 COLUMNS = ["limit", "reached", "offset", "red circle", "yellow circle", "note"]
@@ -126,10 +127,11 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
     reached = json.loads(dataset.attrs["limits_reached"])
     errors = json.loads(dataset.attrs["limits_reached_error"])
     verdicts = json.loads(dataset.attrs["limits"])
+    facts = {name: json.loads(dataset.attrs.get(name, "{}")) for name in ("extremes", "error_estimate")}
     rows: list[list[Cell]] = []
     missing = False
     for mode in modes:
-        first, earliest, lost = math.inf, math.inf, False
+        first, earliest, lost, unsure = math.inf, math.inf, False, list[str]()
         for limit, time, error, row in zip(scene.limits or [], reached, errors, verdicts, strict=True):
             if limit.mode != mode:
                 continue
@@ -137,14 +139,17 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
             lost = lost or bool(why)
             at = math.inf if isinstance(time, str) else float(time)
             first, earliest = min(first, at), min(earliest, at - error)
+            remark = "" if why else _unsure(scene, limit, time, facts)
+            unsure += [label(limit)] if remark else []
             rows.append(
                 [label(limit), None, None, None, None, f"not evaluated: {why}"]
                 if why
-                else _row(label(limit), at, error, way, times)
+                else _row(label(limit), at, error, way, times, remark)
             )
         missing = missing or lost
         named = f"{mode}: first of all" + (" that are evaluated" if lost else "")
-        rows.append(_row(named, first, first - earliest, way, times))
+        remark = f"circles may be too large: see the notes of {', '.join(unsure)}" if unsure else ""
+        rows.append(_row(named, first, first - earliest, way, times, remark))
     return Circles(Table(COLUMNS, UNITS, rows), missing)
 
 
@@ -161,12 +166,23 @@ def _unknown(side: str, time: float | str, row: dict[str, object]) -> str:
     return ""
 
 
-def _row(name: str, first: float, error: float, way: Way, times: Times) -> list[Cell]:
-    """Time, offset and both circles for a first time (s) with an error (s)."""
+def _unsure(scene: Resolved, limit: Limit, time: float | str, facts: dict[str, Any]) -> str:
+    """Note on the error of a time at which a limit is reached, on a prescribed mesh; empty if it is small."""
+    if isinstance(time, str) or scene.analysis.mesh is None:
+        return ""
+    why = too_coarse(limit, error_of(limit.output, facts, own_mesh=True))
+    return f"circles may be too large: {why}" if why else ""
+
+
+def _row(name: str, first: float, error: float, way: Way, times: Times, remark: str = "") -> list[Cell]:
+    """Time, offset and both circles for a first time (s) with an error (s).
+
+    ``remark``: a further note on the error of the limited output.
+    """
     if math.isinf(first):
         return [name, None, None, None, None, "not reached within the run"]
     cells: list[Cell] = [name, first, way.at(first)]
-    note, doubt = [], 0.0
+    note, doubt = [remark] if remark else [], 0.0
     for colour, before in (("red", times.disconnect), ("yellow", times.disconnect + times.prepare)):
         latest = first - before
         cells.append(way.at(latest) if latest > 0.0 else None)
