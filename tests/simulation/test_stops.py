@@ -32,7 +32,7 @@ def test_the_first_touch_and_the_largest_force_are_told(rig):
     reach = np.zeros((5, rig.count))
     reach[2, 0], reach[3, -1] = -2.001, 2.003
     (said,) = stops_touched(rig, reach, 0.5 * np.arange(5) + 10.0)
-    assert said.startswith("stroke: touches its stop, first at t = 11 s or earlier, with at least 150 kN")
+    assert said.startswith("stroke: reaches its stop, first at t = 11 s or earlier, with at least 150 kN")
     assert "outputs 0.5 s apart, from t = 10 s on" in said
 
 
@@ -48,7 +48,7 @@ def test_no_touch_no_stops_and_failed_cylinders_are_not_told_of(rig):
 
 def test_a_touch_at_rest_is_told(rig):
     (said,) = stops_touched(rig, np.full(rig.count, -2.01))
-    assert said == "stroke: touches its stop in static equilibrium, with 500 kN a cylinder"
+    assert said == "stroke: reaches its stop in static equilibrium, with 500 kN a cylinder"
 
 
 @pytest.mark.parametrize("amplitude", ["0.1 m", "3 m"])

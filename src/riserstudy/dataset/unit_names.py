@@ -58,13 +58,13 @@ def _look_up(name: str, text: str) -> None:
     if any(text in names for names in usual_units().values()):
         return
     if len(text) > LONGEST_UNIT or "//" in text or not _NAMES.fullmatch(text):
-        raise Misfit("", f"{name!r} is no unit that is known", allowed)
+        raise Misfit("", f"{name!r} is not a known unit", allowed)
     try:
         factor(text, text)
     except Misfit as error:
         raise Misfit("", f"{name!r} {error.found}", error.allowed) from None
     except ValueError:
-        raise Misfit("", f"{name!r} is no unit that is known", allowed) from None
+        raise Misfit("", f"{name!r} is not a known unit", allowed) from None
 
 
 UnitName = Annotated[str, AfterValidator(known_unit)]

@@ -84,7 +84,7 @@ def secant_stiffness(
     if isinstance(springs, LinearSoil):
         return springs.stiffness
     if displacement is None:
-        raise TypeError("the secant of a curve needs a displacement")
+        raise TypeError("the secant stiffness of a curve needs a displacement")
     curve = py_of_clay if isinstance(springs, SoftClay) else py_of_table
     count = len(springs.node)
     return np.array([curve.py_func(springs, k, displacement)[0] for k in range(count)]) / displacement

@@ -46,7 +46,7 @@ def joint_stops_touched(
     if joint.stop is None:
         return []
     shortest, longest = joint.reach
-    beyond = {"drawn out": length - longest, "collapsed": shortest - length}
+    beyond = {"stroked out": length - longest, "collapsed": shortest - length}
     return [
         sentence
         for how, over in beyond.items()
@@ -84,10 +84,10 @@ def _forces_in_words(
     if not force.any():
         return []
     if time is None:
-        return [f"{stop}: touches its stop in static equilibrium, with {newtons(force.max())}{each}"]
+        return [f"{stop}: reaches its stop in static equilibrium, with {newtons(force.max())}{each}"]
     first = float(time[force.any(axis=1).argmax()])
     after = f", from t = {time[0]:.6g} s on" if time[0] > 0.0 else ""
-    touch = f"{stop}: touches its stop, first at t = {first:.6g} s"
+    touch = f"{stop}: reaches its stop, first at t = {first:.6g} s"
     if all_steps:
         return [f"{touch}, with at most {newtons(force.max())}{each}{after}"]
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""

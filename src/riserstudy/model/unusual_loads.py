@@ -71,7 +71,7 @@ def _current(current: Current) -> Iterator[str]:
     if fastest > FASTEST_CURRENT:
         yield f"current.profile: {fastest:.3g} m/s; the fastest tidal streams have about 10 m/s. {CHECK}"
     elif 0.0 < fastest < SLOWEST_CURRENT:
-        yield f"current.profile: at most {fastest:.3g} m/s, which exerts no drag worth mentioning. {CHECK}"
+        yield f"current.profile: at most {fastest:.3g} m/s, which causes almost no drag. {CHECK}"
 
 
 def _winds(scene: Resolved) -> Iterator[str]:

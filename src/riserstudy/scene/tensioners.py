@@ -112,7 +112,7 @@ class Linearised(Strict):
     def _fits(self) -> Self:
         ranged = self.by != "tangent"
         if ranged != (self.shortest is not None) or ranged != (self.longest is not None):
-            raise ValueError("least squares and a chord need shortest and longest, a tangent neither")
+            raise ValueError("least squares and a chord need shortest and longest; a tangent takes neither")
         if ranged and self.at is not None:
             raise ValueError("at is only for a tangent")
         if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:

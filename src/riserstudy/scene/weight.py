@@ -98,8 +98,8 @@ def doubts(scene: Parts) -> list[str]:
             weight = f"{plain(section.submerged_weight or 0.0, 4)} N/m"
             sentences.append(
                 f"{section.line}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
-                f"the water that its outer diameter displaces, {plain(most, 4)} N/m; contents are added "
-                "to it: leave out what is inside"
+                f"the water that its outer diameter displaces, {plain(most, 4)} N/m; give it "
+                "without contents, which the engine adds"
             )
         if _dry(scene, k) and (section.submerged_weight or 0.0) < dry - DOUBTED * dry:
             sentences.append(

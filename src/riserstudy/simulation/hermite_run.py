@@ -206,8 +206,8 @@ def effects_of(scene: Resolved) -> dict[str, str]:
     for name, because in called.items():
         if name not in SUPPORTED | LARGE_ANGLES:
             raise SimulationError(
-                f"analysis.solver hermite cannot simulate {name}, which {because} includes; leave it out, or "
-                "use lumped masses"
+                f"analysis.solver hermite cannot simulate {name}, which {because} includes; remove it from "
+                "the scene, or use lumped masses"
             )
     return {name: because for name, because in called.items() if name in SUPPORTED}
 
@@ -248,7 +248,8 @@ def _refuse(scene: Resolved) -> None:
     for name, there in reasons.items():
         if there:
             raise SimulationError(
-                f"analysis.solver hermite cannot simulate {name}; leave it out, or use lumped masses"
+                f"analysis.solver hermite cannot simulate {name}; remove it from the scene, or use lumped "
+                "masses"
             )
 
 

@@ -54,7 +54,7 @@ def doubt_of(facts: RunFacts) -> str:
     return (
         f"the estimated error is larger than the result: {in_words(error)}, on "
         f"{size(facts['elements'], facts.get('step'))}; use a finer mesh and a shorter time "
-        "step, or omit both, and the program chooses them"
+        "step, or omit both: the engine then chooses them"
     )
 
 

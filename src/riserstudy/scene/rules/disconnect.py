@@ -42,7 +42,7 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
     gas = rig.pulling if rig else None
     if rig is None or gas is None or rig.linearised:
         found = "needs tensioners with gas or two_chamber_gas, not linearised"
-        yield Misfit(path, found, "give the tensioners their gas, or leave it out", also)
+        yield Misfit(path, found, "use tensioners with gas, or remove the recoil valve", also)
         return
     if fault := fault_of_numbers(valve.failed or [], rig.count):
         yield Misfit(f"{path}.failed", *fault, also)

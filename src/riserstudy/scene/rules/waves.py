@@ -17,7 +17,7 @@ def sea(scene: Parts) -> Iterator[Misfit]:
     """A wave requires a sea of known depth, gravity, and sections with drag or added mass."""
     response = scene.platform and scene.platform.response
     if response and response.wave is None and scene.wave is None:
-        found, remedy = "needs a wave, of its own or of the scene", "add one"
+        found, remedy = "needs a wave", "add wave to it or to the scene"
         yield Misfit("platform.response", found, remedy, ("wave",))
     if scene.wave is None:
         return
