@@ -77,10 +77,10 @@ def test_the_limit_of_the_amplitude_is_that_of_a_cylinder_which_moves_as_a_whole
     found = screened(string([(0.0, 0.5 * speed), (LENGTH, speed)]), lift=lift)
     one = np.ones(1)
     for k, frequency in enumerate(found["natural_frequency"].values):
-        fastest = float(found["current_speed"].where(found["excited"].isel(mode=k)).max())
+        fastest = min(speed, Coefficients().fastest * frequency * DIAMETER)
         flow = Flow(one, one, fastest * one, DIAMETER * one, 1.1 * one)
         whole = amplitude_of(flow, one, one.astype(bool), frequency, lift)
-        assert float(found["amplitude_limit"][k]) == pytest.approx(whole / DIAMETER, rel=1e-6)
+        assert float(found["amplitude_limit"][k]) == pytest.approx(whole / DIAMETER, rel=5e-4)
 
 
 @pytest.mark.parametrize("share", [0.2, 0.7])

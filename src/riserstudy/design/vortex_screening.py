@@ -39,6 +39,7 @@ PHASES = 64  # number of phases of a cycle over which power is averaged
 LARGEST = 10.0  # largest ratio of amplitude to diameter in the search for a balance
 FIRST = 20  # number of modes computed first; more follow, as long as the current can excite them
 TWINS = 1e-3  # largest relative difference of frequencies of one mode in two directions
+PARTS = 32  # of a segment, along each of which the speed is linear
 LEAST_ACROSS = 0.1  # smallest share of a mode's motion across the flow, where it may lock in
 
 
@@ -58,10 +59,24 @@ class Flow(NamedTuple):
 
     z: FloatArray  # elevation (m)
     length: FloatArray  # m
-    speed: FloatArray  # speed of the water across the riser (m/s)
+    speed: FloatArray  # speed of the water across the riser, or across the part in water (m/s)
     diameter: FloatArray  # m
     drag: FloatArray  # coefficient
     across: FloatArray | None = None  # (3, n) unit vectors across riser and flow; None: in a plane
+    # (parts + 1, n) speeds at the ends of parts of the segments, 0 out of water; None: as at the middles
+    ends: FloatArray | None = None
+    heights: FloatArray | None = None  # (parts + 1, n) elevations of these ends (m)
+    wet: FloatArray | float = 1.0  # (n,) share of each segment that is in water
+
+    def excited(self, frequency: float, given: Coefficients) -> tuple[FloatArray, FloatArray]:
+        """Share of each part on which a mode (Hz) may lock in, and largest reduced velocity, (parts, n)."""
+        speeds = np.stack([self.speed, self.speed]) if self.ends is None else self.ends
+        reduced = speeds / (frequency * self.diameter)
+        low, high = np.minimum(reduced[1:], reduced[:-1]), np.maximum(reduced[1:], reduced[:-1])
+        within = np.minimum(high, given.fastest) - np.maximum(low, given.slowest)
+        even = (within >= 0.0) & (high == low)
+        share = np.divide(np.maximum(within, 0.0), high - low, out=even.astype(float), where=high > low)
+        return np.where(low > 0.0, share, 0.0), np.minimum(high, given.fastest)
 
 
 def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.Dataset:
@@ -123,13 +138,23 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     axes = list(AXES[d])
     tangent[axes] = model.s.tangent
     z = 0.5 * (model.s.r[-1, :n] + model.s.r[-1, 1 : n + 1])
+    share = np.linspace(0.0, 1.0, PARTS + 1)[:, np.newaxis]
+    heights = (1.0 - share) * model.s.r[-1, :n] + share * model.s.r[-1, 1 : n + 1]
+    ends = np.zeros((3, PARTS + 1, n))
     if scene.current:  # the profile itself: near jumps, the loads of the nodes use another current
         elevations, velocity = current_velocity(scene.current, scene.water)
         for c in axes[:-1]:
             water[c] = np.interp(z, elevations, velocity[c])
+            ends[c] = np.interp(heights, elevations, velocity[c])
     across = water - (water * tangent).sum(axis=0) * tangent
-    wet = _in_water(scene, z)
-    speed = np.where(wet, np.linalg.norm(across, axis=0), 0.0)
+    in_water = _in_water(scene, heights)
+    parts = in_water[1:] & in_water[:-1]
+    wet = parts.mean(axis=0)
+    ends -= (ends * tangent[:, np.newaxis]).sum(axis=0) * tangent[:, np.newaxis]
+    speeds = np.where(in_water, np.linalg.norm(ends, axis=0), 0.0)
+    # at the middle of a segment, or the mean of its part in water
+    mean = (0.5 * (speeds[1:] + speeds[:-1]) * parts).sum(axis=0) / np.maximum(parts.sum(axis=0), 1)
+    speed = np.where(wet == 1.0, np.linalg.norm(across, axis=0), mean)
     diameter, drag = np.full(n, math.nan), np.zeros(n)
     for e, k in enumerate(mesh.section):
         if k < len(scene.riser):  # otherwise the segment is the telescopic joint
@@ -143,7 +168,7 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     if d == len("xyz"):
         sideways = np.cross(tangent, across, axis=0) / np.where(speed > 0.0, speed, np.inf)
     speed, diameter = np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter)
-    return Flow(z, mesh.l0, speed, diameter, drag, sideways)
+    return Flow(z, mesh.l0, speed, diameter, drag, sideways, np.where(bare, 0.0, speeds), heights, wet)
 
 
 def _in_water(scene: Resolved, z: FloatArray) -> NDArray[np.bool_]:
@@ -151,7 +176,7 @@ def _in_water(scene: Resolved, z: FloatArray) -> NDArray[np.bool_]:
     water, soil = scene.water, scene.soil
     surface = water.surface if water else None
     ground = soil.mudline if soil else water.seabed if water else None
-    below = np.full(len(z), True) if surface is None else z <= surface
+    below = np.full(z.shape, True) if surface is None else z <= surface
     return below if ground is None else below & (z >= ground)
 
 
@@ -177,7 +202,7 @@ def _checked(given: Coefficients) -> Coefficients:
 def amplitude_of(
     flow: Flow,
     shape: FloatArray,
-    excited: NDArray[np.bool_],
+    excited: NDArray[np.bool_] | FloatArray,
     frequency: float,
     lift: float,
     across: FloatArray | None = None,
@@ -190,7 +215,7 @@ def amplitude_of(
     Parameters
     ----------
     shape : (n,) magnitude of the mode across the riser at the middles of segments; the largest is 1.
-    excited : (n,) true where lift acts.
+    excited : (n,) true where lift acts, or the share of each segment on which it acts (1).
     frequency : frequency of the mode (Hz).
     across : (n,) component of the shape across the flow, on which lift does work; absent: the whole shape.
 
@@ -201,16 +226,16 @@ def amplitude_of(
     from scipy.optimize import brentq
 
     across = shape if across is None else across
-    if not (excited & (across > 0.0)).any():
+    if not ((excited > 0.0) & (across > 0.0)).any():
         return 0.0
     cosine = np.cos(2.0 * math.pi * (np.arange(PHASES) + 0.5) / PHASES)[:, np.newaxis]
-    push = np.where(excited, lift, 0.0) * flow.speed
+    push = lift * excited * flow.speed
 
     def gained(amplitude: float) -> float:
         fastest = 2.0 * math.pi * frequency * amplitude * cosine
         v = fastest * shape
         both = np.hypot(v, flow.speed)
-        power = flow.diameter * both * (push * cosine * fastest * across - flow.drag * v * v)
+        power = flow.diameter * both * (push * cosine * fastest * across - flow.wet * flow.drag * v * v)
         return float((power.mean(axis=0) * flow.length).sum()) / amplitude
 
     largest = LARGEST * float(flow.diameter.max())
@@ -263,30 +288,33 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
     for k, frequency in enumerate(found["frequency"].values):
         if str(found["motion"].values[k]) != "lateral" or not frequency > 0.0:
             continue
-        reduced = flow.speed / (frequency * flow.diameter)
-        excited = (reduced >= given.slowest) & (reduced <= given.fastest)
+        parts, reduced = flow.excited(frequency, given)
+        excited, share, lift_acts = (parts > 0.0).any(axis=0), parts.mean(axis=0), parts > 0.0
         lifted, moved = across[k, excited].max(initial=0.0), size[k, excited].max(initial=0.0)
         if not excited.any() or lifted < LEAST_ACROSS * moved:
             continue
         shape, part = size[k] / size[k].max(), across[k] / size[k].max()
-        amplitude = amplitude_of(flow, shape, excited, frequency, given.lift, part)
+        amplitude = amplitude_of(flow, shape, share, frequency, given.lift, part)
         relative = amplitude * shape / flow.diameter
         with np.errstate(divide="ignore"):  # without drag, there is no limit
-            limit = given.lift * reduced[excited] / (2.0 * math.pi * flow.drag[excited])
-        length = flow.length[excited]
+            drag = np.broadcast_to(flow.drag, reduced.shape)[lift_acts]
+            limit = given.lift * reduced[lift_acts] / (2.0 * math.pi * drag)
+        length = share * flow.length
+        lower, upper = flow.z[excited], flow.z[excited]
+        if flow.heights is not None:
+            lower, upper = flow.heights[:-1][lift_acts], flow.heights[1:][lift_acts]
         rows.append(
             {
                 "mode": int(found["mode"].values[k]),
                 "natural_frequency": frequency,
                 "excited_length": length.sum(),
-                "excited_from": flow.z[excited].min(),
-                "excited_to": flow.z[excited].max(),
+                "excited_from": lower.min(),
+                "excited_to": upper.max(),
                 "slowest_current": given.slowest * frequency * wet.min(),
                 "fastest_current": given.fastest * frequency * wet.max(),
                 "amplitude": relative.max(),
                 "amplitude_limit": limit.max(),
-                "drag_factor": 1.0
-                + given.drag_gain * float((relative[excited] * length).sum() / length.sum()),
+                "drag_factor": 1.0 + given.drag_gain * float((relative * length).sum() / length.sum()),
                 "excited": excited,
                 "relative_amplitude": relative,
             }
@@ -323,6 +351,6 @@ ABOUT = {
 ALONG = {
     "current_speed": ("m s-1", "speed of the current across the riser"),
     "shedding_frequency": ("Hz", "frequency at which vortices are shed"),
-    "excited": ("1", "whether the mode may lock in"),
+    "excited": ("1", "whether the mode may lock in, at least on a part of the segment"),
     "relative_amplitude": ("1", "amplitude over diameter"),
 }
