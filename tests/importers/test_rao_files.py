@@ -191,8 +191,8 @@ def test_a_dataset_without_operators_or_of_two_bodies_is_refused(tmp_path):
     both.assign_coords(radiating_dof=names).to_netcdf(tmp_path / "two.nc")
     with pytest.raises(InputError, match="2 bodies"):
         from_capytaine(tmp_path / "two.nc")
-    (tmp_path / "text.nc").write_text("no netCDF")
-    with pytest.raises(InputError, match="no netCDF"):
+    (tmp_path / "text.nc").write_text("not a netCDF")
+    with pytest.raises(InputError, match="not a netCDF"):
         from_capytaine(tmp_path / "text.nc")
 
 

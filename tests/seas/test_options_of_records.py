@@ -48,7 +48,7 @@ def test_options_that_a_record_leaves_without_effect_are_refused(tmp_path, comma
         (["--limit", "hs <= 90 m"], "allowed is 0 to 35 m"),
         (["--limit", "hs <= nan m"], "hs <= nan m"),
         (["--limit", "hs <= 2 m", "--window", "-24 h"], "not above 0"),
-        (["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"], "the record's 1 h"),
+        (["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"], "the record's interval of 1 h"),
     ],
 )
 def test_limits_and_windows_that_no_sea_has_are_refused_before_results(tmp_path, commands, words, reason):

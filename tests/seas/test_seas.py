@@ -211,7 +211,7 @@ def test_limits_together_leave_no_more_than_each(tmp_path):
     np.testing.assert_array_equal(both, each[0] & each[1])
     with pytest.raises(InputError, match="not in the record"):
         hours(record, [sea_limit("wind_speed <= 10 m/s")])
-    with pytest.raises(InputError, match="whole number"):
+    with pytest.raises(InputError, match="not a multiple"):
         hours(record, [one]).of_windows(1.5)
 
 

@@ -43,12 +43,16 @@ def test_a_dataset_does_not_depend_on_other_studies(seed, tmp_path, monkeypatch)
     YAML().dump(written(tree), tmp_path / "rig.yaml")
     limit = {"output": "lfj_angle", "largest": "80 deg", "mode": "drilling"}
     demand = in_order(tmp_path, ["few"], [limit], monkeypatch)["few"]["demand_of_limit"]
-    # 0.1 % above the largest demand: within the limit only where no error is estimated
+    # 0.1 % above the largest demand: within the limit only if no error is estimated at any point
     limits = [limit | {"largest": f"{1.001 * float(np.rad2deg(demand.max()))!r} deg"}]
     first = in_order(tmp_path, ["few", "many"], limits, monkeypatch)
     second = in_order(tmp_path, ["many", "few"], limits, monkeypatch)
     assert first["few"]["error_estimated"].all()
     assert not first["many"]["error_estimated"].all()
-    assert {"within", "not evaluated"} <= {*first["many"]["verdict_of_limit"].values.ravel()}
+    verdicts = {*first["many"]["verdict_of_limit"].values.ravel()}
+    assert "not evaluated" in verdicts
+    assert "within" not in verdicts
     for name, found in first.items():
-        xr.testing.assert_identical(found, second[name])
+        # functions of arrays differ in the last digit with the place of an array in memory
+        xr.testing.assert_allclose(found, second[name], rtol=1e-12, atol=1e-15)
+        assert found.attrs == second[name].attrs

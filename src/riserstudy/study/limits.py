@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import checked, label
+from riserstudy.dataset.limits import Checked, checked, label
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
+from riserstudy.records.facts import point_columns
 from riserstudy.study.study import Study
 
 if TYPE_CHECKING:
@@ -39,13 +40,16 @@ def limited(study: Study) -> bool:
 def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None:
     """Add utilisation, demand and verdict of each limit over the axes and ``limit``, if the study has limits.
 
+    Points of one mesh and step have similar errors, of which only some are estimated. A point without an
+    estimate therefore has the largest errors of the study, by quantity.
     Allowables that differ between points are a variable, and are not in the attribute. Raises InputError when
     points have different limits; only allowables may differ.
     """
     if not limited(study):
         return
+    errors = _largest_errors(results)
     rows = [
-        checked(file, file.resolved(), result.facts)
+        _checked(file, result, errors)
         for file, result in zip(
             map(study.grid.file, (point.index for point in study.plan)), results, strict=True
         )
@@ -70,10 +74,33 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
     )
 
 
-def uses(file: SceneFile, result: Result) -> dict[str, NDArray[Any]]:
-    """Values of one run for each limit of its scene, (n,) each, by the variables of ``add_limits``."""
-    rows = checked(file, file.resolved(), result.facts)
+def uses(file: SceneFile, result: Result, dataset: xr.Dataset) -> dict[str, NDArray[Any]]:
+    """Values of one run for each limit of its scene, (n,) each, by the variables of ``add_limits``.
+
+    ``dataset``: dataset of its study, whose largest errors apply to a run without an estimate.
+    """
+    columns = {c.about.part: c.name for c in point_columns() if c.fact == "error_estimate" and c.about.part}
+    known = {part: dataset[name].values for part, name in columns.items() if name in dataset}
+    errors = {part: float(np.nanmax(of)) for part, of in known.items() if np.isfinite(of).any()}
+    rows = _checked(file, result, errors)
     return {
         name: np.array([getattr(one, of) for one in rows], kind)
         for name, (of, kind) in (OVER_LIMITS | {ALLOWABLE: ("allowable", float)}).items()
     }
+
+
+def _largest_errors(results: list[Result]) -> dict[str, float]:
+    """Largest estimated relative error among runs (1), by quantity; empty if none has an estimate."""
+    estimates = [result.facts.get("error_estimate", {}) for result in results]
+    return {
+        name: max(of.get(name, 0.0) for of in estimates)
+        for name in dict.fromkeys(n for of in estimates for n in of)
+    }
+
+
+def _checked(file: SceneFile, result: Result, errors: dict[str, float]) -> list[Checked]:
+    """The limits of a run; without an estimate of its own, with these relative errors (1), by quantity."""
+    facts: dict[str, Any] = {**result.facts}
+    if not facts.get("error_estimate") and errors:
+        facts["error_estimate"] = errors
+    return checked(file, file.resolved(), facts)

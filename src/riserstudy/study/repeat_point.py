@@ -62,7 +62,7 @@ def rerun(dataset: xr.Dataset, at: dict[str, str]) -> Rerun:
     ) or NOT_ESTIMATED in str(point.get("warnings", xr.DataArray("")).item())
     file = scene_file_of(dataset, index)
     result = run(file.resolved(), estimated=estimated)
-    limits = uses(file, result) if "limit" in point.dims else {}
+    limits = uses(file, result, dataset) if "limit" in point.dims else {}
     modes = _modes(file, point)
     whole = to_dataset(result, file, absent(set(result.facts["effects"])))
     whole.attrs["source"] = dataset.attrs.get("scene_file") or dataset.attrs.get("source", "")
