@@ -58,7 +58,7 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     u, still = np.zeros((2, 2 * len(beam.s)))
     u[fixed] = forced[0, :, 0]
     calm = _flows(mesh, _sea(beam, mesh), np.zeros(1), still[None])
-    force = mesh.force + _add(_on_elements(mesh, calm, still)[0]) - _dense(mesh.stiffness_band) @ u
+    force = mesh.force + _add(_on_elements(mesh, calm, still)[0]) - _times(mesh.stiffness_band, u)
     for dof in fixed:
         pin(mesh.stiffness_band, force, dof)
     diagonal = mesh.stiffness_band[:, 0].copy()
@@ -307,6 +307,15 @@ def _band(element: Array) -> Array:
         for j in range(i, 4):
             band[i : i + 2 * n : 2, j - i] += element[:, i, j]
     return band
+
+
+def _times(band: Array, u: Array) -> Array:
+    """Product of the matrix of a band and a vector."""
+    product = band[:, 0] * u
+    for k in range(1, band.shape[1]):
+        product[:-k] += band[:-k, k] * u[k:]
+        product[k:] += band[:-k, k] * u[:-k]
+    return np.asarray(product)
 
 
 def _dense(band: Array) -> Array:
