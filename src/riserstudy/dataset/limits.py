@@ -226,8 +226,7 @@ def demand_of(
     names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
     places = limit.places(names)
     there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
-    there = [row for row in there if limit.side in row]  # few outputs have no mean
-    demands = [_demand(limit, row) for row in there]
+    demands = [_demand(limit, row) for row in there if limit.side in row]  # few outputs have no mean
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
 
 

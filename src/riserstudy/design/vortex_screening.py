@@ -39,7 +39,7 @@ PHASES = 64  # number of phases of a cycle over which power is averaged
 LARGEST = 10.0  # largest ratio of amplitude to diameter in the search for a balance
 FIRST = 20  # number of modes computed first; more follow, as long as the current can excite them
 TWINS = 1e-3  # largest relative difference of frequencies of one mode in two directions
-PARTS = 32  # of a segment, along each of which the speed is linear
+PARTS = 32  # of a segment, along each of which the speed is linear; even, so that the middle is an end
 LEAST_ACROSS = 0.1  # smallest share of a mode's motion across the flow, where it may lock in
 
 
@@ -63,15 +63,14 @@ class Flow(NamedTuple):
     diameter: FloatArray  # m
     drag: FloatArray  # coefficient
     across: FloatArray | None = None  # (3, n) unit vectors across riser and flow; None: in a plane
-    # (parts + 1, n) speeds at the ends of parts of the segments, 0 out of water; None: as at the middles
-    ends: FloatArray | None = None
-    heights: FloatArray | None = None  # (parts + 1, n) elevations of these ends (m)
+    # (parts + 1, n) speeds (m/s) at the ends of parts of the segments, 0 out of water; () if not needed
+    ends: FloatArray = np.empty(0)
+    heights: FloatArray = np.empty(0)  # (parts + 1, n) elevations of these ends (m)
     wet: FloatArray | float = 1.0  # (n,) share of each segment that is in water
 
     def excited(self, frequency: float, given: Coefficients) -> tuple[FloatArray, FloatArray]:
         """Share of each part on which a mode (Hz) may lock in, and largest reduced velocity, (parts, n)."""
-        speeds = np.stack([self.speed, self.speed]) if self.ends is None else self.ends
-        reduced = speeds / (frequency * self.diameter)
+        reduced = self.ends / (frequency * self.diameter)
         low, high = np.minimum(reduced[1:], reduced[:-1]), np.maximum(reduced[1:], reduced[:-1])
         within = np.minimum(high, given.fastest) - np.maximum(low, given.slowest)
         even = (within >= 0.0) & (high == low)
@@ -134,24 +133,22 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
     model, _ = settle(at_rest(scene), mesh, d)
     shape_of(model.programs, model.state)
     n = len(mesh.l0)
-    water, tangent = np.zeros((3, n)), np.zeros((3, n))
+    tangent, ends = np.zeros((3, n)), np.zeros((3, PARTS + 1, n))
     axes = list(AXES[d])
     tangent[axes] = model.s.tangent
-    z = 0.5 * (model.s.r[-1, :n] + model.s.r[-1, 1 : n + 1])
     share = np.linspace(0.0, 1.0, PARTS + 1)[:, np.newaxis]
     heights = (1.0 - share) * model.s.r[-1, :n] + share * model.s.r[-1, 1 : n + 1]
-    ends = np.zeros((3, PARTS + 1, n))
+    z = heights[PARTS // 2]
     if scene.current:  # the profile itself: near jumps, the loads of the nodes use another current
         elevations, velocity = current_velocity(scene.current, scene.water)
         for c in axes[:-1]:
-            water[c] = np.interp(z, elevations, velocity[c])
             ends[c] = np.interp(heights, elevations, velocity[c])
-    across = water - (water * tangent).sum(axis=0) * tangent
     in_water = _in_water(scene, heights)
     parts = in_water[1:] & in_water[:-1]
     wet = parts.mean(axis=0)
     ends -= (ends * tangent[:, np.newaxis]).sum(axis=0) * tangent[:, np.newaxis]
     speeds = np.where(in_water, np.linalg.norm(ends, axis=0), 0.0)
+    across = ends[:, PARTS // 2]
     # at the middle of a segment, or the mean of its part in water
     mean = (0.5 * (speeds[1:] + speeds[:-1]) * parts).sum(axis=0) / np.maximum(parts.sum(axis=0), 1)
     speed = np.where(wet == 1.0, np.linalg.norm(across, axis=0), mean)
@@ -289,7 +286,8 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
         if str(found["motion"].values[k]) != "lateral" or not frequency > 0.0:
             continue
         parts, reduced = flow.excited(frequency, given)
-        excited, share, lift_acts = (parts > 0.0).any(axis=0), parts.mean(axis=0), parts > 0.0
+        lift_acts, share = parts > 0.0, parts.mean(axis=0)
+        excited = lift_acts.any(axis=0)
         lifted, moved = across[k, excited].max(initial=0.0), size[k, excited].max(initial=0.0)
         if not excited.any() or lifted < LEAST_ACROSS * moved:
             continue
@@ -300,16 +298,13 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
             drag = np.broadcast_to(flow.drag, reduced.shape)[lift_acts]
             limit = given.lift * reduced[lift_acts] / (2.0 * math.pi * drag)
         length = share * flow.length
-        lower, upper = flow.z[excited], flow.z[excited]
-        if flow.heights is not None:
-            lower, upper = flow.heights[:-1][lift_acts], flow.heights[1:][lift_acts]
         rows.append(
             {
                 "mode": int(found["mode"].values[k]),
                 "natural_frequency": frequency,
                 "excited_length": length.sum(),
-                "excited_from": lower.min(),
-                "excited_to": upper.max(),
+                "excited_from": flow.heights[:-1][lift_acts].min(),
+                "excited_to": flow.heights[1:][lift_acts].max(),
                 "slowest_current": given.slowest * frequency * wet.min(),
                 "fastest_current": given.fastest * frequency * wet.max(),
                 "amplitude": relative.max(),
