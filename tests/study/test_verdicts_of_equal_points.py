@@ -22,7 +22,7 @@ DENSITIES = [1025.0 * (1.0 + 1e-9 * k) for k in range(4)]
 
 @pytest.fixture(autouse=True)
 def own_store_and_two_estimates(tmp_path, monkeypatch):
-    """No point is there before a test, and keys, which change with the engine, select no point in the middle."""
+    """No point is there before a test; keys, which change with the engine, select none in the middle."""
     monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
     monkeypatch.setattr(simulate_points, "ONE_IN", 16**4 + 1)
 
