@@ -140,7 +140,7 @@ def broken_records(folder):
 
 
 def clock_set_back(folder):
-    """The clock is set back by a day, so results have a future date. A value is edited, and edited back."""
+    """The clock is set back by a day, so results have a future date. A value is edited, then restored."""
     for file in (*(folder / "results").rglob("*"), *(folder / ".cache/points").rglob("*")):
         os.utime(file, (time.time() + DAY, time.time() + DAY))
     scene = folder / "config/scenes/bench/s3.yaml"
@@ -187,7 +187,7 @@ def read_only_cache(folder):
 
 
 def disk_full(folder):
-    """Results, points and records are on a disk (tmpfs) with 64 kB of free space; later there is more."""
+    """Results, points and records are on a disk (tmpfs) with 64 kB of free space; more space is freed later."""
     forget(folder)
     disk = folder / "disk"
     disk.mkdir()

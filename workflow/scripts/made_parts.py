@@ -71,7 +71,7 @@ def files_of_effects(_: str) -> str:
         if module.name not in NO_EFFECT:
             path = f"src/riserstudy/effects/{module.name}.py"
             text = ast.get_docstring(ast.parse((ROOT / path).read_text("utf-8"))) or ""
-            first = " ".join(text.partition("\n\n")[0].split())
+            first = " ".join(text.partition("\n\n")[0].split()).rstrip(".")
             rows.append(f"| [`{module.name}`](../{path}) | {first} |")
     return "\n".join(["| file | effect |", "|---|---|", *rows])
 

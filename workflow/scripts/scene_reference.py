@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import re
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal, get_args, get_origin
 
@@ -31,8 +32,8 @@ required, a rotational stiffness without `/deg` or `/rad`, and a pressure withou
 engine also refuses `t` as a force (`tf` is a force).
 Elevations increase upwards from one datum of your choice; arclengths start at the lower end of the riser.
 
-Every value has an origin. A value without a stated origin is *published* if the scene has the key `paper`,
-and *given* otherwise. Other origins are written with the value:
+Every value has an origin, which states where the value comes from. A value without a stated origin is
+*published* if the scene has the key `paper`, and *given* otherwise. Other origins are written with the value:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -55,8 +56,8 @@ line of the CSV file gives the columns with their units, in any order. The table
 In the table of response amplitude operators (`operators`), each motion can have a second column for its
 phase, for example `heave_phase`.
 
-Editors that support JSON schema complete and check scene files with
-[`scene.schema.json`](../workflow/schemas/scene.schema.json), which `riserstudy schema` prints. Write the
+Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
+the schema, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the schema, write the
 following comment in the first line of a scene. The path starts at the folder of the scene:
 
 ```yaml
@@ -70,7 +71,7 @@ def scene_reference() -> str:
     tables = []
     for place in PLACES:
         columns = ", ".join(" or ".join(f"`{n}`" for n in names) for names in place.columns)
-        more = f"; optional: {_named(place.optional)}" if place.optional else ""
+        more = f", and optionally {_named(place.optional)}" if place.optional else ""
         tables.append(f"- `{'.'.join((*place.way, place.name))}`: {columns}{more}")
     parts = [HEAD % "\n".join(tables), units()]
     for model in models():
@@ -124,7 +125,10 @@ def _models_in(kind: Any) -> Iterator[Any]:
 
 
 def _prose(model: type[BaseModel]) -> str:
-    return (inspect.getdoc(model) or "").replace("``", "`")
+    """Return the docstring of a model, with its first sentence as a subtitle."""
+    text = (inspect.getdoc(model) or "").replace("``", "`")
+    first, _, others = re.sub(r"\.(\s+|$)", "\0", text, count=1).partition("\0")
+    return f"*{first}*\n\n{others}".rstrip()
 
 
 def title(model: type[BaseModel]) -> str:
