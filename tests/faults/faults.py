@@ -187,7 +187,7 @@ def read_only_cache(folder):
 
 
 def disk_full(folder):
-    """Results, points and records are on a disk (tmpfs) with 64 kB of free space; more space is freed later."""
+    """Results, points and records are on a disk (tmpfs) with 64 kB free; more space is freed later."""
     forget(folder)
     disk = folder / "disk"
     disk.mkdir()
