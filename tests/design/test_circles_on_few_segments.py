@@ -49,7 +49,7 @@ def test_circles_are_those_of_a_fine_mesh_or_noted(seed):
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_no_note_on_an_output_without_an_error(seed):
+def test_no_note_on_an_output_with_a_small_error(seed):
     tree = driven_off(seed, FEW)
     tree["limits"] = [{"output": "joint_stroke", "largest": "0.01 m", "mode": "disconnect"}]
     file = SceneFile("rig.yaml", written(tree))

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
 from riserstudy.scene.limit_inputs import lacks, lacks_outputs, times_of_mean
-from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, UNITS, Limit
+from riserstudy.scene.limits import ALONG, ANGLES, OF_THE_RISER, SIGNED, STROKES, UNITS, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.outputs import QUANTITIES
 from riserstudy.scene.pressures import not_in_demand
@@ -16,7 +16,16 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import Section
 
 #: outputs whose error is estimated but not limited by a tolerance: by key of the error, its name and outputs
-UNBOUNDED = {"angle": ("angle", ANGLES), "shear": ("shear force", ("shear_force",))}
+UNBOUNDED = {
+    "angle": ("angle", ANGLES),
+    "shear": ("shear force", ("shear_force",)),
+    "stroke": ("stroke", STROKES),
+    "tensioner_force": ("tensioner force", ("tensioner_force",)),
+    "overpull": ("overpull", ("overpull",)),
+    "lift": ("lift", ("lmrp_clearance",)),
+}
+#: those whose allowable is never zero: an error is also small or large compared with it
+MAGNITUDES = ("angle", "shear")
 #: estimated errors of other outputs, which a tolerance limits, but a prescribed mesh does not
 BOUNDED = {
     "bending_moment": ("moment",),
@@ -57,9 +66,9 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
     """Every limit of a scene, compared with the extremes of its run.
 
     An output whose error exceeds its value does not meet any limit. A tolerance does not limit the error of
-    angles and shear, and a prescribed mesh does not limit any error. An output therefore meets a limit only
-    if it meets the limit with its estimated error added. ``facts``: facts of the run: its extremes, one row
-    per output and place, and its estimated errors.
+    angles, shear, strokes, tensioner forces, overpull and clearance, and a prescribed mesh does not limit any
+    error. An output therefore meets a limit only if it meets the limit with its estimated error added.
+    ``facts``: facts of the run: its extremes, one row per output and place, and its estimated errors.
     """
     rows = facts.get("extremes", [])
     estimated = facts.get("error_estimate", {})
@@ -80,7 +89,7 @@ def checked(file: SceneFile, scene: Resolved, facts: Mapping[str, Any]) -> list[
 
 
 def _unbounded(output: str) -> str | None:
-    """Key of an output's error that no tolerance limits, "angle" or "shear"; None for other outputs."""
+    """Key of an output's error that no tolerance limits; None for other outputs."""
     return next((name for name, (_, of) in UNBOUNDED.items() if output in of), None)
 
 
@@ -102,8 +111,7 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
         noun, outputs = UNBOUNDED[name]
         share = estimated.get(name, 0.0)
         size = _absolute(share, outputs, facts)
-        text = f"{math.degrees(size):.2g} deg" if name == "angle" else newtons(size)
-        return Error(size, share, f"an error of the {noun}, {text} as estimated")
+        return Error(size, share, f"an error of the {noun}, {_in_words(size, UNITS[output])} as estimated")
     names = BOUNDED.get(output, ()) if own_mesh else ()
     share = max((estimated.get(name, 0.0) for name in names), default=0.0)
     words = f"an error of {output}, {percent(share)} as estimated"
@@ -112,12 +120,19 @@ def error_of(output: str, facts: Mapping[str, Any], own_mesh: bool) -> Error:
     return Error(_absolute(share, (of,), facts), share, words)
 
 
+def _in_words(size: float, unit: str) -> str:
+    """An error with its unit; ``unit``: SI unit of the output."""
+    if unit == "rad":
+        return f"{math.degrees(size):.2g} deg"
+    return f"{size:.2g} m" if unit == "m" else newtons(size)
+
+
 def too_coarse(limit: Limit, error: Error) -> str:
     """Why it is not known where or when a limit is reached on a prescribed mesh; empty if it is known."""
-    bounded = limit.output in BOUNDED
-    if (error.share if bounded else error.size / abs(limit.allowable)) <= SURE:
+    of_allowable = _unbounded(limit.output) in MAGNITUDES
+    if (error.size / abs(limit.allowable) if of_allowable else error.share) <= SURE:
         return ""
-    most = f"{100.0 * SURE:g} %{'' if bounded else ' of its allowable'}"
+    most = f"{100.0 * SURE:g} %{' of its allowable' if of_allowable else ' of its largest value'}"
     return (
         f"{error.words}, below {most}; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
     )
@@ -132,6 +147,8 @@ def _absolute(share: float, outputs: Collection[str], facts: Mapping[str, Any]) 
     rows = [row for row in facts.get("extremes", []) if row["output"] in outputs]
     sides = ("largest", "smallest", "of_whole_run")
     largest = max((abs(row.get(side, 0.0)) for row in rows for side in sides), default=0.0)
+    if "lmrp_clearance" in outputs:  # its error is that of the lift
+        largest = max(largest, facts.get("lift_max", 0.0))
     return float(share * largest / max(1.0 - share, LEAST_LEFT))
 
 

@@ -57,7 +57,7 @@ class EnergyAudit(TypedDict, total=False):
 
 #: relative errors by quantity
 ErrorEstimate = dict[str, float]
-_ERROR = "estimated relative error of "
+_ERROR, _NOT_LIMITED = "estimated relative error of ", ", which the tolerance does not limit"
 _SAMPLING = "relative standard error, due to the finite length of the run, of the vibration's "
 
 
@@ -66,7 +66,7 @@ class _Rare(TypedDict):
     in_database: bool
 
 
-_VIBRATES: _Rare = {"optional": True, "in_database": False}
+_RARE: _Rare = {"optional": True, "in_database": False}
 
 
 class RunFacts(TypedDict, total=False):
@@ -93,23 +93,19 @@ class RunFacts(TypedDict, total=False):
         Column(_ERROR + "displacement", "1", name="error_displacement", part="displacement"),
         Column(_ERROR + "bending moment", "1", name="error_moment", part="moment"),
         Column(_ERROR + "tension", "1", name="error_tension", part="tension"),
+        Column(_ERROR + "flex joint angles" + _NOT_LIMITED, "1", name="error_angle", part="angle"),
+        Column(_ERROR + "shear force" + _NOT_LIMITED, "1", name="error_shear", part="shear"),
+        Column(_ERROR + "strokes" + _NOT_LIMITED, "1", name="error_stroke", part="stroke", **_RARE),
         Column(
-            _ERROR + "flex joint angles, which the tolerance does not limit",
+            _ERROR + "tensioner forces" + _NOT_LIMITED,
             "1",
-            name="error_angle",
-            part="angle",
+            name="error_tensioner_force",
+            part="tensioner_force",
+            **_RARE,
         ),
-        Column(
-            _ERROR + "shear force, which the tolerance does not limit", "1", name="error_shear", part="shear"
-        ),
-        Column(
-            _ERROR + "fatigue damage",
-            "1",
-            name="error_damage",
-            part="damage",
-            optional=True,
-            in_database=False,
-        ),
+        Column(_ERROR + "overpull" + _NOT_LIMITED, "1", name="error_overpull", part="overpull", **_RARE),
+        Column(_ERROR + "lift and clearance" + _NOT_LIMITED, "1", name="error_lift", part="lift", **_RARE),
+        Column(_ERROR + "fatigue damage", "1", name="error_damage", part="damage", **_RARE),
     ]
     audit: Annotated[
         EnergyAudit,
@@ -137,24 +133,22 @@ class RunFacts(TypedDict, total=False):
     vibration_since: float  # s
     vibration_above: float  # Hz, lowest frequency that counts as vibration
     vibration_rms: Annotated[
-        float, Column("root mean square of the vibration, over time and riser", "m", **_VIBRATES)
+        float, Column("root mean square of the vibration, over time and riser", "m", **_RARE)
     ]
     vibration_rms_max: Annotated[
-        float, Column("largest root mean square of the vibration along the riser", "m", **_VIBRATES)
+        float, Column("largest root mean square of the vibration along the riser", "m", **_RARE)
     ]
     vibration_rms_max_s: Annotated[
-        float, Column("arclength, from the bottom, at which the vibration is largest", "m", **_VIBRATES)
+        float, Column("arclength, from the bottom, at which the vibration is largest", "m", **_RARE)
     ]
-    vibration_frequency: Annotated[
-        float, Column("frequency where the vibration is largest", "Hz", **_VIBRATES)
-    ]
+    vibration_frequency: Annotated[float, Column("frequency where the vibration is largest", "Hz", **_RARE)]
     vibration_scatter: Annotated[
         float,
         Column(
             "change of the vibration's root mean squares from the first to the second half of the time, "
             "over the riser, relative to that of the whole vibration",
             "1",
-            **_VIBRATES,
+            **_RARE,
         ),
     ]
 
@@ -162,15 +156,11 @@ class RunFacts(TypedDict, total=False):
     sampling_error: Annotated[
         ErrorEstimate,
         Column(
-            _SAMPLING + "displacement",
-            "1",
-            name="sampling_error_displacement",
-            part="displacement",
-            **_VIBRATES,
+            _SAMPLING + "displacement", "1", name="sampling_error_displacement", part="displacement", **_RARE
         ),
-        Column(_SAMPLING + "bending moment", "1", name="sampling_error_moment", part="moment", **_VIBRATES),
-        Column(_SAMPLING + "tension", "1", name="sampling_error_tension", part="tension", **_VIBRATES),
-        Column(_SAMPLING + "fatigue damage", "1", name="sampling_error_damage", part="damage", **_VIBRATES),
+        Column(_SAMPLING + "bending moment", "1", name="sampling_error_moment", part="moment", **_RARE),
+        Column(_SAMPLING + "tension", "1", name="sampling_error_tension", part="tension", **_RARE),
+        Column(_SAMPLING + "fatigue damage", "1", name="sampling_error_damage", part="damage", **_RARE),
     ]
 
     statistics: dict[str, Any]  # statistics of a vibration, for runs that are kept for comparisons

@@ -15,6 +15,7 @@ from riserstudy.scene.units import to_si
 #: outputs that may have a limit, with the SI unit that the text of the limit is converted to
 UNITS = {name: of.limit_unit for name, of in QUANTITIES.items() if of.limit_unit}
 ANGLES = tuple(output for output, unit in UNITS.items() if unit == "rad")
+STROKES = ("stroke", "joint_stroke", "tensioner_stroke")
 #: outputs whose sign is a convention: their limits apply to the magnitude
 SIGNED = ("bending_moment", "shear_force", "x", "y", "ufj_angle", "lfj_angle")
 #: outputs that have a value at every place along the riser

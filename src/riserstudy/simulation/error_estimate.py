@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.result import Result
-from riserstudy.scene.limits import ANGLES
+from riserstudy.scene.limits import ANGLES, STROKES
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
 from riserstudy.simulation.vibration_statistics import NONE, Statistics, apart, of_plain, statistics
@@ -20,6 +20,8 @@ Arrays = dict[str, Array]
 #: quantities whose errors a tolerance limits, and which determine mesh and time step
 CONTROLLED = ("displacement", "tension", "moment", "damage")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
+#: outputs of one place, or of all cylinders together, whose error is one number: by its key
+OF_ONE_PLACE = {"angle": ANGLES, "stroke": STROKES, "tensioner_force": ("tensioner_force",)}
 MOST_FALL = 8.0  # largest ratio of successive differences that an estimate uses: third order
 # curvature of the softest section that counts as zero (1/m): a strain of 5e-10 at a radius of half a metre
 FLAT = 1e-9
@@ -27,7 +29,8 @@ UPRIGHT = 1e-9  # angle that counts as zero (rad)
 LEAST_FALL = 1.5
 STEEPEST_FALL = 20.0  # ratio above which it is not plausible; for fourth order it is 16
 SURE_FALL = 4.0  # largest ratio that is used in doubtful cases: second order
-SURE = {"angle": SURE_FALL, "shear": 2.0}
+SURE = {**dict.fromkeys((*OF_ONE_PLACE, "overpull"), SURE_FALL), **{"shear": 2.0, "lift": 2.0}}
+SURE_AFTER_DISCONNECT = {"stroke": 2.0, "tensioner_force": 2.0}
 
 
 def estimate(
@@ -38,21 +41,24 @@ def estimate(
     If differences decrease by a factor q, the remaining error is the last difference divided by q - 1. The
     estimate uses at most ``most`` for q. It uses `LEAST_FALL` if q is smaller or unknown, or larger than the
     order of any method gives, because then the coarsest run has not converged. It also uses at most the sure
-    order of a quantity: second order for angles, which are tangents at the ends of segments; first order for
-    shear, the slope of the moment, near jumps of the load.
+    order of a quantity: second order for angles, which are tangents at the ends of segments, strokes and
+    tensioner forces; first order for shear, the slope of the moment, near jumps of the load. After a
+    disconnect, which sends steep waves along the riser, it is first order for lift, strokes and tensioner
+    forces.
     """
     error = {}
+    sure = SURE | (SURE_AFTER_DISCONNECT if "lift" in now else {})
     for name, value in now.items():
         fall = (before or {}).get(name, 0.0) / value if value > 0.0 else most
         if fall > STEEPEST_FALL:
             fall = LEAST_FALL
-        trusted = min(most, SURE.get(name, most))
+        trusted = min(most, sure.get(name, most))
         error[name] = value / (min(max(fall, LEAST_FALL), trusted) - 1.0)
     return error
 
 
 def controlled(error: dict[str, float]) -> dict[str, float]:
-    """Relative errors (1) without angles and shear, whose errors do not determine mesh and time step."""
+    """Relative errors (1) of the quantities that determine mesh and time step."""
     return {name: value for name, value in error.items() if name in CONTROLLED}
 
 
@@ -69,16 +75,18 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     nodes, values are those of the elements. A vortex-induced vibration is compared by its statistics.
 
     If one run has only every second, fourth, ... output of the other, the common outputs are compared. Angles
-    of flex joints are compared at rest, over time, and by their extremes over all steps if both runs have
-    these. Shear is compared by its envelopes over all steps and at rest, at the nodes of the coarse run, and
-    by its largest value. Differences are divided by the largest value anywhere.
+    of flex joints, strokes and tensioner forces are compared at rest, over time, and by their extremes over
+    all steps if both runs have these. Shear is compared by its envelopes over all steps and at rest, at the
+    nodes of the coarse run, and by its largest value. After a disconnect, the lift is compared over time, and
+    by its maximum and the clearance. Differences are divided by the largest value anywhere.
     """
     differences = {}
     histories = _histories(coarse.arrays, fine.arrays)
     if _vibrates(fine):
         return (
             apart(*_vibrations(coarse, fine, histories))
-            | _angle_of([*_statistics(coarse, fine)])
+            | _of_one_place(coarse, fine, _statistics)
+            | _of_disconnect(coarse, fine)
             | _damage(coarse, fine)
         )
     for name, fields in (
@@ -103,7 +111,12 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
     of_shear = _shear(coarse.arrays, fine.arrays)
     if of_shear is not None:  # at least the difference of the moment, whose slope is the shear
         differences["shear"] = max(of_shear, differences.get("moment", 0.0))
-    return differences | _angle_of([*_angles(coarse, fine)]) | _damage(coarse, fine)
+    return (
+        differences
+        | _of_one_place(coarse, fine, _values)
+        | _of_disconnect(coarse, fine)
+        | _damage(coarse, fine)
+    )
 
 
 def _vibrates(run: Result) -> bool:
@@ -112,13 +125,50 @@ def _vibrates(run: Result) -> bool:
     return "vibration_since" in run.facts and run.facts["vibration_rms"] > least
 
 
-def _angle_of(pairs: list[tuple[Array, Array]]) -> dict[str, float]:
-    """Largest difference of angles (rad), divided by the largest angle; empty if all angles are zero."""
-    scale = max((float(np.abs(up).max()) for _, up in pairs), default=0.0)
-    if not scale > UPRIGHT:
+Pairs = Iterator[tuple[Array, Array]]
+
+
+def _of_one_place(
+    coarse: Result, fine: Result, compared: Callable[[Result, Result, str], Pairs]
+) -> dict[str, float]:
+    """Relative differences of angles, strokes and tensioner forces, by quantity, without those that are zero.
+
+    ``compared``: values of an output in both runs that are compared.
+    """
+    found: dict[str, float] = {}
+    for key, names in OF_ONE_PLACE.items():
+        pairs = [pair for name in names for pair in compared(coarse, fine, name)]
+        found |= _relative(key, pairs, _rounding(key, fine.arrays))
+    return found
+
+
+def _relative(key: str, pairs: list[tuple[Array, Array]], rounding: float) -> dict[str, float]:
+    """Largest difference of a quantity, divided by its largest value; empty if all values are zero."""
+    scale = max((float(np.abs(up).max(initial=0.0)) for _, up in pairs), default=0.0)
+    if not scale > rounding:
         return {}
-    off = max(float(np.abs(up - low).max()) for low, up in pairs)
-    return {"angle": off / scale if off > UPRIGHT else 0.0}
+    off = max(float(np.abs(up - low).max(initial=0.0)) for low, up in pairs)
+    return {key: off / scale if off > rounding else 0.0}
+
+
+def _of_disconnect(coarse: Result, fine: Result) -> dict[str, float]:
+    """Relative differences of the overpull, and of lift and clearance together; empty without a disconnect.
+
+    A clearance that only one of the runs has differs by the largest lift.
+    """
+    if "lift" not in coarse.arrays or "lift" not in fine.arrays:
+        return {}
+    low, up = coarse.facts, fine.facts
+
+    def of(name: str) -> list[tuple[Array, Array]]:
+        return [(np.array([low[name]]), np.array([up[name]]))] if name in low and name in up else []  # type: ignore[literal-required]
+
+    lifts = [*_over_common_outputs(coarse.arrays, fine.arrays, "lift"), *of("lift_max"), *of("clearance_min")]
+    if ("clearance_min" in low) != ("clearance_min" in up):
+        highest = float(np.abs(fine.arrays["lift"]).max())
+        lifts.append((np.zeros(1), np.array([highest])))
+    least = _rounding("displacement", fine.arrays)
+    return _relative("overpull", of("overpull"), 0.0) | _relative("lift", lifts, least)
 
 
 def _vibrations(
@@ -155,16 +205,13 @@ def _histories_of(arrays: Arrays) -> Arrays:
     }
 
 
-def _statistics(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
-    """Statistics of flex joint angles in both runs (rad), from the start of the evaluated time on."""
+def _statistics(coarse: Result, fine: Result, name: str) -> Pairs:
+    """Statistics of an output of one place in both runs, from the start of the evaluated time on."""
     since = fine.facts["vibration_since"]
-    for name in ANGLES:
-        if name in coarse.arrays and name in fine.arrays:
-            low, up = (run.arrays[name][run.arrays["time"] >= since] for run in (coarse, fine))
-            yield np.array([low.mean(), low.std()]), np.array([up.mean(), up.std()])
-        ends, finer = _extremes(coarse, name), _extremes(fine, name)
-        if ends is not None and finer is not None:
-            yield ends, finer
+    if name in coarse.arrays and name in fine.arrays:
+        low, up = (run.arrays[name][run.arrays["time"] >= since] for run in (coarse, fine))
+        yield np.array([low.mean(), low.std()]), np.array([up.mean(), up.std()])
+    yield from _both_extremes(coarse, fine, name)
 
 
 def _shear(coarse: Arrays, fine: Arrays) -> float | None:
@@ -219,18 +266,27 @@ def _damage(coarse: Result, fine: Result) -> dict[str, float]:
     return {"damage": apart(coarse.arrays, fine.arrays)}
 
 
-def _angles(coarse: Result, fine: Result) -> Iterator[tuple[Array, Array]]:
-    """Angles of flex joints in both runs (rad): at rest, over their common outputs, and their extremes."""
+def _values(coarse: Result, fine: Result, name: str) -> Pairs:
+    """An output of one place in both runs: at rest, over their common outputs, and its extremes."""
     low, up = coarse.arrays, fine.arrays
-    steps = _every(low, up) if "time" in low and "time" in up else (1, 1)
-    for name in ANGLES:
-        if name + "_static" in low and name + "_static" in up:
-            yield low[name + "_static"], up[name + "_static"]
-        if name in low and name in up:
-            yield low[name][:: steps[0]], up[name][:: steps[1]]
-        ends, finer = _extremes(coarse, name), _extremes(fine, name)
-        if ends is not None and finer is not None:
-            yield ends, finer
+    if name + "_static" in low and name + "_static" in up:
+        yield low[name + "_static"], up[name + "_static"]
+    yield from _over_common_outputs(low, up, name)
+    yield from _both_extremes(coarse, fine, name)
+
+
+def _over_common_outputs(low: Arrays, up: Arrays, name: str) -> Pairs:
+    """A history in both runs at their common outputs, if both have it."""
+    if all(of in run for of in ("time", name) for run in (low, up)):
+        every = _every(low, up)
+        yield low[name][:: every[0]], up[name][:: every[1]]
+
+
+def _both_extremes(coarse: Result, fine: Result, name: str) -> Pairs:
+    """Extremes of an output over all steps in both runs, if both have them."""
+    ends, finer = _extremes(coarse, name), _extremes(fine, name)
+    if ends is not None and finer is not None:
+        yield ends, finer
 
 
 def _extremes(run: Result, name: str) -> Array | None:
@@ -242,8 +298,10 @@ def _extremes(run: Result, name: str) -> Array | None:
 
 
 def _rounding(name: str, arrays: Arrays) -> float:
-    """Displacement (m), tension (N) or moment (N m) that counts as zero, since it may be a rounding error."""
-    if name == "displacement":
+    """Value of a quantity, in its SI unit, that counts as zero, since it may be a rounding error."""
+    if name == "angle":
+        return UPRIGHT
+    if name in ("displacement", "stroke"):
         return NONE * float(arrays["s_node"][-1])
     if name == "moment" and "mesh_flexibility" in arrays:
         return _rounding_of_moment(arrays)

@@ -83,7 +83,7 @@ def march(
     ----------
     rest : the scene at rest on the mesh; absent: it is computed.
     extremes : whether extremes of all outputs over all steps are computed; a run that is only compared needs
-        those of displacement, tension, moment and flex joint angles.
+        those of displacement, tension, moment, and outputs of one place.
     """
     if scene.analysis.solver == "hermite":
         from riserstudy.simulation.hermite_run import solve_small_angle  # slow to load
@@ -200,8 +200,7 @@ def in_motion(
     rest = outputs.positions(_in_calm_water(scene, model, mesh))
     begin(scene, model, mesh)
     section = section_of(scene, mesh, arrays) if judged else shear_of(arrays)
-    recorded = (judged or len(model.s.dim) > 1) and a.method != "explicit"
-    room = room_for_steps(model, a.duration, step) if recorded else 0
+    room = room_for_steps(model, a.duration, step) if a.method != "explicit" else 0
     record = outputs.empty_record(arrays, model, a.output, a.duration, of, section, room)
     before, terms = sum(energies(model.programs, model.state)), audit.terms_of_energy(model, arrays)
     with watch.over(record.value, sums):
@@ -221,7 +220,7 @@ def in_motion(
     if judged:
         histories |= within(histories, seen.peaks, ANGLES if len(model.s.dim) == 3 else ())
     enter_lift(scene, seen.steps or histories, facts)
-    return histories, seen
+    return histories, seen if judged else Seen(peaks=seen.peaks)
 
 
 def _by_method(
@@ -257,19 +256,12 @@ def _by_method(
 def _seen(
     scene: Resolved, model: Model, mesh: Mesh, record: Frozen, rest: outputs.AtRest, judged: bool
 ) -> Seen:
-    """Values at all time steps, and their peaks; empty if not all steps were recorded.
-
-    For a run that is only compared (not ``judged``), only the peaks of the flex joint angles.
-    """
+    """Values at all time steps, and their peaks; empty if not all steps were recorded."""
     seen = Seen()
     every_step = steps_of(record.value)
     if judged and len(model.s.dim) == 3:
         seen.rotations = outputs.rotations(scene, model, mesh, every_step or record.value)
     if not every_step:
-        return seen
-    if not judged:
-        angles = outputs.angles(scene, model, mesh, every_step)
-        seen.peaks = peaks_of(every_step.time, angles)
         return seen
     series = outputs.over_time(scene, model, mesh, every_step, rest)
     seen.peaks = peaks_of(every_step.time, series)
