@@ -62,8 +62,7 @@ def _peak(times: FloatArray, values: FloatArray) -> Peak:
     found: list[float] = []
     for sign in (1.0, -1.0):
         k, c = np.unravel_index(int((sign * values).argmax()), values.shape)
-        best = [(float(values[k, c]), float(times[k]))]
-        best += [_vertex(times, values[:, column], sign) for column in range(values.shape[1])]
+        best = [(float(values[k, c]), float(times[k])), _vertex(times, values, sign)]
         value, time = max(best, key=lambda one: sign * one[0])
         found += [value, time]
     if values.min() >= 0.0:  # a magnitude
@@ -72,38 +71,47 @@ def _peak(times: FloatArray, values: FloatArray) -> Peak:
 
 
 def _vertex(times: FloatArray, values: FloatArray, sign: float) -> tuple[float, float]:
-    """The highest vertex of all triples of steps about an extremum, and its time; else the first value.
+    """The highest vertex of all triples of steps about an extremum of a column, and its time.
 
-    At an event, there are two values at one time, and no parabola across it is used. Where a value drops
-    suddenly after being constant, the parabola has a vertex that is too high by up to an eighth of the drop.
-    The parabola through the vertex's two steps and the step before them limits it; a smooth peak has the same
-    vertex by either, up to an error of third order in the step.
+    It is the first value if there is no extremum. At an event, there are two values at one time, and no
+    parabola across it is used. Where a value drops suddenly after being constant, the parabola has a vertex
+    that is too high by up to an eighth of the drop. The parabola through the vertex's two steps and the step
+    before them limits it; a smooth peak has the same vertex by either, up to an error of third order in the
+    step.
     """
     a, b, c = sign * values[:-2], sign * values[1:-1], sign * values[2:]
-    h, k = np.diff(times)[:-1], np.diff(times)[1:]
-    turning = (b >= a) & (b >= c) & ((b > a) | (b > c)) & (h > 0.0) & (k > 0.0)
-    if not turning.any():
-        return float(values[0]), float(times[0])
-    place = np.flatnonzero(turning) + 1
-    a, b, c, h, k = (of[turning] for of in (a, b, c, h, k))
+    intervals = np.diff(times)
+    unbroken = (intervals[:-1] > 0.0) & (intervals[1:] > 0.0)
+    step, column = np.nonzero((b >= a) & (b >= c) & ((b > a) | (b > c)) & unbroken[:, None])
+    if not len(step):
+        return float(values[0, 0]), float(times[0])
+    place = step + 1
+    a, b, c = (of[step, column] for of in (a, b, c))
+    h, k = intervals[step], intervals[place]
     left, right = (b - a) / h, (c - b) / k
     bend = (right - left) / (h + k)
     slope = left + bend * h
     away = -0.5 * slope / bend  # time from the middle step to the vertex
     tops = b - 0.25 * slope**2 / bend
-    tops = np.minimum(tops, _by_the_other_side(times, sign * values, place, away, b))
+    tops = np.minimum(tops, _by_the_other_side(times, sign * values, (place, column), away, b))
     best = int(tops.argmax())
     return sign * float(tops[best]), float(times[place[best]] + away[best])
 
 
 def _by_the_other_side(
-    times: FloatArray, values: FloatArray, place: NDArray[np.int64], away: FloatArray, least: FloatArray
+    times: FloatArray,
+    values: FloatArray,
+    middle: tuple[NDArray[np.int64], NDArray[np.int64]],
+    away: FloatArray,
+    least: FloatArray,
 ) -> FloatArray:
     """Largest value allowed at the vertices: of the parabola through a vertex's two steps and the next one.
 
-    ``place``: index of the middle step of each triple. ``away``: time from it to the vertex (s). ``least``:
-    values at the middle steps, below which the limit does not fall. Infinite where there is no such step.
+    ``middle``: step and column of the middle of each triple. ``away``: time from it to the vertex (s).
+    ``least``: values at the middle steps, below which the limit does not fall. Infinite where there is no
+    such step.
     """
+    place, column = middle
     side = np.where(away < 0.0, -1, 1)
     near, far = place + side, place + 2 * side
     known = (far >= 0) & (far < len(times))
@@ -111,8 +119,8 @@ def _by_the_other_side(
     to_near, to_far = times[near] - times[place], times[far] - times[place]
     known &= to_near != to_far  # there is no event between them
     apart = np.where(known, to_far - to_near, 1.0)
-    slope = (values[near] - values[place]) / to_near
-    beyond = (values[far] - values[near]) / apart
+    slope = (values[near, column] - values[place, column]) / to_near
+    beyond = (values[far, column] - values[near, column]) / apart
     bend = (beyond - slope) / np.where(known, to_far, 1.0)
-    limit = values[place] + away * (slope + bend * (away - to_near))
+    limit = values[place, column] + away * (slope + bend * (away - to_near))
     return np.where(known, np.maximum(limit, least), np.inf)
