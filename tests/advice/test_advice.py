@@ -210,7 +210,7 @@ def test_advice_tells_how_certain_its_percentages_are(seed, monkeypatch):
     """By the estimated errors of the scene on the same mesh, which decrease on a finer one."""
     monkeypatch.setattr("riserstudy.advice.ablation.fitting", lambda _: [])
     tree, told = moving(seed, spatial=bool(seed % 2)), []
-    tree["analysis"] |= {"duration": 20.0, "output": {"interval": 1.0}}
+    tree["analysis"] |= {"duration": 20.0, "output": {"interval": 0.25}}
     for elements, step in ((24, 0.2), (96, 0.05)):
         tree["analysis"] |= {"mesh": {"elements": elements}, "step": step}
         file = SceneFile("rig.yaml", written(tree))

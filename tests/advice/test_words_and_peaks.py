@@ -43,9 +43,15 @@ def run(**arrays):
     return Result(zero | own | {name: np.asarray(of, float) for name, of in arrays.items()}, {})
 
 
-def test_a_displacement_in_space_has_both_directions_and_its_size():
-    found = peaks(run(x_min=[0, -3, 0, 0], x_max=[0, 1, 2, 0], y_max=[0, 0, 4, 0]))
-    assert found.displacement == pytest.approx(5.0)
+def test_a_displacement_in_space_is_the_largest_in_any_direction():
+    """Not of extremes along both axes, which belong to different times."""
+    x, y = np.zeros((3, 4)), np.zeros((3, 4))
+    x[0, 1], x[2, 2], y[2, 2] = -6.0, 3.0, 4.0
+    found = peaks(run(x=x, y=y, x_min=[0, -6, 0, 0], x_max=[0, 1, 3, 0], y_max=[0, 0, 4, 0]))
+    assert found.displacement == pytest.approx(6.0)
+    static = {"s_node": S, "x_static": [0, 3, 0, 5], "y_static": [0, 4, 0, 0], "z_static": S}
+    still = Result({k: np.asarray(v, float) for k, v in static.items()} | {"effective_tension_static": S}, {})
+    assert peaks(still).displacement == pytest.approx(5.0)
 
 
 def test_a_riser_that_moves_along_itself_alone_is_told_from_its_rest():

@@ -26,11 +26,13 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.audit import UNEXPLAINED
 from riserstudy.simulation.run import single
 from riserstudy.simulation.starting_mesh import massless, period
+from riserstudy.simulation.step_peaks import peaks_of
 
 Array = NDArray[np.float64]
 FEW = 4  # steps of a run that only loads the kernels
 SEGMENTS = 100  # of a scene without its own mesh
 STEPS_A_PERIOD = 48  # of a scene without its own step
+OUTPUTS_A_PERIOD = 24  # in space at least, where displacements are known at outputs only
 HALVINGS = 5  # most halvings of the step, if the energy is not balanced
 ROUNDING = 1e-9  # least displacement that counts, as a share of the riser's length
 
@@ -58,12 +60,25 @@ def peaks(result: Result) -> Peaks:
         sides = [arrays[name + end] for end in ends if name + end in arrays]
         return max((float(np.abs(values - rest).max()) for values in sides), default=0.0)
 
-    sideways = math.hypot(*(largest(name) for name in "xy"))
+    sideways = max(*(largest(name) for name in "xy"), _in_space(arrays))
     length = float(arrays["s_node"][-1])
     moved = sideways if sideways > ROUNDING * length else largest("z", straight(result))
     top = float(np.abs(arrays["effective_tension" + ends[0]][-2:]).max())
     moment = largest("bending_moment") if "bending_moment_static" in arrays else math.nan
     return Peaks(moved, moment, top)
+
+
+def _in_space(arrays: dict[str, Array]) -> float:
+    """Largest horizontal displacement (m) in any direction: at rest, or over time; 0 in a plane.
+
+    Extremes along x and y do not give it, since they may belong to different times.
+    """
+    if "time" not in arrays:
+        return float(np.hypot(arrays["x_static"], arrays["y_static"]).max()) if "y_static" in arrays else 0.0
+    if "y" not in arrays:
+        return 0.0
+    away = np.hypot(arrays["x"], arrays["y"])
+    return peaks_of(arrays["time"], {"away": away})["away"].largest if len(away) else 0.0
 
 
 def straight(result: Result) -> Array:
@@ -229,4 +244,7 @@ def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
             values["analysis.duration"] = f"{most!r} s"
             if a.output and a.output.start:
                 values["analysis.output.start"] = None
+        often = period(scene) / OUTPUTS_A_PERIOD
+        if scene.spatial and a.output and a.output.interval > often:
+            values["analysis.output.interval"] = f"{often!r} s"
     return file.with_values(values, "fixed mesh and step"), mesh
