@@ -78,13 +78,12 @@ class Analysis(Strict):
 
     Without ``duration`` only the static equilibrium is computed, with the platform at its position and the
     whole current. Motions, waves, the ramp of the current, and wind, wave drift and thrusters of a vessel
-    then have no effect, and the run warns. By default the run starts from
-    equilibrium; ``undeflected`` starts from the equilibrium without current. Without mesh and time step, both
-    are chosen for ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is
-    generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a
-    beam with small slopes. ``newton_tolerance``: correction of positions at which Newton's iteration ends, in
-    riser lengths; by default 1e-9. A smaller value also reduces the limit
-    for corrections of moments, by the same factor.
+    then have no effect, and the run warns. By default the run starts from equilibrium; ``undeflected`` starts
+    from the equilibrium without current. Without mesh and time step, both are chosen for ``accuracy``, by
+    default 0.2 % of displacement and 1 % of moment. The default method is generalised-alpha with a spectral
+    radius of 0.8. The default solver uses lumped masses; ``hermite`` is a beam with small slopes.
+    ``newton_tolerance`` is the correction of positions at which Newton's iteration ends, in riser lengths, by
+    default 1e-9. A smaller value also reduces the limit for corrections of moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

@@ -20,9 +20,10 @@ class Buoyancy(Strict):
 
     Let w be the weight in air of riser and contents per length, L the length of the riser, b the ``factor``
     and e the ``tension_ratio``. For the effective tension at a distance h below the top, there are three
-    interpretations. R1: (1 - b) w (e L - h); the factor is the share of the weight that the blocks carry. R2:
-    b w (e L - h); the factor is the share of the weight that the blocks do not carry. R3: w (e L - b h); the
-    factor is the share that the blocks do not carry, and the tension ratio refers to the whole weight w L.
+    interpretations. In R1, it is (1 - b) w (e L - h), and the factor is the share of the weight that the
+    blocks carry. In R2, it is b w (e L - h), and the factor is the share of the weight that the blocks do not
+    carry. In R3, it is w (e L - b h): the factor has the meaning of R2, and the tension ratio refers to the
+    whole weight w L.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

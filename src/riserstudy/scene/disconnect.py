@@ -27,8 +27,8 @@ def too_late(times: Mapping[str, float], duration: float, *also: str) -> Iterato
 class Valve(Strict):
     """Tensioner valves that change a constant ``top.tension`` after the release of the lower end.
 
-    The tension decreases smoothly to ``hold`` times the suspended submerged weight. ``failed``: fraction of
-    the tension that remains because the valves of some tensioners do not move.
+    The tension decreases smoothly to ``hold`` times the suspended submerged weight. ``failed`` is the
+    fraction of the tension that remains because the valves of some tensioners do not move.
     """
 
     hold: Annotated[float, Field(gt=0.0)]
@@ -46,11 +46,11 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A valve in the oil between each cylinder and its gas, which closes after the release.
 
-    ``opening``: area of the open valve, which also throttles the oil before the release. ``discharge``:
-    discharge coefficient of the valve. The valve closes to the fraction ``residual`` of the opening,
+    ``opening`` is the area of the open valve, which also throttles the oil before the release. ``discharge``
+    is the discharge coefficient of the valve. The valve closes to the fraction ``residual`` of the opening,
     smoothly within ``over``, starting ``delay`` after the release. The valves of ``failed`` cylinders,
-    counted from 0, stay open. By default there is no delay. Without ``isolation`` no gas bottles are
-    shut off.
+    counted from 0, stay open. By default there is no delay. Without ``isolation`` no gas bottles are shut
+    off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -66,8 +66,8 @@ class RecoilValve(Strict):
 class Drain(Strict):
     """Contents that drain after the release, as one column between the air above and the sea below.
 
-    ``friction``: Darcy friction factor of the wall. ``losses``: number of velocity heads lost at the
-    ends, by default zero.
+    ``friction`` is the Darcy friction factor of the wall. ``losses`` is the number of velocity heads lost at
+    the ends, by default zero.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
@@ -83,13 +83,13 @@ class Stack(Strict):
 class Disconnect(Strict):
     """At a time of the run, the wellhead releases the lower end of the riser with the body at this end.
 
-    ``phase``: from that time on, the release waits until the platform's heave has this phase. The phase is 0
-    when the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic.
-    ``over``: time over which the force of the connector decreases. By default the release is sudden, which
-    sends steep wave fronts along an undamped riser. Without ``valve`` a constant top tension does
-    not change at the release; without ``recoil_valve`` the tensioners act as before. Without ``drain`` the
-    contents stay in the riser. Without ``stack`` there is no contact: the LMRP can move through the stack,
-    with a warning.
+    With ``phase``, the release waits from that time on until the platform's heave has this phase. The phase
+    is 0 when the heave rises through its mean, and 90 deg at its maximum. The heave must be a single
+    harmonic. ``over`` is the time over which the force of the connector decreases. By default the release is
+    sudden, which sends steep wave fronts along an undamped riser. Without ``valve`` a constant top tension
+    does not change at the release; without ``recoil_valve`` the tensioners act as before. Without ``drain``
+    the contents stay in the riser. Without ``stack`` there is no contact: the LMRP can move through the
+    stack, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -33,9 +33,10 @@ class Body(Strict):
     The submerged weight of the body is given, or follows from mass, gravity and either the displaced volume
     or the density of the material. Weight, drag and added mass are zero if they are not given. Without
     ``centre_below`` the body is a point at the riser's end. With ``centre_below`` the body turns rigidly with
-    the lower end, and its centre is that distance below the end. ``rotary_inertia`` refers to axes across the
-    riser through the centre. If ``rotary_inertia`` is absent, it is zero. With ``centre_below`` arclengths in
-    results count from the body's centre of percussion; stations still count from the riser's lower end.
+    the lower end, and ``centre_below`` is the distance of its centre below the end. ``rotary_inertia`` refers
+    to axes across the riser through the centre. If ``rotary_inertia`` is absent, it is zero. With
+    ``centre_below`` arclengths in results count from the body's centre of percussion; stations still count
+    from the riser's lower end.
     """
 
     name: str
@@ -121,9 +122,9 @@ class Bottom(Strict):
 class JointStop(Strict):
     """Stops of a telescopic joint: its largest extension and compression, and the stiffness of the stops.
 
-    Extension and compression are measured like the stroke of the joint. ``stroke``: largest extension.
-    ``collapse``: largest compression, at which the barrels meet and push. A stop that is not given does not
-    exist. Both stops are elastic, without energy loss.
+    Extension and compression are measured like the stroke of the joint. ``stroke`` is the largest extension.
+    ``collapse`` is the largest compression, at which the barrels meet and push. A stop that is not given does
+    not exist. Both stops are elastic, without energy loss.
     """
 
     stroke: Annotated[u.Length, POSITIVE] | None = None
@@ -141,15 +142,15 @@ class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
     ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
-    The outer and the inner barrel bend as one. ``tension``: additional constant pull of tensioners along the
-    joint. Without ``stop`` there are no stops; a run then warns if the joint becomes shorter than half of its
-    length, or longer than twice its length, because a joint of two barrels cannot have these lengths. The
-    mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform.
-    The stops of the joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
+    The outer and the inner barrel bend as one. ``tension`` is an additional constant pull of tensioners along
+    the joint. Without ``stop`` there are no stops. A run then warns if the joint becomes shorter than half of
+    its length, or longer than twice its length, which a joint of two barrels cannot do. The mass of the outer
+    barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the
+    joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
 
     The stroke is the extension from ``length``, and the positions of the stops are extensions from it, too.
-    With ``mid_stroke: riser in equilibrium``, both are measured from the length that the joint has when the
-    riser is vertical in still water, carried by its tensioners (the space-out).
+    With ``mid_stroke: riser in equilibrium``, stroke and stops are measured from the length that the joint
+    has when the riser is vertical in still water, carried by its tensioners (the space-out).
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -184,7 +185,7 @@ class TensionLoss(Strict):
 
 
 class Top(Strict):
-    """Upper end. In ``x`` (with y) and in ``z``, this end follows the platform, is held, or is free.
+    """Upper end. ``x`` (for x and y) and ``z`` state whether it follows the platform, is held, or is free.
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
     free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
@@ -192,10 +193,10 @@ class Top(Strict):
     With ``z: platform`` the top also has the vertical first-order motions of the platform.
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
-    equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given.
-    ``held_at_tension``: z is held where the static riser has this top tension. With a telescopic joint, the
-    top is the upper end of the joint. Tension, tensioners, lateral force and body then act at the tension
-    ring below the joint.
+    equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given. With
+    ``held_at_tension``, z is held at the height at which the static riser has this top tension. With a
+    telescopic joint, the top is the upper end of the joint. Tension, tensioners, lateral force and body then
+    act at the tension ring below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

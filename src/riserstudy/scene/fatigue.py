@@ -81,8 +81,8 @@ class OwnCurve(Strict):
 class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203 by its class, B1 to W3, and environment.
 
-    The numbers and their source are in ``scene/sn_curves.yaml`` of the package. Editions differ: compare the
-    curves with the edition that you must use, and give your own curve where they differ.
+    The numbers and their source are in ``scene/sn_curves.yaml`` of the package. Editions of DNV-RP-C203
+    differ: compare the curves with the edition that you must use, and give your own curve where they differ.
     """
 
     detail_class: str
@@ -113,12 +113,12 @@ class StandardCurve(Strict):
 class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
-    ``at``: sections of the riser, named as in ``limits``; by default all of them. ``face``: inner or outer
-    face of the wall, at which the stress by wall tension and bending is computed. For a detail at one end of
-    a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided by the
-    bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress by
-    tension is then neglected. ``stress_concentration`` multiplies this nominal stress. The default thickness
-    is the wall thickness of the section. Damage times ``safety_factor`` is the factored damage.
+    ``at`` gives sections of the riser, named as in ``limits``, by default all sections. ``face`` selects the
+    inner or outer face of the wall, at which the stress by wall tension and bending is computed. For a detail
+    at one end of a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided
+    by the bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress
+    by tension is then neglected. ``stress_concentration`` multiplies this nominal stress. The default
+    thickness is the wall thickness of the section. Damage times ``safety_factor`` is the factored damage.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -152,9 +152,9 @@ class Detail(Strict):
 class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
-    ``angles``: number of places around the wall at which damage is summed; the first is on the side of +x.
-    Between two of these places, damage can be larger than at both, by a factor of at most
-    cos(pi / angles)^-m. Here m is the exponent of the stress range in the S-N curve.
+    ``angles`` is the number of places around the wall at which damage is summed; the first place is on the
+    side of +x. Between two of these places, damage can be larger than at both, by a factor of at most cos(pi
+    / angles)^-m. Here m is the exponent of the stress range in the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -102,8 +102,8 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A motion at points in time, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
-    Before the first point and after the last, the motion keeps the value of this point. A sway, roll or yaw
-    whose values are all zero does not count as a motion out of the plane.
+    Before the first point, the motion has the value of the first point, and after the last point, the value
+    of the last. A sway, roll or yaw whose values are all zero does not count as a motion out of the plane.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -244,9 +244,10 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 class Shape(Strict):
     """A named profile of the speed from the seabed to the surface, relative to ``surface_speed``.
 
-    ``power``: (height above the seabed / water depth)^power. ``exponential``: exp(-depth below the surface /
-    scale). ``layer``: uniform down to ``layer`` below the surface, then decreasing linearly to zero at the
-    depth ``vanishes``. By default, seabed and surface have the elevations that ``water`` gives.
+    With ``power``, the profile is (height above the seabed / water depth)^power. With ``exponential``, the
+    profile is exp(-depth below the surface / scale). With ``layer``, the speed is uniform down to the depth
+    ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default, seabed
+    and surface have the elevations that ``water`` gives.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]

@@ -21,8 +21,8 @@ if TYPE_CHECKING:
 class Modules(Strict):
     """Buoyancy modules of one joint. A section without ``joints`` counts as one joint.
 
-    ``lift``: net lift of the modules in water, after subtraction of their own weight. Above the
-    water, the weight of the modules is their mass times gravity.
+    ``lift`` is the net lift of the modules in water, after subtraction of their own weight. Above the water,
+    the weight of the modules is their mass times gravity.
     """
 
     mass: Annotated[u.Mass, POSITIVE]
@@ -32,11 +32,11 @@ class Modules(Strict):
 class Line(Strict):
     """Choke, kill, booster or hydraulic lines along the pipe: ``count`` equal lines, or one by default.
 
-    The mass is given, or follows from the density of the wall. ``contents``: density of the fluid inside,
-    which moves with the line; without ``contents`` the line is empty. Lines with a modulus bend together with
-    the pipe, each about its own axis. With ``tension: shared``, pipe and lines share the tension by their
-    stiffnesses. With ``tension: sliding``, the ends of the lines slide and the lines carry no tension. The
-    effect of the pressure in a line on the tension of the pipe is neglected.
+    The mass is given, or follows from the density of the wall. ``contents`` gives the density of the fluid
+    inside, which moves with the line; without ``contents`` the line is empty. Lines with a modulus bend
+    together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines share the
+    tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide and the lines carry
+    no tension. The effect of the pressure in a line on the tension of the pipe is neglected.
     """
 
     name: str

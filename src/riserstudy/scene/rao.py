@@ -107,13 +107,13 @@ class Response(Strict):
     wave plus k x. Here k is the wave number, and x is the distance from the origin to the platform in the
     direction of the wave. This distance follows from the offset of the platform at rest and the distance that
     a cruise has covered. Headings of RAOs state where waves travel to (towards) or come from; between
-    headings, RAOs are interpolated linearly. The rows of the table can be in any order. ``symmetry``: the
-    response to missing headings is mirrored from the response to given headings, about the x-z plane (sides),
-    or also about the y-z plane (sides and ends). ``beyond`` defines the response to waves with periods
-    outside the range of the RAOs. With ``hold`` the end values of the RAOs apply, with ``zero`` there is no
-    motion, and with ``refuse`` (the default) the wave is refused. A warning states the share of the wave
-    energy at such periods. By default the wave of the scene acts, all motions of the table are used, and
-    there is no ramp. A wave that is given in the response travels along x by default.
+    headings, RAOs are interpolated linearly. The rows of the table can be in any order. With ``symmetry``,
+    the response to missing headings is mirrored from the response to given headings, about the x-z plane
+    (sides), or also about the y-z plane (sides and ends). ``beyond`` defines the response to waves with
+    periods outside the range of the RAOs. With ``hold`` the end values of the RAOs apply, with ``zero`` there
+    is no motion, and with ``refuse`` (the default) the wave is refused. A warning states the share of the
+    wave energy at periods outside the range. By default the wave of the scene acts, all motions of the table
+    are used, and there is no ramp. A wave that is given in the response travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

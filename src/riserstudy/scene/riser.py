@@ -94,11 +94,11 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
 
-    ``coefficient``: C_x; the varying drag per length has the amplitude C_x rho D / 2 times the squared flow
-    speed. Values of 0.1 to 1 are assumptions. ``frequencies``: the lowest frequency, the frequency at which
-    force and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter.
-    These frequencies are about twice the frequencies across the flow. The values 0.22, 0.36 and 0.52 are
-    assumptions, with a range of 25 % to either side.
+    ``coefficient`` is C_x: the varying drag per length has the amplitude C_x rho D / 2 times the squared flow
+    speed. C_x is not known; values of 0.1 to 1 are plausible assumptions. ``frequencies`` lists the lowest
+    frequency, the frequency at which force and velocity are in phase, and the highest frequency, as multiples
+    of speed divided by diameter. These frequencies are about twice the frequencies across the flow. The
+    values 0.22, 0.36 and 0.52 are assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -117,13 +117,13 @@ class VortexInducedVibration(Strict):
     synchronises with the velocity of the riser. The model requires drag across the pipe, which limits the
     amplitude. The scene is then solved in three dimensions.
 
-    ``coefficient``: C_v, published 1.2. ``frequencies``: the lowest frequency, the frequency at which force
-    and velocity are in phase, and the highest frequency, as multiples of speed divided by diameter. The
-    published values are 0.11, 0.18 and 0.26. ``memory``: distance over which the mean squares of the motion
-    are averaged. This distance is how far the water flows past the pipe, in diameters; for example 20.
-    ``seed``: seed of the initial phases, which are smooth along the riser. ``ramp``: time over which the lift
-    increases; by default ten shedding periods in the fastest current. ``in_line``: excitation along the
-    flow; by default there is none.
+    ``coefficient`` is C_v, with a published value of 1.2. ``frequencies`` lists the lowest frequency, the
+    frequency at which force and velocity are in phase, and the highest frequency, as multiples of speed
+    divided by diameter. The published values are 0.11, 0.18 and 0.26. ``memory`` is the distance, in
+    diameters, that the water flows past the pipe while the mean squares of the motion are averaged; for
+    example 20. ``seed`` determines the initial phases, which vary smoothly along the riser. ``ramp`` is the
+    time over which the lift increases, by default ten shedding periods in the fastest current. ``in_line``
+    adds an excitation along the flow; by default there is none.
     """
 
     model: Literal["synchronisation"]
@@ -155,7 +155,7 @@ class Contents(Strict):
     water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by
     default to the upper end of the highest section with contents. The gauge pressure of the contents on the
     wall is the static pressure of this column. If a section between two sections with contents has none, the
-    pressure below this section is not known. The von Mises stress there is not computed.
+    pressure below this section is not known, so the von Mises stress there is not computed.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -203,22 +203,23 @@ class Section(Strict):
     m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
     2153.4 N/m. If the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with
     contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter,
-    gravity and water; above the water surface, no displaced water is subtracted. In this case, the scene is
-    refused if one of these inputs, the inner diameter or the contents is missing. A section that reaches
-    through the water surface is divided at the surface if ``submerged_weight`` is absent, or if the section
-    has modules or lines. The upper part is called ``<name>, above water``; the weight of the water that its
-    outer diameter would displace is added to a given ``submerged_weight``. For a section that is wholly above
-    the water, give the weight in air.
+    gravity and water; above the water surface, no displaced water is subtracted. The scene is then refused if
+    one of these inputs is missing, or if the inner diameter or the contents are missing. A section that
+    reaches through the water surface is divided at the surface if ``submerged_weight`` is absent, or if the
+    section has modules or lines. The upper part is called ``<name>, above water``; the weight of the water
+    that its outer diameter would displace is added to a given ``submerged_weight``. For a section that is
+    wholly above the water, give the weight in air.
 
-    ``buoyancy_lift``: net lift of buoyancy modules in water; ``submerged_weight`` already includes it.
-    ``buoyancy_lift`` has no effect on the simulation. The formula for the minimum tension requires this lift,
-    because the formula treats steel and modules separately. If ``buoyancy_lift`` is absent, the lift is
-    unknown, and the formula is not evaluated.
+    ``buoyancy_lift`` is the net lift of buoyancy modules in water, which ``submerged_weight`` already
+    includes. ``buoyancy_lift`` has no effect on the simulation. The formula for the minimum tension requires
+    this lift, because the formula treats steel and modules separately. If ``buoyancy_lift`` is absent, the
+    lift is unknown, and the formula is not evaluated.
 
     ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
-    section then refer to the pipe alone. The values of modules and lines are added. The lift of the modules
-    becomes ``buoyancy_lift``; if any section has modules, the lift of sections without modules is zero. The
-    given diameters for drag and added mass apply to pipe, modules and lines together.
+    section then refer to the pipe alone. The engine adds the mass, weight and stiffness of modules and lines.
+    The lift of the modules becomes ``buoyancy_lift``; if any section has modules, the lift of sections
+    without modules is zero. The given diameters for drag and added mass apply to pipe, modules and lines
+    together.
     """
 
     name: str

@@ -54,10 +54,10 @@ class RegularWave(Swell, Wave):
 
     The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and the
     wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
-    ``above_mean_level``: velocities above the mean level are zero (none), equal to the velocity at the mean
-    level (constant), or given by a stretched profile (stretched, after Wheeler). A wave that is higher than
-    0.142 L tanh(k d) would break, and causes a warning; L is its length, k its wave number and d the depth of
-    the water.
+    ``above_mean_level`` states whether velocities above the mean level are zero (none), equal to the velocity
+    at the mean level (constant), or given by a stretched profile (stretched, after Wheeler). A wave that is
+    higher than 0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the wave, k its
+    wave number and d the depth of the water.
     """
 
 
@@ -80,7 +80,7 @@ class IrregularSea(Storm, Wave):
     """A sea with a JONSWAP spectrum: components of equal energy, whose random phases depend on ``seed``.
 
     By default the sea travels along x, and it acts from t = 0 without a ramp, on a riser in static
-    equilibrium. ``above_mean_level`` is as for a regular wave.
+    equilibrium. ``above_mean_level`` has the same meaning as for a regular wave.
     """
 
 

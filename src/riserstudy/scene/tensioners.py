@@ -18,10 +18,10 @@ from riserstudy.scene.tensioners_by_weight import Carried, DampingRatio
 class Chamber(Strict):
     """Gas on one side of a piston: the area on which it acts, and its state at mid-stroke.
 
-    ``pressure``: a gauge pressure is converted to an absolute pressure. ``outside``: external
-    pressure, which acts on ``area`` against the gas. By default it is the atmospheric pressure if
-    ``pressure`` is a gauge pressure. If ``pressure`` is absolute, ``outside`` is zero by default, because
-    some published tensioner laws include the pressure of the gas alone.
+    If ``pressure`` is a gauge pressure, the engine converts it to an absolute pressure. ``outside`` is the
+    external pressure, which acts on ``area`` against the gas. If ``pressure`` is a gauge pressure,
+    ``outside`` is the atmospheric pressure by default. If ``pressure`` is absolute, ``outside`` is zero by
+    default, because some published tensioner laws include the pressure of the gas alone.
     """
 
     area: Annotated[u.Area, POSITIVE]
@@ -99,8 +99,8 @@ class TableRow(Strict):
 class Linearised(Strict):
     """Straight line that replaces the gas law: a tangent, a chord, or a least-squares line over a range.
 
-    ``at``: extension from mid-stroke at which the line is the tangent of the gas law, by default zero.
-    ``shortest`` and ``longest``: stroke range of the chord or of the least-squares line.
+    ``at`` is the extension from mid-stroke at which the line is the tangent of the gas law, by default zero.
+    ``shortest`` and ``longest`` give the stroke range of the chord or of the least-squares line.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -174,13 +174,13 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default they have no damping and no stops.
 
-    ``mid_stroke``: state of the riser in which all cylinders are at mid-stroke. In this state the riser is
-    vertical in still water, at an offset of zero. The riser is either unstretched, or in equilibrium with the
-    tension that all cylinders have at mid-stroke.
+    ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. In this state the
+    riser is vertical in still water, at an offset of zero. The riser is either unstretched, or in equilibrium
+    with the tension that all cylinders have at mid-stroke.
 
-    ``table``: any other law, as the pull of one cylinder over its reach (its extension from mid-stroke). The
-    table is interpolated smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond the
-    ends of the table the pull continues linearly, with a warning.
+    ``table`` gives any other law, as the pull of one cylinder over its reach (its extension from mid-stroke).
+    The table is interpolated smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond
+    the ends of the table the pull continues linearly, with a warning.
 
     Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
     no force. Without ``failing`` no cylinder fails during the run.

@@ -28,7 +28,7 @@ class Carried(Strict):
     """Linear force of the cylinders, derived from the suspended weight; it replaces the key ``linear``.
 
     At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
-    ``doubles_over``: extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
+    ``doubles_over`` is the extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
     This extension determines the stiffness.
     """
 

@@ -112,10 +112,10 @@ class Yaw(Strict):
 class Coupling(Strict):
     """Platform and riser solved alternately, over intervals.
 
-    ``staggered``: over each interval, the platform first moves under the riser's force at the start of the
-    interval; then the riser is simulated with this motion of the platform. ``iterated``: the interval is
-    repeated with the new force of the riser, until the motion of the platform changes by less than
-    ``tolerance``. The default is the tolerance of Newton's iteration.
+    With ``staggered``, the platform first moves over each interval under the riser's force at the start of
+    the interval. Then the riser is simulated with this motion of the platform. With ``iterated``, the
+    interval is repeated with the new force of the riser, until the motion of the platform changes by less
+    than ``tolerance``. By default ``tolerance`` is the tolerance of Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
