@@ -162,7 +162,7 @@ def _summary(dataset: Any) -> str:
     from riserstudy.records.numerals import duration
 
     estimate = json.loads(dataset.attrs.get("error_estimate", "{}"))
-    errors = ", ".join(f"{name} {percent(value)}" for name, value in estimate.items())
+    errors = ", ".join(f"{name.replace('_', ' ')} {percent(value)}" for name, value in estimate.items())
     step = f", step {dataset.attrs['step']:.4g} s" if "step" in dataset.attrs else ""
     return (
         f"{dataset.attrs['elements']} segments{step}; estimated error: {errors or 'none given'}; "
