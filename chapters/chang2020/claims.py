@@ -263,16 +263,16 @@ def _sides(runs: xr.Dataset, amplitudes: list[float] | None = None) -> tuple[xr.
 def readings(reductions: xr.Dataset) -> dict[str, Any]:
     """Reductions in words of the erratum on 30 % and 50 %."""
     table = reductions["reduction"]
-    swing = table.sel(quantity="heave", measure="swing")
-    half = table.sel(height="height", reading="from_rest")
+    swing = table.sel(quantity="heave", measure="peak-to-peak range")
+    half = table.sel(height="H is twice the amplitude", reading="from_rest")
     apart = abs(table.sel(quantity="heave") - table.sel(quantity="tension")).max()
     return {
         "apart": float(apart),
-        "amplitude": float(swing.sel(height="amplitude", reading="from_rest")),
-        "height": float(swing.sel(height="height", reading="from_rest")),
-        "settled": float(swing.sel(height="amplitude", reading="steady")),
-        "tension": float(half.sel(quantity="tension", measure="swing")),
-        "heave": float(half.sel(quantity="heave", measure="deviation")),
+        "amplitude": float(swing.sel(height="H is the amplitude", reading="from_rest")),
+        "height": float(swing.sel(height="H is twice the amplitude", reading="from_rest")),
+        "settled": float(swing.sel(height="H is the amplitude", reading="steady")),
+        "tension": float(half.sel(quantity="tension", measure="peak-to-peak range")),
+        "heave": float(half.sel(quantity="heave", measure="standard deviation")),
     }
 
 

@@ -9,7 +9,7 @@ from riserstudy.dataset.describe import described, sampled
 
 PAPER = "chang2020"
 #: interpretations of the printed motion height H = 5 m, with the amplitude (m) of each
-HEIGHTS = {"amplitude": 5.0, "height": 2.5}
+HEIGHTS = {"H is the amplitude": 5.0, "H is twice the amplitude": 2.5}
 QUANTITIES = {"heave": "z", "tension": "effective_tension"}
 
 
@@ -85,7 +85,9 @@ def reductions_open(open_choices: xr.Dataset) -> xr.Dataset:
 
 def _spread(history: xr.DataArray) -> xr.DataArray:
     """Swing, standard deviation and peak of a history, over ``measure``; records end at their own times."""
-    measures = xr.DataArray(["swing", "deviation", "peak"], dims="measure", name="measure")
+    measures = xr.DataArray(
+        ["peak-to-peak range", "standard deviation", "peak"], dims="measure", name="measure"
+    )
     high, low = history.max("time"), history.min("time")
     return xr.concat([high - low, history.std("time"), high], measures)
 
@@ -107,7 +109,9 @@ def _measures(runs: xr.Dataset, quantity: str, amplitude: float) -> xr.DataArray
         at = amplitude * np.sin(turn)
         everywhere = _top(runs)[f"{name}_static"].interp(heave_position=at, method="cubic")
         deviation = everywhere.std("turn")
-    measures = xr.DataArray(["swing", "deviation", "peak"], dims="measure", name="measure")
+    measures = xr.DataArray(
+        ["peak-to-peak range", "standard deviation", "peak"], dims="measure", name="measure"
+    )
     parts = [part.drop_vars(part.coords) for part in (highest - lowest, deviation, highest)]
     return xr.concat(parts, measures)
 

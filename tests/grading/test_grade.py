@@ -65,13 +65,17 @@ def test_a_claim_is_graded_over_its_samples_and_tells_the_base_case():
     about = {"kind": "claim", "check": "claim", "with": options, "over": {"runs": "space"}}
     found = row({"base": dataset(5.0), "space": space}, **about)
     assert found.verdict == "holds"
-    assert found.note == "True in 57 of 60 samples (95 %). Base case: 5, true."
+    assert found.note == (
+        "True in 57 of 60 samples (95 %). Base case: the value is 5, and the claim is true."
+    )
     beside = row(
         {"base": dataset(4.0), "space": space, "other": dataset(3.0)},
         **about,
         beside={"Settled": {"runs": "other"}},
     )
-    assert beside.note.endswith("Base case: 4, true. Settled: 3, true.")
+    assert beside.note.endswith(
+        "Base case: the value is 4, and the claim is true. Settled: the value is 3, and the claim is true."
+    )
 
 
 @pytest.mark.parametrize("count", [1, 2, 8, 58, 59, 200])
@@ -99,7 +103,7 @@ def test_draws_are_counted_without_the_cells_that_each_is_judged_in():
     found = row({"base": dataset(5.0), "space": space}, **about)
     assert (
         found.depends_on
-        == "too few samples (8; at least 59 are needed): true with every interpretation (a; b; c)"
+        == "too few samples (8; at least 59 are needed): true with every interpretation (“a”; “b”; “c”)"
     )
 
 
@@ -115,7 +119,10 @@ def test_a_case_of_many_cells_is_told_by_its_range_its_share_and_what_decides():
     tuned = {"base": dataset(2.0, **{"top.tension": "calibrated"}), "space": space}
     found = number_row(tuned, beside={"Nothing tuned": {"runs": "space"}})
     assert found.verdict == "calibrated"
-    told = "Nothing tuned: 2 to 7, met in 8 of 16 samples (50 %), decided by lever."
+    told = (
+        "Nothing tuned: the values are 2 to 7; the published value is met in 8 of 16 samples (50 %), "
+        "decided by lever."
+    )
     assert found.note == told
 
 
@@ -123,7 +130,7 @@ def test_a_case_of_many_cells_is_told_at_the_base():
     space = dataset([2.0, 5.0]).rename(sample="reading").assign_coords(reading=["a", "b"])
     both = {"base": space, "space": space}
     found = number_row(both, base={"reading": "a"}, beside={"Again": {"runs": "space"}})
-    assert found.note.endswith("Again: 2, met.")
+    assert found.note.endswith("Again: the value is 2, and the published value is met.")
 
 
 def test_a_claim_that_an_option_decides_tells_the_share_under_each():

@@ -71,14 +71,14 @@ def test_a_row_says_first_what_is_certain():
     base = of_lines([1.0]).isel(sample=0)
     found = claim(of_lines([1.0, 0.0, 0.5]), base, base={"line": "chord"})
     assert row_of(found).depends_on == (
-        "line: true with chord; false with tangent; "
-        "with least squares, true in 64 of 128 samples (50 %, 95 % interval 41 to 59 %), decided by a"
+        "line: true with “chord”; false with “tangent”; "
+        "with “least squares”, true in 64 of 128 samples (50 %, 95 % interval 41 to 59 %), decided by a"
     )
     same = claim(of_lines([1.0, 0.0], other=1.0), base, base={"line": "chord"})
-    assert row_of(same).depends_on == "line: true with chord; no difference with tangent"
+    assert row_of(same).depends_on == "line: true with “chord”; no difference with “tangent”"
     every = claim(of_lines([1.0, 1.0]), base, base={"line": "chord"})
     assert every.verdict == "holds"
-    assert row_of(every).note.startswith("True with every interpretation (chord; tangent). ")
+    assert row_of(every).note.startswith("True with every interpretation (“chord”; “tangent”). ")
 
 
 def test_without_samples_interpretations_are_told_by_the_fewest_axes_that_decide():
@@ -91,7 +91,7 @@ def test_without_samples_interpretations_are_told_by_the_fewest_axes_that_decide
     check = lambda runs: judged(runs["x"], less(runs["x"], 1.0, SMALLER))  # noqa: E731
     found = graded("own", item, lambda _: check, {"space": space})
     assert found.grounds.share is None
-    assert row_of(found).depends_on == "flow: true with b; false with a and c"
+    assert row_of(found).depends_on == "flow: true with “b”; false with “a” and “c”"
     never = graded("own", item, lambda _: check, {"space": space.assign(x=space["x"] * 0.0 + 2.0)})
     assert row_of(never).note.startswith("False with all 24 interpretations. ")
     space["x"][0, 0, 0] = 0.5
@@ -105,7 +105,9 @@ def test_a_further_case_over_interpretations_has_no_pooled_share():
     check = lambda runs: judged(runs["x"], less(runs["x"], 1.0, SMALLER))  # noqa: E731
     space = of_lines([1.0, 0.0])
     note = row_of(graded("own", item, lambda _: check, {"base": base, "space": space})).note
-    assert note.endswith("Open: 0.5 to 1.5, true with chord; false with tangent.")
+    assert note.endswith(
+        "Open: the values are 0.5 to 1.5; the claim is true with “chord”; false with “tangent”."
+    )
 
 
 # numbers of one case
@@ -141,7 +143,7 @@ def test_chance_hits_of_a_continuous_spread_meet_no_number(seed):
     assert found.verdict == "fails"
     assert found.grounds.share.met == 0
     assert (found.grounds.together.alone.met, found.grounds.together.others) == (alone, ["b"])
-    assert f"Judged alone, it is met in {alone} of 512 samples" in row_of(found).note
+    assert f"Judged alone, this value is met in {alone} of 512 samples" in row_of(found).note
     proportional = numbers(size, 2.0 * size)
     assert proportional.verdict == ("depends" if alone else "fails")
     assert proportional.grounds.share.met == alone
@@ -179,7 +181,7 @@ def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_v
     assert found.verdict == verdict
     note = row_of(found).note
     assert re.search(
-        "chosen to make it agree: the profile. (Samples vary|No sample varies) this choice", note
+        "agree, the following was chosen: the profile. (Samples vary|No sample varies) this choice", note
     )
     assert Grounds.from_json(row_of(found).grounds) == found.grounds
     never = claim(of_lines([0.0]).isel(line=0, drop=True), space.isel(sample=0), chosen=chosen)

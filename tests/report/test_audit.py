@@ -128,7 +128,7 @@ def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
     rows += [(f"tuned{k}", False, 0.02, None, None, None) for k in range(3)]
     said = missed(database(rows), kept(**{row[0]: (None, None) for row in rows})).sentences
     assert said.startswith("At 1 grid point with a tolerance, the estimated errors are within this tolerance")
-    assert "At 3 more, whose mesh and time step were tuned for their study, the error was not" in said
+    assert "At 3 more, whose mesh and time step were tuned in advance, the error was not" in said
 
 
 @pytest.mark.parametrize(
@@ -157,9 +157,9 @@ def test_points_of_both_kinds_that_miss_are_counted_apart_and_the_largest_error_
     of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
     assert of.sentences.replace("\N{NO-BREAK SPACE}", " ") == (
         "1 of 2 grid points with a tolerance have larger errors. At 1 more, whose mesh and time step were "
-        "tuned for their study, the error was not estimated. The other 3 use a fixed mesh and time step; "
+        "tuned in advance, the error was not estimated. The other 3 use a fixed mesh and time step; "
         "the error was estimated at 3 of them and exceeds 1 % at 2. "
-        "The largest estimate is 20 %, in paper/blow (tension)."
+        "The largest estimated error is 20 %, in the dataset paper/blow (tension)."
     )
 
 

@@ -29,4 +29,4 @@ def test_interpretations_are_the_reason_where_they_answer_differently():
     share = Share(1, 1)
     readings = [Reading({"flow": "a"}, "true", share), Reading({"flow": "b"}, "false", Share(0, 1))]
     found = claim(verdict="depends", kind="claim", decided_by="flow", grounds=Grounds(readings=readings))
-    assert found.why == "Flow: true with a; false with b."
+    assert found.why == "Flow. The claim is true with “a”. The claim is false with “b”."

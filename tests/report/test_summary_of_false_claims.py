@@ -46,7 +46,7 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
         "Of 10 deliberately false claims, 5 of them subtle, the grader accepts 2. 5 fail, "
     )
     assert "and 3 depend on unspecified inputs. The false-positive rate is 20 %" in said
-    assert said.endswith("behind 7 of them.")
+    assert said.endswith("For 7 of them, the same checks accept the original statement of the paper.")
     assert found.rows[0].share == "3 of 128"
     assert found.rows[0].how == "one sign changed"
 

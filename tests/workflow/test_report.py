@@ -222,15 +222,21 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert [found[one].band for one in ("A1", "A2", "A10", "B0")] == [None, None, (73, 83), (97, 100)]
     assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against (2)", 100)]
     assert found["A10"].sentences == [
-        "Base case: 3, true.",
+        "Base case: the value is 3, and the claim is true.",
         "As in A1.",
-        "Margin to a change of the outcome: +10 % (90 % range −2 to +30 %).",
+        "The base case agrees with the paper by a margin of 10 %. In 90 % of all cases the margin is "
+        "−2 to +30 %; a negative margin means disagreement.",
     ]
-    assert found["A2"].sentences == ["Base case: 1.5, true.", "Margin to a change of the outcome: +25 %."]
+    assert found["A2"].sentences == [
+        "Base case: the value is 1.5, and the claim is true.",
+        "The base case agrees with the paper by a margin of 25 %.",
+    ]
     assert found["B0"].sentences == []
     assert found["A10"].why == "Depends on the flow; U: m/s."
     assert found["A4"].why == "No single input or pair of inputs decides the outcome."
-    assert found["B0"].why == "Simulated -3.142e+06 N, published -3.142e+06 N; error 0 %."
+    assert found["B0"].why == (
+        "The simulation gives -3.142e+06 N; the published value is -3.142e+06 N (error 0 %)."
+    )
 
 
 def test_the_report_needs_no_table_but_the_database(sources, tmp_path):

@@ -101,10 +101,9 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     ax.set_xlabel(AMPLITUDE)
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
     far = index.sel(tensioner_model="gas law").isel(heave_amplitude=-1)
-    settled, started = (float(far.sel(reading=reading)) for reading in ("steady", "from_rest"))
+    settled = float(far.sel(reading="steady"))
     headline(
-        figure,
-        f"The gas law's asymmetry index reaches {settled:.2f} in steady state, {started:.2f} from rest",
+        figure, f"With the gas law, steady-state upward motion reaches {settled:.2f} times downward motion"
     )
     ax.set_ylim(bottom=0.85)
     label_ends(ax)
@@ -186,8 +185,12 @@ def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
     table = 100.0 * reductions["reduction"].sel(quantity="heave")
     places: list[float] = []
     names: list[str] = []
-    words = {"swing": "peak-to-\npeak\nrange", "deviation": "standard\ndeviation", "peak": "peak"}
-    for j, height in enumerate(("amplitude", "height")):
+    words = {
+        "peak-to-peak range": "peak-to-\npeak\nrange",
+        "standard deviation": "standard\ndeviation",
+        "peak": "peak",
+    }
+    for j, height in enumerate(("H is the amplitude", "H is twice the amplitude")):
         for k, measure in enumerate(words):
             at = j * 3.6 + k
             for n, (reading, colour) in enumerate(OF_STATE.items()):

@@ -19,6 +19,7 @@ from chapters.liu2020.claims.system import (
 from riserstudy.grading.found import answers
 from riserstudy.grading.verdict import ALMOST_ALWAYS
 from riserstudy.grading.word import Word
+from riserstudy.records.words import listed
 
 LENGTH = 533.0  # m of riser
 RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a damping ratio of 1: at_period divided by pi
@@ -144,11 +145,21 @@ def baselines(readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Wor
         rate = (answer > 0.0).where(answer.notnull()).mean(others)
         shares[claim] = {model: float(rate.sel(tensioner_model=model)) for model in WITHOUT}
     both = [m for m in WITHOUT if min(shares["Q2"][m], shares["Q8"][m]) >= ALMOST_ALWAYS]
-    sentences = [
-        f"{claim} " + ", ".join(f"{model} {100 * share:.0f} %" for model, share in each.items())
-        for claim, each in shares.items()
-    ]
-    return {"shares": "; ".join(sentences), "both": " and ".join(both) or "none"}
+    sentences = [_true_with(claim, each) for claim, each in shares.items()]
+    share = f"in at least {100 * ALMOST_ALWAYS:.0f} % of the samples"
+    told = f"With {listed(f'“{model}”' for model in both)}, both Q2 and Q8 are true {share}."
+    if not both:
+        told = f"No definition makes both Q2 and Q8 true {share}."
+    return {"shares": " ".join(sentences), "both": told}
+
+
+def _true_with(claim: str, shares: dict[str, float]) -> str:
+    """The share of samples in which a claim is true with each definition of the riser without tensioners."""
+    true = [f"“{model}” ({100 * share:.0f} %)" for model, share in shares.items() if share > 0.0]
+    if not true:
+        return f"Claim {claim} is true in no sample."
+    rest = "" if len(true) == len(shares) else ", and in none with the other definitions"
+    return f"Claim {claim} is true in samples with {listed(true)}{rest}."
 
 
 def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:
@@ -188,4 +199,4 @@ def peaks(roll: xr.Dataset) -> dict[str, Any]:
     moment = roll["largest_bending_moment"].sel(roll_amplitude=4.0)
     values, period = moment.values, moment["roll_period"].values
     inside = (values[1:-1] > values[:-2]) & (values[1:-1] > values[2:])
-    return {"peaks": ", ".join(f"{x:g} s" for x in period[1:-1][inside]) or "none"}
+    return {"peaks": listed(f"{x:g} s" for x in period[1:-1][inside])}

@@ -29,7 +29,7 @@ from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 
 CURRENT = 3.0  # m/s, in the tracks that errata quote
-NAMED = 5  # largest number of interpretations that are named, nearest first
+NAMED = 2  # of many interpretations, only the nearest are named
 
 
 def readings_near(
@@ -65,12 +65,18 @@ def _near(miss: xr.DataArray, within: float) -> str:
     near = near[near.values.argsort()]
     if not near.size:
         return "none"
-    names = "; ".join(_of_reading(key) for key in near["reading"].values[:NAMED])
-    return f"{near.size}{', nearest' if near.size > NAMED else ''} ({names})"
+    names = "; ".join(_quoted(key) for key in near["reading"].values[:NAMED])
+    return f"{near.size} ({'the nearest are ' if near.size > NAMED else ''}{names})"
 
 
 def _of_reading(labels: tuple[str, ...]) -> str:
     return " / ".join(labels)
+
+
+def _quoted(labels: tuple[str, ...]) -> str:
+    """The name of an interpretation, in quotation marks if it has several words."""
+    name = _of_reading(labels)
+    return f"“{name}”" if " " in name else name
 
 
 def parts_of_samples(

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 HONEST = (0.5, 5.0)  # range of the ratio of estimated to true error
+PEAK = "the largest moment"
 WANTED = 0.01  # largest error of the moment accepted in a long run
 UNSAFE = 0.9999  # measured / predicted stable step, below which the prediction is unsafe
 
@@ -66,10 +67,10 @@ def references(datasets: Mapping[str, xr.Dataset]) -> list[str]:
         return []
     bad = [case for case, deviation in deviations.items() if deviation > 1.0]
     met = len(deviations) - len(bad)
-    but = f"; not: {listed(bad)}" if bad else ""
+    but = f" It does not reproduce: {listed(bad)}." if bad else ""
     return [
-        "Reference solutions that a rerun reproduces within the estimated errors: "
-        f"{met} of {len(deviations)}{but}."
+        f"A rerun reproduces {met} of {counted(len(deviations), 'reference solution')} within the estimated "
+        f"errors.{but}"
     ]
 
 
@@ -77,9 +78,8 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
     """Count hard cases by outcome of their scene as written."""
     outcomes = Counter(map(str, stability["written_outcome"].values))
     met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
-    ended = f"all {count}" if met == count else f"{met} of {count}"
-    text = listed(f"{number} {outcome}" for outcome, number in outcomes.most_common())
-    return [f"Hard cases that ended as expected: {ended} ({text})."]
+    text = listed(f"“{outcome}” ({number})" for outcome, number in outcomes.most_common())
+    return [f"{met} of {counted(count, 'hard case')} ended as expected. The outcomes are {text}."]
 
 
 def known(validation: xr.Dataset) -> str:
@@ -87,11 +87,11 @@ def known(validation: xr.Dataset) -> str:
     holds = validation["holds"].values
     kinds = Counter(map(str, validation["kind"].values))
     text = listed(counted(number, kind) for kind, number in kinds.items())
-    met = f"all {len(holds)}" if holds.all() else f"{int(holds.sum())} of {len(holds)}"
+    met = f"{int(holds.sum())} of {len(holds)}"
     bad = validation.isel(row=~holds)
     named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
-    but = f"; not: {listed(named)}" if named else ""
-    return f"Results that agree with a known value within the tolerance: {met} ({text}){but}."
+    but = f" These do not agree: {'; '.join(named)}." if named else ""
+    return f"{met} results agree with a known value within the tolerance. The values come from {text}.{but}"
 
 
 def stable_steps(steps: xr.Dataset) -> str:
@@ -103,9 +103,9 @@ def stable_steps(steps: xr.Dataset) -> str:
         for name, x in zip(unsafe["variant"].values, unsafe.values, strict=True)
     ]
     return (
-        f"Explicit stepping: the longest stable time step is {float(ratio.min()):.3f} to "
-        f"{float(ratio.max()):.3f} times the predicted one; "
-        + (f"predictions that were too long: {listed(named)}." if named else "no prediction was too long.")
+        "In explicit integration, the ratio of the longest stable time step to its prediction is "
+        f"{' to '.join(dict.fromkeys(f'{float(end):.3f}' for end in (ratio.min(), ratio.max())))}. "
+        + (f"Too long are the predictions for {listed(named)}." if named else "No prediction is too long.")
     )
 
 
@@ -114,17 +114,18 @@ def costs(effects: xr.Dataset) -> list[str]:
     share = effects["time_share"].drop_sel(effect="solver and bookkeeping", errors="ignore")
     costliest = share.max("scene").sortby(share.max("scene"), ascending=False)[:3]
     named = [
-        f"{name} {100 * float(x):.0f} %"
+        f"{name} ({100 * float(x):.0f} %)"
         for name, x in zip(costliest["effect"].values, costliest.values, strict=True)
     ]
     cold = effects.attrs["cold_compile_seconds"]
     spent = effects.attrs["cold_compile_core_seconds"]
     compiled = f"The engine has {effects.attrs['compiled_functions']} compiled functions"
     return [
-        f"Most expensive effects, by their highest share of the run time in any scene: {listed(named)}.",
+        f"The most expensive effects are {listed(named)}; the percentage is the highest share of the run "
+        "time in any scene.",
         f"{compiled}; compiling all of them takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
-        else f"{compiled}; their compile times are unknown, because some had been compiled before.",
+        else f"{compiled}. Their compile time is unknown, because some were compiled before the measurement.",
     ]
 
 
@@ -134,8 +135,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
     counts = (
-        f"{counted(count, 'random scene')} with a tolerance of {100 * requested:g} %: "
-        f"{count - left - ran.sizes['drawn']} refused, {left} not judged because they took too long"
+        f"The tolerance of {counted(count, 'random scene')} is {100 * requested:g} %. The engine refused "
+        f"{count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} took too long to be "
+        "judged"
     )
     if not ran.sizes["drawn"]:
         return [f"{counts}."]
@@ -150,15 +152,15 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     honest = float(((ratio >= HONEST[0]) & (ratio <= HONEST[1])).mean())
     lines = [
         f"{counts}. The true error is within the tolerance in {within(ran)} of the judged scenes, and in "
-        f"{within(held)} of the scenes that were not used for tuning. In {100 * honest:.0f} % of the scenes "
-        "the estimate is between 0.5 and 5 times the true error."
+        f"{within(held)} of the scenes that were not used to tune the engine. In {100 * honest:.0f} % of the "
+        "scenes the estimated error is between 0.5 and 5 times the true error."
     ]
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            f"All refinements together cost {middle:.2g} times the work of the cheapest uniform mesh and "
-            f"time step of equal error (median; in 95 % of the scenes at most {most:.2g} times). "
-            f"Number of scenes for which no cheaper setting was found: {none}."
+            "The work of all refinements together is compared with the work of the cheapest uniform mesh and "
+            f"time step of equal error. The median of this ratio is {middle:.2g}, and in 95 % of the scenes "
+            f"it is at most {most:.2g}. In {counted(none, 'scene')} no tested setting requires less work."
         )
     return lines
 
@@ -169,18 +171,19 @@ def long_runs(long: xr.Dataset) -> list[str]:
     for case in dict.fromkeys(long["case"].values.tolist()):
         of = long.isel(run=long["case"].values == case)
         parts, published = [], ""
-        for error, label in (("error_peak", "the largest moment"), ("error_moment", "all moments")):
+        for error, label in (("error_peak", PEAK), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
-                parts.append(f"no setting gives {label} with an error of {100 * WANTED:g} %")
+                parts.append(f"No setting gives {label} with an error of at most {100 * WANTED:g} %.")
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
             published = f" The published run time is {duration(named, 3)}." if named == named else ""
             parts.append(
-                f"{duration(spent, 3)} of CPU time give {label} with an error of "
-                f"{100 * float(best[error]):.2g} % ({best['candidate'].item()}, "
-                f"{int(best['elements'])} segments, time step {float(best['asked_step']):g} s)"
+                f"After {duration(spent, 3)} of CPU time, {label} "
+                f"{'has an error of' if label == PEAK else 'have errors of at most'} "
+                f"{100 * float(best[error]):.2g} %. This run uses the setting “{best['candidate'].item()}”, "
+                f"{int(best['elements'])} segments and a time step of {float(best['asked_step']):g} s."
             )
-        lines.append(f"Long simulation, {case}: {'; '.join(parts)}.{published}")
+        lines.append(f"Long simulation “{case}”: {' '.join(parts)}{published}")
     return lines

@@ -11,6 +11,7 @@ from chapters.numerics.answers import hard, never, others, price, ranking
 from chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.records.page import Tile
 from riserstudy.records.words import listed
+from riserstudy.report.wording import sentence
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -39,12 +40,12 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     if found is None:
         return None
     answer = (
-        f"as long for a tolerance {found.coarse / found.fine:.0f} times smaller "
-        f"({100 * found.coarse:g}\u00a0% to {100 * found.fine:g}\u00a0%)."
+        f"A run with a tolerance of {100 * found.fine:g}\u00a0% takes {found.words} times as long as a run "
+        f"with {100 * found.coarse:g}\u00a0%."
     )
     if peers := others(accuracy):
         answer += (
-            f" At {100 * peers.error:g}\u00a0%, {peers.codes} other codes take "
+            f" At an error of {100 * peers.error:g}\u00a0%, {peers.codes} other codes take "
             f"{peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
         )
     scene = accuracy["request_scene"].values
@@ -63,10 +64,11 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
-    silent = "none is" if not counts.silent else f"{counts.silent} {'is' if counts.silent == 1 else 'are'}"
-    answer = f"hard cases end as expected; {silent} silently wrong."
+    silent = {0: "none has", 1: "1 has"}.get(counts.silent, f"{counts.silent} have")
+    met = f"{counts.met} of {counts.cases}"
+    answer = f"{met} hard cases end as expected; {silent} a large error without a warning."
     each = ", ".join(f"{ends.count(end)} {end}" for end in ENDS if end in ends)
-    return f"{counts.met} of {counts.cases}", answer, _stack(parts) + _under(each)
+    return met, answer, _stack(parts) + _under(each)
 
 
 def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
@@ -76,13 +78,21 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     top = [one for one in ranked[:TOP] if one.changed]
     none = [one.name for one in never(ranked)[:2]]
     least = min((100 * one.changed // one.scenes for one in top), default=0)
-    answer = f"change the results of at least {least} % of the scenes that have them" if top else ""
-    if none:
-        answer += f"; {listed(none)} {'change' if len(none) > 1 else 'changes'} none"
-    rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
     number = listed(one.name for one in top) if top else "none"
+    answers = []
+    if top:
+        these, them = ("these effects change", "them") if len(top) > 1 else ("this effect changes", "it")
+        answers.append(f"{these} the results of at least {least} % of the scenes that include {them}")
+    if none:
+        change = "change" if len(none) > 1 else "changes"
+        answers.append(f"{listed(none)} {change} the results of no scene")
+    rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
     drawn = [(one.name, one.changed / one.scenes) for one in rows]
-    return number, f"{answer}.", _bars(drawn) + _under("share of scenes whose results it changes")
+    return (
+        number,
+        " ".join(map(sentence, answers)),
+        _bars(drawn) + _under("share of scenes whose results it changes"),
+    )
 
 
 def _svg(inside: str) -> str:

@@ -24,9 +24,11 @@ from riserstudy.records.graded import (
 from riserstudy.records.words import listed
 
 DECIDES = 1.0 / 3.0  # smallest share of the outcome's variance that deciding inputs must explain
+ROUNDING = 1e-14  # smaller values are rounding errors
 MANY, NAMED = 12, 6  # of more than MANY interpretations, only NAMED are named
 NOT_ONE = "no single input or pair"  # instead of deciding inputs, if none explains most of the outcome
 _HIT = {"number": ("met", "missed"), "claim": ("true", "false")}
+_JUDGED = {"number": "the published value is", "claim": "the claim is"}
 
 
 def note(kind: Kind, unit: str, grounds: Grounds) -> str:
@@ -61,7 +63,7 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     yield from _chosen(grounds.chosen)
     yield from _settled(grounds.settled)
     for outcome in grounds.outcomes:
-        yield _outcome(kind, unit, outcome)
+        yield _outcome(kind, unit, outcome, grounds.together)
     yield grounds.note
 
 
@@ -76,40 +78,51 @@ def depends_on(kind: Kind, grounds: Grounds) -> str:
 
 def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     """Results by interpretation: first certain answers, then shares within interpretations."""
+    return "; ".join(_by_reading(kind, readings))
+
+
+def sentences_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
+    """As ``by_reading``, with a sentence for each result."""
+    return " ".join(f"{_capital(part)}." for part in _by_reading(kind, readings, f"{_JUDGED[kind]} "))
+
+
+def _by_reading(kind: Kind, readings: Sequence[Reading], judged: str = "") -> list[str]:
+    """Parts of results by interpretation; ``judged``: subject and verb of each."""
     true, false = _HIT[kind]
     words: dict[ReadingAnswer, str] = {"true": true, "no difference": "no difference", "false": false}
     parts, many = [], len(readings) > MANY
-    for answer, word in words.items():
+    for answer, plain in words.items():
+        there = "there is " if judged else ""
+        word = f"{there}{plain}" if answer == "no difference" else f"{judged}{plain}"
         names = [reading_name(r) for r in readings if r.answer == answer]
         if many and len(names) == len(readings):
             parts.append(f"{word} with all {len(names)} interpretations")
         elif names and many and len(names) > NAMED:
             parts.append(f"{word} with {len(names)} of {len(readings)} interpretations")
         elif len(names) == len(readings) > 1:
-            parts.append(f"{word} with every interpretation ({'; '.join(names)})")
+            each = "any" if answer == "no difference" else "every"
+            parts.append(f"{word} with {each} interpretation ({'; '.join(names)})")
         elif names:
             parts.append(f"{word} with {listed(names)}")
     for reading in readings:
         if reading.answer == "depends":
             by = f", decided by {listed(reading.decided_by)}" if reading.decided_by else ""
-            parts.append(f"with {reading_name(reading)}, {_share(reading.share, true)}{by}")
-    return "; ".join(parts)
+            parts.append(f"with {reading_name(reading)}, {judged}{_share(reading.share, true)}{by}")
+    return parts
 
 
 def reading_name(reading: Reading) -> str:
-    """Name of an interpretation by its place on the axes; in quotation marks if it contains a comma."""
+    """Name of an interpretation by its place on the axes, in quotation marks."""
     name = " / ".join(
         option_name(value) if isinstance(value, str) else f"{value:g}" for value in reading.place.values()
     )
-    return f"“{name}”" if "," in name else name
+    return f"“{name}”"
 
 
 def decided_by(grounds: Grounds) -> str:
     """Deciding inputs; "" if the verdict does not depend."""
     if grounds.because == "too few samples":
-        shares = [reading.share for reading in grounds.readings] or [grounds.share or Share(0, 1)]
-        count = min(share.draws or 0 for share in shares)
-        return f"too few samples ({count}; at least {ENOUGH} are needed)"
+        return f"too few samples ({_fewest(grounds)}; at least {ENOUGH} are needed)"
     if grounds.because == "base case":
         return "the base case"
     if grounds.because == "missing values" and grounds.missing:
@@ -122,12 +135,30 @@ def decided_by(grounds: Grounds) -> str:
     return ""
 
 
+def too_few(grounds: Grounds) -> str:
+    """The sentence for a claim that is true in all samples, which are too few."""
+    are = "sample is" if _fewest(grounds) == 1 else "samples are"
+    return f"{_fewest(grounds)} {are} too few: the verdict “holds” requires at least {ENOUGH}."
+
+
+def _fewest(grounds: Grounds) -> int:
+    """Smallest number of samples of any interpretation."""
+    shares = [reading.share for reading in grounds.readings] or [grounds.share or Share(0, 1)]
+    return min(share.draws or 0 for share in shares)
+
+
 def margin_in_words(margin: float, low: float | None, high: float | None) -> str:
     """The margin of a verdict in words, as a difference divided by the larger of the compared values."""
-    text = f"Margin to a change of the outcome: {_signed(margin)} %"
+    if round(100.0 * margin) == 0:
+        text = "The margin of the base case to a change of the outcome is less than 1 %."
+    else:
+        agrees = "agrees" if margin > 0.0 else "disagrees"
+        text = f"The base case {agrees} with the paper by a margin of {abs(100.0 * margin):.0f} %."
     if low is None or high is None:
-        return f"{text}."
-    return f"{text} (90 % range {_signed(low)} to {_signed(high)} %)."
+        return text
+    ends = list(dict.fromkeys(_signed(end) for end in (low, high)))
+    negative = "" if round(100.0 * low) >= 0 else "; a negative margin means disagreement"
+    return f"{text} In 90 % of all cases the margin is {' to '.join(ends)} %{negative}."
 
 
 def _signed(share: float) -> str:
@@ -152,7 +183,7 @@ def _influence(grounds: Grounds) -> list[str]:
     if grounds.explained is None:
         return []
     if not by:
-        return ["With this number of samples, no input explains more of the outcome than chance."]
+        return ["With this number of samples, no input explains the outcome better than chance."]
     word = "explains" if len(by) == 1 else "together explain"
     which = _capital(listed(influence.name for influence in by))
     return [f"{which} {word} {100 * grounds.explained:.0f} % of the variance of the outcome."]
@@ -211,8 +242,9 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others, alone = listed(together.others), together.alone
     of = "samples" if alone.draws is not None else "interpretations"
-    met = f"Judged alone, it is met in {alone.met} of {alone.samples} {of}."
-    yield f"The number must be met in the same case as {others}. {met}"
+    values = "value" if len(together.others) == 1 else "values"
+    yield f"This value counts as met only in cases that also meet the published {values} {others}."
+    yield f"Judged alone, this value is met in {alone.met} of {alone.samples} {of}."
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
@@ -222,7 +254,7 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
     then = "Samples vary this choice."
     if not chosen.varied:
         then = "No sample varies this choice, so the agreement proves nothing."
-    yield f"The base case agrees because the following was chosen to make it agree: {chosen.what}. {then}"
+    yield f"To make the base case agree, the following was chosen: {chosen.what}. {then}"
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:
@@ -242,19 +274,32 @@ def _settled(settled: Settled | None) -> Iterator[str]:
         )
 
 
-def _outcome(kind: Kind, unit: str, outcome: Outcome) -> str:
-    """The base case or a further case, with one or many cells."""
+def _outcome(kind: Kind, unit: str, outcome: Outcome, together: Together | None) -> str:
+    """The base case or a further case, with one or many cells; ``together``: judged with other values."""
     true, false = _HIT[kind]
-    of = f" {unit}" if unit not in ("", "1") else ""
+    judged = _JUDGED[kind]
     ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
-    cells = f"{' to '.join(ends)}{of}"
+    cells = f"the {'value is' if len(ends) == 1 else 'values are'} {' to '.join(ends)}{_unit(unit)}"
     if outcome.readings:
-        return f"{outcome.name}: {cells}, {by_reading(kind, outcome.readings)}."
-    if outcome.share is None:
-        answer = "no difference" if outcome.same else true if outcome.met else false
-        return f"{outcome.name}: {_plain(outcome.low)}{of}, {answer}."
-    by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
-    return f"{outcome.name}: {cells}, {_share(outcome.share, true)}{by}."
+        return f"{outcome.name}: {cells}; {judged} {by_reading(kind, outcome.readings)}."
+    share = outcome.share
+    if share is not None and share.samples > 1:
+        by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
+        return f"{outcome.name}: {cells}; {judged} {_share(share, true)}{by}."
+    same, met = (outcome.same, outcome.met) if share is None else (share.same, share.met)
+    if same and not met:
+        return f"{outcome.name}: {cells}, which counts as no difference."
+    if together is not None:
+        others = f"together with {listed(together.others)}"
+        return (
+            f"{outcome.name}: {cells}; this case {'meets' if met else 'does not meet'} this value {others}."
+        )
+    return f"{outcome.name}: {cells}, and {judged} {true if met else false}."
+
+
+def _unit(unit: str) -> str:
+    """A unit after a number; degrees have a symbol without a space, a pure number has none."""
+    return {"": "", "1": "", "deg": "°"}.get(unit, f" {unit}")
 
 
 def _share(share: Share, word: str) -> str:
@@ -262,14 +307,14 @@ def _share(share: Share, word: str) -> str:
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
         percent += f", 95 % interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
-    same = f", no difference in {share.same} of them" if share.same else ""
+    same = f", no difference in {share.same}" if share.same else ""
     of = "samples" if share.draws is not None else "interpretations"
     return f"{word} in {share.met} of {share.samples} {of} ({percent}){same}"
 
 
 def _plain(value: float) -> str:
     """A number with three digits, without an exponent for usual sizes."""
-    return f"{float(f'{value:.3g}'):g}"
+    return f"{float(f'{value:.3g}'):g}" if abs(value) > ROUNDING else "0"
 
 
 def _capital(text: str) -> str:

@@ -102,9 +102,7 @@ class Missed(NamedTuple):
             else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
         )
         if self.not_estimated:
-            more = (
-                f"At {spaced(self.not_estimated)} more, whose mesh and time step were tuned for their study"
-            )
+            more = f"At {spaced(self.not_estimated)} more, whose mesh and time step were tuned in advance"
             requested += f". {more}, the error was not estimated"
         sentence = (
             f"The other {spaced(prescribed)} use a fixed mesh and time step; "
@@ -114,7 +112,7 @@ class Missed(NamedTuple):
             return f"{requested}. {sentence} and is at most {share(TOLERANCE)}."
         return (
             f"{requested}. {sentence} and exceeds {share(TOLERANCE)} at {fixed}. "
-            f"The largest estimate is {share(self.worst)}, in {self.where}."
+            f"The largest estimated error is {share(self.worst)}, in the dataset {self.where}."
         )
 
 

@@ -8,10 +8,9 @@ from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
-from riserstudy.grading.verdict import ENOUGH
-from riserstudy.grading.words import NOT_ONE, by_reading, margin_in_words, remarks
+from riserstudy.grading.words import NOT_ONE, margin_in_words, remarks, sentences_by_reading, too_few
 from riserstudy.records.graded import Grounds, Influence, ItemResult
-from riserstudy.report.wording import number, sentence, share, unit
+from riserstudy.report.wording import counted, number, sentence, share, unit
 
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
@@ -66,12 +65,14 @@ class Claim(ItemResult):
     @property
     def _by_reading(self) -> str:
         """The findings under each interpretation, after the deciding input."""
-        found = by_reading(self.kind, self.grounds.readings)
+        found = sentences_by_reading(self.kind, self.grounds.readings)
         depends = self.verdict == "depends" and self.grounds.because in ("inputs", "base case")
         if depends and self.decided_by == NOT_ONE:
-            return f"{NOT_ONE} of inputs decides the outcome: {found}"
+            return f"{NOT_ONE} of inputs decides the outcome. {found}"
+        if self.grounds.because == "too few samples":
+            return f"{found} {too_few(self.grounds)}"
         by = f"depends on {self.decided_by}" if depends else self.decided_by
-        return f"{by}: {found}" if by else found
+        return f"{by}. {found}" if by else found
 
     @property
     def why(self) -> str:
@@ -84,21 +85,39 @@ class Claim(ItemResult):
             return sentence(self._by_reading)
         if self.verdict == "depends":
             if self.grounds.because == "too few samples":
-                found = f"True in {self.met} of {self.samples} samples"
-                return f"{found}, which are too few: at least {ENOUGH} are needed."
+                return f"True in {self._of_samples}. {too_few(self.grounds)}"
             if not self.grounds.decided_by and self.grounds.because == "inputs":
                 return sentence(f"{self.decided_by} of inputs decides the outcome")
             return f"Depends on {self.decided_by}."
         if self.published is not None:
-            text = f"Simulated {number(self.simulated)}{unit(self.unit)}, published {number(self.published)}"
-            off = f"{text}{unit(self.unit)}; error {share(self.error)}"
-            return off + (", with a fitted input." if self.verdict == "calibrated" else ".")
+            simulated, published = (f"{number(v)}{unit(self.unit)}" for v in (self.simulated, self.published))
+            text = f"The simulation gives {simulated}; the published value is {published}"
+            fitted = " An input was fitted to a published value." if self.verdict == "calibrated" else ""
+            return f"{text} (error {share(self.error)}).{fitted}"
         if self.samples:
-            every = {self.samples: f"all {self.samples}", 0: f"none of {self.samples}"}
-            return f"True in {every.get(self.met or 0, f'{self.met} of {self.samples}')} samples."
+            return f"True in {self._of_samples}."
         if self.verdict == "calibrated":
             return "True with a fitted input."
-        return f"{'True' if self.verdict == 'holds' else 'Not true'}; no unspecified input affects it."
+        return (
+            f"{'True' if self.verdict == 'holds' else 'Not true'}; no unspecified input affects this claim."
+        )
+
+    @property
+    def _of_samples(self) -> str:
+        every = {1: "the only sample", 2: "both samples"}.get(
+            self.samples or 0, f"all {self.samples} samples"
+        )
+        some = {self.samples: every, 0: f"none of {counted(self.samples or 0, 'sample')}"}
+        return some.get(self.met or 0, f"{self.met} of {self.samples} samples")
+
+    @property
+    def agreement(self) -> str:
+        """Number of samples that agree with the paper, in a sentence; "" without samples."""
+        if not self.samples:
+            return ""
+        chosen = "with the interpretation of the base case, " if self.grounds.readings else ""
+        agree = "agrees" if self.met in (0, 1) else "agree"
+        return sentence(f"{chosen}{self._of_samples} of the unspecified inputs {agree} with the paper")
 
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:

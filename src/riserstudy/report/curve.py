@@ -26,7 +26,7 @@ SEEN = 0.02  # least share of the margin's variance that an input must explain t
 PARTS = 3  # parts of a range, with equal numbers of cases
 #: pixels: left and right end of the columns, total width, heights of the margins, of a row, of the head
 LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 285, 585, 640, 90, 17, 18
-VARY = ("with little effect also varies and is not shown", "with little effect also vary and are not shown")
+VARY = ("with less effect is not shown", "with less effect are not shown")
 SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 
 
@@ -99,12 +99,15 @@ def curve(cases: Cases) -> Curve:
 def _caption(cases: Cases, step: int) -> str:
     count, left = len(cases.margin), cases.hidden
     every = f" (only one in {step} is drawn)" if step > 1 else ""
-    more = f" {counted(left, 'other input')} {VARY[left > 1]}." if left else ""
+    more = f" Another {counted(left, 'input')} {VARY[left > 1]}." if left > 1 else ""
+    if left == 1:
+        more = f" Another input {VARY[0]}."
     return (
-        f"Top: one line for each of {count} cases{every}, in ascending order of the margin. Cases with a "
-        "positive margin agree; the triangle marks the base case. Below: one row per option of an input. "
-        "Marks show which cases have this option, and the number at the right is the share of these cases "
-        f"that agree. If all marks of an option are on one side, its input decides the outcome.{more}"
+        f"The top panel has one line for each of {count} cases{every}, in ascending order of their margins. "
+        "Cases with a positive margin agree with the paper; the triangle marks the base case. Each row below "
+        "is one option of an input. Marks show which cases have this option, and the number at the right is "
+        "the share of these cases that agree. An input decides the outcome if this share is 0 % or 100 % for "
+        f"each of its options.{more}"
     )
 
 

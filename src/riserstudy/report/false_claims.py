@@ -84,5 +84,5 @@ def _summary(rows: list[dict[str, str]]) -> str:
         f"Of {counted(count, 'deliberately false claim')}, {subtle} of them subtle, the grader accepts "
         f"{accepted or 'none'}. {failing} fail, and {undecided} depend on unspecified inputs.{others} "
         f"The false-positive rate is {100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). "
-        f"The same checks accept the paper's own statement behind {believed} of them."
+        f"For {believed} of them, the same checks accept the original statement of the paper."
     )

@@ -42,7 +42,9 @@ class LimitTable(NamedTuple):
         """Number of limits that are exceeded at some point, in words."""
         exceeded = sum(row.verdict.startswith(EXCEEDED) for row in self.rows)
         many = counted(len(self.rows), "limit")
-        return f"{many}, {exceeded} exceeded at some point" if exceeded else f"{many}, none exceeded"
+        if not exceeded:
+            return f"None of {many} is exceeded"
+        return f"{exceeded} of {many} {'is' if exceeded == 1 else 'are'} exceeded at some point"
 
 
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:

@@ -11,6 +11,7 @@ from riserstudy.report.wording import counted, sentence
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
+MOST = 3  # verdicts in a sentence
 #: words for one and for several verdicts
 PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
@@ -84,14 +85,18 @@ def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
 
 
 def totals(claims: list[Claim]) -> str:
-    """Return the verdicts about all numbers and claims in one sentence; "" if none is graded."""
+    """Return the verdicts about all numbers and claims, the most frequent first; "" if none is graded.
+
+    A sentence has at most ``MOST`` verdicts.
+    """
     if not claims:
         return ""
     parts = [
         f"{count} {PLURALS[verdict][count > 1] if verdict in PLURALS else verdict}"
-        for verdict, count in counted_verdicts(claims)
+        for verdict, count in sorted(counted_verdicts(claims), key=lambda of: -of[1])
     ]
-    return sentence(f"Of {len(claims)} published values and claims, {listed(parts)}")
+    first = sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")
+    return f"{first} Of the others, {listed(parts[MOST:])}." if parts[MOST:] else first
 
 
 def title_of(files: dict[str, StudyFile], paper: str) -> str:

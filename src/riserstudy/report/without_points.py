@@ -35,7 +35,11 @@ class WithoutPoints(NamedTuple):
         if not self.bound:
             return ""
         many, their = len(self.bound), "its" if len(self.bound) == 1 else "their"
-        return f"{many} cannot be checked, because {their} base case or all {their} cases use such points"
+        verdicts = "verdict" if many == 1 else f"{many} verdicts"
+        return (
+            f"Another {verdicts} cannot be graded without such points, because {their} base case or all "
+            f"{their} cases use them"
+        )
 
 
 def without_points(

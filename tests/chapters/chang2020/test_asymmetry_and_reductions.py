@@ -73,11 +73,11 @@ def test_a_riser_that_follows_by_a_share_is_reduced_by_the_rest():
     runs = [swinging(share, 0.0, late=0.7, zero=ZERO) for share in shares.values()]
     bare = swinging(1.0, 0.0, zero=ZERO).isel(tensioner_model=0, drop=True)
     found = reductions(*runs, held(0.5, 0.0), bare)["reduction"]
-    for height, a in (("amplitude", 5.0), ("height", 2.5)):
+    for height, a in (("H is the amplitude", 5.0), ("H is twice the amplitude", 2.5)):
         for name, share in (shares | {"quasi_static": 0.5}).items():
             of = found.sel(height=height, reading=name)
             for quantity in ("heave", "tension"):
-                for measure in ("swing", "deviation"):
+                for measure in ("peak-to-peak range", "standard deviation"):
                     value = float(of.sel(quantity=quantity, measure=measure))
                     assert value == pytest.approx(1.0 - share, rel=1e-9), (quantity, measure)
             # of the peaks, above the unstretched top and above no tension
@@ -92,7 +92,7 @@ def test_the_quasi_static_deviation_is_the_mean_square_over_a_turn():
     c, q, a = 0.5, 0.04, 5.0
     bare = swinging(1.0, 0.0, zero=ZERO).isel(tensioner_model=0, drop=True)
     table = reductions(swinging(0.7, 0.0), swinging(0.7, 0.0), held(c, q), bare)["reduction"]
-    found = table.sel(quantity="heave", height="amplitude", reading="quasi_static")
-    left = 1.0 - float(found.sel(measure="deviation"))
+    found = table.sel(quantity="heave", height="H is the amplitude", reading="quasi_static")
+    left = 1.0 - float(found.sel(measure="standard deviation"))
     assert left**2 == pytest.approx(c**2 + q**2 * a**2 / 4.0, rel=1e-9)
-    assert 1.0 - float(found.sel(measure="swing")) == pytest.approx(c, rel=1e-9)
+    assert 1.0 - float(found.sel(measure="peak-to-peak range")) == pytest.approx(c, rel=1e-9)

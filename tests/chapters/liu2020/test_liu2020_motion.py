@@ -208,18 +208,20 @@ def readings(**true):
 
 def test_which_claim_is_true_under_which_baseline_is_computed():
     told = baselines(*readings(Q2=(10, 4, 0, 10), Q8=(3, 10, 10, 10), Q9=(0, 10, 1, 5)), *BY)
-    models = "constant {} %, vertical force at the ring {} %, 232 t carried to the upper flex joint {} %, "
-    models += "riser's top on the platform {} %"
-    shares = ((100, 40, 0, 100), (30, 100, 100, 100), (0, 100, 10, 50))
-    assert told["shares"] == "; ".join(
-        f"{claim} " + models.format(*share) for claim, share in zip(("Q2", "Q8", "Q9"), shares, strict=True)
+    ring, joint = "“vertical force at the ring”", "“232 t carried to the upper flex joint”"
+    top, rest = "“riser's top on the platform”", "in none with the other definitions"
+    assert told["shares"] == (
+        f"Claim Q2 is true in samples with “constant” (100 %), {ring} (40 %) and {top} (100 %), and {rest}. "
+        f"Claim Q8 is true in samples with “constant” (30 %), {ring} (100 %), {joint} (100 %) and {top} "
+        f"(100 %). "
+        f"Claim Q9 is true in samples with {ring} (100 %), {joint} (10 %) and {top} (50 %), and {rest}."
     )
-    assert told["both"] == "riser's top on the platform"
+    assert told["both"] == f"With {top}, both Q2 and Q8 are true in at least 95 % of the samples."
 
 
 def test_no_baseline_is_named_where_none_makes_both_true():
     told = baselines(*readings(Q2=(9, 10, 10, 0), Q8=(10, 9, 0, 10), Q9=(10, 10, 10, 10)), *BY)
-    assert told["both"] == "none"
+    assert told["both"] == "No definition makes both Q2 and Q8 true in at least 95 % of the samples."
 
 
 @pytest.mark.parametrize("name", ["heave_open", "rao_open", "roll_open", "statics_open", "surge_open"])

@@ -192,7 +192,9 @@ def test_the_explicit_limit_is_a_tick_where_a_stable_step_was_predicted(few):
 
 def test_the_report_tells_what_is_not_as_it_should_be(few):
     chapter = section({"stability": few})
-    assert chapter.sentences[0].startswith("Hard cases that ended as expected: ")
+    assert chapter.sentences[0].startswith(
+        f"{int(few['as_expected'].sum())} of {len(FEW)} hard cases ended as expected"
+    )
     shown = [table for table in chapter.tables if not table.folded]
     named = [row[0].text for table in shown for row in table.rows]
     assert named == list(few["case"].values[~few["as_expected"]])
