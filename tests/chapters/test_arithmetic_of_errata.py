@@ -31,11 +31,11 @@ def chang2020():
     rest = brentq(lambda x: pull(x) - mass * G - stiffness * x, 0.0, 5.0)
     gas = 1.4 * pull(rest) * area / (volume + area * rest)
     ratio = damping / (2.0 * sqrt((stiffness + gas) * mass))
-    yield "E3", f"the gas volume becomes zero at X = {-volume / 0.47:.1f} m"
+    yield "E3", f"the gas volume becomes zero at a piston displacement of {-volume / 0.47:.1f} m"
     yield "E3", f"the volume becomes zero at {-volume / (4.0 * area):.1f} m"
     yield "E4", f"damping takes {2.0 * mass / damping:.0f} s to reduce it to 37 %"
     yield "E5", f"which gives a damping ratio of {100.0 * ratio:.1f} %"
-    yield "E5", f"would require {0.05 / ratio:.0f} times this coefficient"
+    yield "E5", f"would require a damping coefficient that is {0.05 / ratio:.0f} times as large"
     yield ("E15", f"four pistons is {4.0 * 2510.0 / mass:.1%}".replace("%", " %") + " of the riser's mass")
 
 
