@@ -59,9 +59,32 @@ def assert_one_finding(figure, words=12, numbers=2):
     assert len(re.findall(r"(?<![\w.])\d+(?:\.\d+)?", title)) <= numbers, title
 
 
+def assert_ticks_apart(figure):
+    """Labels of the ticks of an axis do not overlap; the figure has been drawn."""
+    for ax in figure.axes:
+        for axis in (ax.xaxis, ax.yaxis):
+            ticks = [tick.label1 for tick in (*axis.get_major_ticks(), *axis.get_minor_ticks())]
+            low, high = sorted(axis.get_view_interval())
+            inside = [
+                text
+                for text in ticks
+                if text.get_visible() and text.get_text().strip() and low <= place(text, axis) <= high
+            ]
+            boxes = [(text.get_window_extent(), text.get_text()) for text in inside]
+            for k, (one, name) in enumerate(boxes):
+                for other, another in boxes[:k]:
+                    assert not one.overlaps(other), f"{headline(figure)}: {name!r} and {another!r}"
+
+
+def place(text, axis):
+    """Place of the label of a tick along its axis."""
+    return text.get_position()[0 if axis.axis_name == "x" else 1]
+
+
 def assert_readable(figure):
-    """Text is not below 6 points where a figure is as wide as a page."""
+    """Text is not below 6 points where a figure is as wide as a page, and tick labels are apart."""
     FigureCanvasAgg(figure).draw()
+    assert_ticks_apart(figure)
     shrunk = min(1.0, PAGE / (25.4 * figure.get_size_inches()[0]))
     for text in figure.findobj(Text):
         if text.get_visible() and text.get_text().strip():

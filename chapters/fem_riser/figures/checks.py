@@ -24,7 +24,16 @@ from chapters.fem_riser.claims import (
 )
 from chapters.fem_riser.figures.shared import BLACK, HEIGHT, TIME
 from riserstudy.figures.direct import label_ends, label_line
-from riserstudy.figures.style import COLOURS, GREY, headline, key_below, legend_below, panel_title, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    GREY,
+    headline,
+    key_below,
+    legend_below,
+    log_ticks,
+    panel_title,
+    panels,
+)
 
 viridis = colormaps["viridis"]
 #: lines of the beam, and of lumped masses in front of it
@@ -159,8 +168,10 @@ def solvers(small_deflection: xr.Dataset) -> Figure:
     ax.set_xlabel("largest deflection (m)")
     ax.set_ylabel("difference / largest value (%)")
     ax.yaxis.set_major_formatter("{x:g}")
-    for line, side in zip(ax.lines, (5.0, 5.0, -5.0), strict=True):
-        label_line(ax, line, 0.5, (-side, side))
+    few = largest.size == 2
+    ax.margins(y=0.15 if few else 0.05)
+    for line, side, end in zip(ax.lines, (5.0, 5.0, -5.0), (1.0, 1.0, 0.0), strict=True):
+        label_line(ax, line, end if few else 0.5, (-side, side))
     far = {name: 100.0 * float(apart[name].max()) for name in ("x", "bending_moment")}
     headline(
         figure,
@@ -210,6 +221,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     right.set_ylabel("length of the elements (m)")
     right.set_ylim(len(rows) - 0.5, -0.5)
     right.set_xscale("log")
+    log_ticks(right.xaxis)
     right.xaxis.set_major_formatter("{x:g}")
     right.set_xlabel(f"elapsed time of {GRID_TIME:g} simulated seconds (s)")
     key_below(figure, left, 3)

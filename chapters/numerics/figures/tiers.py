@@ -6,9 +6,9 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from riserstudy.figures.style import COLOURS, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, log_ticks, panels
 
 LEAST = 1e-7  # smallest error that is drawn
 DECADES = 100.0  # ratio of values below which ticks between powers of ten are labelled
@@ -67,6 +67,6 @@ def _across(ax: Axes, label: str, factor: float) -> None:
     ax.xaxis.set_minor_formatter(NullFormatter())
     bottom, top = ax.get_xlim()
     if top < DECADES * bottom:
-        ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+        log_ticks(ax.xaxis)
     ax.margins(y=0.1 if ax.get_yticks().size > 2 else 0.4)
     ax.invert_yaxis()

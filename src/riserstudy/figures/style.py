@@ -11,9 +11,11 @@ import numpy as np
 import xarray as xr
 from matplotlib import rc_context
 from matplotlib.axes import Axes
+from matplotlib.axis import Axis
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.colors import to_hex, to_rgb
 from matplotlib.figure import Figure
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter
 
 #: colours that are distinct for colour-blind readers and in grey
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
@@ -21,6 +23,7 @@ GREY = "#888888"
 WIDTH = 6.4  # inches
 # factor for figures with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
 WIDE = 1.25
+SHORT = 4.0  # ratio of the ends of a logarithmic axis on which 1, 2 and 5 are too few marks
 LETTERS_AN_INCH = 13  # letters of a headline in an inch
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
 TINT, SHADE = 0.5, 0.5  # shares of white and black in the first and the last shade of a colour
@@ -106,6 +109,14 @@ def headline(figure: Figure, text: str) -> None:
     """The finding of a figure, as a title above all panels."""
     letters = int(LETTERS_AN_INCH * figure.get_size_inches()[0])
     figure.suptitle(textwrap.fill(text, letters), fontsize="medium")
+
+
+def log_ticks(axis: Axis) -> None:
+    """Mark 1, 2 and 5 of each decade of a logarithmic axis; on a short axis, about three round values."""
+    low, high = axis.get_view_interval()
+    short = high < SHORT * low
+    axis.set_major_locator(MaxNLocator(3) if short else LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.set_minor_formatter(NullFormatter())  # labels within a decade overlap
 
 
 def field(
