@@ -267,9 +267,7 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
         ax.set_xlabel("heave period of the platform (s)")
     for ax in axes[::2]:
         ax.set_yscale("log")
-        low, high = ax.get_ylim()
-        if high < 10.0 * low:  # no power of ten may lie between them
-            log_ticks(ax.yaxis)
+        log_ticks(ax.yaxis)
     for k, amplitude in enumerate(amplitudes):  # the title states periods of the last, largest one
         law = {"heave_amplitude": amplitude, "tensioner_model": "gas law"}
         response, index = (values.sel(law) for values in curves.values())

@@ -235,7 +235,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
             textcoords="offset points", ha="right", va="center", fontsize="small",
         )  # fmt: skip
     most = float(error.sel(element=alike).max())
-    headline(figure, f"The paper's elements of {alike} have errors of up to {most:.1f} %{slow}")
+    headline(figure, f"Errors of the paper's elements reach {most:.1f} %{slow}")
     return figure
 
 

@@ -6,12 +6,11 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import FuncFormatter
 
 from riserstudy.figures.style import COLOURS, headline, key_below, log_ticks, panels
 
 LEAST = 1e-7  # smallest error that is drawn
-DECADES = 100.0  # ratio of values below which ticks between powers of ten are labelled
 ROW, FRAME = 0.3, 1.7  # inches: height of a row, and of the rest
 APART = 0.28  # distance between tiers, as a share of a row
 ALIKE = 0.05  # difference from one below which a ratio of times counts as one
@@ -64,9 +63,6 @@ def _across(ax: Axes, label: str, factor: float) -> None:
     ax.set_xscale("log")
     ax.set_xlabel(label)
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{factor * x:g}"))
-    ax.xaxis.set_minor_formatter(NullFormatter())
-    bottom, top = ax.get_xlim()
-    if top < DECADES * bottom:
-        log_ticks(ax.xaxis)
+    log_ticks(ax.xaxis)
     ax.margins(y=0.1 if ax.get_yticks().size > 2 else 0.4)
     ax.invert_yaxis()

@@ -24,6 +24,7 @@ WIDTH = 6.4  # inches
 # factor for figures with several columns: at 180 mm, the width of a journal's page, no text is below 6 pt
 WIDE = 1.25
 SHORT = 4.0  # ratio of the ends of a logarithmic axis on which 1, 2 and 5 are too few marks
+DECADES = 100.0  # ratio of the ends up to which values between powers of ten are marked
 LETTERS_AN_INCH = 13  # letters of a headline in an inch
 SIGNED: dict[str, Any] = {"cmap": "PuOr_r"}
 TINT, SHADE = 0.5, 0.5  # shares of white and black in the first and the last shade of a colour
@@ -112,10 +113,13 @@ def headline(figure: Figure, text: str) -> None:
 
 
 def log_ticks(axis: Axis) -> None:
-    """Mark 1, 2 and 5 of each decade of a logarithmic axis; on a short axis, about three round values."""
+    """Mark the powers of ten of a logarithmic axis that has its data, and 2 and 5 between few of them.
+
+    A short axis, which may contain none of these, has about three round values.
+    """
     low, high = axis.get_view_interval()
-    short = high < SHORT * low
-    axis.set_major_locator(MaxNLocator(3) if short else LogLocator(subs=(1.0, 2.0, 5.0)))
+    subs = (1.0, 2.0, 5.0) if high < DECADES * low else (1.0,)
+    axis.set_major_locator(MaxNLocator(3) if high < SHORT * low else LogLocator(subs=subs))
     axis.set_minor_formatter(NullFormatter())  # labels within a decade overlap
 
 
