@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -318,4 +319,5 @@ def _answer(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: 
 def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:
     if not erratum.check:
         return erratum.simulation
-    return erratum.simulation.format(**_answer(erratum, erratum.reads, checks, datasets))
+    filled = erratum.simulation.format(**_answer(erratum, erratum.reads, checks, datasets))
+    return re.sub(r"(?<=\d)%", " %", filled)  # formats of shares, such as {share:.0%}, set no space
