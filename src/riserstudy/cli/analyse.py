@@ -60,7 +60,7 @@ def effects(
         bool, typer.Option("--times", help="also print the share of each effect in the run time")
     ] = False,
 ) -> None:
-    """List the effects of a scene with the lines that include them, and effects that it could include.
+    """List the effects of a scene with the lines that define them, and effects that can be added.
 
     ``advise`` estimates how much each effect changes the results and the run time.
     """

@@ -61,7 +61,8 @@ def compare(
     semicolons or tabs separate the cells. A `wall_tension` is converted to effective tension with the
     pressures of the scene. The command also reads time histories and range graphs of OrcaFlex, such as
     `Effective tension (kN)` over `Arc length (m)`. With `qats` (`pip install "riserstudy[formats]"`) it reads
-    time series of SIMA, RIFLEX, Matlab and others; for these, define by --column what each column holds.
+    time series of SIMA, RIFLEX, Matlab and others. For each of these series, --column must define the
+    quantity, its place and its unit.
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.open import open_dataset

@@ -76,7 +76,7 @@ PersistenceOption = Annotated[
     ),
 ]
 HoldBackOption = Annotated[
-    int, typer.Option(min=0, help="number of last years to hold back and predict from the earlier ones")
+    int, typer.Option(min=0, help="number of last years to hold back and predict from the earlier years")
 ]
 VaryOption = Annotated[
     list[str] | None,
@@ -151,12 +151,14 @@ def downtime(
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    Prediction bands for future years are computed from the workable shares of whole years in the record, by
-    Student's t-distribution. The bands account for the dependence between years (--persistence).
-    A window ends at a gap of the record. If a wait reaches a gap, only a lower bound of its length is known.
+    Prediction bands for future years are computed from the share of workable hours in each whole year of the
+    record, by Student's t-distribution. The bands account for the dependence between years (--persistence).
+    A window ends at a gap of the record. If the record has a gap during a wait, only a lower bound of the
+    waiting time is known.
+
     With --scene, the limits of the scene apply to its riser. The command then simulates sea states of the
-    record until the interpolation of the response between them meets the tolerance --error. Further simulated
-    sea states check the result.
+    record, and interpolates the response between them. It adds sea states until the error of the
+    interpolation is within the tolerance --error. Further simulated sea states check the result.
     """
     from riserstudy.seas.hours import idle_limits, sea_limit
     from riserstudy.seas.record import check_windows

@@ -101,7 +101,7 @@ def table(
     force: ForceOption = False,
     units: UnitsOption = UnitSystem.SI,
 ) -> None:
-    """Write a table as CSV: stack-up, extremes, time series, limits, recoil; or all as a workbook.
+    """Write a table as CSV: stack-up, extremes, time series, limits, recoil; or all tables as a workbook.
 
     The input is a scene, which is simulated for every table except the stack-up, or the dataset of a run.
     Workbooks (OUT.xlsx) need the extra `riserstudy[workbook]`.
@@ -178,8 +178,9 @@ def statistics(
 ) -> None:
     """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several runs.
 
-    For one run, the table also gives the most probable extremes within --exposure. With --over, a Gumbel
-    distribution is fitted to the extremes of the seeds.
+    For one run, the table also gives the most probable extremes in a time of the length --exposure.
+    With --over, a Gumbel distribution is fitted to the extremes of all runs of a study, which differ by
+    the seed of their random waves.
     """
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.open import open_dataset

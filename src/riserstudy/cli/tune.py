@@ -26,7 +26,7 @@ def tune(
         typer.Option(help="tolerance, such as 1%; default: the tolerance of the study", metavar="PERCENT"),
     ] = None,
     points: Annotated[
-        int, typer.Option(min=FEWEST, max=256, help="number of points at which the setting is selected")
+        int, typer.Option(min=FEWEST, max=256, help="number of points at which the settings are selected")
     ] = 12,
     seed: Annotated[int, typer.Option(min=0, help="seed (start value) of the random draw of points")] = 1,
     write: Annotated[bool, typer.Option("--write", help="write the settings into the study file")] = False,
@@ -35,7 +35,8 @@ def tune(
 
     The command selects mesh, time step and time integration method at a few points of the study, and checks
     them at other points. The points for the selection are taken from the corners and the middle of the axes,
-    and from the ends of sampled ranges. The points for the check are random.
+    and from the samples with the smallest and largest values of an input. The points for the check are
+    random.
 
     The exit status is 3, and nothing is written, if study, scene or tables changed during the tuning.
     """
