@@ -24,8 +24,9 @@ LIMITS = [
     {"output": "lfj_angle", "largest": "9 deg", "mode": "connected"},
     {"output": "effective_tension", "smallest": "100 kN", "mode": "connected"},
 ]
-SEA = in_a_sea(LIMITS, (2, 6, 12, 40), components=40, duration="120 s")
-SEA["analysis"]["mesh"] = {"elements": 160}  # fewer are too coarse for angles at the ends of the envelope
+SEA = in_a_sea(LIMITS, (2, 6, 12, 40), components=40, duration="60 s")
+# fewer are too coarse for angles at the ends of the envelope, and longer steps for those in the sea
+SEA["analysis"] |= {"mesh": {"elements": 160}, "step": "0.1 s"}
 
 
 def rows_of(path):
@@ -135,15 +136,15 @@ def test_a_higher_sea_narrows_the_envelope_within_that_of_calm_water(commands, t
 def test_an_allowance_is_at_least_the_median_of_what_the_seeds_add(height):
     file = load_scene(RISER, **SEA)
     sea = Sea(height, 10.0)
-    found = allowances(file, sea, 5)
+    found = allowances(file, sea, 5)[0].value
     added = []
     for seed in range(1, 6):
         run = simulate(in_sea(file, sea, seed), progress=False)
         angle = abs(run["lfj_angle"])
         added.append(float(angle.max()) - abs(float(run["lfj_angle_static"])))
     # peaks between outputs are a little more than those of the outputs
-    assert np.median(added) * 0.99 < found[0] < 2.0 * max(added)
-    assert found[0] > 0.8 * max(added)
+    assert np.median(added) * 0.99 < found < 2.0 * max(added)
+    assert found > 0.8 * max(added)
 
 
 @pytest.mark.parametrize(
@@ -216,7 +217,7 @@ def test_allowances_are_those_of_the_scene_that_counts_no_damage(seed):
     limits = [{"output": "lfj_angle", "largest": "9 deg", "mode": "connected"}]
     sea = {"significant_height": "2 m", "peak_period": "10 s", "peak_enhancement": 2.0}
     sea |= {"components": 10, "seed": 1, "above_mean_level": "none", "ramp": "5 s"}
-    analysis = {"duration": 30.0, "step": 0.5, "mesh": {"elements": 20}}
+    analysis = {"duration": 30.0, "step": 0.05, "mesh": {"elements": 60}}
     analysis |= {"output": {"interval": 0.1}}
     tree |= {"limits": limits, "wave": sea, "analysis": analysis}
     detail = {
@@ -232,7 +233,7 @@ def test_allowances_are_those_of_the_scene_that_counts_no_damage(seed):
         for more in ({}, {"fatigue": {"angles": 8, "details": [detail]}})
     ]
     assert found[0] == found[1]
-    assert found[0][0] > 0.0
+    assert found[0][0].value > 0.0
 
 
 @pytest.mark.parametrize(

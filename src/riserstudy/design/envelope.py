@@ -14,7 +14,7 @@ from riserstudy.dataset.limits import label
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
-from riserstudy.design.sea_allowances import allowances
+from riserstudy.design.sea_allowances import Allowance, allowances
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.sea import surface_current
 from riserstudy.scene.forcing import Shape
@@ -60,7 +60,7 @@ def envelope(
     limits = scene.limits or []
     moved(scene, 0.0)  # refuses a scene without an offset that can be changed
     with_speeds = [with_current(scene, speed) for speed in currents]
-    added = [allowances(file, sea, seeds, notify) for sea in seas] or [[0.0] * len(limits)]
+    added = [allowances(file, sea, seeds, notify) for sea in seas] or [[Allowance(0.0)] * len(limits)]
     labels = [label(limit) for limit in limits]
     found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
     lost = np.zeros(found.shape[:-1], bool)
@@ -90,7 +90,7 @@ def envelope(
     return Envelope(Table(COLUMNS, UNITS, rows), missing)
 
 
-def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[Offsets]]:
+def _each(scene: Resolved, reach: float, added: list[list[Allowance]]) -> list[list[Offsets]]:
     """Offsets of all limits with the allowances of each sea; all seas share the static solutions."""
     limits = scene.limits or []
     try:
@@ -100,9 +100,9 @@ def _each(scene: Resolved, reach: float, added: list[list[float]]) -> list[list[
         return [[lost] * len(limits) for _ in added]
     return [
         [
-            Offsets(math.nan, math.nan, f"{limit.output} in the runs of the sea")
-            if math.isnan(more)
-            else offsets_at(at, [limit], reach, {limit.output: more})[0]
+            Offsets(math.nan, math.nan, more.missing)
+            if more.missing
+            else offsets_at(at, [limit], reach, {limit.output: more.value})[0]
             for limit, more in zip(limits, of_sea, strict=True)
         ]
         for of_sea in added

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Any
+import math
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import demand_of
+from riserstudy.dataset.limits import demand_of, error_of, too_coarse
 from riserstudy.errors import InputError
+from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
@@ -21,26 +23,46 @@ from riserstudy.study.in_sea import Sea, in_sea
 FloatArray = NDArray[np.float64]
 
 
+class Allowance(NamedTuple):
+    """The addition of a sea to the demand of a limit."""
+
+    value: float  # in the SI unit of the limit's output; NaN if it is not known
+    missing: str = ""  # why it is not known
+
+
 def allowances(
     file: SceneFile, sea: Sea, seeds: int, notify: Callable[[str], None] = lambda _: None
-) -> list[float]:
+) -> list[Allowance]:
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
     Runs have the current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
-    Limits on means have no allowance. ``notify``: function that receives a description of the next run.
+    Limits on means have no allowance. On a prescribed mesh and step that are too coarse for an output, its
+    allowance is not known. ``notify``: function that receives a description of the next run.
     Raises InputError when the scene has no irregular sea, or the riser leaves its offset. Raises
     SimulationError when a run cannot be completed.
     """
     scene = file.resolved()
     _refuse_departures(file.source, scene)
-    limits = scene.limits or []
-    rest = _extremes(static(scene))
-    added = np.zeros((seeds, len(limits)))
+    rest = run(static(scene)).facts
+    runs = []
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
-        rows = _extremes(in_sea(file, sea, seed + 1).resolved())
-        added[seed] = [_added(scene, limit, rest, rows) for limit in limits]
-    return [allowance(column) for column in added.T]
+        runs.append(run(in_sea(file, sea, seed + 1).resolved()).facts)
+    return [_of_limit(scene, limit, rest, runs) for limit in scene.limits or []]
+
+
+def _of_limit(scene: Resolved, limit: Limit, rest: RunFacts, runs: Sequence[RunFacts]) -> Allowance:
+    """The allowance of a limit, from the facts of the scene at rest and of the runs in the sea."""
+    value = allowance(np.array([_added(scene, limit, rest["extremes"], one["extremes"]) for one in runs]))
+    if math.isnan(value):
+        return Allowance(value, f"{limit.output} in the runs of the sea")
+    if limit.side == "mean" or scene.analysis.mesh is None:
+        return Allowance(value)
+    errors = [error_of(limit.output, one, own_mesh=True) for one in runs]
+    why = too_coarse(limit, max(errors, key=lambda one: one.size))
+    if why:
+        return Allowance(math.nan, f"in the runs of the sea, {why}, or a shorter analysis.step")
+    return Allowance(value)
 
 
 def _refuse_departures(source: str, scene: Resolved) -> None:
@@ -59,11 +81,6 @@ def _refuse_departures(source: str, scene: Resolved) -> None:
 def allowance(added: FloatArray) -> float:
     """Addition that nine seas in ten do not exceed, from those of the seeds, (seeds,), same unit; >= 0."""
     return max(demand(added, "largest", 1.0).value, 0.0)
-
-
-def _extremes(scene: Resolved) -> list[dict[str, Any]]:
-    rows: list[dict[str, Any]] = run(scene).facts["extremes"]
-    return rows
 
 
 def _added(scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]) -> float:
