@@ -9,18 +9,23 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, error_of, label, too_coarse
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.records.numerals import at_most
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.resolve import Resolved
 
+FloatArray = NDArray[np.float64]
+ROUNDING = 1e-9
 COLUMNS = ["limit", "reached", "offset", "red circle", "yellow circle", "note"]
 UNITS = ["", "s", "m", "m", "m", ""]
 FOR_A_CUBIC = 4  # smallest number of outputs for a cubic spline
 COARSE = 0.01  # error by coarse outputs, as a share of the radius, from which on it is reported
 LEAST = 0.01  # m, error below which it is not reported
+DENSE = 16  # outputs in the shortest period from which on no peak between outputs exceeds them by 2 %
 
 
 class Times(NamedTuple):
@@ -128,6 +133,7 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
     errors = json.loads(dataset.attrs["limits_reached_error"])
     verdicts = json.loads(dataset.attrs["limits"])
     facts = {name: json.loads(dataset.attrs.get(name, "{}")) for name in ("extremes", "error_estimate")}
+    sparse = _sparse(scene, dataset["time"].values)
     rows: list[list[Cell]] = []
     missing = False
     for mode in modes:
@@ -139,7 +145,7 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
             lost = lost or bool(why)
             at = math.inf if isinstance(time, str) else float(time)
             first, earliest = min(first, at), min(earliest, at - error)
-            remark = "" if why else _unsure(scene, limit, time, facts)
+            remark = "" if why else _unsure(scene, limit, time, facts, sparse if error else "")
             unsure += [label(limit)] if remark else []
             rows.append(
                 [label(limit), None, None, None, None, f"not evaluated: {why}"]
@@ -166,12 +172,27 @@ def _unknown(side: str, time: float | str, row: dict[str, object]) -> str:
     return ""
 
 
-def _unsure(scene: Resolved, limit: Limit, time: float | str, facts: dict[str, Any]) -> str:
-    """Note on the error of a time at which a limit is reached, on a prescribed mesh; empty if it is small."""
-    if isinstance(time, str) or scene.analysis.mesh is None:
+def _unsure(scene: Resolved, limit: Limit, time: float | str, facts: dict[str, Any], sparse: str) -> str:
+    """Note on the error of a time at which a limit is reached; empty if it is small.
+
+    ``sparse``: why peaks between outputs are not known; empty if they are known.
+    """
+    if isinstance(time, str):
         return ""
-    why = too_coarse(limit, error_of(limit.output, facts, own_mesh=True))
-    return f"circles may be too large: {why}" if why else ""
+    whys = []
+    if scene.analysis.mesh and (why := too_coarse(limit, error_of(limit.output, facts, own_mesh=True))):
+        whys.append(f"{why}, or a shorter analysis.step")
+    whys += [sparse] if sparse else []
+    return f"circles may be too large: {'; '.join(whys)}" if whys else ""
+
+
+def _sparse(scene: Resolved, time: FloatArray) -> str:
+    """Why a peak between outputs, at these times (s), may reach a limit earlier; empty if it cannot."""
+    period = scene.shortest_period
+    if period is None or float(np.diff(time).max(initial=0.0)) <= period / DENSE * (1.0 + ROUNDING):
+        return ""
+    most = at_most(period / DENSE)
+    return f"an earlier peak may be between outputs; give an analysis.output.interval of at most {most} s"
 
 
 def _row(name: str, first: float, error: float, way: Way, times: Times, remark: str = "") -> list[Cell]:
