@@ -8,8 +8,8 @@ from riserstudy.grading.words import margin_in_words
 @pytest.mark.parametrize(
     "margin, said",
     [
-        (0.104, "The base case agrees with the paper by a margin of 10 %."),
-        (-0.79, "The base case disagrees with the paper by a margin of 79 %."),
+        (0.104, "The base case agrees with the paper; its margin to disagreement is 10 %."),
+        (-0.79, "The base case disagrees with the paper; its margin to agreement is 79 %."),
         (-0.001, "The margin of the base case to a change of the outcome is less than 1 %."),
         (0.004, "The margin of the base case to a change of the outcome is less than 1 %."),
     ],
@@ -21,8 +21,8 @@ def test_a_margin_is_positive_where_the_base_case_agrees_unless_it_rounds_to_not
 def test_a_range_of_margins_with_a_negative_end_is_explained():
     found = margin_in_words(-0.79, -0.9, 0.41)
     assert found == (
-        "The base case disagrees with the paper by a margin of 79 %. In 90 % of all cases the margin is "
-        "−90 to +41 %; a negative margin means disagreement."
+        "The base case disagrees with the paper; its margin to agreement is 79 %. In 90 % of all cases "
+        "the margin is −90 to +41 %; a negative margin means disagreement."
     )
 
 

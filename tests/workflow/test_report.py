@@ -224,12 +224,12 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     assert found["A10"].sentences == [
         "Base case: the value is 3, and the claim is true.",
         "As in A1.",
-        "The base case agrees with the paper by a margin of 10 %. In 90 % of all cases the margin is "
-        "−2 to +30 %; a negative margin means disagreement.",
+        "The base case agrees with the paper; its margin to disagreement is 10 %. In 90 % of all cases the "
+        "margin is −2 to +30 %; a negative margin means disagreement.",
     ]
     assert found["A2"].sentences == [
         "Base case: the value is 1.5, and the claim is true.",
-        "The base case agrees with the paper by a margin of 25 %.",
+        "The base case agrees with the paper; its margin to disagreement is 25 %.",
     ]
     assert found["B0"].sentences == []
     assert found["A10"].why == "Depends on the flow; U: m/s."

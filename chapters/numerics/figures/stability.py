@@ -20,9 +20,9 @@ from riserstudy.figures.style import COLOURS, headline
 #: colours of the outcomes of cases
 ENDS = {
     "accurate to 1 %": "#2f8f5b",
-    "inaccurate and flagged": "#e8a93a",
-    "rejected with a reason": "#5b9bd5",
-    "finished and flagged, no reference": "#6f6f6f",
+    "inaccurate, with a warning": "#e8a93a",
+    "refused with a reason": "#5b9bd5",
+    "finished, without a reference solution": "#6f6f6f",
     "not as expected": "#c0392b",
 }
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS

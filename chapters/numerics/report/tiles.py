@@ -66,9 +66,12 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
     silent = {0: "none has", 1: "1 has"}.get(counts.silent, f"{counts.silent} have")
     met = f"{counts.met} of {counts.cases}"
-    answer = f"{met} hard cases end as expected; {silent} a large error without a warning."
-    each = ", ".join(f"{ends.count(end)} {end}" for end in ENDS if end in ends)
-    return met, answer, _stack(parts) + _under(each)
+    answer = (
+        f"{met} hard cases, such as end stops, compression, disconnects and extreme stiffness, end as "
+        f"expected; {silent} a large error without a warning."
+    )
+    each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
+    return met, answer, _stack(parts) + _key(each)
 
 
 def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
@@ -134,6 +137,12 @@ def _bars(shares: Sequence[tuple[str, float]]) -> str:
         for name, share in shares
     )
     return f'<span class="ranked" aria-hidden="true">{"".join(rows)}</span>'
+
+
+def _key(parts: Sequence[tuple[str, str]]) -> str:
+    """Return the words below a divided bar, each after a square of its part's colour."""
+    words = (f'<b style="color: {colour}">\u25a0</b>\u00a0{escape(word)}' for colour, word in parts)
+    return f'<span class="under">{"; ".join(words)}</span>'
 
 
 def _under(words: str) -> str:

@@ -152,8 +152,9 @@ def margin_in_words(margin: float, low: float | None, high: float | None) -> str
     if round(100.0 * margin) == 0:
         text = "The margin of the base case to a change of the outcome is less than 1 %."
     else:
-        agrees = "agrees" if margin > 0.0 else "disagrees"
-        text = f"The base case {agrees} with the paper by a margin of {abs(100.0 * margin):.0f} %."
+        verb, other = ("agrees", "disagreement") if margin > 0.0 else ("disagrees", "agreement")
+        percent = f"{abs(100.0 * margin):.0f} %"
+        text = f"The base case {verb} with the paper; its margin to {other} is {percent}."
     if low is None or high is None:
         return text
     ends = list(dict.fromkeys(_signed(end) for end in (low, high)))

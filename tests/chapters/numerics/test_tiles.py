@@ -23,7 +23,10 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
     (one,) = shown({"stability": stability})
     assert one.number == "3 of 4"
-    assert one.answer == "3 of 4 hard cases end as expected; 1 has a large error without a warning."
+    assert one.answer == (
+        "3 of 4 hard cases, such as end stops, compression, disconnects and extreme stiffness, end as "
+        "expected; 1 has a large error without a warning."
+    )
     assert one.spark.count("<rect") == 4
 
 
