@@ -292,6 +292,8 @@ def viv(
     from riserstudy.design.vortex_screening import Coefficients, screening
 
     found = screening(file, Coefficients(strouhal, slowest, fastest, lift, drag, drag_gain))
+    if warning := found.attrs.get("warning"):
+        notify(f"warning: {warning}")
     _show_modes(found, csv)
     shed = found["shedding_frequency"].values
     print(

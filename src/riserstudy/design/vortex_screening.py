@@ -40,6 +40,7 @@ LARGEST = 10.0  # largest ratio of amplitude to diameter in the search for a bal
 FIRST = 20  # number of modes computed first; more follow, as long as the current can excite them
 TWINS = 1e-3  # largest relative difference of frequencies of one mode in two directions
 PARTS = 32  # of a segment, along each of which the speed is linear; even, so that the middle is an end
+HALF_WAVE = 4.0  # segments in a half-wave of a mode from which on the mesh resolves it
 LEAST_ACROSS = 0.1  # smallest share of a mode's motion across the flow, where it may lock in
 
 
@@ -101,7 +102,8 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
         ``fastest_current`` (m/s, speeds across the riser between which the mode may lock in anywhere),
         ``amplitude`` (largest ratio to the diameter along the riser), ``amplitude_limit`` (the same if the
         whole riser were excited in the phase of its flow, the largest of excited places) and ``drag_factor``
-        (mean over the excited length). Over both, ``excited`` and ``relative_amplitude``.
+        (mean over the excited length). Over both, ``excited`` and ``relative_amplitude``. The attribute
+        ``warning`` states that the mesh does not resolve all of these modes.
     """
     given = _checked(coefficients or Coefficients())
     scene = file.resolved()
@@ -328,8 +330,31 @@ def _dataset(file: SceneFile, flow: Flow, found: xr.Dataset, given: Coefficients
     label_variables(dataset, ABOUT | ALONG)
     dataset = complete(dataset)
     dataset.attrs |= {"title": file.tree.get("title", ""), "source": file.source}
+    if warning := _unresolved(found.sel(mode=[row["mode"] for row in rows])):
+        dataset.attrs["warning"] = warning
     dataset.attrs |= {f"assumed_{k}": v for k, v in given._asdict().items() if v is not None}
     return dataset
+
+
+def _unresolved(modes: xr.Dataset) -> str:
+    """The warning that some of the modes have few segments in a half-wave; empty if all are resolved."""
+    shapes = np.stack([modes[name].values for name in "xy" if name in modes])
+    few = {}
+    for k, mode in enumerate(modes["mode"].values):
+        along = shapes[np.abs(shapes[:, k]).max(axis=1).argmax(), k]
+        zeros = np.flatnonzero(along[1:] * along[:-1] < 0.0)
+        half_wave = float(np.diff(zeros).min(initial=len(along)))
+        if half_wave < HALF_WAVE:
+            few[int(mode)] = half_wave
+    if not few:
+        return ""
+    count = shapes.shape[-1] - 1
+    enough = math.ceil(HALF_WAVE / min(few.values()) * count)
+    return (
+        f"analysis.mesh: {count} segments are too few: from mode {min(few)} on, half-waves have fewer than "
+        f"{HALF_WAVE:g} segments, and frequencies and amplitudes may have large errors; give about {enough} "
+        "segments"
+    )
 
 
 ABOUT = {
