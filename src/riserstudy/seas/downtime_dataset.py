@@ -16,6 +16,7 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle
 from riserstudy.seas.directions import FROM
 from riserstudy.seas.heading_parts import Part
+from riserstudy.seas.mesh_of_seas import has_own_mesh
 from riserstudy.seas.riser_hours import RiserHours
 from riserstudy.study.in_sea import heading_paths
 
@@ -50,6 +51,11 @@ def summarise(
             f"runs on {' or '.join(words)}; compared with runs that meet the scene's accuracy, demands "
             f"differ by up to {off:.1%}"
         )
+    off = max(float(part.estimated.max()) for part in parts)
+    if off > 0.0:
+        own = has_own_mesh(riser.file) and not meshes
+        kind = "mesh and step" if own else "accuracy"
+        lines.append(f"with the scene's {kind}, demands have an estimated error of up to {off:.1%}")
     if riser.seeds == 1:
         lines.append("no band includes the effect of other seeds, which is unknown")
     if FROM in record and not directed:

@@ -16,7 +16,7 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Half, states_between
 from riserstudy.seas.cover import HELD_OUT, Cover, corners, cover, first
 from riserstudy.seas.directions import Between, Directions
-from riserstudy.seas.mesh_of_seas import MeshOfSeas, checked, mesh_of_seas, on_mesh
+from riserstudy.seas.mesh_of_seas import MeshOfSeas, checked, estimated, mesh_of_seas, on_mesh
 from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_response import RiserResponse
 from riserstudy.seas.sea_states import SeaStates, sea_states
@@ -60,11 +60,14 @@ class Part(NamedTuple):
     scale: FloatArray
     # absent: runs have the scene's prescribed mesh, or each run refines its mesh
     mesh: MeshOfSeas | None
+    # (limits,) estimated error of runs with the scene's mesh or tolerance, relative to the allowable or the
+    # demand
+    estimated: FloatArray
 
     @property
     def mesh_error(self) -> FloatArray:
-        """Largest error of demands by the mesh, (limits,), relative to the allowable or the demand."""
-        return self.mesh.error if self.mesh else np.zeros_like(self.cover.error)
+        """Largest error of demands by mesh and step, (limits,), relative to the allowable or the demand."""
+        return self.estimated + self.mesh.error if self.mesh else self.estimated
 
 
 def headings(file: SceneFile, record: xr.Dataset, directions: Directions | None) -> list[Heading]:
@@ -135,7 +138,7 @@ def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notif
     if mesh:
         also = checked(accurate, riser, found)
         mesh = mesh._replace(error=np.maximum(mesh.error, also))
-    return Part(heading, riser, found, deviation, scale, mesh)
+    return Part(heading, riser, found, deviation, scale, mesh, estimated(accurate, heading.of, found))
 
 
 def _meshed(riser: RiserResponse, mesh: MeshOfSeas | None) -> RiserResponse:

@@ -60,6 +60,25 @@ def checked(accurate: RiserResponse, meshed: RiserResponse, found: Cover) -> Flo
     return np.asarray(np.nanmax(off, axis=0, initial=0.0))
 
 
+def estimated(riser: RiserResponse, of: SeaStates, found: Cover) -> FloatArray:
+    """Largest estimated relative error of demands, (limits,), in runs at hard sea states of a heading.
+
+    It includes errors of a prescribed mesh and step, and those of outputs that no tolerance limits. Runs that
+    fail are left out.
+
+    Parameters
+    ----------
+    riser : the scene with its prescribed mesh, or its tolerance.
+    of : sea states of the heading.
+    found : cover of the heading.
+    """
+    one = RiserResponse(riser.file, 1, riser.interval, riser.cores)
+    states = probes(of)
+    errors = one.estimated_errors(states)  # which leaves the runs in the store
+    scale = np.maximum(scale_of(riser.allowed, found.responses), np.abs(np.nan_to_num(one(states))))
+    return np.asarray(np.nanmax(errors / scale, axis=0, initial=0.0))
+
+
 def has_own_mesh(file: SceneFile) -> bool:
     """Whether a scene prescribes its mesh."""
     return file.resolved().analysis.mesh is not None

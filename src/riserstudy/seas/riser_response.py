@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import checked, label
+from riserstudy.dataset.limits import checked, error_of, label
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
@@ -118,6 +118,24 @@ class RiserResponse:
         held = [store.about(point.key) for point in study.plan if point.index[1] == 0]
         return [one["facts"] if one else {} for one in held]
 
+    def estimated_errors(self, states: FloatArray) -> FloatArray:
+        """Estimated error of each limit's output, (m, limits), at sea states (m, 2).
+
+        Runs have the first seed. Each error is in the SI unit of the output. It is zero for outputs whose
+        error a tolerance limits, and NaN where a run fails.
+        """
+        study = replace(self._study(states), estimates=True)
+        points = [point for point in study.plan if point.index[1] == 0]
+        failures = attempt(study, points, self.cores, lambda _: None)
+        found = np.full((len(states), len(self.limits)), math.nan)
+        own_mesh = self.file.resolved().analysis.mesh is not None
+        for point in points:
+            held = None if point.key in failures else store.about(point.key)
+            if held is not None:
+                facts = held["facts"]
+                found[point.index[0]] = [error_of(one.output, facts, own_mesh).size for one in self.limits]
+        return found
+
     def _demands(self, states: FloatArray) -> dict[tuple[int, ...], list[float]]:
         """Demands of the limits by index of sea state and seed, for completed runs."""
         study = self._study(states)
@@ -138,5 +156,5 @@ class RiserResponse:
         """A study over sea states and seeds."""
         seas = {f"{h!r} m, {t!r} s": values_of(self.file, Sea(h, t)) for h, t in states.tolist()}
         seeds = {str(k + 1): phases_of(self.file, k + 1) for k in range(self.seeds)}
-        # errors of demands are measured by other runs, not estimated for each run
+        # errors of demands are measured by other runs, or estimated in few runs
         return replace(as_study(self.file, {"sea": seas, "seed": seeds}, []), estimates=False)
