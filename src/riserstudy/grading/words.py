@@ -186,7 +186,8 @@ def _influence(grounds: Grounds) -> list[str]:
     if not by:
         return ["With this number of samples, no input explains the outcome better than chance."]
     word = "explains" if len(by) == 1 else "together explain"
-    which = _capital(listed(influence.name for influence in by))
+    names = [influence.name for influence in by]
+    which = _capital(names[0]) if len(names) == 1 else f"The inputs {listed(f'“{name}”' for name in names)}"
     return [f"{which} {word} {100 * grounds.explained:.0f} % of the variance of the outcome."]
 
 
