@@ -5,11 +5,11 @@ import json
 
 import numpy as np
 import pytest
-from random_rigs import rig, written
+from random_rigs import rig
+from rigs_in_waves import limited
 
 from riserstudy import simulate
 from riserstudy.design.watch_table import Times, circles
-from riserstudy.scene.load import SceneFile
 
 OUTPUTS = {"bending_moment": "N*m", "von_mises_stress": "Pa", "effective_tension": "N", "lfj_angle": "rad"}
 OFTEN, STEP = 0.25, 0.25  # s
@@ -30,11 +30,7 @@ def driven_off(seed, interval):
 
 
 def rows_of(tree, largest):
-    limits = [
-        {"output": name, "largest": f"{value!r} {OUTPUTS[name]}", "mode": "disconnect"}
-        for name, value in largest.items()
-    ]
-    file = SceneFile("rig.yaml", written(tree) | {"limits": limits})
+    file = limited(tree, largest, OUTPUTS, "disconnect")
     run = simulate(file, progress=False)
     return run, circles(file.resolved(), run, Times(5.0, 5.0), ["disconnect"]).table.rows
 

@@ -4,6 +4,7 @@ import copy
 
 import pytest
 from random_rigs import rig, written
+from rigs_in_waves import limited
 
 from riserstudy import simulate
 from riserstudy.design.watch_table import Times, circles
@@ -25,11 +26,7 @@ def driven_off(seed, elements):
 
 
 def table_of(tree, largest):
-    limits = [
-        {"output": name, "largest": f"{value!r} {OUTPUTS[name]}", "mode": "disconnect"}
-        for name, value in largest.items()
-    ]
-    file = SceneFile("rig.yaml", written(tree) | {"limits": limits})
+    file = limited(tree, largest, OUTPUTS, "disconnect")
     run = simulate(file, progress=False)
     return run, circles(file.resolved(), run, Times(5.0, 5.0), ["disconnect"])
 

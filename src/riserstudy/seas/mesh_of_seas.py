@@ -75,6 +75,7 @@ def estimated(riser: RiserResponse, of: SeaStates, found: Cover) -> FloatArray:
     one = RiserResponse(riser.file, 1, riser.interval, riser.cores)
     states = probes(of)
     errors = one.estimated_errors(states)  # which leaves the runs in the store
+    # a run that fails has neither demand nor error: its error stays NaN, whatever its scale
     scale = np.maximum(scale_of(riser.allowed, found.responses), np.abs(np.nan_to_num(one(states))))
     return np.asarray(np.nanmax(errors / scale, axis=0, initial=0.0))
 
