@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-import re
+import string
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple
@@ -316,8 +316,15 @@ def _answer(entry: Checked, reads: Mapping[str, str], checks: Checks, datasets: 
         )
 
 
+class _Spaced(string.Formatter):
+    """Fills a text; shares, such as {share:.0%}, have a space before the sign."""
+
+    def format_field(self, value: Any, format_spec: str) -> str:
+        text = str(super().format_field(value, format_spec))
+        return text.replace("%", " %") if format_spec.endswith("%") else text
+
+
 def _filled(erratum: Erratum, checks: Checks, datasets: Datasets) -> str:
     if not erratum.check:
         return erratum.simulation
-    filled = erratum.simulation.format(**_answer(erratum, erratum.reads, checks, datasets))
-    return re.sub(r"(?<=\d)%", " %", filled)  # formats of shares, such as {share:.0%}, set no space
+    return _Spaced().vformat(erratum.simulation, (), _answer(erratum, erratum.reads, checks, datasets))
