@@ -65,16 +65,14 @@ def test_a_claim_is_graded_over_its_samples_and_tells_the_base_case():
     about = {"kind": "claim", "check": "claim", "with": options, "over": {"runs": "space"}}
     found = row({"base": dataset(5.0), "space": space}, **about)
     assert found.verdict == "holds"
-    assert found.note == (
-        "True in 57 of 60 samples (95 %). Base case: the value is 5, and the claim is true."
-    )
+    assert found.note == ("True in 57 of 60 samples (95 %). Base case: the value is 5; the claim is true.")
     beside = row(
         {"base": dataset(4.0), "space": space, "other": dataset(3.0)},
         **about,
         beside={"Settled": {"runs": "other"}},
     )
     assert beside.note.endswith(
-        "Base case: the value is 4, and the claim is true. Settled: the value is 3, and the claim is true."
+        "Base case: the value is 4; the claim is true. Settled: the value is 3; the claim is true."
     )
 
 
@@ -130,7 +128,7 @@ def test_a_case_of_many_cells_is_told_at_the_base():
     space = dataset([2.0, 5.0]).rename(sample="reading").assign_coords(reading=["a", "b"])
     both = {"base": space, "space": space}
     found = number_row(both, base={"reading": "a"}, beside={"Again": {"runs": "space"}})
-    assert found.note.endswith("Again: the value is 2, and the published value is met.")
+    assert found.note.endswith("Again: the value is 2; the published value is met.")
 
 
 def test_a_claim_that_an_option_decides_tells_the_share_under_each():
@@ -241,10 +239,10 @@ def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, t
 @pytest.mark.parametrize(
     "values, told",
     [
-        (np.full(128, 9.0), "The first 96 of 128 samples settle the verdict at 99 % confidence."),
+        (np.full(128, 9.0), "The first 96 of 128 samples are enough for the verdict at 99 % confidence."),
         (
             np.where(np.arange(128) % 20 == 0, 0.0, 9.0),
-            "so close to a bound that 128 samples do not settle the verdict at 99 % confidence",
+            "128 samples are too few for the verdict at 99 % confidence",
         ),
         (np.full(64, 9.0), ""),  # too few to say
     ],

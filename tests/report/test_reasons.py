@@ -1,9 +1,12 @@
 """Every number and claim of the report has a reason, and its share an interval or the reason why not."""
 
+import re
 from dataclasses import fields
 
+import numpy as np
 import pytest
 
+from riserstudy.grading.words import summary_by_reading
 from riserstudy.records.graded import Grounds, Reading, Share
 from riserstudy.report.claims import Claim
 
@@ -11,6 +14,7 @@ PLAIN = dict.fromkeys(field.name for field in fields(Claim)) | {
     "unit": "",
     "decided_by": "",
     "sentences": [],
+    "results": [],
     "options": [],
     "grounds": Grounds(),
 }
@@ -29,4 +33,25 @@ def test_interpretations_are_the_reason_where_they_answer_differently():
     share = Share(1, 1)
     readings = [Reading({"flow": "a"}, "true", share), Reading({"flow": "b"}, "false", Share(0, 1))]
     found = claim(verdict="depends", kind="claim", decided_by="flow", grounds=Grounds(readings=readings))
-    assert found.why == "Flow. The claim is true with “a”. The claim is false with “b”."
+    assert found.why == "Flow. The claim is true with “a”. It is false with “b”."
+    assert found.by_reading == [("“a”", "true"), ("“b”", "false")]
+
+
+ANSWERS = ["true", "no difference", "false", "depends"]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_summary_counts_every_interpretation_once(seed):
+    draw = np.random.default_rng(seed)
+    answers = draw.choice(ANSWERS, int(draw.integers(4, 40)))
+    readings = [Reading({"flow": float(k)}, answer, Share(1, 2, 2)) for k, answer in enumerate(answers)]
+    text = summary_by_reading("claim", readings)
+    definite, _, rest = text.partition("With the other")
+    numbers = [int(digits) for digits in re.findall(r"\d+", definite)]
+    assert bool(rest) == ("depends" in answers and len(set(answers)) > 1)
+    if len(set(answers)) == 1:
+        assert f"all {len(answers)} interpretations" in text
+        return
+    *parts, total = numbers
+    assert total == len(answers)
+    assert sum(parts) == total - np.count_nonzero(answers == "depends")

@@ -156,10 +156,10 @@ def test_every_claim_leads_to_its_figure(sources):
 
 def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     text = " ".join(Page(render(sources)).words)
-    assert "a <b>bold</b> number Depends on the phase." in text
+    assert "a <b>bold</b> number The verdict depends on “the phase”." in text
     assert "early 50 % late; or never 0 %" in text
     assert "0.3 m 0.5389 m 80 % 25 % depends" in text
-    assert "True in all 256 samples." in text
+    assert "The claim is true in all 256 samples." in text
     assert "E1 Eq. 3 a slip read so says this" in text
     pressure = r"top.tensioners.gas.pressure 190.2 bar absolute (\([^)]*\) )?assumed the table gives bar"
     assert re.search(pressure, text)
@@ -221,18 +221,20 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
     found = {claim.id: claim for claim in claims}
     assert [found[one].band for one in ("A1", "A2", "A10", "B0")] == [None, None, (73, 83), (97, 100)]
     assert found["A10"].options[0].shares == [("along, 1 m/s", 69), ("against (2)", 100)]
-    assert found["A10"].sentences == [
-        "Base case: the value is 3, and the claim is true.",
-        "As in A1.",
-        "The base case agrees with the paper; its margin to disagreement is 10 %. In 90 % of all cases the "
-        "margin is −2 to +30 %; a negative margin means disagreement.",
+    assert found["A10"].sentences == ["As in A1."]
+    assert found["A10"].agreement == "200 of 256"
+    assert found["A10"].results == [
+        ("Base case", "3; the claim is true"),
+        ("Margin of the base case", "+10 %"),
+        ("Margins of 90 % of all cases", "−2 to +30 %"),
     ]
-    assert found["A2"].sentences == [
-        "Base case: the value is 1.5, and the claim is true.",
-        "The base case agrees with the paper; its margin to disagreement is 25 %.",
+    assert found["A2"].sentences == []
+    assert found["A2"].results == [
+        ("Base case", "1.5; the claim is true"),
+        ("Margin of the base case", "+25 %"),
     ]
-    assert found["B0"].sentences == []
-    assert found["A10"].why == "Depends on the flow; U: m/s."
+    assert found["B0"].sentences == found["B0"].results == []
+    assert found["A10"].why == "The verdict depends on “the flow; U: m/s”."
     assert found["A4"].why == "No single input or pair of inputs decides the outcome."
     assert found["B0"].why == (
         "The simulation gives -3.142e+06 N; the published value is -3.142e+06 N (error 0 %)."

@@ -46,13 +46,24 @@ def note(kind: Kind, unit: str, grounds: Grounds) -> str:
     return " ".join(text for text in parts if text)
 
 
-def remarks(kind: Kind, unit: str, grounds: Grounds) -> list[str]:
-    """Sentences in addition to the share and the results by option, with the file's note last."""
-    return [*_influence(grounds), *filter(None, _further(kind, unit, grounds))]
+def remarks(grounds: Grounds) -> list[str]:
+    """Sentences about the way of judging, with the file's note last; results are in a table of the report."""
+    return [*filter(None, _way(grounds)), *filter(None, [grounds.note])]
 
 
 def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     """All sentences except shares and deciding inputs."""
+    yield from _way(grounds)
+    if grounds.together is not None:
+        yield f"Judged alone, this value is met in {alone_in_words(grounds.together)}."
+    yield from _settled(grounds.settled)
+    for outcome in grounds.outcomes:
+        yield _outcome(kind, unit, outcome, grounds.together)
+    yield grounds.note
+
+
+def _way(grounds: Grounds) -> Iterator[str]:
+    """Sentences about the way of judging."""
     yield grounds.impossible
     yield grounds.not_comparable
     yield from _within(grounds.within)
@@ -61,10 +72,6 @@ def _further(kind: Kind, unit: str, grounds: Grounds) -> Iterator[str]:
     yield from _missing(grounds.missing)
     yield from _together(grounds.together)
     yield from _chosen(grounds.chosen)
-    yield from _settled(grounds.settled)
-    for outcome in grounds.outcomes:
-        yield _outcome(kind, unit, outcome, grounds.together)
-    yield grounds.note
 
 
 def depends_on(kind: Kind, grounds: Grounds) -> str:
@@ -81,19 +88,64 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     return "; ".join(_by_reading(kind, readings))
 
 
-def sentences_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
-    """As ``by_reading``, with a sentence for each result."""
-    return " ".join(f"{_capital(part)}." for part in _by_reading(kind, readings, f"{_JUDGED[kind]} "))
+def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
+    """One or two sentences with the number of interpretations for each result."""
+    true, false = _HIT[kind]
+    words: dict[ReadingAnswer, str] = {
+        "true": true,
+        "no difference": f"not {true} (no difference)",
+        "false": false,
+    }
+    answers = [reading.answer for reading in readings]
+    every = {1: "the only interpretation", 2: "both interpretations"}.get(
+        len(answers), f"all {len(answers)} interpretations"
+    )
+    counts = {word: answers.count(answer) for answer, word in words.items() if answer in answers}
+    others = answers.count("depends")
+    if not counts:
+        return f"With {every}, the outcome depends on further inputs."
+    if len(counts) == 1 and not others:
+        return f"{_capital(_JUDGED[kind])} {next(iter(counts))} with {every}."
+    if len(answers) <= NAMED // 2 and not others:
+        found = [
+            f"{word} with {listed([reading_name(r) for r in readings if r.answer == answer])}."
+            for answer, word in words.items()
+            if answer in answers
+        ]
+        return f"{_capital(_JUDGED[kind])} {' It is '.join(found)}"
+    numbers = listed([f"{word} with {count}" for word, count in counts.items()])
+    text = f"{_capital(_JUDGED[kind])} {numbers} of {len(answers)} interpretations."
+    if not others:
+        return text
+    rest = "interpretation" if others == 1 else f"{others} interpretations"
+    return f"{text} With the other {rest}, the outcome depends on further inputs."
 
 
-def _by_reading(kind: Kind, readings: Sequence[Reading], judged: str = "") -> list[str]:
-    """Parts of results by interpretation; ``judged``: subject and verb of each."""
+def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, str]]:
+    """Rows of a table: interpretations, and the result with them; of many, the ones with a rare result."""
+    true, false = _HIT[kind]
+    words: dict[ReadingAnswer, str] = {"true": true, "no difference": "no difference", "false": false}
+    rows, many = [], len(readings) > MANY
+    for answer, plain in words.items():
+        names = [reading_name(reading) for reading in readings if reading.answer == answer]
+        if many and len(names) > NAMED:
+            rows.append((f"{len(names)} of {len(readings)} interpretations", plain))
+        else:
+            rows += [(name, plain) for name in names]
+    for reading in readings:
+        if reading.answer == "depends":
+            inputs = listed([f"“{name}”" for name in reading.decided_by])
+            by = f"; decided by {inputs}" if reading.decided_by else ""
+            rows.append((reading_name(reading), f"{_share(reading.share, true)}{by}"))
+    return rows
+
+
+def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
+    """Parts of results by interpretation."""
     true, false = _HIT[kind]
     words: dict[ReadingAnswer, str] = {"true": true, "no difference": "no difference", "false": false}
     parts, many = [], len(readings) > MANY
-    for answer, plain in words.items():
-        there = "there is " if judged else ""
-        word = f"{there}{plain}" if answer == "no difference" else f"{judged}{plain}"
+    for answer, word in words.items():
         names = [reading_name(r) for r in readings if r.answer == answer]
         if many and len(names) == len(readings):
             parts.append(f"{word} with all {len(names)} interpretations")
@@ -107,7 +159,7 @@ def _by_reading(kind: Kind, readings: Sequence[Reading], judged: str = "") -> li
     for reading in readings:
         if reading.answer == "depends":
             by = f", decided by {listed(reading.decided_by)}" if reading.decided_by else ""
-            parts.append(f"with {reading_name(reading)}, {judged}{_share(reading.share, true)}{by}")
+            parts.append(f"with {reading_name(reading)}, {_share(reading.share, true)}{by}")
     return parts
 
 
@@ -147,19 +199,14 @@ def _fewest(grounds: Grounds) -> int:
     return min(share.draws or 0 for share in shares)
 
 
-def margin_in_words(margin: float, low: float | None, high: float | None) -> str:
-    """The margin of a verdict in words, as a difference divided by the larger of the compared values."""
-    if round(100.0 * margin) == 0:
-        text = "The margin of the base case to a change of the outcome is less than 1 %."
-    else:
-        verb, other = ("agrees", "disagreement") if margin > 0.0 else ("disagrees", "agreement")
-        percent = f"{abs(100.0 * margin):.0f} %"
-        text = f"The base case {verb} with the paper; its margin to {other} is {percent}."
-    if low is None or high is None:
-        return text
-    ends = list(dict.fromkeys(_signed(end) for end in (low, high)))
-    negative = "" if round(100.0 * low) >= 0 else "; a negative margin means disagreement"
-    return f"{text} In 90 % of all cases the margin is {' to '.join(ends)} %{negative}."
+def margin_rows(margin: float, low: float | None, high: float | None) -> list[tuple[str, str]]:
+    """Rows of a table: the margin of the base case, and the margins of 90 % of all cases."""
+    percent = f"{_signed(margin)} %" if round(100.0 * margin) else "less than 1 %"
+    rows = [("Margin of the base case", percent)]
+    if low is not None and high is not None:
+        ends = dict.fromkeys(_signed(end) for end in (low, high))
+        rows.append(("Margins of 90 % of all cases", f"{' to '.join(ends)} %"))
+    return rows
 
 
 def _signed(share: float) -> str:
@@ -239,14 +286,19 @@ def _missing(missing: Missing | None) -> Iterator[str]:
 
 
 def _together(together: Together | None) -> Iterator[str]:
-    """Values that are judged together with it, and the number of samples that meet it alone."""
+    """Values that are judged together with it."""
     if together is None:
         return
-    others, alone = listed(together.others), together.alone
-    of = "samples" if alone.draws is not None else "interpretations"
+    others = listed(together.others)
     values = "value" if len(together.others) == 1 else "values"
     yield f"This value counts as met only in cases that also meet the published {values} {others}."
-    yield f"Judged alone, this value is met in {alone.met} of {alone.samples} {of}."
+
+
+def alone_in_words(together: Together) -> str:
+    """Number of samples or interpretations that meet a value judged alone."""
+    alone = together.alone
+    of = "samples" if alone.draws is not None else "interpretations"
+    return f"{alone.met} of {alone.samples} {of}"
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
@@ -266,37 +318,42 @@ def _settled(settled: Settled | None) -> Iterator[str]:
     percent = f"{100 * settled.confidence:.0f} %"
     if settled.after is None:
         yield (
-            f"The share is so close to a bound that {settled.samples} samples do not settle the "
-            f"verdict at {percent} confidence."
+            f"{settled.samples} samples are too few for the verdict at {percent} confidence, because the "
+            "share of samples that agree is close to a bound of the verdict."
         )
     else:
         yield (
-            f"The first {settled.after} of {settled.samples} samples settle the verdict at "
+            f"The first {settled.after} of {settled.samples} samples are enough for the verdict at "
             f"{percent} confidence."
         )
 
 
 def _outcome(kind: Kind, unit: str, outcome: Outcome, together: Together | None) -> str:
     """The base case or a further case, with one or many cells; ``together``: judged with other values."""
+    values, finding = result_of(kind, unit, outcome, together)
+    are = "values are" if " to " in values else "value is"
+    return f"{outcome.name}: the {are} {values}; {finding}."
+
+
+def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None) -> tuple[str, str]:
+    """The value or the range of values of a case, and the finding; ``together`` as in ``Grounds``."""
     true, false = _HIT[kind]
     judged = _JUDGED[kind]
     ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
-    cells = f"the {'value is' if len(ends) == 1 else 'values are'} {' to '.join(ends)}{_unit(unit)}"
+    values = f"{' to '.join(ends)}{_unit(unit)}"
     if outcome.readings:
-        return f"{outcome.name}: {cells}; {judged} {by_reading(kind, outcome.readings)}."
+        return values, f"{judged} {by_reading(kind, outcome.readings)}"
     share = outcome.share
     if share is not None and share.samples > 1:
         by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""
-        return f"{outcome.name}: {cells}; {judged} {_share(share, true)}{by}."
+        return values, f"{judged} {_share(share, true)}{by}"
     same, met = (outcome.same, outcome.met) if share is None else (share.same, share.met)
     if same and not met:
-        return f"{outcome.name}: {cells}, which counts as no difference."
+        return values, "this counts as no difference"
     if together is not None:
-        others = f"together with {listed(together.others)}"
-        return (
-            f"{outcome.name}: {cells}; this case {'meets' if met else 'does not meet'} this value {others}."
-        )
-    return f"{outcome.name}: {cells}, and {judged} {true if met else false}."
+        meets = "meets" if met else "does not meet"
+        return values, f"this case {meets} this value together with {listed(together.others)}"
+    return values, f"{judged} {true if met else false}"
 
 
 def _unit(unit: str) -> str:

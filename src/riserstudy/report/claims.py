@@ -8,9 +8,19 @@ from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 from riserstudy.grading.names import option_name
-from riserstudy.grading.words import NOT_ONE, margin_in_words, remarks, sentences_by_reading, too_few
-from riserstudy.records.graded import Grounds, Influence, ItemResult
-from riserstudy.report.wording import counted, number, sentence, share, unit
+from riserstudy.grading.words import (
+    NOT_ONE,
+    alone_in_words,
+    margin_rows,
+    remarks,
+    result_of,
+    rows_by_reading,
+    summary_by_reading,
+    too_few,
+)
+from riserstudy.records.graded import Grounds, Influence, ItemResult, Kind
+from riserstudy.records.words import listed
+from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
@@ -38,8 +48,8 @@ class Claim(ItemResult):
     """A number or claim, its verdict, and the reason.
 
     ``met``, ``samples``: number of samples of the unspecified inputs that meet it, and of all; None without
-    samples. ``band``: 95 % interval of the share (%), if samples are enough. ``said``, ``options``: further
-    information from the grading.
+    samples. ``band``: 95 % interval of the share (%), if samples are enough. ``sentences``: how it was
+    judged. ``results``: rows of a table, in addition to the row of the samples.
     """
 
     decided_by: str
@@ -47,6 +57,7 @@ class Claim(ItemResult):
     samples: int | None
     band: tuple[int, int] | None
     sentences: list[str]
+    results: list[tuple[str, str]]
     options: list[ByOption]
     grounds: Grounds
 
@@ -63,16 +74,28 @@ class Claim(ItemResult):
         return 100.0 * self.met / self.samples
 
     @property
+    def _depends(self) -> str:
+        """The sentence that names the deciding inputs."""
+        if self.decided_by == NOT_ONE:
+            return "No single input or pair of inputs decides the outcome."
+        names = [f"“{influence.name}”" for influence in self.grounds.decided_by]
+        inputs = self.grounds.because == "inputs" and names
+        return f"The verdict depends on {listed(names) if inputs else self.decided_by}."
+
+    @property
     def _by_reading(self) -> str:
         """The findings under each interpretation, after the deciding input."""
-        found = sentences_by_reading(self.kind, self.grounds.readings)
-        depends = self.verdict == "depends" and self.grounds.because in ("inputs", "base case")
-        if depends and self.decided_by == NOT_ONE:
-            return f"{NOT_ONE} of inputs decides the outcome. {found}"
+        found = summary_by_reading(self.kind, self.grounds.readings)
         if self.grounds.because == "too few samples":
             return f"{found} {too_few(self.grounds)}"
-        by = f"depends on {self.decided_by}" if depends else self.decided_by
-        return f"{by}. {found}" if by else found
+        if self.verdict == "depends" and self.grounds.because in ("inputs", "base case"):
+            return f"{self._depends} {found}"
+        return f"{sentence(self.decided_by)} {found}" if self.decided_by else found
+
+    @property
+    def by_reading(self) -> list[tuple[str, str]]:
+        """Rows of a table: interpretations, and the result with them."""
+        return rows_by_reading(self.kind, self.grounds.readings)
 
     @property
     def why(self) -> str:
@@ -82,42 +105,36 @@ class Claim(ItemResult):
         if self.verdict == "not reproducible":
             return sentence(self.grounds.impossible or "the paper gives too little information")
         if self.grounds.readings:
-            return sentence(self._by_reading)
+            return self._by_reading
         if self.verdict == "depends":
             if self.grounds.because == "too few samples":
-                return f"True in {self._of_samples}. {too_few(self.grounds)}"
-            if not self.grounds.decided_by and self.grounds.because == "inputs":
-                return sentence(f"{self.decided_by} of inputs decides the outcome")
-            return f"Depends on {self.decided_by}."
+                return f"The claim is true in {self._of_samples}. {too_few(self.grounds)}"
+            return self._depends
         if self.published is not None:
             simulated, published = (f"{number(v)}{unit(self.unit)}" for v in (self.simulated, self.published))
             text = f"The simulation gives {simulated}; the published value is {published}"
             fitted = " An input was fitted to a published value." if self.verdict == "calibrated" else ""
             return f"{text} (error {share(self.error)}).{fitted}"
         if self.samples:
-            return f"True in {self._of_samples}."
+            return f"The claim is true in {self._of_samples}."
         if self.verdict == "calibrated":
-            return "True with a fitted input."
-        return (
-            f"{'True' if self.verdict == 'holds' else 'Not true'}; no unspecified input affects this claim."
-        )
+            return "The claim is true with a fitted input."
+        is_true = "is true" if self.verdict == "holds" else "is not true"
+        return f"The claim {is_true}, and no unspecified input affects it."
 
     @property
     def _of_samples(self) -> str:
         every = {1: "the only sample", 2: "both samples"}.get(
             self.samples or 0, f"all {self.samples} samples"
         )
-        some = {self.samples: every, 0: f"none of {counted(self.samples or 0, 'sample')}"}
+        some = {self.samples: every, 0: f"none of {self.samples} samples"}
         return some.get(self.met or 0, f"{self.met} of {self.samples} samples")
 
     @property
     def agreement(self) -> str:
-        """Number of samples that agree with the paper, in a sentence; "" without samples."""
-        if not self.samples:
-            return ""
-        chosen = "with the interpretation of the base case, " if self.grounds.readings else ""
-        agree = "agrees" if self.met in (0, 1) else "agree"
-        return sentence(f"{chosen}{self._of_samples} of the unspecified inputs {agree} with the paper")
+        """Number of samples that agree with the paper; "" without samples."""
+        chosen = ", with the interpretation of the base case" if self.grounds.readings else ""
+        return f"{self.met or 0} of {self.samples}{chosen}" if self.samples else ""
 
 
 def read_claims(db: sqlite3.Connection) -> list[Claim]:
@@ -130,17 +147,47 @@ def read_claims(db: sqlite3.Connection) -> list[Claim]:
 def _claim_of(row: dict[str, Any]) -> Claim:
     """Convert a row of the database."""
     grounds = Grounds.from_json(row["grounds"])
-    sentences = remarks(row["kind"], row["unit"], grounds)
+    results = _results(row["kind"], row["unit"], grounds)
     if row["margin"] is not None:
-        sentences.append(margin_in_words(row["margin"], row["margin_low"], row["margin_high"]))
+        results += margin_rows(row["margin"], row["margin_low"], row["margin_high"])
     low, high = row["share_low"], row["share_high"]
     return Claim(
         **{name: row[name] for name in AS_IT_IS},
         band=(round(100 * low), round(100 * high)) if low is not None else None,
-        sentences=sentences,
+        sentences=remarks(grounds),
+        results=results,
         options=[_by_option(of) for of in grounds.decided_by if of.by_option],
         grounds=grounds,
     )
+
+
+def _results(kind: Kind, unit: str, grounds: Grounds) -> list[tuple[str, str]]:
+    """Rows of the table of results, without samples and margins."""
+    rows = []
+    if grounds.together is not None:
+        rows.append(("Cases that meet this value, judged alone", alone_in_words(grounds.together)))
+    if grounds.settled is not None:
+        of = grounds.settled
+        after = f"more than {of.samples}" if of.after is None else f"{of.after}"
+        rows.append((f"Samples needed for the verdict at {100 * of.confidence:.0f} % confidence", after))
+    names = [f"“{influence.name}”" for influence in grounds.decided_by]
+    if grounds.decided_by and grounds.decided_by[0].total_effect is not None:
+        effects = (
+            f"{name} {100 * (of.total_effect or 0.0):.0f} %"
+            for name, of in zip(names, grounds.decided_by, strict=True)
+        )
+        rows.append(("Total effects on the outcome (variance-based)", ", ".join(effects)))
+    elif grounds.explained is not None and names:
+        rows.append(
+            (f"Variance of the outcome explained by {listed(names)}", f"{100 * grounds.explained:.0f} %")
+        )
+    elif grounds.explained is not None:
+        rows.append(
+            ("Inputs that explain the outcome better than chance", "none, with this number of samples")
+        )
+    for outcome in grounds.outcomes:
+        rows.append((outcome.name, "; ".join(result_of(kind, unit, outcome, grounds.together))))
+    return rows
 
 
 def _by_option(of: Influence) -> ByOption:
