@@ -25,6 +25,7 @@ from riserstudy.scene.paths import as_name
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
+from riserstudy.study.common_nodes import NODE_DIGITS, common_nodes
 from riserstudy.study.grid import Point
 from riserstudy.study.limits import add_limits, limited
 from riserstudy.study.modes import add_modes
@@ -44,7 +45,6 @@ ROUNDED = {"significant_digits": 10, "quantize_mode": "GranularBitRound"}
 # attempts to simulate a point: a parallel study may store the point without arrays that this study keeps
 ATTEMPTS = 3
 SMALL = 4096  # size in bytes up to which equal arrays of several points are stored once
-NODE_DIGITS = 6  # decimals (m) for the comparison of nodes of different meshes
 
 
 def results_of(
@@ -137,10 +137,9 @@ SHARED = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")  # dimensio
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """Dataset with the study's axes as dimensions, over the quantities of its runs.
 
-    Histories are at the requested stations. Values at nodes of different meshes are interpolated to the
-    finest of these meshes, by the shape functions of each mesh. For risers of different lengths, the nodes of
-    all risers are used, and a riser has no values above its top. Statistics of points are those of the runs
-    before interpolation.
+    Histories are at the requested stations. Values at nodes of different meshes are interpolated to common
+    nodes (`common_nodes`) by the shape functions of each mesh. A riser has no values above its top.
+    Statistics of points are those of the runs before interpolation.
     """
     import xarray as xr
 
@@ -233,13 +232,11 @@ def _stacked(results: list[Result]) -> xr.Dataset:
 
 
 def _on_common_nodes(results: list[Result]) -> list[Result]:
-    """Runs interpolated to the finest of their meshes, or to the nodes of all if risers differ in length."""
+    """Runs interpolated to common nodes, if their meshes differ."""
     meshes = {result.arrays["s_node"].tobytes(): result.arrays["s_node"] for result in results}
     if len(meshes) < 2:
         return results
-    nodes = max(meshes.values(), key=len).round(NODE_DIGITS)
-    if len({round(float(s[-1]), NODE_DIGITS) for s in meshes.values()}) > 1:
-        nodes = np.unique(np.concatenate([s.round(NODE_DIGITS) for s in meshes.values()]))
+    nodes = common_nodes([*meshes.values()])
     return [laid_on(result, nodes) for result in results]
 
 

@@ -15,7 +15,8 @@ from riserstudy.dataset.place import own_values, place
 from riserstudy.dataset.provenance import read_provenance, scene_file_of
 from riserstudy.digests import engine_digest
 from riserstudy.records.facts import point_columns
-from riserstudy.study.collect import NODE_DIGITS, laid_on, statistics
+from riserstudy.study.collect import laid_on, statistics
+from riserstudy.study.common_nodes import NODE_DIGITS
 from riserstudy.study.limits import uses
 from riserstudy.study.modes import modes_result, variables_of
 
