@@ -34,7 +34,7 @@ def test_without_an_accepted_claim_the_bound_is_that_of_none_among_so_many(count
     said = written(tmp_path, [row()] * count).sentences
     (bound,) = re.findall(r"up to (\d+) %", said)
     assert float(bound) == round(100.0 * (1.0 - 0.025 ** (1.0 / count)))
-    assert "accepts none" in said
+    assert "accept none" in said
     assert "rate is 0 %" in said
 
 
@@ -43,10 +43,13 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
     found = written(tmp_path, rows)
     said = found.sentences
     assert said.startswith(
-        "Of 10 deliberately false claims, 5 of them subtle, the grader accepts 2. 5 fail, "
+        "The checks of the claims were tested with 10 deliberately false claims, of which 5 are subtle. The "
+        "checks accept 2 of the false claims. 5 fail, "
     )
     assert "and 3 depend on unspecified inputs. The false-positive rate is 20 %" in said
-    assert said.endswith("For 7 of them, the same checks accept the original statement of the paper.")
+    assert said.endswith(
+        "Of the original claims, from which the false claims were made, the same checks accept 7."
+    )
     assert found.rows[0].share == "3 of 128"
     assert found.rows[0].how == "one sign changed"
 

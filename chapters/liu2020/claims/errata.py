@@ -155,11 +155,14 @@ def baselines(readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Wor
 
 def _true_with(claim: str, shares: dict[str, float]) -> str:
     """The share of samples in which a claim is true with each definition of the riser without tensioners."""
-    true = [f"“{model}” ({100 * share:.0f} %)" for model, share in shares.items() if share > 0.0]
+    true = [f"“{model}”" for model, share in shares.items() if share > 0.0]
+    found = [f"{100 * share:.0f} %" for share in shares.values() if share > 0.0]
     if not true:
         return f"Claim {claim} is true in no sample."
-    rest = "" if len(true) == len(shares) else ", and in none with the other definitions"
-    return f"Claim {claim} is true in samples with {listed(true)}{rest}."
+    only = "" if len(true) == len(shares) else "only "
+    noun, there = ("definition", "then") if len(true) == 1 else ("definitions", "with these")
+    named = f"Claim {claim} is true {only}with the {noun} {listed(true)}"
+    return f"{named}, {there} in {listed(found)} of the samples."
 
 
 def waves_on_the_riser(waves: xr.Dataset) -> dict[str, Any]:

@@ -29,13 +29,12 @@ from riserstudy.scene.origin import unwrap
 from riserstudy.scene.units import to_si
 
 CURRENT = 3.0  # m/s, in the tracks that errata quote
-NAMED = 2  # of many interpretations, only the nearest are named
 
 
 def readings_near(
     runs: xr.Dataset, heavy: float, light: float, moment: float, within: float
 ) -> dict[str, Any]:
-    """Interpretations within a share of each printed number, of their ratio, and of all of these.
+    """Number of interpretations near each printed number, their ratio, and all of these; the nearest of them.
 
     Parameters
     ----------
@@ -59,24 +58,14 @@ def readings_near(
 
 
 def _near(miss: xr.DataArray, within: float) -> str:
-    """Number of interpretations with an error of at most ``within``, and the names of the nearest."""
-    cells = miss.stack(reading=miss.dims)
-    near = cells[cells.values <= within]
-    near = near[near.values.argsort()]
-    if not near.size:
-        return "none"
-    names = "; ".join(_quoted(key) for key in near["reading"].values[:NAMED])
-    return f"{near.size} ({'the nearest are ' if near.size > NAMED else ''}{names})"
+    """Subject and verb on the number of combinations with an error of at most ``within``."""
+    near = int((miss <= within).sum())
+    count = f"{near} of {miss.size}" if near else f"None of {miss.size}"
+    return f"{count} combinations {'is' if near < 2 else 'are'}"
 
 
 def _of_reading(labels: tuple[str, ...]) -> str:
     return " / ".join(labels)
-
-
-def _quoted(labels: tuple[str, ...]) -> str:
-    """The name of an interpretation, in quotation marks if it has several words."""
-    name = _of_reading(labels)
-    return f"“{name}”" if " " in name else name
 
 
 def parts_of_samples(

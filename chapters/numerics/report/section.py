@@ -79,7 +79,10 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
     outcomes = Counter(map(str, stability["written_outcome"].values))
     met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
     text = listed(f"“{outcome}” ({number})" for outcome, number in outcomes.most_common())
-    return [f"{met} of {counted(count, 'hard case')} ended as expected. The outcomes are {text}."]
+    return [
+        f"{met} of {counted(count, 'hard case')} ended as expected of a sound engine. The outcomes, with the "
+        f"number of cases, are {text}."
+    ]
 
 
 def known(validation: xr.Dataset) -> str:
@@ -91,7 +94,10 @@ def known(validation: xr.Dataset) -> str:
     bad = validation.isel(row=~holds)
     named = [f"{n}, {q}" for n, q in zip(bad["name"].values, bad["quantity"].values, strict=True)]
     but = f" These do not agree: {'; '.join(named)}." if named else ""
-    return f"{met} results agree with a known value within the tolerance. The values come from {text}.{but}"
+    return (
+        f"{met} results agree with a known value within the tolerance. The sources of the known values are "
+        f"{text}.{but}"
+    )
 
 
 def stable_steps(steps: xr.Dataset) -> str:
@@ -105,7 +111,11 @@ def stable_steps(steps: xr.Dataset) -> str:
     return (
         "In explicit integration, the ratio of the longest stable time step to its prediction is "
         f"{' to '.join(dict.fromkeys(f'{float(end):.3f}' for end in (ratio.min(), ratio.max())))}. "
-        + (f"Too long are the predictions for {listed(named)}." if named else "No prediction is too long.")
+        + (
+            f"Too long are the predictions for {listed(named)}."
+            if named
+            else "A predicted time step is therefore never too long."
+        )
     )
 
 
@@ -121,8 +131,8 @@ def costs(effects: xr.Dataset) -> list[str]:
     spent = effects.attrs["cold_compile_core_seconds"]
     compiled = f"The engine has {effects.attrs['compiled_functions']} compiled functions"
     return [
-        f"The most expensive effects are {listed(named)}; the percentage is the highest share of the run "
-        "time in any scene.",
+        f"The most expensive effects are {listed(named)}. The percentage is the share of the run time in the "
+        "scene in which this share is highest.",
         f"{compiled}; compiling all of them takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
         else f"{compiled}. Their compile time is unknown, because some were compiled before the measurement.",
@@ -135,9 +145,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
     counts = (
-        f"The tolerance of {counted(count, 'random scene')} is {100 * requested:g} %. The engine refused "
-        f"{count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} took too long to be "
-        "judged"
+        f"{counted(count, 'random scene')} were run with a tolerance of {100 * requested:g} %. The engine "
+        f"refused {count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} took too long "
+        "to be judged"
     )
     if not ran.sizes["drawn"]:
         return [f"{counts}."]
@@ -158,9 +168,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            "The work of all refinements together is compared with the work of the cheapest uniform mesh and "
-            f"time step of equal error. The median of this ratio is {middle:.2g}, and in 95 % of the scenes "
-            f"it is at most {most:.2g}. In {counted(none, 'scene')} no tested setting requires less work."
+            "The work of all refinements is divided by the work of the cheapest single run of equal error, "
+            f"with a uniform mesh. The median of this ratio is {middle:.2g}. In 95 % of the scenes it is at "
+            f"most {most:.2g}. In {counted(none, 'scene')} no tested single run requires less work."
         )
     return lines
 
@@ -174,16 +184,15 @@ def long_runs(long: xr.Dataset) -> list[str]:
         for error, label in (("error_peak", PEAK), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
-                parts.append(f"No setting gives {label} with an error of at most {100 * WANTED:g} %.")
+                parts.append(f"No tested run gives {label} with an error of at most {100 * WANTED:g} %.")
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
-            published = f" The published run time is {duration(named, 3)}." if named == named else ""
+            published = f" The paper states a run time of {duration(named, 3)}." if named == named else ""
             parts.append(
-                f"After {duration(spent, 3)} of CPU time, {label} "
-                f"{'has an error of' if label == PEAK else 'have errors of at most'} "
-                f"{100 * float(best[error]):.2g} %. This run uses the setting “{best['candidate'].item()}”, "
-                f"{int(best['elements'])} segments and a time step of {float(best['asked_step']):g} s."
+                f"The cheapest run with {label} accurate to {100 * WANTED:g} % takes {duration(spent, 3)} of "
+                f"CPU time, with {counted(int(best['elements']), 'segment')} and a time step of "
+                f"{float(best['asked_step']):g} s."
             )
-        lines.append(f"Long simulation “{case}”: {' '.join(parts)}{published}")
+        lines.append(f"Long simulation “{case}”. {' '.join(parts)}{published}")
     return lines

@@ -58,9 +58,9 @@ def hard_cases(stability: xr.Dataset) -> Table:
             ]
         )
     about = (
-        "Each row is a case. Error and estimate refer to the scene as written. The columns of the methods "
-        "give the longest time step (s) that is accurate to 1 %, and the longest that is stable, on the mesh "
-        "of the default accuracy. A dash means that no tested time step is accurate or stable."
+        "Error and estimate are those of a run with the settings of the scene. For each method, two time "
+        "steps (s) are given: the longest that is accurate to 1 %, and the longest that is stable. They are "
+        "for the mesh of the default accuracy. A dash means that no tested time step is accurate, or stable."
     )
     columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)
@@ -83,9 +83,9 @@ def changes(effects: xr.Dataset) -> Table:
             cells = [Cell(str(scene)), Cell(str(change)), *map(_share, values), Cell(signed, _order(time))]
             rows.append([*cells, Cell(f"not possible: {sentences}" if sentences else "")])
     about = (
-        "In each row, an effect is removed from a scene (without) or added (with), on the same mesh and time "
-        "step. Columns: relative change of the largest displacement, moment and top tension, and of the run "
-        "time."
+        "Each row compares two runs of a scene on one mesh and time step, with and without one effect. The "
+        "columns give the relative change of the largest displacement, moment and top tension, and of the "
+        "run time."
     )
     columns = ["Scene", "Change", *map(str.capitalize, CHANGES.values()), "Time", "Remark"]
     return Table("Effects, one by one", about, columns, {2, 3, 4, 5}, rows)
@@ -113,8 +113,8 @@ def requests(accuracy: xr.Dataset) -> Table:
             ]
         )
     about = (
-        "Errors: the largest of displacement, moment and tension. Time: all runs, including those that find "
-        "mesh and time step."
+        "An error is the largest of the errors of displacement, moment and tension. The time includes the "
+        "runs that find mesh and time step."
     )
     columns = [
         "Scene",
@@ -138,8 +138,11 @@ def balances(energy: xr.Dataset) -> Table:
             scale = max(float(abs(of[name]).max()) for name in ("exchanged", "stored"))
             shares = [float(abs(of[n]).max()) / scale for n in ("numerical", "unexplained")]
             rows.append([Cell(str(case)), Cell(str(method)), *map(_share, shares)])
-    about = "Largest values over time, divided by the energy exchanged or stored."
-    columns = ["Case", "Method", "Dissipated by the method", "Unexplained"]
+    about = (
+        "Dissipated and residual energy: largest values over time, divided by the largest energy exchanged "
+        "or stored."
+    )
+    columns = ["Case", "Method", "Numerical dissipation", "Energy residual"]
     return Table("Energy", about, columns, {2, 3}, rows)
 
 
@@ -157,8 +160,8 @@ def known(validation: xr.Dataset) -> Table:
         words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
         rows.append([*words, *both, *allowed, verdict, Cell(text["because"])])
     about = (
-        "Every study repeats these comparisons. The error is the difference divided by the magnitude of the "
-        "reference. The last column gives the reason for the tolerance."
+        "These comparisons are repeated in every run of the chapter. The error is the difference divided by "
+        "the magnitude of the reference. The last column gives the reason for the tolerance."
     )
     columns = ["What", "Number", "Reference", "By", "Known", "Computed", "Error", "Tolerance"]
     return Table("Comparison with known results", about, [*columns, "Verdict", "Because"], {4, 5, 6, 7}, rows)

@@ -81,8 +81,9 @@ def _summary(rows: list[dict[str, str]]) -> str:
     rest = count - accepted - failing - undecided
     others = f" {rest} cannot be graded." if rest else ""
     return (
-        f"Of {counted(count, 'deliberately false claim')}, {subtle} of them subtle, the grader accepts "
-        f"{accepted or 'none'}. {failing} fail, and {undecided} depend on unspecified inputs.{others} "
-        f"The false-positive rate is {100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). "
-        f"For {believed} of them, the same checks accept the original statement of the paper."
+        f"The checks of the claims were tested with {counted(count, 'deliberately false claim')}, of which "
+        f"{subtle} are subtle. The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
+        f"and {undecided} depend on unspecified inputs.{others} The false-positive rate is "
+        f"{100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). Of the original claims, from "
+        f"which the false claims were made, the same checks accept {believed}."
     )

@@ -110,8 +110,8 @@ def _displaced(scene: Resolved, time: Array) -> Array | None:
 
 def _title(dataset: xr.Dataset, at: dict[str, Any]) -> str:
     about = str(dataset.attrs["title"]).partition(": ")[2]
-    chosen = [f"{axis.replace('_', ' ')} {_with_unit(dataset[axis], at[axis])}" for axis in at]
-    return "; ".join([about, *chosen])
+    chosen = [f"{axis.replace('_', ' ')}: {_with_unit(dataset[axis], at[axis])}" for axis in at]
+    return f"{about} ({'; '.join(chosen)})" if chosen else about
 
 
 def _with_unit(axis: xr.DataArray, value: Any) -> str:

@@ -128,19 +128,19 @@ def test_moments_are_small_or_not_below_the_depth_that_is_asked_for():
     assert not bool(small_below(runs, 150.0, 0.5).true)
 
 
-def test_readings_that_come_near_print_are_named():
+def test_readings_that_come_near_print_are_counted_and_the_nearest_is_named():
     print_of = {"heavy": 58.2, "light": 62.7, "moment": 52.0, "within": 0.02}
     runs = of_two_readings(heavy=(58.0, 40.0), light=(62.5, 43.1), moment=(70.0, 52.5))
     told = readings_near(runs, **print_of)
     assert told["count"] == 2
-    assert told["x_heavy"] == told["x_light"] == "1 (thin)"
-    assert told["moment"] == "1 (thick)"
-    assert told["ratio"] == "2 (thick; thin)"  # the nearer one first
-    assert told["all"] == "none"
+    assert told["x_heavy"] == told["x_light"] == told["moment"] == "1 of 2 combinations is"
+    assert told["ratio"] == "2 of 2 combinations are"
+    assert told["all"] == "None of 2 combinations is"
     assert told["best"] == "thick"
     assert told["worst"] == pytest.approx(1.0 - 40.0 / 58.2)
     met = readings_near(of_two_readings((58, 58), (62.5, 10), (52, 52)), **print_of)
-    assert met["all"] == "1 (thin)"
+    assert met["all"] == "1 of 2 combinations is"
+    assert met["best"] == "thin"
 
 
 def test_all_numbers_claims_and_errata_of_the_dossier_are_there():

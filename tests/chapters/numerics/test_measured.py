@@ -89,7 +89,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
     found["error_moment"][1] = 0.005
     said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
     assert said == f"The paper's run takes {float(found['cpu_seconds'][1]):.2g} s instead of 46 h"
-    assert section({"long_runs": found}).sentences[0].startswith("Long simulation “46 hours”: ")
+    assert section({"long_runs": found}).sentences[0].startswith("Long simulation “46 hours”. ")
 
 
 def key_of_random_scenes(found):
@@ -120,7 +120,7 @@ def test_a_request_is_judged_by_its_true_error_and_the_cheapest_that_errs_no_mor
     assert (
         section({"random_scenes": found})
         .sentences[0]
-        .startswith("The tolerance of 2 random scenes is 1 %. The engine refused none of them")
+        .startswith("2 random scenes were run with a tolerance of 1 %. The engine refused none of them")
     )
 
 
