@@ -32,8 +32,8 @@ def chang2020():
     gas = 1.4 * pull(rest) * area / (volume + area * rest)
     ratio = damping / (2.0 * sqrt((stiffness + gas) * mass))
     yield "E3", f"the gas volume becomes zero at a piston displacement of {-volume / 0.47:.1f} m"
-    yield "E3", f"the volume becomes zero at {-volume / (4.0 * area):.1f} m"
-    yield "E4", f"damping takes {2.0 * mass / damping:.0f} s to reduce it to 37 %"
+    yield "E3", f"the gas volume becomes zero at {-volume / (4.0 * area):.1f} m"
+    yield "E4", f"damping reduces to 37 % in {2.0 * mass / damping:.0f} s"
     yield "E5", f"which gives a damping ratio of {100.0 * ratio:.1f} %"
     yield "E5", f"would require a damping coefficient that is {0.05 / ratio:.0f} times as large"
     yield ("E15", f"four pistons is {4.0 * 2510.0 / mass:.1%}".replace("%", " %") + " of the riser's mass")
@@ -49,7 +49,7 @@ def liu2020():
         f"to {filled:.0f} kg/m and lengthen the lateral periods by {100 * (sqrt(filled / moved) - 1):.0f} %",
     )
     flooded, empty = dry - SEA * joint * (buoyed - bore), dry - SEA * joint * buoyed
-    yield "E9", f"a flooded joint has {flooded:.0f} kg in water, and an empty joint {empty:.0f} kg"
+    yield "E9", f"a joint has {flooded:.0f} kg in water if it is flooded, and {empty:.0f} kg if it is empty"
     annulus, piston = circle(0.56) - circle(0.23), circle(0.56)
 
     def pull(shorter):
@@ -58,8 +58,8 @@ def liu2020():
         return 6.0 * (high * annulus - low * piston) / G / 1e3 - 6.05
 
     yield "E14", f"pull {pull(0.0):.1f} t at mid-stroke"
-    yield "E14", f"do not pull if they are {brentq(pull, 0.0, 7.5):.2f} m shorter"
-    yield "E14", f"would push with {-pull(7.5):.1f} t"
+    yield "E14", f"pull is zero at a stroke of {brentq(pull, 0.0, 7.5):.2f} m in compression"
+    yield "E14", f"At 7.5 m they push with {-pull(7.5):.1f} t"
     yield "E14", f"compressed to {100 * (1.0 - piston * 7.5 / 2.25):.0f} % of its volume"
 
 

@@ -144,8 +144,9 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     requested, count = float(drawn.attrs["requested"]), drawn.sizes["drawn"]
     left = int(drawn["message"].str.startswith("not judged").sum())
     ran = drawn.isel(drawn=drawn["true"].notnull().values)
+    were = "was" if count == 1 else "were"
     counts = (
-        f"{counted(count, 'random scene')} were run with a tolerance of {100 * requested:g} %. The engine "
+        f"{counted(count, 'random scene')} {were} run with a tolerance of {100 * requested:g} %. The engine "
         f"refused {count - left - ran.sizes['drawn'] or 'none'} of them, and {left or 'none'} took too long "
         "to be judged"
     )
