@@ -26,11 +26,11 @@ A scene is a YAML file that describes one riser, its supports, its motions and i
 The command `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene, and the line
 of the scene that includes each effect.
 
-Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts
-them to SI. [Units](#units) lists the names of units. The engine refuses a bare number where a unit is
-required, a rotational stiffness without `/deg` or `/rad`, and a pressure without `absolute` or `gauge`. The
-engine also refuses `t` as a force (`tf` is a force).
-Elevations increase upwards from one datum of your choice; arclengths start at the lower end of the riser.
+Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts them
+to SI. [Units](#units) lists the names of units. The engine refuses a bare number where a unit is required, a
+rotational stiffness without `/deg` or `/rad`, and a pressure without `absolute` or `gauge`. The engine also
+refuses `t` (tonne) as a force; write `tf`. Elevations increase upwards from one datum of your choice;
+arclengths start at the lower end of the riser.
 
 Every value has an origin, which states where the value comes from. A value without a stated origin is
 *published* if the scene has the key `paper`, and *given* otherwise. Other origins are written with the value:
@@ -44,9 +44,9 @@ interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
 *Chosen* values do not describe the riser; examples are the datum of elevations and the outputs. The list
-`inputs` of a file in `config/published` contains the values that a paper prints. If a value in a scene of
-this paper has no stated origin, it must be in this list; a test checks this. A study can vary all *assumed*
-values together, over their ranges or options.
+`inputs` of a file in `config/published` contains the values that a paper prints. In a scene of this paper,
+every value without a stated origin must be in this list. A study can vary all *assumed* values together, over
+their ranges or options.
 
 A table can be given as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
 line of the CSV file gives the columns with their units, in any order. The tables have these columns:

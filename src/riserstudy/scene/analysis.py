@@ -30,7 +30,8 @@ class Layers(Strict):
 class Mesh(Strict):
     """Smallest number of segments. Segments have equal lengths within each section.
 
-    With ``layers`` the number is approximate, and segments become shorter towards an end that has a layer.
+    With ``layers`` the number of segments is approximate, and segments become shorter towards an end that has
+    a layer.
     """
 
     elements: Annotated[int, Field(ge=1, le=20000), WHOLE]
@@ -57,7 +58,7 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories, by default from the start of the run and at all nodes.
 
-    Extremes and limits are evaluated only from ``start`` on. ``stress_in`` names a section whose largest
+    Extremes and limits are evaluated from the time ``start`` on. ``stress_in`` names a section whose largest
     stress at the outer fibre is output over time.
     """
 
@@ -77,13 +78,14 @@ class Analysis(Strict):
     """Settings of the computation.
 
     Without ``duration`` only the static equilibrium is computed, with the platform at its position and the
-    whole current. Motions, waves, the ramp of the current, and wind, wave drift and thrusters of a vessel
-    then have no effect, and the run warns. By default the run starts from equilibrium; ``undeflected`` starts
-    from the equilibrium without current. Without mesh and time step, both are chosen for ``accuracy``, by
-    default 0.2 % of displacement and 1 % of moment. The default method is generalised-alpha with a spectral
-    radius of 0.8. The default solver uses lumped masses; ``hermite`` is a beam with small slopes.
-    ``newton_tolerance`` is the correction of positions at which Newton's iteration ends, in riser lengths, by
-    default 1e-9. A smaller value also reduces the limit for corrections of moments, by the same factor.
+    whole current. If the scene has motions, waves, a ramp of the current, or wind, wave drift or thrusters of
+    a vessel, these have no effect, and the run warns. By default the run starts from equilibrium;
+    ``undeflected`` starts from the equilibrium without current. If the scene gives no mesh and time step,
+    both are chosen for the tolerance ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The
+    default method is generalised-alpha with a spectral radius of 0.8. The default solver uses lumped masses;
+    ``hermite`` is a beam with small slopes. Newton's iteration ends when the correction of positions is
+    smaller than ``newton_tolerance`` times the length of the riser, by default 1e-9. A smaller value also
+    reduces the limit for corrections of moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

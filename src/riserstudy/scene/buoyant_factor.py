@@ -18,12 +18,12 @@ READINGS = {"R1": lambda b: (1.0 - b, 1.0 - b), "R2": lambda b: (b, b), "R3": la
 class Buoyancy(Strict):
     """Foam blocks around the riser, from which submerged weights and top tension are computed.
 
-    Let w be the weight in air of riser and contents per length, L the length of the riser, b the ``factor``
-    and e the ``tension_ratio``. For the effective tension at a distance h below the top, there are three
-    interpretations. In R1, it is (1 - b) w (e L - h), and the factor is the share of the weight that the
-    blocks carry. In R2, it is b w (e L - h), and the factor is the share of the weight that the blocks do not
-    carry. In R3, it is w (e L - b h): the factor has the meaning of R2, and the tension ratio refers to the
-    whole weight w L.
+    ``reading`` selects one of three interpretations of the ``factor`` b and the ``tension_ratio`` e. They
+    differ in the effective tension at a distance h below the top. In the formulas, w is the weight in air of
+    riser and contents per length, and L the length of the riser. In R1, the tension is (1 - b) w (e L - h),
+    and the blocks carry the share b of the weight. In R2, the tension is b w (e L - h), and the blocks carry
+    the share 1 - b. In R3, the tension is w (e L - b h); the blocks carry the share 1 - b, and the tension
+    ratio refers to the whole weight w L.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

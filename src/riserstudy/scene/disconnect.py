@@ -83,13 +83,13 @@ class Stack(Strict):
 class Disconnect(Strict):
     """At a time of the run, the wellhead releases the lower end of the riser with the body at this end.
 
-    With ``phase``, the release waits from that time on until the platform's heave has this phase. The phase
-    is 0 when the heave rises through its mean, and 90 deg at its maximum. The heave must be a single
-    harmonic. ``over`` is the time over which the force of the connector decreases. By default the release is
-    sudden, which sends steep wave fronts along an undamped riser. Without ``valve`` a constant top tension
-    does not change at the release; without ``recoil_valve`` the tensioners act as before. Without ``drain``
-    the contents stay in the riser. Without ``stack`` there is no contact: the LMRP can move through the
-    stack, with a warning.
+    With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
+    the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic. ``over``
+    is the time over which the force of the connector decreases. By default the disconnect is sudden, which
+    sends steep wave fronts along an undamped riser. Without ``valve`` a constant top tension does not change
+    at the disconnect; without ``recoil_valve`` the tensioners act as before. Without ``drain`` the contents
+    stay in the riser. Without ``stack`` there is no contact: the LMRP can move through the stack, with a
+    warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

@@ -14,14 +14,14 @@ from riserstudy.scene.tensioners import Tensioners
 
 
 class Areas(Strict):
-    """Drag areas C_D A of a body. A direction that is not given has no drag."""
+    """Drag areas C_D A of a body. In a direction whose area is not given, the body has no drag."""
 
     horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Area, NOT_NEGATIVE] | None = None
 
 
 class BodyAddedMass(Strict):
-    """Added mass of a body. A direction that is not given has no added mass."""
+    """Added mass of a body. In a direction whose value is not given, the body has no added mass."""
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Mass, NOT_NEGATIVE] | None = None
@@ -35,8 +35,8 @@ class Body(Strict):
     ``centre_below`` the body is a point at the riser's end. With ``centre_below`` the body turns rigidly with
     the lower end, and ``centre_below`` is the distance of its centre below the end. ``rotary_inertia`` refers
     to axes across the riser through the centre. If ``rotary_inertia`` is absent, it is zero. With
-    ``centre_below`` arclengths in results count from the body's centre of percussion; stations still count
-    from the riser's lower end.
+    ``centre_below``, arclengths in results start at the body's centre of percussion, but the ``stations`` of
+    the output start at the riser's lower end.
     """
 
     name: str
@@ -148,9 +148,9 @@ class TelescopicJoint(Strict):
     barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the
     joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
 
-    The stroke is the extension from ``length``, and the positions of the stops are extensions from it, too.
-    With ``mid_stroke: riser in equilibrium``, stroke and stops are measured from the length that the joint
-    has when the riser is vertical in still water, carried by its tensioners (the space-out).
+    The stroke and the positions of the stops are extensions from ``length``. With ``mid_stroke: riser in
+    equilibrium``, they are extensions from the length of the joint after the space-out: the riser is vertical
+    in still water, carried by its tensioners.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -185,16 +185,18 @@ class TensionLoss(Strict):
 
 
 class Top(Strict):
-    """Upper end. ``x`` (for x and y) and ``z`` state whether it follows the platform, is held, or is free.
+    """Upper end.
+
+    ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is free.
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
     free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
-    also has a platform, the top also has the horizontal first-order (wave-frequency) motions of the platform.
-    With ``z: platform`` the top also has the vertical first-order motions of the platform.
+    also has a ``platform``, its horizontal first-order (wave-frequency) motions are added. With ``z:
+    platform``, its vertical first-order motions are added, too.
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
     equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given. With
-    ``held_at_tension``, z is held at the height at which the static riser has this top tension. With a
+    ``held_at_tension``, the top is held at the height at which the static riser has this top tension. With a
     telescopic joint, the top is the upper end of the joint. Tension, tensioners, lateral force and body then
     act at the tension ring below the joint.
     """

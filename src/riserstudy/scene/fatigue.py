@@ -117,8 +117,9 @@ class Detail(Strict):
     inner or outer face of the wall, at which the stress by wall tension and bending is computed. For a detail
     at one end of a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided
     by the bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress
-    by tension is then neglected. ``stress_concentration`` multiplies this nominal stress. The default
-    thickness is the wall thickness of the section. Damage times ``safety_factor`` is the factored damage.
+    by tension is then neglected. The computed nominal stress is multiplied by ``stress_concentration``. The
+    default thickness is the wall thickness of the section. Damage times ``safety_factor`` is the factored
+    damage.
     """
 
     name: Annotated[str, Field(min_length=1)]
@@ -153,8 +154,8 @@ class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
     ``angles`` is the number of places around the wall at which damage is summed; the first place is on the
-    side of +x. Between two of these places, damage can be larger than at both, by a factor of at most cos(pi
-    / angles)^-m. Here m is the exponent of the stress range in the S-N curve.
+    side of +x. Between two neighbouring places, the damage can be larger than at these places, by a factor of
+    at most cos(pi / angles)^-m. Here m is the exponent of the stress range in the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

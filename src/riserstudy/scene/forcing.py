@@ -154,8 +154,8 @@ class Platform(Strict):
     and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) apply for the
     initial heading of the vessel, and phases for its initial place, even if the vessel drifts. A run warns if
     the vessel drifts by more than a tenth of the wavelength in the direction of the waves of the scene. With
-    a ``vessel``, a cruise and a position in surge or sway are not allowed; ``top.offset`` gives the initial
-    place of the vessel.
+    a ``vessel``, the engine refuses a cruise, and a position in surge or sway. ``top.offset`` then gives the
+    initial place of the vessel.
     """
 
     position: Position | None = None
@@ -279,7 +279,9 @@ class Combined(Strict):
 
 
 class Current(Strict):
-    """Steady current. By default it flows along x, and acts from the start of the run without a ramp.
+    """Steady current.
+
+    By default the current flows along x, and acts from the start of the run without a ramp.
 
     ``headings`` states whether headings are directions that the current flows to (towards, the default) or
     comes from. This key also applies to the ``direction`` of the points of the profile, which is given at all

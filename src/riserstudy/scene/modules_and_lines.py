@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 
 
 class Modules(Strict):
-    """Buoyancy modules of one joint. A section without ``joints`` counts as one joint.
+    """Buoyancy modules of one joint.
+
+    Mass and lift are values for one joint of the section. A section without ``joints`` counts as one joint.
 
     ``lift`` is the net lift of the modules in water, after subtraction of their own weight. Above the water,
     the weight of the modules is their mass times gravity.

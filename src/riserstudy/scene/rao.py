@@ -102,18 +102,18 @@ class Response(Strict):
 
     A table is given as ``{file: name.csv}``. ``phases`` states whether the phases of the RAOs are leads or
     lags, relative to the moment at which a wave crest is at the platform. The surface elevation at the
-    platform is a cos(w t - p), with the amplitude a and the angular frequency w of the wave. If the wave is
+    platform is a cos(w t - p), with the amplitude a, the angular frequency w and the phase p. If the wave is
     given in the response, p is the phase of this wave. If the scene gives the wave, p is the phase of the
-    wave plus k x. Here k is the wave number, and x is the distance from the origin to the platform in the
-    direction of the wave. This distance follows from the offset of the platform at rest and the distance that
-    a cruise has covered. Headings of RAOs state where waves travel to (towards) or come from; between
-    headings, RAOs are interpolated linearly. The rows of the table can be in any order. With ``symmetry``,
-    the response to missing headings is mirrored from the response to given headings, about the x-z plane
-    (sides), or also about the y-z plane (sides and ends). ``beyond`` defines the response to waves with
-    periods outside the range of the RAOs. With ``hold`` the end values of the RAOs apply, with ``zero`` there
-    is no motion, and with ``refuse`` (the default) the wave is refused. A warning states the share of the
-    wave energy at periods outside the range. By default the wave of the scene acts, all motions of the table
-    are used, and there is no ramp. A wave that is given in the response travels along x by default.
+    wave plus k x. Here k is the wave number, and x is the position of the platform in the direction of the
+    wave. The position includes the offset of the platform at rest, and the distance that a cruise has
+    covered. Headings of RAOs state where waves travel to (towards) or come from; between headings, RAOs are
+    interpolated linearly. The rows of the table can be in any order. With ``symmetry``, the response to a
+    missing heading is the mirrored response to a given heading: about the x-z plane (sides), or also about
+    the y-z plane (sides and ends). ``beyond`` defines the response to waves with periods outside the range of
+    the RAOs. With ``hold`` the end values of the RAOs apply, with ``zero`` there is no motion, and with
+    ``refuse`` (the default) the wave is refused. A warning states the share of the wave energy at periods
+    outside the range. By default the response is to the wave of the scene, all motions of the table are used,
+    and there is no ramp. A wave that is given in the response travels along x by default.
     """
 
     operators: Annotated[list[Operator], Field(min_length=2)]

@@ -94,11 +94,12 @@ def _must_rise(frequencies: list[float]) -> None:
 class InLineExcitation(Strict):
     """Varying drag due to vortices; its phase synchronises with the riser's velocity along the flow.
 
-    ``coefficient`` is C_x: the varying drag per length has the amplitude C_x rho D / 2 times the squared flow
-    speed. C_x is not known; values of 0.1 to 1 are plausible assumptions. ``frequencies`` lists the lowest
-    frequency, the frequency at which force and velocity are in phase, and the highest frequency, as multiples
-    of speed divided by diameter. These frequencies are about twice the frequencies across the flow. The
-    values 0.22, 0.36 and 0.52 are assumptions, each with a range of ±25 %.
+    The varying drag per length has the amplitude C_x rho D / 2 times the squared flow speed, and
+    ``coefficient`` is C_x. The value of C_x is not known; values of 0.1 to 1 are plausible assumptions.
+    ``frequencies`` lists the lowest frequency, the frequency at which force and velocity are in phase, and
+    the highest frequency, as multiples of flow speed divided by diameter. These frequencies are about twice
+    the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, each with a range of ±25
+    %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -113,17 +114,17 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    A lift force acts across the flow relative to the pipe: C_v rho D / 2 times the squared speed. Its phase
-    synchronises with the velocity of the riser. The model requires drag across the pipe, which limits the
-    amplitude. The scene is then solved in three dimensions.
+    A lift force of C_v rho D / 2 times the squared flow speed acts across the flow relative to the pipe. The
+    phase of the lift force synchronises with the velocity of the riser. The model requires drag across the
+    pipe, which limits the amplitude. A scene with this model is solved in three dimensions.
 
-    ``coefficient`` is C_v, with a published value of 1.2. ``frequencies`` lists the lowest frequency, the
-    frequency at which force and velocity are in phase, and the highest frequency, as multiples of speed
-    divided by diameter. The published values are 0.11, 0.18 and 0.26. ``memory`` is the distance, in
-    diameters, that the water flows past the pipe while the mean squares of the motion are averaged; for
-    example 20. ``seed`` determines the initial phases, which vary smoothly along the riser. ``ramp`` is the
-    time over which the lift increases, by default ten shedding periods in the fastest current. ``in_line``
-    adds an excitation along the flow; by default there is none.
+    ``coefficient`` is C_v, with a published value of 1.2. ``frequencies`` lists three frequencies of the lift
+    force, as multiples of flow speed divided by diameter. They are the lowest frequency, the frequency at
+    which force and velocity are in phase, and the highest frequency. The published values are 0.11, 0.18 and
+    0.26. The mean square of the motion is averaged while the water flows ``memory`` diameters past the pipe,
+    for example 20. ``seed`` determines the initial phases, which vary smoothly along the riser. ``ramp`` is
+    the time over which the lift increases, by default ten shedding periods in the fastest current.
+    ``in_line`` adds an excitation along the flow; by default there is none.
     """
 
     model: Literal["synchronisation"]
@@ -151,11 +152,11 @@ class Contents(Strict):
 
     The mass of the fluid moves with the pipe only in directions across the pipe.
 
-    If ``contents`` are absent, no weight of contents is added. For a bore that is open to the sea, give sea
-    water as contents, or include its weight in ``submerged_weight``. The contents reach up to ``level``, by
-    default to the upper end of the highest section with contents. The gauge pressure of the contents on the
-    wall is the static pressure of this column. If a section between two sections with contents has none, the
-    pressure below this section is not known, so the von Mises stress there is not computed.
+    If the bore is open to the sea, give sea water as contents, or include its weight in ``submerged_weight``.
+    The contents reach up to ``level``, by default to the upper end of the highest section with contents. The
+    gauge pressure of the contents on the wall is the static pressure of the column up to this level. If an
+    intermediate section has no contents, the pressure below this section is unknown, and the von Mises stress
+    there is not computed.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -192,34 +193,33 @@ class Section(Strict):
     """A length of riser with uniform properties. Sections are listed from the bottom up.
 
     The stiffness is given, or follows from modulus and diameters; a section without bending stiffness is a
-    string. The mass is given, or follows from the density of the wall. If at least one section has a shear
-    modulus, the torsion of the riser resists the yaw of a vessel; sections without a shear modulus are then
-    rigid in torsion. Mass, drag, tangential drag, added mass, vortex-induced vibration, contents, damping,
-    load, joint and guide are zero or not present if they are not given.
+    string. The mass is given, or follows from the density of the wall; without both, it is zero. If at least
+    one section has a shear modulus, the torsion of the riser resists the yaw of a vessel; sections without a
+    shear modulus are then rigid in torsion. Drag, added mass, contents and all other parts that are not given
+    are zero or absent.
 
-    ``submerged_weight`` excludes ``contents``. This weight is the weight of the pipe and everything fixed to
-    it, minus the weight of the water that its *outer* surface displaces. An example is a bare pipe with
-    diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81
-    m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
-    2153.4 N/m. If the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with
-    contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter,
-    gravity and water; above the water surface, no displaced water is subtracted. The scene is then refused if
-    one of these inputs is missing, or if the inner diameter or the contents are missing. A section that
-    reaches through the water surface is divided at the surface if ``submerged_weight`` is absent, or if the
-    section has modules or lines. The upper part is called ``<name>, above water``; the weight of the water
-    that its outer diameter would displace is added to a given ``submerged_weight``. For a section that is
-    wholly above the water, give the weight in air.
+    ``submerged_weight`` is the weight of the pipe and of everything fixed to it, without ``contents``, minus
+    the weight of the water that the *outer* surface displaces. An example is a bare pipe with diameters of 21
+    in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, its
+    submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m. If
+    the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with contents of 1025
+    kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter, gravity and water;
+    above the water surface, no displaced water is subtracted. This computation also requires the inner
+    diameter and the contents; without them, the engine refuses the scene. A section that crosses the water
+    surface is divided at the surface if ``submerged_weight`` is absent, or if the section has modules or
+    lines. The upper part is named ``<name>, above water``. Since it displaces no water, the weight of the
+    water that its outer diameter would displace is added to a given ``submerged_weight``. For a section that
+    is wholly above the water, give the weight in air.
 
     ``buoyancy_lift`` is the net lift of buoyancy modules in water, which ``submerged_weight`` already
-    includes. ``buoyancy_lift`` has no effect on the simulation. The formula for the minimum tension requires
-    this lift, because the formula treats steel and modules separately. If ``buoyancy_lift`` is absent, the
-    lift is unknown, and the formula is not evaluated.
+    includes. ``buoyancy_lift`` has no effect on the simulation. Only the formula for the minimum tension
+    requires it, because this formula treats steel and modules separately. Without ``buoyancy_lift``, the
+    formula is not evaluated.
 
-    ``modules`` and ``lines`` are given separately from the pipe. The given mass, weight and stiffness of the
-    section then refer to the pipe alone. The engine adds the mass, weight and stiffness of modules and lines.
-    The lift of the modules becomes ``buoyancy_lift``; if any section has modules, the lift of sections
-    without modules is zero. The given diameters for drag and added mass apply to pipe, modules and lines
-    together.
+    If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
+    The engine adds the mass, weight and stiffness of modules and lines. The lift of the modules becomes
+    ``buoyancy_lift``; if any section has modules, ``buoyancy_lift`` of sections without modules is zero. The
+    given diameters for drag and added mass apply to pipe, modules and lines together.
     """
 
     name: str

@@ -94,7 +94,7 @@ class WindDrift(Strict):
     the riser: the part along the wind, the part across the wind, the magnitude, or both parts. Integrated
     over depth, only the part across the wind transports water; the part along the wind sums to zero. With
     ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
-    wind in the northern ``hemisphere``, and to the left in the southern.
+    wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

@@ -18,9 +18,9 @@ from riserstudy.scene.damping import DampingAtPeriod
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    Undrained shear strength increases linearly with depth. The curve is infinitely stiff at its origin. A
-    straight line therefore replaces the curve up to the fraction ``straight_up_to`` of y50, the displacement
-    at half of the ultimate resistance.
+    The undrained shear strength increases linearly with depth. A p-y curve is infinitely stiff at zero
+    displacement. Up to a small displacement, a straight line therefore replaces the curve. This displacement
+    is ``straight_up_to`` times y50, the displacement at half of the ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -40,9 +40,10 @@ class ElasticSoil(Strict):
 class Sand(Strict):
     """Sand by the p-y curves of API RP 2A: p = A p_u tanh(k X y / (A p_u)) at the depth X.
 
-    ``friction_angle`` is the angle of internal friction. p_u is the ultimate resistance, y the displacement
-    and D the diameter of the conductor. ``initial_modulus`` is k, the increase of the soil stiffness with
-    depth. A is 0.9 under cyclic loading. Under static loading, A is 3 - 0.8 X / D, and at least 0.9.
+    In the formula, p_u is the ultimate resistance, y the displacement, and k (``initial_modulus``) the
+    increase of the soil stiffness with depth. The factor A is 0.9 under cyclic loading. Under static loading,
+    A is 3 - 0.8 X / D with the diameter D of the conductor, and at least 0.9. ``friction_angle`` is the angle
+    of internal friction.
     """
 
     friction_angle: Annotated[u.Angle, Field(gt=0, lt=math.radians(50.0))]
@@ -62,10 +63,10 @@ class ResistanceAt(Strict):
 class TabulatedSoil(Strict):
     """p-y curves as a table: rows for several depths, with increasing displacements at each depth.
 
-    Between its points a curve is a monotone cubic that starts at zero; beyond the last point it is constant.
-    Between two depths the resistance is interpolated linearly. The spring at a node has the mean
-    resistance over the part of the conductor that it represents. The table must reach from the mudline to
-    the lower end of the conductor.
+    Between the points of a p-y curve, the resistance is a monotone cubic function that starts at zero. Beyond
+    the last point it is constant. Between two depths the resistance is interpolated linearly. Each node
+    represents a part of the conductor, and its spring has the mean resistance over this part. The table must
+    reach from the mudline to the lower end of the conductor.
     """
 
     table: Annotated[list[ResistanceAt], Field(min_length=1)]
@@ -103,9 +104,10 @@ class SoilDamping(DampingAtPeriod):
     """Dashpots parallel to the soil springs, which represent the hysteresis of the soil.
 
     ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a cycle
-    with the period ``at_period`` and the displacement ``at_displacement``, a spring and its dashpot dissipate
-    4 pi ``ratio`` times the energy that a linear spring with the secant stiffness stores. At longer periods,
-    the energy loss of a dashpot decreases, while the energy loss of hysteresis would remain the same.
+    with the period ``at_period`` and the amplitude ``at_displacement``, a spring and its dashpot dissipate 4
+    pi ``ratio`` times the elastic energy. The elastic energy is the energy of a linear spring with the secant
+    stiffness. At longer periods, a dashpot dissipates less energy per cycle, but the hysteresis of real soil
+    does not.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

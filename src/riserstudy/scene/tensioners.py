@@ -65,8 +65,8 @@ class Pistons(Strict):
 class TwoChamberGas(Strict):
     """Two gas chambers per cylinder.
 
-    The high pressure causes the pull of the cylinder. The low pressure and the weight of the pistons reduce
-    this pull.
+    The gas at high pressure causes the pull of the cylinder. The gas at low pressure and the weight of the
+    pistons reduce this pull.
 
     Without ``pistons``, the pistons have neither weight nor mass.
     """
@@ -172,7 +172,7 @@ class Failing(Strict):
 
 
 class Tensioners(Strict):
-    """Equal cylinders between tension ring and deck. By default they have no damping and no stops.
+    """Equal cylinders between tension ring and deck. By default the cylinders have no damping and no stops.
 
     ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. In this state the
     riser is vertical in still water, at an offset of zero. The riser is either unstretched, or in equilibrium

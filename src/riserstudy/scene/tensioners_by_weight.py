@@ -13,8 +13,8 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of cylinders as a ratio of critical damping.
 
-    Critical damping is computed for the suspended weight as one mass on a spring, which has the stiffness of
-    the cylinders.
+    Critical damping is computed for a single mass on a spring: the mass of the suspended weight, on the
+    stiffness of the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]

@@ -71,12 +71,12 @@ class Thrusters(Strict):
     """Thrust G (x_c - x) - D v towards the commanded place x_c, measured from the point above the well.
 
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
-    refer to the directions of the hull in its initial position. By default the commanded place is along x.
-    Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation`` the thrust is
-    unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. Without ``rise``
-    the command acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). Without ``lag`` the
-    thrust follows immediately; with ``lag``, the thrust follows with this time constant. Without ``sway``
-    there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
+    refer to the directions of the hull in its initial position. Without ``heading``, the commanded place is
+    on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation`` the
+    thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions.
+    Without ``rise`` the command acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise).
+    Without ``lag`` the thrust follows immediately; with ``lag``, the thrust follows with this time constant.
+    Without ``sway`` there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -100,8 +100,8 @@ class Sway(Strict):
 class Yaw(Strict):
     """Freedom to rotate about the vertical axis through the riser's top.
 
-    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. The riser resists as a spring if
-    its sections have a shear modulus.
+    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. If the sections of the riser have
+    a shear modulus, the riser resists the yaw like a spring.
     """
 
     inertia: Annotated[u.Inertia, POSITIVE]
@@ -115,7 +115,7 @@ class Coupling(Strict):
     With ``staggered``, the platform first moves over each interval under the riser's force at the start of
     the interval. Then the riser is simulated with this motion of the platform. With ``iterated``, the
     interval is repeated with the new force of the riser, until the motion of the platform changes by less
-    than ``tolerance``. By default ``tolerance`` is the tolerance of Newton's iteration.
+    than ``tolerance``. The default of ``tolerance`` is the tolerance of Newton's iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -164,15 +164,15 @@ class Vessel(Strict):
 
     Added mass, hull drag (from the velocity relative to the surface current), wind, wave drift and thrusters
     are zero if not given. Without ``sway`` the vessel moves only along x, and without ``yaw`` it keeps its
-    heading. Without ``heading`` its hull is along x. If all loads act along x, the vessel does not sway or
-    turn, and these degrees of freedom are removed. Without ``coupling``, platform and riser are solved as
-    one system.
+    heading. Without ``heading`` the hull is along x. If all loads act along x, the vessel does not sway or
+    turn, and these degrees of freedom are removed. Without ``coupling``, platform and riser are solved as one
+    system.
 
     A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
     motion of the vessel. The riser's top, deck and tension ring move with the sum of both motions. Hull drag,
-    inertia and thrusters respond only to the slow motion. The mean wave drift that is given here is a
-    constant force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` are the slow motion,
-    ``platform_surge`` and ``platform_sway`` the sum.
+    inertia and thrusters respond only to the slow motion. The mean wave drift of the vessel is a constant
+    force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
+    ``platform_surge`` and ``platform_sway`` give the sum.
     """
 
     mass: Annotated[u.Mass, POSITIVE]

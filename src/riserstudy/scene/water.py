@@ -12,10 +12,10 @@ from riserstudy.scene.base import POSITIVE
 
 
 class Water(Strict):
-    """The sea. Without this key there is no drag, added mass, current or waves.
+    """The sea. Without ``water`` there is no drag, added mass, current or waves.
 
-    Waves require the elevations of mean level and seabed, and so do current profiles without their own
-    elevations.
+    Waves require the elevations ``surface`` and ``seabed``. Current profiles that give no elevations also
+    require them.
     """
 
     density: Annotated[u.Density, POSITIVE]
