@@ -22,7 +22,7 @@ class Buoyancy(Strict):
     differ in the effective tension at a distance h below the top. In the formulas, w is the weight in air of
     riser and contents per length, and L the length of the riser. In R1, the tension is (1 - b) w (e L - h),
     and the blocks carry the share b of the weight. In R2, the tension is b w (e L - h), and the blocks carry
-    the share 1 - b. In R3, the tension is w (e L - b h); the blocks carry the share 1 - b, and the tension
+    the share 1 - b. In R3, the tension is w (e L - b h). The blocks carry the share 1 - b, but the tension
     ratio refers to the whole weight w L.
     """
 

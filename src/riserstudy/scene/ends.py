@@ -149,8 +149,8 @@ class TelescopicJoint(Strict):
     joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
 
     The stroke and the positions of the stops are extensions from ``length``. With ``mid_stroke: riser in
-    equilibrium``, they are extensions from the length of the joint after the space-out: the riser is vertical
-    in still water, carried by its tensioners.
+    equilibrium``, they are extensions from the length of the joint after the space-out. The riser is then
+    vertical in still water, carried by its tensioners.
     """
 
     length: Annotated[u.Length, POSITIVE]

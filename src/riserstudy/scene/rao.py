@@ -108,7 +108,7 @@ class Response(Strict):
     wave. The position includes the offset of the platform at rest, and the distance that a cruise has
     covered. Headings of RAOs state where waves travel to (towards) or come from; between headings, RAOs are
     interpolated linearly. The rows of the table can be in any order. With ``symmetry``, the response to a
-    missing heading is the mirrored response to a given heading: about the x-z plane (sides), or also about
+    missing heading is the mirrored response to a given heading. The mirror is the x-z plane (sides), or also
     the y-z plane (sides and ends). ``beyond`` defines the response to waves with periods outside the range of
     the RAOs. With ``hold`` the end values of the RAOs apply, with ``zero`` there is no motion, and with
     ``refuse`` (the default) the wave is refused. A warning states the share of the wave energy at periods

@@ -96,10 +96,9 @@ class InLineExcitation(Strict):
 
     The varying drag per length has the amplitude C_x rho D / 2 times the squared flow speed, and
     ``coefficient`` is C_x. The value of C_x is not known; values of 0.1 to 1 are plausible assumptions.
-    ``frequencies`` lists the lowest frequency, the frequency at which force and velocity are in phase, and
-    the highest frequency, as multiples of flow speed divided by diameter. These frequencies are about twice
-    the frequencies across the flow. The values 0.22, 0.36 and 0.52 are assumptions, each with a range of ±25
-    %.
+    ``frequencies`` lists three frequencies as multiples of flow speed divided by diameter, as for vibration
+    across the flow. These frequencies are about twice the frequencies across the flow. The values 0.22, 0.36
+    and 0.52 are assumptions, each with a range of ±25 %.
     """
 
     coefficient: Annotated[float, POSITIVE]
@@ -198,18 +197,18 @@ class Section(Strict):
     shear modulus are then rigid in torsion. Drag, added mass, contents and all other parts that are not given
     are zero or absent.
 
-    ``submerged_weight`` is the weight of the pipe and of everything fixed to it, without ``contents``, minus
-    the weight of the water that the *outer* surface displaces. An example is a bare pipe with diameters of 21
-    in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, its
-    submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m. If
-    the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with contents of 1025
-    kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter, gravity and water;
-    above the water surface, no displaced water is subtracted. This computation also requires the inner
-    diameter and the contents; without them, the engine refuses the scene. A section that crosses the water
-    surface is divided at the surface if ``submerged_weight`` is absent, or if the section has modules or
-    lines. The upper part is named ``<name>, above water``. Since it displaces no water, the weight of the
-    water that its outer diameter would displace is added to a given ``submerged_weight``. For a section that
-    is wholly above the water, give the weight in air.
+    ``submerged_weight`` is the weight of the pipe and of everything fixed to it, minus the weight of the
+    water that the *outer* surface displaces. It excludes ``contents``. An example is a bare pipe with
+    diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81
+    m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
+    2153.4 N/m. If the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with
+    contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter,
+    gravity and water; above the water surface, no displaced water is subtracted. This computation also
+    requires the inner diameter and the contents; without them, the engine refuses the scene. A section that
+    crosses the water surface is divided at the surface if ``submerged_weight`` is absent, or if the section
+    has modules or lines. The upper part is named ``<name>, above water``. Since it displaces no water, the
+    weight of the water that its outer diameter would displace is added to a given ``submerged_weight``. For a
+    section that is wholly above the water, give the weight in air.
 
     ``buoyancy_lift`` is the net lift of buoyancy modules in water, which ``submerged_weight`` already
     includes. ``buoyancy_lift`` has no effect on the simulation. Only the formula for the minimum tension
