@@ -26,9 +26,9 @@ from riserstudy.solve.hermite_kernels import (
     Sea,
     Steps,
     factorise,
-    flow,
     march,
     pin,
+    section_forces,
     substitute,
 )
 
@@ -37,16 +37,10 @@ POINT, WEIGHT = np.polynomial.legendre.leggauss(4)
 POINT, WEIGHT = (POINT + 1.0) / 2.0, WEIGHT / 2.0
 
 
-def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilibrium") -> Response:
+def statics(beam: Beam) -> Response:
     """Equilibrium under load, current and the ends' motion at time zero.
 
     Without velocity the drag does not depend on u, so Newton's method needs one step.
-
-    Parameters
-    ----------
-    beam : Beam
-    recovery : {"equilibrium", "curvature"}
-        See `dynamics`.
 
     Raises
     ------
@@ -57,8 +51,9 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
     fixed, forced = _prescribed(beam, np.zeros(1))
     u, still = np.zeros((2, 2 * len(beam.s)))
     u[fixed] = forced[0, :, 0]
-    calm = _flows(mesh, _sea(beam, mesh), np.zeros(1), still[None])
-    force = mesh.force + _add(_on_elements(mesh, calm, still)[0]) - _times(mesh.stiffness_band, u)
+    sea = _sea(beam, mesh)
+    drag = np.einsum("eg,egi->ei", mesh.strength * np.abs(sea.current) * sea.current, mesh.value)
+    force = mesh.force + _add(drag) - _times(mesh.stiffness_band, u)
     for dof in fixed:
         pin(mesh.stiffness_band, force, dof)
     diagonal = mesh.stiffness_band[:, 0].copy()
@@ -73,9 +68,9 @@ def statics(beam: Beam, recovery: Literal["equilibrium", "curvature"] = "equilib
         )
     substitute(mesh.stiffness_band, force)
     u += force
-    moment, shear = _section_forces(
-        beam, mesh, calm, (u[None], still[None], still[None]), (0.0, 0.0), recovery
-    )
+    motion = np.stack([u, still, still])[:, None]
+    tension = np.ascontiguousarray(beam.tension)
+    moment, shear = section_forces(mesh, sea, np.zeros(1), motion, tension, 0.0, 0.0)
     return Response(np.empty(0), u[::2], u[1::2], moment[0], shear[0], 1)
 
 
@@ -120,7 +115,6 @@ def dynamics(
     stepping: Stepping = Stepping(),  # noqa: B008  a record that nobody can change
     *,
     start: Literal["equilibrium", "still water", "straight"] = "equilibrium",
-    recovery: Literal["equilibrium", "curvature"] = "equilibrium",
 ) -> Response:
     """Motion from rest by Newmark's method, from static equilibrium, equilibrium in still water, or straight.
 
@@ -135,11 +129,6 @@ def dynamics(
     start : {"equilibrium", "still water", "straight"}
         Shape at time zero. On the last two, current and waves act as a step. A straight beam is upright, so
         an end that is held elsewhere jumps.
-    recovery : {"equilibrium", "curvature"}
-        ``equilibrium``: moment and shear from the elements' end forces, which balance load, drag
-        and inertia (fourth order) and include Rayleigh damping. ``curvature``: EI times the derivatives of
-        the cubic at a node, as the mean of the adjacent elements (second order for the moment, first for the
-        shear).
 
     Raises
     ------
@@ -164,14 +153,15 @@ def dynamics(
     sea = _sea(beam, mesh)
     drag, most = DRAG.index(stepping.drag), stepping.iterations
     steps = Steps(grid[1], each, stepping.beta, stepping.gamma, drag, stepping.tolerance, most)
-    (u, v, a), taken, failed = march(mesh, sea, damping, first, _prescribed(beam, grid), steps)
+    motion, taken, failed = march(mesh, sea, damping, first, _prescribed(beam, grid), steps)
     if failed >= 0:
         raise HermiteError(
             f"t = {grid[failed]:.6g} s: not converged in {most} iterations or not finite;"
             " reduce the step, or use drag='newton', beta 1/4, gamma 1/2"
         )
-    flows = _flows(mesh, sea, times, u)
-    moment, shear = _section_forces(beam, mesh, flows, (u, v, a), stepping.rayleigh, recovery)
+    tension = np.ascontiguousarray(beam.tension)
+    moment, shear = section_forces(mesh, sea, times, motion, tension, *stepping.rayleigh)
+    u = motion[0]
     return Response(times, u[:, ::2], u[:, 1::2], moment, shear, taken)
 
 
@@ -269,28 +259,6 @@ def _sea(beam: Beam, mesh: Mesh) -> Sea:
     return sea
 
 
-def _flows(mesh: Mesh, sea: Sea, times: Array, u: Array) -> tuple[Array, Array]:
-    """Velocity and inertia force of the water at the Gauss points at displacements u, each (time, n, 4)."""
-    water, push = np.zeros((2, len(times), *sea.current.shape))
-    for k, t in enumerate(times):
-        flow(mesh, sea, t, u[k], water[k], push[k])
-    return water, push
-
-
-def _on_elements(mesh: Mesh, flows: tuple[Array, Array], v: Array) -> Array:
-    """Element vectors (time, n, 4) of the water's forces at nodal velocities v (..., 2n + 2)."""
-    water, push = flows
-    relative = water - np.einsum("egi,...ei->...eg", mesh.value, _gather(v))
-    force = mesh.strength * np.abs(relative) * relative + push
-    return np.asarray(np.einsum("...eg,egi->...ei", force, mesh.value))
-
-
-def _gather(nodal: Array) -> Array:
-    """Element vectors (..., n, 4) from nodal vectors (..., 2n + 2)."""
-    pairs = nodal.reshape(*nodal.shape[:-1], -1, 2)
-    return np.concatenate([pairs[..., :-1, :], pairs[..., 1:, :]], axis=-1)
-
-
 def _add(element: Array) -> Array:
     """The nodal vector (2n + 2,) assembled from element vectors (n, 4)."""
     nodal = np.zeros(2 * len(element) + 2)
@@ -322,39 +290,3 @@ def _dense(band: Array) -> Array:
     """The full matrix of a band."""
     upper = sum(np.diag(band[: len(band) - k, k], k) for k in range(4))
     return np.asarray(upper + np.triu(upper, 1).T)
-
-
-def _section_forces(
-    beam: Beam,
-    mesh: Mesh,
-    flows: tuple[Array, Array],
-    motion: tuple[Array, Array, Array],
-    rayleigh: tuple[float, float],
-    recovery: str,
-) -> tuple[Array, Array]:
-    """Moment and shear at the nodes, each (time, n + 1), from displacements, velocities, accelerations."""
-    u, v, a = motion
-    if recovery not in ("equilibrium", "curvature"):
-        raise HermiteError(f"recovery {recovery!r} must be equilibrium or curvature")
-    ends, local = np.array([0.0, 1.0]), _gather(u)
-
-    def derivative(order: int) -> Array:
-        return np.asarray(np.einsum("egi,tei->teg", _shapes(beam, order, ends), local))
-
-    if recovery == "curvature":
-        curve = derivative(2)
-        rate = np.diff(beam.bending_stiffness, axis=1) / np.diff(beam.s)[:, None]
-        shear = -beam.bending_stiffness * derivative(3) - rate * curve
-        return _mean(beam.bending_stiffness * curve), _mean(shear)
-    force = np.einsum("eij,tej->tei", mesh.stiffness, _gather(u + rayleigh[1] * v))
-    force -= mesh.loads + _on_elements(mesh, flows, v)
-    force += np.einsum("eij,tej->tei", mesh.mass, _gather(a + rayleigh[0] * v))
-    moment = np.stack([-force[..., 1], force[..., 3]], axis=-1)
-    lateral = np.stack([-force[..., 0], force[..., 2]], axis=-1)
-    return _mean(moment), _mean(lateral - beam.tension * derivative(1))
-
-
-def _mean(ends: Array) -> Array:
-    """Nodal means (time, n + 1) of element end values (time, n, 2)."""
-    inner = 0.5 * (ends[:, :-1, 1] + ends[:, 1:, 0])
-    return np.concatenate([ends[:, :1, 0], inner, ends[:, -1:, 1]], axis=1)

@@ -270,3 +270,43 @@ def march(
             stored = step // steps.each
             history[0, stored], history[1, stored], history[2, stored] = u, v, a
     return history, most, -1
+
+
+@kernel
+def section_forces(
+    mesh: Mesh, sea: Sea, times: Array, motion: Array, tension: Array, by_mass: float, by_stiffness: float
+) -> tuple[Array, Array]:
+    """Moment (N m) and shear (N) at the nodes, each (time, n + 1), from the end forces of the elements.
+
+    An element's end forces balance its load, the water's forces, inertia and Rayleigh damping (factors by
+    mass, 1/s, and by stiffness, s). At a node, the values of the adjacent elements have their mean.
+    ``times``: (time,) s; ``motion``: u, v, a, (3, time, 2n + 2); ``tension``: at the elements' ends, (n, 2).
+    """
+    n = len(mesh.loads)
+    moment, shear = np.zeros((len(times), n + 1)), np.zeros((len(times), n + 1))
+    water, push = np.zeros((n, 4)), np.zeros((n, 4))
+    for k in range(len(times)):
+        u, v, a = motion[0, k], motion[1, k], motion[2, k]
+        flow(mesh, sea, times[k], u, water, push)
+        for e in range(n):
+            i = 2 * e
+            f0, f1, f2, f3 = -mesh.loads[e, 0], -mesh.loads[e, 1], -mesh.loads[e, 2], -mesh.loads[e, 3]
+            for g in range(4):
+                s0, s1, s2, s3 = mesh.value[e, g]
+                relative = water[e, g] - (s0 * v[i] + s1 * v[i + 1] + s2 * v[i + 2] + s3 * v[i + 3])
+                force = mesh.strength[e, g] * abs(relative) * relative + push[e, g]
+                f0, f1, f2, f3 = f0 - force * s0, f1 - force * s1, f2 - force * s2, f3 - force * s3
+            for j in range(4):
+                bent = u[i + j] + by_stiffness * v[i + j]
+                slowed = a[i + j] + by_mass * v[i + j]
+                f0 += mesh.stiffness[e, j, 0] * bent + mesh.mass[e, j, 0] * slowed  # both are symmetric
+                f1 += mesh.stiffness[e, j, 1] * bent + mesh.mass[e, j, 1] * slowed
+                f2 += mesh.stiffness[e, j, 2] * bent + mesh.mass[e, j, 2] * slowed
+                f3 += mesh.stiffness[e, j, 3] * bent + mesh.mass[e, j, 3] * slowed
+            low = 1.0 if e == 0 else 0.5
+            high = 1.0 if e == n - 1 else 0.5
+            moment[k, e] -= low * f1
+            moment[k, e + 1] += high * f3
+            shear[k, e] -= low * (f0 + tension[e, 0] * u[i + 1])
+            shear[k, e + 1] += high * (f2 - tension[e, 1] * u[i + 3])
+    return moment, shear
