@@ -79,4 +79,4 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
 
 def in_words(error: dict[str, float]) -> str:
     """Relative errors (1) by quantity, as text in per cent."""
-    return ", ".join(f"{name} {percent(value)}" for name, value in error.items())
+    return ", ".join(f"{name.replace('_', ' ')} {percent(value)}" for name, value in error.items())
