@@ -211,7 +211,8 @@ def test_differences_of_a_hundredth_of_a_per_cent_hold_nothing():
     assert (share.met, share.same, share.samples) == (0, 256, 256)
     note = row_of(found).note
     assert (
-        '"Smaller" means a difference of at least 2 %; a smaller difference counts as no difference.' in note
+        '"Smaller" is interpreted as a difference of at least 2 %; less than 2 % counts as no difference.'
+        in note
     )
     assert "true in 0 of 256 samples (0 %, 95 % interval 0 to 1 %), no difference in 256" in note.lower()
     assert "Base case: the value is 1; this counts as no difference." in note

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import hard, never, others, price, ranking
+from chapters.numerics.answers import Ranked, hard, never, others, price, ranking
 from chapters.numerics.figures.stability import ENDS, ended
 from riserstudy.records.page import Tile
 from riserstudy.records.words import listed
@@ -79,16 +79,17 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     if not ranked:
         return None
     top = [one for one in ranked[:TOP] if one.changed]
-    none = [one.name for one in never(ranked)[:2]]
+    none = never(ranked)[:2]
     least = min((100 * one.changed // one.scenes for one in top), default=0)
     number = listed(one.name for one in top) if top else "none"
     answers = []
     if top:
-        these, them = ("these effects change", "them") if len(top) > 1 else ("this effect changes", "it")
-        answers.append(f"{these} the results of at least {least} % of the scenes that include {them}")
+        answers.append(
+            f"{_named(top)} a result by more than 1 % in at least {least} % of the scenes that include "
+            f"{'them' if len(top) > 1 else 'it'}"
+        )
     if none:
-        change = "change" if len(none) > 1 else "changes"
-        answers.append(f"{listed(none)} {change} the results of no scene")
+        answers.append(f"{_named(none)} no result by more than 1 %")
     rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
     drawn = [(one.name, one.changed / one.scenes) for one in rows]
     return (
@@ -96,6 +97,12 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
         " ".join(map(sentence, answers)),
         _bars(drawn) + _under("share of scenes whose results it changes"),
     )
+
+
+def _named(effects: Sequence[Ranked]) -> str:
+    """Subject and verb of a sentence about effects."""
+    names = listed(f"“{one.name}”" for one in effects)
+    return f"The effects {names} change" if len(effects) > 1 else f"The effect {names} changes"
 
 
 def _svg(inside: str) -> str:

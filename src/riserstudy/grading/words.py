@@ -254,18 +254,11 @@ def _meanings(words: Iterable[Meaning]) -> Iterator[str]:
     """Meanings of words of size."""
     for word in words:
         bound, band = f"{100 * word.bound:g} %", f"{100 * word.band:g} %"
+        means = f'"{_capital(word.word)}" is interpreted as a difference of at'
         if word.most:
-            yield f'"{_capital(word.word)}" means a difference of at most {bound}.'
-        elif word.bound == word.band:
-            yield (
-                f'"{_capital(word.word)}" means a difference of at least {bound}; '
-                "a smaller difference counts as no difference."
-            )
+            yield f"{means} most {bound}."
         else:
-            yield (
-                f'"{_capital(word.word)}" means a difference of at least {bound}; '
-                f"a difference of less than {band} counts as no difference."
-            )
+            yield f"{means} least {bound}; less than {band} counts as no difference."
 
 
 def _premise(premise: Premise | None) -> Iterator[str]:
@@ -342,7 +335,8 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
     ends = dict.fromkeys((_plain(outcome.low), _plain(outcome.high)))
     values = f"{' to '.join(ends)}{_unit(unit)}"
     if outcome.readings:
-        return values, f"{judged} {by_reading(kind, outcome.readings)}"
+        found = by_reading(kind, outcome.readings)
+        return values, found if found.startswith("with ") else f"{judged} {found}"
     share = outcome.share
     if share is not None and share.samples > 1:
         by = f", decided by {listed(outcome.decided_by)}" if outcome.decided_by else ""

@@ -102,11 +102,16 @@ class Missed(NamedTuple):
             else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
         )
         if self.not_estimated:
-            more = f"At {spaced(self.not_estimated)} more, whose mesh and time step were tuned in advance"
-            requested += f". {more}, the error was not estimated"
+            more = counted(self.not_estimated, "other grid point", spaced)
+            their = "its" if self.not_estimated == 1 else "their"
+            requested += (
+                f". At {more} with a tolerance, the error was not estimated, because {their} mesh and "
+                "time step were tuned in advance"
+            )
+        points = counted(prescribed, "grid point", spaced)
         sentence = (
-            f"The other {spaced(prescribed)} use a fixed mesh and time step; "
-            f"the error was estimated at {self.estimated} of them"
+            f"A mesh and a time step are prescribed at {points}. "
+            f"The error was estimated at {spaced(self.estimated)} of these"
         )
         if not fixed:
             return f"{requested}. {sentence} and is at most {share(TOLERANCE)}."

@@ -27,7 +27,7 @@ class WithoutPoints(NamedTuple):
         """Number of verdicts that change, in words."""
         many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = len(self.turned) + len(self.stand)
-        return f"Without the points whose error is too large, {many} of {graded} verdicts change{ends}"
+        return f"If the points with too large errors are left out, {many} of {graded} verdicts change{ends}"
 
     @property
     def left(self) -> str:
@@ -37,7 +37,7 @@ class WithoutPoints(NamedTuple):
         many, their = len(self.bound), "its" if len(self.bound) == 1 else "their"
         verdicts = "verdict" if many == 1 else f"{many} verdicts"
         return (
-            f"Another {verdicts} cannot be graded without such points, because {their} base case or all "
+            f"Another {verdicts} cannot be graded without these points, because {their} base case or all "
             f"{their} cases use them"
         )
 
