@@ -51,7 +51,7 @@ class Line(NamedTuple):
 def line_of(part: Part) -> Line:
     """Return a line with its ends. Raises InputError when it does not have two ends with stiffnesses."""
     rows = part.table(*PLACE, of=LEANS, idle=ROUND_Z)
-    stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",), idle=("ConnectionDamping",))
+    stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",))
     if len(rows) != 2 or len(stiff) != 2:
         allowed = "a line needs two rows of ends and two rows of their bending stiffness"
         raise part.refused(PLACE[0], f"{len(rows)} ends, {len(stiff)} stiffnesses", allowed)

@@ -81,17 +81,31 @@ def wall(kind: Part) -> dict[str, Any]:
 
 
 def stressed(kind: Part, filled: bool) -> dict[str, Any]:
-    """Return the diameters of the load-bearing wall, if a line type gives them besides OD and ID.
+    """Return the diameters of the load-bearing wall, if a line type gives one of them besides OD and ID.
 
-    ``filled``: whether contents fill ID, which is then the inner diameter.
+    An empty diameter of the wall equals OD or ID. ``filled``: whether contents fill ID, which is then the
+    inner diameter.
     """
-    if not (kind.given("StressOD") and kind.given("StressID")):
+    outer, inner = kind.given("StressOD"), kind.given("StressID")
+    if not (outer or inner):
         return {}
-    outer, inner = kind.number("StressOD"), kind.number("StressID")
+    outer, inner = outer or kind.number("OD"), inner or kind.number("ID")
     if filled and abs(inner - kind.number("ID")) > SAME:
-        kind.otherwise["StressID"] = f"{inner:g} m is left out, because the contents fill ID"
+        words = f"the wall from {inner:g} to {outer:g} m is left out, because the contents fill ID"
+        kind.otherwise["StressID"] = words
         return {}
     return {"outer_diameter": q(outer, "m"), "inner_diameter": q(inner, "m")}
+
+
+def contents_of(line: Part) -> float:
+    """Return the density of the contents of a line (t/m3); 0 if it has none.
+
+    Contents that are not uniform, such as sea water in a free-flooding line, are recorded as an error.
+    """
+    if line.optional("ContentsMethod") is None and line.optional("ContentsDensity") is None:
+        return 0.0
+    line.demand("ContentsMethod", "Uniform")
+    return line.given("ContentsDensity")
 
 
 def mass_of(kind: Part) -> float:

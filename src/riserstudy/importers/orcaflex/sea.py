@@ -33,7 +33,8 @@ def sea_of(environment: Part, gravity: float) -> Sea:
 
 
 def current_of(sea: Part) -> dict[str, Any] | None:
-    """Return the current; None without one."""
+    """Return the current; None without one. Raises InputError where the deck has several."""
+    sea.idle("MultipleCurrentDataCanBeDefined", "No")
     speed = sea.given("RefCurrentSpeed")
     if not speed:
         return None

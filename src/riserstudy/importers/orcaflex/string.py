@@ -7,11 +7,12 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.chain import Roles, depth
-from riserstudy.importers.orcaflex.deck import GUESS, Part, q
+from riserstudy.importers.orcaflex.deck import EMPTY, GUESS, Part, q
 from riserstudy.importers.orcaflex.ends import Line, in_series
 from riserstudy.importers.orcaflex.pipe import (
     across,
     along,
+    contents_of,
     disc,
     kind_of,
     lengths_of,
@@ -43,6 +44,8 @@ def sections(deck: Part, cast: Roles, bottom: float, sea: Sea) -> list[dict[str,
     made: list[dict[str, Any]] = []
     attached = _alongside(deck, cast, bottom)
     levels = [level for _, *ends in attached for level in ends]
+    for line in (*cast.riser, *cast.alongside):
+        _bare(line.part)
     for piece in _cut(list(_pieces(cast, bottom)), levels, sea.surface):
         with deck.noting():
             made.append(_section(deck, cast, piece, sea))
@@ -54,6 +57,15 @@ def sections(deck: Part, cast: Roles, bottom: float, sea: Sea) -> list[dict[str,
         if called.count(called[k]) > 1:
             section["name"] = f"{called[k]} {called[k:].count(called[k])}"
     return made
+
+
+def _bare(line: Part) -> None:
+    """Record an error where clumps or buoyancy modules are attached to a line: a scene has no such bodies."""
+    for key in line.data:
+        if "AttachmentType" in key and (rows := line.optional(str(key))) not in EMPTY:
+            found = f"{len(rows) if isinstance(rows, list) else 1} attachments"
+            allowed = "a scene has bodies only at the ends of the riser. Add them to the line types"
+            line.note(line.refused("AttachmentType", found, allowed))
 
 
 def _pieces(cast: Roles, bottom: float) -> Iterator[Piece]:
@@ -95,9 +107,7 @@ def _section(deck: Part, cast: Roles, piece: Piece, sea: Sea) -> dict[str, Any]:
     section = {"name": piece.name, "length": q(piece.high - piece.low, "m"), **wall(kind)}
     section["submerged_weight"] = submerged(kind, density, sea.gravity)
     section |= _water(kind)
-    if line.optional("ContentsDensity") is not None:
-        line.demand("ContentsMethod", "Uniform")
-    if (inside := line.given("ContentsDensity")) and kind.number("ID"):
+    if (inside := contents_of(line)) and kind.number("ID"):
         section["contents"] = {"density": q(1000.0 * inside, "kg/m^3")}
     section |= stressed(kind, "contents" in section)
     if piece.begins and (joint := _joint(deck, cast, piece)):
@@ -191,8 +201,7 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
         kind = kind_of(deck, line.part, *names)
         kinds.append(kind)
         fields = _pipe(kind) | {"name": line.name, "tension": "shared"}
-        if inside := line.part.given("ContentsDensity"):
-            line.part.demand("ContentsMethod", "Uniform")
+        if inside := contents_of(line.part):
             fields["contents"] = q(1000.0 * inside, "kg/m^3")
         attached.append({"name": fields.pop("name"), **fields})
     section["lines"] = attached

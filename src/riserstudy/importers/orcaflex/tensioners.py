@@ -18,8 +18,10 @@ class Anchorage(NamedTuple):
     """Objects that tensioners may be attached to, and the unstretched upper end of the riser."""
 
     at_ring: set[str]  # names of the line and of the ring
+    line: str  # name of the uppermost line of the riser
     decks: dict[str, float]  # elevation of the origin of deck points (m), by the object's name
     ring: float  # elevation of the upper end, unstretched (m)
+    top_end: str  # end of the line that is the upper one
     aside: float = 0.0  # x of the vertical axis for bearings and radii of deck points (m)
 
 
@@ -134,6 +136,7 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
         found = f"from {deck!r} to {ring!r}"
         allowed = f"a tensioner connects {' or '.join(of.decks)} to the upper end of the riser"
         raise part.refused(PLACE[0], found, allowed)
+    _at_the_top(part, of)
     x -= of.aside
     bearing = math.degrees(math.atan2(y, x)) % 360.0
     inner, outer = math.hypot(a, b), math.hypot(x, y)
@@ -147,6 +150,14 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
     height = z + of.decks[deck]
     length = math.hypot(outer - inner, height - of.ring)
     return (round(outer, 6), round(height, 6), bearing), round(inner, 6), length
+
+
+def _at_the_top(part: Part, of: Anchorage) -> None:
+    """Record an error where a tensioner is at the lower end of the riser's line."""
+    for name, end in part.table(PLACE[0], of=(ALONG,), idle=PLACE):
+        if str(name) == of.line and end not in (None, of.top_end):
+            allowed = f"allowed is {of.top_end}, the upper end of {of.line!r}"
+            part.note(part.refused(ALONG, str(end), allowed))
 
 
 def _link(link: Part, of: Anchorage) -> Pull:

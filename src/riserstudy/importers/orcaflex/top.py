@@ -12,8 +12,16 @@ from typing import Any, NamedTuple
 from riserstudy.importers.orcaflex.chain import Roles, depth
 from riserstudy.importers.orcaflex.constraints import guided_by, slides_in
 from riserstudy.importers.orcaflex.deck import Part, q
-from riserstudy.importers.orcaflex.ends import GROUND, PLACE, Line, rotation, upright
-from riserstudy.importers.orcaflex.pipe import axial, disc, flexural, kind_of, lengths_of, mass_of
+from riserstudy.importers.orcaflex.ends import BENDING, GROUND, PLACE, Line, rotation, upright
+from riserstudy.importers.orcaflex.pipe import (
+    axial,
+    contents_of,
+    disc,
+    flexural,
+    kind_of,
+    lengths_of,
+    mass_of,
+)
 from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
 
@@ -84,7 +92,7 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
         raise line.part.refused(PLACE[0], "a free upper end that nothing pulls", allowed)
     ring = bottom + sum(map(depth, cast.riser))
     decks = {"Fixed": 0.0} | {name: height_of(vessel) for name, vessel in vessels.items()}
-    anchorage = Anchorage({line.name, node}, decks, ring)
+    anchorage = Anchorage({line.name, node}, line.name, decks, ring, line.part.text("TopEnd"))
     if node in rings:
         upright(line, line.upper)
     guide = deck.named("Constraints").get(node)
@@ -136,6 +144,7 @@ def _jointed(
     tree: dict[str, Any] = {"x": held, "z": held, "elevation": q(elevation, "m")}
     tree |= {"offset": q(joint.upper.x, "m")} if joint.upper.x else {}
     with deck.noting():
+        _clamped(cast.riser[0], joint)
         tree |= _joint(deck, joint, elevation - of.ring)
         body = _carries(deck, cast, body, sea)
     with deck.noting():
@@ -146,6 +155,16 @@ def _jointed(
         else:
             tree["tensioners"] = tensioners(pulling, above)
     return Top(tree | ({"body": body} if body else {}), vessels.get(on))
+
+
+def _clamped(riser: Line, joint: Line) -> None:
+    """Record an error where the riser and the joint above it may turn relative to each other."""
+    for line, stiffness in ((riser, riser.upper.stiffness), (joint, joint.lower.stiffness)):
+        free = line.upper.to == "Free" if line is riser else line.lower.to == riser.name
+        if not free and rotation(stiffness) != "fixed":
+            found = f"{stiffness or 0:g} kN m/deg at the tension ring"
+            allowed = "allowed is Infinity: in a scene, the telescopic joint is clamped to the riser"
+            line.part.note(line.part.refused(BENDING, found, allowed))
 
 
 def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
@@ -171,7 +190,7 @@ def _carries(deck: Part, cast: Roles, body: dict[str, Any] | None, sea: Sea) -> 
         slides_in(constraints[joint.lower.to], node)
         return body
     mass, outside = 0.0, 0.0
-    inside = 1000.0 * joint.part.given("ContentsDensity")
+    inside = 1000.0 * contents_of(joint.part)
     flexible = 0.0
     for name, length in lengths_of(joint.part):
         kind = kind_of(deck, joint.part, name)

@@ -91,9 +91,13 @@ def platform_of(
     with deck.noting():
         if cruise := _cruise(vessel, stages):
             platform["cruise"] = cruise
-    with deck.noting():
-        if _answers(vessel) and sea:
+    moves = _answers(vessel)
+    if (moves and sea) or any(vessel.data.get(key) not in EMPTY for key in ("Orientation", "InitialHeading")):
+        with deck.noting():
             _bow_along_x(vessel)
+    with deck.noting():
+        if moves and sea:
+            vessel.idle("Length")
             origin, response = _operators(deck, vessel, sea, offset)
             aside = {name: q(at, "m") for name, at in zip("xy", origin, strict=False) if at}
             centre = aside | {"elevation": q(height + origin[2], "m")}
@@ -103,17 +107,27 @@ def platform_of(
 
 
 def _answers(vessel: Part) -> bool:
-    """Return whether a vessel moves by displacement RAOs; in earlier versions: if it has no other motion."""
+    """Return whether a vessel moves by displacement RAOs; in earlier versions: if it has no other motion.
+
+    Another superimposed motion is recorded as an error.
+    """
     reported = vessel.optional("SuperimposedMotion")
     motion = vessel.optional("PrimaryMotion")
     if motion not in (None, "None", "Prescribed"):
         allowed = "allowed are None and Prescribed: the import reads no other motion"
         vessel.note(vessel.refused("PrimaryMotion", str(motion), allowed))
+    if reported is not None and str(reported) != "None" and "RAO" not in str(reported):
+        allowed = "allowed are None and displacement RAOs: the import reads no other motion"
+        vessel.note(vessel.refused("SuperimposedMotion", str(reported), allowed))
+    if "harmonic" in str(reported):
+        for key in vessel.data:
+            if str(key).startswith("HarmonicMotion"):
+                vessel.idle(str(key))
     return reported is None or "RAO" in str(reported)
 
 
 def _bow_along_x(vessel: Part) -> None:
-    """Check that the vessel is upright, along x, and as long as its type."""
+    """Check that the vessel is upright and along x."""
     if "Orientation" in vessel.data:
         turned = list(vessel.vector("Orientation"))
         key = "Orientation"
@@ -124,7 +138,6 @@ def _bow_along_x(vessel: Part) -> None:
         found = ", ".join(f"{angle:g}" for angle in turned)
         allowed = "allowed is 0: a scene has the bow along x and an even keel. Turn the model"
         vessel.note(vessel.refused(key, found, allowed))
-    vessel.idle("Length")
 
 
 def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
