@@ -129,11 +129,11 @@ def costs(effects: xr.Dataset) -> list[str]:
     ]
     cold = effects.attrs["cold_compile_seconds"]
     spent = effects.attrs["cold_compile_core_seconds"]
-    compiled = f"The engine has {effects.attrs['compiled_functions']} compiled functions"
+    compiled = f"Before its first run, the engine compiles {effects.attrs['compiled_functions']} functions"
     return [
         f"The most expensive effects are {listed(named)}. The percentage is the share of the run time in the "
         "scene in which this share is highest.",
-        f"{compiled}; compiling all of them takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
+        f"{compiled}. This takes {duration(cold, 3)} ({spent:.0f} core-seconds)."
         if cold == cold
         else f"{compiled}. Their compile time is unknown, because some were compiled before the measurement.",
     ]
