@@ -114,9 +114,8 @@ def tension(
 
     The minimum tension is computed by the standard formula and by simulation. In the simulation, a constant
     tension replaces the tensioners. The upper end of the window is --share times --dynamic-limit. The lower
-    end is the larger of two settings: one for the minimum tension, and one for the tension that lifts the
-    LMRP off with --overpull. The exit status is 4 if the scene lacks an input, such as separate weights of
-    steel and buoyancy.
+    end is the smallest setting that gives both the minimum tension and the overpull --overpull. The exit
+    status is 4 if the scene lacks an input, such as separate weights of steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -218,10 +217,11 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
-    The envelope is static. Each sea adds an allowance to the static value of each output with a limit; for
-    limits on means there is no allowance. The allowance is the increase (for a lower limit, the decrease)
-    that nine in ten random realisations of the sea do not exceed. The allowance is computed from runs in the
-    current and at the offset of the scene. The exit status is 4 if a limit could not be evaluated.
+    The riser is static at each offset. For each sea, an allowance represents the increase of an output by
+    waves (for a lower limit, the decrease). It is added to the static value, except for limits on means. The
+    allowance is the increase that nine in ten random realisations of the sea do not exceed. It is computed
+    from runs in the current and at the offset of the scene. The exit status is 4 if a limit could not be
+    evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -281,10 +281,10 @@ def viv(
 ) -> None:
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
-    The screening uses only the modes about the static equilibrium and reduced velocities, without a
-    simulation over time. The screening computes the amplitude of each mode as if that mode vibrated alone, as
-    a ratio to the diameter. At this amplitude, lift supplies as much power as drag removes. The Strouhal
-    number changes neither the lock-in regions nor the amplitudes.
+    The screening uses the natural modes about the static equilibrium, and does not simulate over time. Each
+    mode is treated as if it vibrated alone. The amplitude is a ratio to the diameter: at this amplitude, lift
+    supplies as much power as drag removes. The Strouhal number changes neither the lock-in regions nor the
+    amplitudes.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

@@ -152,11 +152,11 @@ def downtime(
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
     Prediction bands for future years are computed from the share of workable hours in each whole year of the
-    record, by Student's t-distribution. The bands account for the dependence between years (--persistence).
-    A window ends at a gap of the record. If the record has a gap during a wait, only a lower bound of the
-    waiting time is known.
+    record, by Student's t-distribution. The option --persistence sets how strongly consecutive years are
+    similar. A window ends at a gap of the record. If the record has a gap during a wait, only a lower bound
+    of the waiting time is known.
 
-    With --scene, the limits of the scene apply to its riser. The command then simulates sea states of the
+    With --scene, the limits of that scene must be met, too. The command then simulates sea states of the
     record, and interpolates the response between them. It adds sea states until the error of the
     interpolation is within the tolerance --error. Further simulated sea states check the result.
     """

@@ -103,8 +103,8 @@ def table(
 ) -> None:
     """Write a table as CSV: stack-up, extremes, time series, limits, recoil; or all tables as a workbook.
 
-    The input is a scene, which is simulated for every table except the stack-up, or the dataset of a run.
-    Workbooks (OUT.xlsx) need the extra `riserstudy[workbook]`.
+    The input is a scene or the dataset of a run. A scene is simulated first, except for the stack-up.
+    Workbooks (OUT.xlsx) require `pip install "riserstudy[workbook]"`.
     """
     from riserstudy.dataset import tables, workbook
 
@@ -178,9 +178,9 @@ def statistics(
 ) -> None:
     """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several runs.
 
-    For one run, the table also gives the most probable extremes in a time of the length --exposure.
-    With --over, a Gumbel distribution is fitted to the extremes of all runs of a study, which differ by
-    the seed of their random waves.
+    For one run, the table also gives the most probable extremes during the time --exposure. The option
+    --over is for a study whose runs differ by the seed (random phases) of their waves. A Gumbel
+    distribution is then fitted to the extremes of all runs.
     """
     from riserstudy.dataset import statistics_tables, tables
     from riserstudy.dataset.open import open_dataset

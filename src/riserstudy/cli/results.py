@@ -204,8 +204,8 @@ def crate(
 ) -> None:
     """Pack a study, its results and their description into one archive (run crate), which anyone can rerun.
 
-    The command refuses results that are damaged or were edited, and results of a run that was interrupted,
-    failed or made only some files. A note states which results were made before an edit of their inputs.
+    The command refuses results that are damaged or were edited. It also refuses results of a run that was
+    interrupted, failed or made only some files. A note lists results whose inputs were edited later.
     """
     from riserstudy.crate.pack import pack
 

@@ -71,9 +71,9 @@ def run(
 ) -> None:
     """Simulate a scene and write its dataset.
 
-    If --patience ends before the tolerance is reached, the command writes the best result so far with its
-    estimated error and a warning; the exit status is 0. If no run ends in time, the command writes nothing
-    and the exit status is 3.
+    If --patience ends before the tolerance is reached, the command writes the best result so far, with its
+    estimated error and a warning. The exit status is then 0. If no run ends in time, the command writes
+    nothing and the exit status is 3.
     """
     from riserstudy.simulation.simulate import seconds
 
