@@ -42,8 +42,8 @@ def recoil(
 ) -> None:
     """Simulate an emergency disconnect: overpull, lift, clearance, re-contact, strokes, mud velocity.
 
-    The exit status is 2 if the scene has no disconnect before the end of its run, and 4 if the smallest
-    clearance could not be evaluated.
+    The exit status is 2 if the scene has no disconnect before the end of its run. The exit status is 4 if
+    the smallest clearance could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     check_targets(file.files, force, csv, output=output)
