@@ -66,7 +66,7 @@ def two_runs_at_once(folder):
     processes = [start(folder), start(folder)]
     texts = ["".join(process.communicate()) for process in processes]
     ends = [said(p.returncode, text) for p, text in zip(processes, texts, strict=True)]
-    return " and ".join(sorted(ends))
+    return "one run: {}; the other run: {}".format(*sorted(ends))
 
 
 def broken_store(folder):

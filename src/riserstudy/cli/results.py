@@ -58,9 +58,8 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    If the arguments are words, the command lists the points (simulations) in which every word is found.
-    For each point, the command searches the key (the name in the store), study, axis values, scene, engine,
-    effects and warnings.
+    If the arguments are words, the command lists the points (simulations) in which every word is found. It
+    searches the key (the name in the store), study, axis values, scene, engine, effects and warnings.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, connect
