@@ -33,7 +33,9 @@ def test_interpretations_are_the_reason_where_they_answer_differently():
     share = Share(1, 1)
     readings = [Reading({"flow": "a"}, "true", share), Reading({"flow": "b"}, "false", Share(0, 1))]
     found = claim(verdict="depends", kind="claim", decided_by="flow", grounds=Grounds(readings=readings))
-    assert found.why == "Flow. The claim is true with “a”. It is false with “b”."
+    assert found.why == (
+        "Flow. The claim is true with the interpretation “a”. The claim is false with the interpretation “b”."
+    )
     assert found.by_reading == [("“a”", "true"), ("“b”", "false")]
 
 
@@ -52,6 +54,7 @@ def test_a_summary_counts_every_interpretation_once(seed):
     if len(set(answers)) == 1:
         assert f"all {len(answers)} interpretations" in text
         return
-    *parts, total = numbers
+    first, total, *rest_of = numbers
+    parts = [first, *rest_of]
     assert total == len(answers)
     assert sum(parts) == total - np.count_nonzero(answers == "depends")

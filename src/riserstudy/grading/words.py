@@ -89,36 +89,40 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
 
 
 def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
-    """One or two sentences with the number of interpretations for each result."""
+    """Sentences with the interpretations for each result, or with their number if they are many."""
     true, false = _HIT[kind]
     words: dict[ReadingAnswer, str] = {
         "true": true,
-        "no difference": f"not {true} (no difference)",
+        "no difference": "neither true nor false (no difference)",
         "false": false,
     }
-    answers = [reading.answer for reading in readings]
+    subject = _capital(_JUDGED[kind])
+    names: dict[ReadingAnswer, list[str]] = {}
+    for reading in readings:
+        names.setdefault(reading.answer, []).append(reading_name(reading))
+    count = len(readings)
     every = {1: "the only interpretation", 2: "both interpretations"}.get(
-        len(answers), f"all {len(answers)} interpretations"
+        count, f"all {count} interpretations"
     )
-    counts = {word: answers.count(answer) for answer, word in words.items() if answer in answers}
-    others = answers.count("depends")
-    if not counts:
-        return f"With {every}, the outcome depends on further inputs."
-    if len(counts) == 1 and not others:
-        return f"{_capital(_JUDGED[kind])} {next(iter(counts))} with {every}."
-    if len(answers) <= NAMED // 2 and not others:
-        found = [
-            f"{word} with {listed([reading_name(r) for r in readings if r.answer == answer])}."
-            for answer, word in words.items()
-            if answer in answers
-        ]
-        return f"{_capital(_JUDGED[kind])} {' It is '.join(found)}"
-    numbers = listed([f"{word} with {count}" for word, count in counts.items()])
-    text = f"{_capital(_JUDGED[kind])} {numbers} of {len(answers)} interpretations."
+    if len(names) == 1:
+        only = readings[0].answer
+        if only == "depends":
+            return f"With {every}, the outcome depends on further inputs."
+        return f"{subject} {words[only]} with {every}."
+    others = len(names.pop("depends", []))
+    found = [(word, names[answer]) for answer, word in words.items() if answer in names]
+    if count <= NAMED // 2 and not others:
+        return " ".join(
+            f"{subject} {word} with the interpretation{'s' if len(those) > 1 else ''} {listed(those)}."
+            for word, those in found
+        )
+    (word, first), *rest = ((word, len(those)) for word, those in found)
+    parts = [f"{word} with {first} of {count} interpretations", *(f"{word} with {n}" for word, n in rest)]
+    text = f"{subject} {listed(parts)}."
     if not others:
         return text
-    rest = "interpretation" if others == 1 else f"{others} interpretations"
-    return f"{text} With the other {rest}, the outcome depends on further inputs."
+    remaining = "interpretation" if others == 1 else f"{others} interpretations"
+    return f"{text} With the other {remaining}, the outcome depends on further inputs."
 
 
 def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, str]]:
