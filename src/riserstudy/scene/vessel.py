@@ -36,7 +36,7 @@ class Wind(Strict):
 
 
 class WaveDrift(Strict):
-    """Mean second-order force of the waves. The default direction is +x."""
+    """Mean second-order force of the waves. By default the drift force acts along +x."""
 
     force: Annotated[u.Force, NOT_NEGATIVE]
     heading: u.Angle | None = None
