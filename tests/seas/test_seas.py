@@ -102,15 +102,14 @@ def test_peak_periods_of_a_jonswap_spectrum_follow_from_its_moments():
 def counted(workable, joined, rows):
     """Windows and waits hour by hour, as one would count them by hand."""
     n = len(workable)
-    starts = [
-        k + rows <= n and all(workable[k : k + rows]) and all(joined[k : k + rows - 1]) for k in range(n)
-    ]
+    seen = [k + rows <= n and all(joined[k : k + rows - 1]) for k in range(n)]
+    starts = [seen[k] and all(workable[k : k + rows]) for k in range(n)]
     found = []
     for k in range(n):
         at = k
-        while not starts[at] and at + 1 < n and joined[at]:
+        while seen[at] and not starts[at] and at + 1 < n and joined[at]:
             at += 1
-        found.append((at - k, True) if starts[at] else (at - k + 1, False))
+        found.append((at - k + (seen[at] and not starts[at]), starts[at]))
     inside = np.zeros(n, bool)
     for k in np.flatnonzero(starts):
         inside[k : k + rows] = True

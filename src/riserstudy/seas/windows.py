@@ -21,10 +21,14 @@ class Windows(NamedTuple):
 
 
 class Waits(NamedTuple):
-    """Hours from each row to the next row at which work may start; a lower bound for waits with a gap."""
+    """Hours from each row to the next row at which work may start; a lower bound for waits with a gap.
+
+    Waits below the lower bound are excluded; a wait may be equal to it.
+    """
 
     hours: NDArray[np.float64]  # (n,)
-    known: Flags  # (n,) false if a gap or the end of the record is before the start of work
+    # (n,) false if the rows before a gap, or before the end of the record, do not show the start of work
+    known: Flags
 
 
 class Wait(NamedTuple):
@@ -59,7 +63,11 @@ def windows(workable: Flags, joined: Flags, rows: int) -> Windows:
 def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
     """Wait from each row for a window of ``rows`` rows (interval: hours between rows).
 
-    The sea in a gap is not known: a wait that ends at a gap, or at the record's end, is a lower bound.
+    The sea in a gap is not known, so the last rows before a gap, or before the record's end, do not show
+    whether a window starts there, unless one has started before. This must not depend on the sea in these
+    rows: they would otherwise count as rows without a start wherever they are not workable, and as unknown
+    wherever they are. The lower bound of a wait therefore ends at the first row whose window would reach
+    into the gap.
     """
     n = len(workable)
     start = np.zeros(n, bool)
@@ -71,7 +79,9 @@ def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
     ends = np.flatnonzero(~joined)  # last rows before gaps
     end = np.append(ends, n - 1)[np.searchsorted(ends, rows_on)]
     known = following <= end
-    return Waits(np.where(known, following - rows_on, end - rows_on + 1) * interval, known)
+    undecided = end - rows + 2  # first row whose window would not end before the gap
+    least = np.maximum(undecided - rows_on, 0)
+    return Waits(np.where(known, following - rows_on, least) * interval, known)
 
 
 def statistics_of(found: Waits) -> Wait:
@@ -88,7 +98,9 @@ def statistics_of(found: Waits) -> Wait:
 
     if not found.known.any():
         return Wait(np.nan, np.nan, np.nan, int((~found.known).sum()))
-    still = ecdf(CensoredData.right_censored(found.hours, ~found.known)).sf
+    # a wait may be equal to its lower bound: there, it is no longer among the waits that have not ended
+    hours = np.where(found.known, found.hours, np.nextafter(found.hours, -np.inf))
+    still = ecdf(CensoredData.right_censored(hours, ~found.known)).sf
     hours, share = np.asarray(still.quantiles), np.asarray(still.probabilities)
     steps = np.diff(np.concatenate([[0.0], hours]))
     whole = float((steps * np.concatenate([[1.0], share[:-1]])).sum())
