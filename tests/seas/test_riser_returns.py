@@ -129,3 +129,14 @@ def test_longer_periods_have_larger_values_and_each_a_band():
 def test_what_cannot_be_known_is_refused(seeds, years, told):
     with pytest.raises(InputError, match=told):
         returned(demands(heights(A_YEAR * years, 6), seeds=seeds), [50])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rows_whose_runs_failed_leave_no_return_value(seed):
+    """Runs fail in the highest seas, so that the other rows have too small responses."""
+    height = heights(A_YEAR * YEARS, seed)
+    of = demands(height)
+    failed = height >= np.quantile(height, np.random.default_rng(seed).uniform(0.97, 0.9999))
+    demand = np.where(failed[:, None], np.nan, of.rows.demand)
+    for one in returned(of._replace(rows=of.rows._replace(demand=demand)), [10, 50]):
+        assert np.isnan([*one.by_years, *one.by_storms]).all()

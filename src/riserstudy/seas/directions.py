@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
+from riserstudy.seas.sea_states import without_waves
 from riserstudy.study.in_sea import heading_paths, heading_values
 
 if TYPE_CHECKING:
@@ -66,7 +67,8 @@ class Directions(NamedTuple):
         """The headings between which each row is; the last and the first heading are adjacent.
 
         Waves from a bearing travel to the opposite bearing, and headings increase in the opposite sense of
-        bearings. Raises InputError when the record has no directions.
+        bearings. Calm rows, without waves, may lack a direction; they have the most frequent lower heading.
+        Raises InputError when the record has no directions.
         """
         if FROM not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
@@ -81,7 +83,11 @@ class Directions(NamedTuple):
         place = np.where(np.abs(place - nearest) <= CLOSE, nearest, place)
         lower = np.floor(place)
         sector = (lower % self.sectors).astype(np.int64)
-        return Between(np.where(known, sector, -1), place - lower)
+        sector[~known] = -1
+        calm = without_waves(record) & ~known
+        if known.any() and calm.any():
+            sector[calm] = np.bincount(sector[known]).argmax()
+        return Between(sector, place - lower)
 
     def scenes(self, file: SceneFile) -> list[SceneFile]:
         """The scene in waves of each heading.

@@ -77,7 +77,16 @@ def summarise(
     for (height, period), why in failures[:3]:
         lines.append(f"no result in {height:g} m, {period:g} s: {why}")
     if hours.unknown:
-        lines.append(f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable")
+        lines.append(
+            f"{hours.unknown:.2%} of the rows are next to such seas, and count as not workable; limits with "
+            "such rows have no return values"
+        )
+    if lacking := hours.modes[0].hours.lacking:
+        direction = ", a direction" if directed else ""
+        lines.append(
+            f"{counted(lacking, 'further row')} of the record without a height, a period{direction} or a "
+            "value of a limit on the sea, not counted"
+        )
     return [*lines, *hours.modes[0].hours.notes]
 
 

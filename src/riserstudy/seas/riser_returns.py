@@ -40,6 +40,7 @@ COLUMNS = [
     *("limit", "return period", "by years", "years from", "years to"),
     *("by storms", "storms from", "storms to", "unit"),
 ]
+NOT_KNOWN = ReturnValue(math.nan, math.nan, math.nan)
 HEADS = ["", "years", *["*"] * 6, ""]
 
 
@@ -68,8 +69,10 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
     A band contains nine in ten fits to samples that are drawn from the fit of each history. The uncertainty
     of the response changes all rows of a history together, by a normal distribution whose 90 % range is the
     band of the response. The uncertainty of the scale from interval to interval has the same effect. Means
-    have no such extremes and are excluded. ``periods``: return periods (years), above 1. Raises InputError
-    when fewer than five years are nearly complete, or the response is from one seed.
+    have no such extremes and are excluded. If the response is not known in some rows, because of failed runs,
+    these rows may have the largest responses, and the return values are NaN. ``periods``: return periods
+    (years), above 1. Raises InputError when fewer than five years are nearly complete, or the response is
+    from one seed.
     """
     if of.seeds < FEWEST_SEEDS:
         few = f"{of.seeds}: the scatter of extremes between runs is not known"
@@ -99,16 +102,18 @@ def _of_limit(
 ) -> Iterator[tuple[ReturnValue, ReturnValue]]:
     """Both methods by return period, for a response whose larger values are worse."""
     demand, off, scale = (values[:, number] for values in (of.rows.demand, of.rows.off, of.rows.scale))
-    known = np.isfinite(demand)
-    whole = whole_years(of.time, known, of.interval)
-    recorded = float(known.sum()) * of.interval / 8766.0
+    whole = whole_years(of.time, np.ones(len(demand), bool), of.interval)
+    if np.isnan(demand).any():
+        yield from [(NOT_KNOWN, NOT_KNOWN)] * len(periods)
+        return
+    recorded = len(demand) * of.interval / 8766.0
     by_years: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
     by_storms: list[list[tuple[float, FloatArray]]] = [[] for _ in periods]
     for _ in range(HISTORIES):
         spread = scale * max(0.0, 1.0 + OF_SCALE / math.sqrt(of.seeds) * draw.standard_normal())
         middle = sign * demand + off / NINE_IN_TEN * draw.standard_normal()
         values = middle + spread * (draw.gumbel(size=len(demand)) - REDUCED)
-        largest = np.array([np.nanmax(values[rows]) for rows in whole])
+        largest = np.array([values[rows].max() for rows in whole])
         peaks, threshold = storms(of.time, values, PEAKS_A_YEAR)
         for k, period in enumerate(periods):
             by_years[k].append(refits_of_years(largest, period, draw, REFITS))

@@ -36,10 +36,18 @@ class SeaStates(NamedTuple):
         return SeaStates(self.states[there], counts[there], np.where(of >= 0, number[of], -1))
 
 
+def without_waves(record: xr.Dataset) -> NDArray[np.bool_]:
+    """For each row of a record, whether its significant height is zero, (rows,); false without heights."""
+    if "significant_wave_height" not in record:
+        return np.zeros(record.sizes["time"], bool)
+    return np.asarray(record["significant_wave_height"].values == 0.0)
+
+
 def sea_states(record: xr.Dataset) -> SeaStates:
     """The sea states of a record (`riserstudy.seas.record.read_record`).
 
-    Raises InputError when it has no heights and periods.
+    Calm rows, without waves, may lack a period; they have the median period of the other rows. Raises
+    InputError when it has no heights and periods.
     """
     for name in NEEDED:
         if name not in record:
@@ -49,6 +57,9 @@ def sea_states(record: xr.Dataset) -> SeaStates:
     known = np.isfinite(values).all(axis=1)
     if known.sum() < 2:
         raise InputError("RECORD", " and ".join(NEEDED), "no two rows with both", "")
+    calm = without_waves(record) & ~known
+    values[calm, 1] = np.median(values[known, 1])
+    known |= calm
     values[known, 0] = np.maximum(values[known, 0], CALM)
     states, of, rows = np.unique(values[known], axis=0, return_inverse=True, return_counts=True)
     state_of_row = np.full(len(values), -1)
