@@ -5,9 +5,11 @@ import sys
 import numpy as np
 import pytest
 import xarray as xr
+from scipy.stats import norm
 
 from riserstudy.errors import InputError
-from riserstudy.seas.contours import contour
+from riserstudy.seas import contours
+from riserstudy.seas.contours import contour, doubts
 from riserstudy.seas.synthetic import synthetic
 
 SHAPE, SCALE = 1.5, 2.0  # of a Weibull distribution (m)
@@ -80,6 +82,54 @@ def test_a_longer_period_encloses_a_shorter_one():
     for k in (1, 4):
         values = [np.array([row[k] for row in table.rows]) for table in (short, long)]
         assert np.ptp(values[0]) < np.ptp(values[1])
+
+
+def spread(seed):
+    """A record in which the logarithm of the period has the same spread at all heights, with its law."""
+    draw = np.random.default_rng(seed)
+    one = record(6, seed)
+    height = float(10.0 ** draw.uniform(-0.6, 0.3)) * one["significant_wave_height"].values
+    deviation = float(draw.uniform(0.06, 0.15))
+    period = np.exp(1.4 + 0.4 * np.sqrt(height) + deviation * draw.standard_normal(len(height)))
+    values = {"significant_wave_height": ("time", height), "peak_period": ("time", period)}
+    return one.assign(values), deviation
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_periods_are_those_of_the_distribution_at_every_height(seed, monkeypatch):
+    """Also at heights without sea states in the record, for which the fitted functions are extrapolated."""
+    pytest.importorskip("virocon")
+    monkeypatch.setattr(contours, "DRAWS", 1)
+    one, deviation = spread(seed)
+    rows = np.array(contour(one, 50.0).rows, float)
+    beta = norm.isf(6.0 / (50.0 * 8766.0))
+    normal = beta * np.sin(2.0 * np.pi * np.arange(len(rows)) / len(rows))
+    true = 1.4 + 0.4 * np.sqrt(rows[:, 1]) + deviation * normal
+    assert np.abs(np.log(rows[:, 4]) - true).max() <= 0.2
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_periods_of_swell_and_wind_waves_are_doubted(seed, monkeypatch):
+    pytest.importorskip("virocon")
+    monkeypatch.setattr(contours, "DRAWS", 1)
+    one, _ = spread(seed)
+    assert not doubts(one, contour(one, 50.0))
+    draw = np.random.default_rng(seed)
+    two = record(6, seed)
+    height = two["significant_wave_height"].values
+    swell, wind = 12.0 + draw.standard_normal(len(height)), np.maximum(4.5 * np.sqrt(height), 1.5)
+    two["peak_period"][:] = np.where(draw.random(len(height)) < 0.5, swell, wind)
+    table = contour(two, 50.0)
+    (line,) = doubts(two, table)
+    assert f"{max(row[4] for row in table.rows):.2g} s" in line
+
+
+def test_too_few_heights_are_one_line():
+    pytest.importorskip("virocon")
+    low = record(6, 1)
+    low["significant_wave_height"][:] *= 0.1
+    with pytest.raises(InputError, match="cannot be fitted"):
+        contour(low, 50.0)
 
 
 def test_without_the_library_one_line_says_how_to_get_it(monkeypatch):

@@ -112,6 +112,8 @@ def seas(
         show(heights, None)
     if places:
         show(places, csv)
+        for line in _doubts(found, places):
+            print(line)
     if output is not None:
         write_record(found, output)
         wrote(output)
@@ -121,6 +123,12 @@ def _contour(record: xr.Dataset, years: float) -> Table:
     from riserstudy.seas.contours import contour
 
     return contour(record, years)
+
+
+def _doubts(record: xr.Dataset, contour: Table) -> list[str]:
+    from riserstudy.seas.contours import doubts
+
+    return doubts(record, contour)
 
 
 def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:

@@ -6,7 +6,7 @@ virocon is an optional extra: ``pip install 'riserstudy[contours]'``.
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 FloatArray = NDArray[np.float64]
 PLACES = 24  # number of points on a contour
+BEYOND = 1.5  # largest ratio of a period of a contour to the longest period of the record
 DRAWS = 20  # number of samples of the whole years, drawn with replacement
 COLUMNS = [
     *("return period", "significant wave height", "height from", "height to"),
@@ -36,7 +37,7 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     reliability method, with a three-parameter Weibull distribution of heights and a log-normal distribution
     of periods for a given height. The band contains nine in ten contours from years drawn with replacement,
     separately for each point of the circle of normal variables. Raises InputError when virocon is absent, the
-    record has no peak periods, or fewer than five years are nearly whole.
+    record has no peak periods, fewer than five years are nearly whole, or the distributions cannot be fitted.
 
     Parameters
     ----------
@@ -72,6 +73,27 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     return Table(COLUMNS, UNITS, rows_of)
 
 
+def doubts(record: xr.Dataset, table: Table) -> list[str]:
+    """A note on points of a contour, from `contour`, with periods that are not those of the record; or none.
+
+    The period of a point may exceed the longest period of the record, or be below the shortest, by the factor
+    `BEYOND`.
+    """
+    periods = record["peak_period"].values[record["significant_wave_height"].values > 0.0]
+    least, most = np.nanmin(periods), np.nanmax(periods)
+    points = np.array([[row[1], row[4]] for row in table.rows], float)
+    off = points[(points[:, 1] < least / BEYOND) | (points[:, 1] > most * BEYOND)]
+    if not len(off):
+        return []
+    (low, short), (high, long) = off.min(axis=0), off.max(axis=0)
+    return [
+        f"{len(off)} of {len(points)} points, with heights of {low:.2g} m to {high:.2g} m, have periods of "
+        f"{short:.2g} s to {long:.2g} s, but the record has periods of {least:.2g} s to {most:.2g} s; do not "
+        "use these points: the log-normal distribution does not fit the periods, for example because swell "
+        "and wind waves have different periods"
+    ]
+
+
 def interval_of(known: NDArray[np.bool_], calm: NDArray[np.bool_], interval: float) -> float:
     """Mean time (h) between rows with waves; other rows, also an interval apart, are calm."""
     seas = int(known.sum())
@@ -79,30 +101,41 @@ def interval_of(known: NDArray[np.bool_], calm: NDArray[np.bool_], interval: flo
 
 
 def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
-    """Points on the contour, (n, 2): height (m), peak period (s)."""
+    """Points on the contour, (n, 2): height (m), peak period (s).
+
+    Raises InputError when the distributions cannot be fitted.
+    """
     virocon = _import()
     described, fits, _ = virocon.get_DNVGL_Hs_Tz()
     model = virocon.GlobalHierarchicalModel(described)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # about bins with few sea states, which virocon excludes
-        model.fit(states, fits)
+        try:
+            model.fit(states, fits)
+        except (RuntimeError, ValueError) as error:
+            allowed = "give a record with more sea states at different heights"
+            raise InputError("RECORD", "--contour", f"cannot be fitted: {error}", allowed) from None
     alpha = virocon.calculate_alpha(interval, years)
-    places: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates
+    heights: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates[:, 0]
     # the smallest height of a fit may be below zero, where there is no sea and no period
-    low = places[:, 0] < 0.0
-    if low.any():
-        places[low, 0] = 0.0
-        shorter = _shorter(alpha)[low]
-        places[low, 1] = model.distributions[1].icdf(shorter, given=places[low, 0])
-    return places
+    heights = np.maximum(heights, 0.0)
+    return np.column_stack([heights, _periods(model.distributions[1], heights, alpha)])
 
 
-def _shorter(alpha: float) -> FloatArray:
-    """Probability of a shorter period for the height at each point of a contour, (PLACES,)."""
-    from scipy.special import ndtr, ndtri
+def _periods(fitted: Any, heights: FloatArray, alpha: float) -> FloatArray:
+    """Peak periods (s) for the heights (m) of the points of a contour, (PLACES,).
 
-    angle = 2.0 * np.pi * np.arange(PLACES) / PLACES
-    return np.asarray(ndtr(-ndtri(alpha) * np.sin(angle)))
+    ``fitted``: log-normal distribution of virocon, of which mean and standard deviation of the logarithm are
+    functions of the height, fitted to bins of heights. The standard deviation is an exponential function,
+    which may be very large below the lowest bin or above the highest; there, it has the value at this bin.
+    """
+    from scipy.special import ndtri
+
+    bins = np.asarray(fitted.conditioning_values, float)
+    mean = fitted.conditional_parameters["mu"](heights)
+    deviation = fitted.conditional_parameters["sigma"](np.clip(heights, bins.min(), bins.max()))
+    normal = -ndtri(alpha) * np.sin(2.0 * np.pi * np.arange(PLACES) / PLACES)
+    return np.asarray(np.exp(mean + deviation * normal))
 
 
 def _import():  # type: ignore[no-untyped-def]
