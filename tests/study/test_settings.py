@@ -167,6 +167,25 @@ def test_points_that_cannot_be_completed_as_tuned_are_run_by_request(study_of, m
     assert [store.has(one.key) for one in points.tuned] == [not by for by in points.by_request]
 
 
+@pytest.mark.parametrize(
+    "estimate, serves", [({}, False), ({"moment": 0.01}, True), ({"moment": 0.03}, False)]
+)
+def test_a_point_whose_error_is_not_known_to_be_small_is_run_by_request(
+    study_of, monkeypatch, estimate, serves
+):
+    """Its estimate is empty if a run for it failed."""
+    study = study_of("surge")
+    tuned = with_setting(study, GOOD)
+    again = []
+    monkeypatch.setattr(settings, "attempt", lambda *_: {})
+    monkeypatch.setattr(settings, "fill", lambda _, points, __: again.extend(points))
+    monkeypatch.setattr(settings, "has_error_estimate", lambda *_: True)
+    monkeypatch.setattr(settings.store, "about", lambda key: {"facts": {"error_estimate": estimate}})
+    points = fill_tuned(study, tuned, zip(study.plan, tuned.plan, strict=True), 1)
+    assert points.by_request == [not serves] * len(study.plan)
+    assert len(again) == sum(points.by_request)
+
+
 def test_points_that_estimate_nothing_are_served_as_their_nearest_is(study_of, monkeypatch):
     """One point that does not serve takes those with it that are nearer to it than to the other."""
     study = study_of("surge")

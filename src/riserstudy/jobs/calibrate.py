@@ -1,29 +1,38 @@
-"""Fit the calibrated values of a study to published values, by a continuous search within their ranges.
+"""Fit the calibrated values of a study to published values, by a search within their ranges.
 
 ``python -m riserstudy.jobs.calibrate mao_hangoff/nearest N1 N2 N3`` prints the values that minimise the
 largest relative error of the numbers. The free values are those that the study sets as ``calibrated`` with a
-range. The search writes no file: the user copies its result into the study file. No rule of the workflow runs
-it, because a search needs hundreds of runs.
+range. The search tries points all over the ranges, and continues from the best of them; with a single free
+value, it continues from each minimum, and all values that fit equally well are printed. The study is then
+repeated with finer meshes and shorter time steps, which show how accurate the fit is. The search writes no
+file: the user copies its result into the study file. No rule of the workflow runs it, because a search needs
+hundreds of runs.
 """
 
 from __future__ import annotations
 
+import math
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from scipy.optimize import minimize
 
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.grading.grade import Task
 from riserstudy.grading.models import Item
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import read_published
+from riserstudy.grading.verdict import tolerance
+from riserstudy.jobs.search import MOST, Fit, Shares, search
+from riserstudy.records.numerals import percent
+from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.tolerance import DISPLACEMENT
 from riserstudy.study.collect import dataset_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
@@ -34,10 +43,11 @@ if TYPE_CHECKING:
     from riserstudy.study.models import Derived
 
 CONFIG = Path("config")
-MOST = 400  # evaluations per start
-STARTS = 3  # the largest error has edges, onto which a simplex shrinks: it is restarted there
-FIRST_STEP = 0.1  # as a share of a range
+AT_END = 1e-3  # distance from the end of a range that counts as none, as a share of the range
+ASIDE = 0.01  # change of a value that shows whether it has an effect, as a share of a range
+DIGITS = 6  # of a value, relative to its range
 NO_RUN = 1e3  # relative error that is assumed where a run cannot be completed
+FINER = 2  # ratio of segments and of time steps of the run that shows the error of a fit
 
 
 class Free(NamedTuple):
@@ -51,35 +61,46 @@ class Free(NamedTuple):
 
     def value(self, share: float) -> str | float:
         """Return the value at a share (1) of the range, in the notation of study files."""
-        digits = f"{self.low + share * (self.high - self.low):.4g}"
+        size = max(abs(self.low), abs(self.high)) / (self.high - self.low)
+        figures = DIGITS + max(0, math.ceil(math.log10(size)))
+        digits = f"{self.low + share * (self.high - self.low):.{figures}g}"
         return f"{digits} {self.unit}" if self.unit else float(digits)
-
-
-class Fit(NamedTuple):
-    """Result of a search: shares of the ranges, the largest relative error, and number of evaluations."""
-
-    shares: list[float]
-    miss: float
-    looks: int
 
 
 def free_values(study: Study) -> list[Free]:
     """Return the calibrated values of a study that have a range.
 
-    Raises InputError when the study has none.
+    Raises InputError when the study has none, or when a value is outside its range or in another unit.
     """
     free = []
     for path, value in study.model.set.items():
         if isinstance(value, dict) and "calibrated" in value and "range" in value:
-            low, high = (float(str(end).split()[0]) for end in value["range"])
-            number, _, unit = str(value["calibrated"]).partition(" ")
-            free.append(Free(path, float(number), low, high, unit))
+            where = f"set.{path}"
+            start, low, high = (_parts(study, where, one) for one in (value["calibrated"], *value["range"]))
+            if not start[1] == low[1] == high[1]:
+                allowed = "allowed are a value and the ends of its range in one unit"
+                found = ", ".join(map(str, (value["calibrated"], *value["range"])))
+                raise InputError(study.where, where, found, allowed)
+            if not (low[0] < high[0] and low[0] <= start[0] <= high[0]):
+                found = f"{value['calibrated']}, with the range {value['range'][0]} to {value['range'][1]}"
+                raise InputError(study.where, where, found, "allowed is a value within a range [low, high]")
+            free.append(Free(path, start[0], low[0], high[0], start[1]))
     if not free:
         raise InputError(study.where, "set", "no calibrated values with a range", "add range")
     return free
 
 
-def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> Study:
+def _parts(study: Study, where: str, value: Any) -> tuple[float, str]:
+    """Return number and unit of a value."""
+    number, _, unit = str(value).strip().partition(" ")
+    try:
+        return float(number), unit.strip()
+    except ValueError:
+        allowed = "allowed is a number with its unit"
+        raise InputError(study.where, where, repr(value), allowed) from None
+
+
+def with_values(study: Study, free: Sequence[Free], shares: Shares) -> Study:
     """Return the study with its free values at the given shares (1) of their ranges."""
     sets = dict(study.model.set)
     for one, share in zip(free, shares, strict=True):
@@ -87,25 +108,58 @@ def with_values(study: Study, free: Sequence[Free], shares: Sequence[float]) -> 
     return replace(study, model=study.model.model_copy(update={"set": sets}))
 
 
-def values_of(study: Study, items: Sequence[Item], derived: dict[str, Derived]) -> dict[str, float]:
-    """Simulate a study; return the simulated values of numbers whose checks read this study alone."""
-    results = [run(study.grid.file(point.index).resolved(), estimated=False) for point in study.plan]
-    runs = dataset_of(study, results)
+def values_of(
+    study: Study, items: Sequence[Item], derived: dict[str, Derived], finer: bool = False
+) -> dict[str, float]:
+    """Simulate a study; return the simulated values of numbers whose checks read one study, here this one.
+
+    ``finer``: whether segments and time steps are half as long, or the tolerance is a quarter. Raises
+    InputError when a check reads several datasets, or returns a value in another unit.
+    """
+    files = [study.grid.file(point.index) for point in study.plan]
+    files = [_finer(file) for file in files] if finer else files
+    runs = dataset_of(study, [run(file.resolved(), estimated=False) for file in files])
     values = {}
     for item in items:
-        reads = {name: _read(study, of, derived, runs) for name, of in item.reads.items()}
-        value = checks_of(study.paper)(item.check or "")(**reads, **item.options).value
-        at = {dim: cell for dim, cell in item.base.items() if dim in value.dims}
-        values[item.id] = float(value.sel(at))
+        datasets = {of: _read(study, item, of, derived, runs) for of in item.reads.values()}
+        task = Task(study.paper, item, checks_of(study.paper), datasets, None, ())
+        found = task.look(item.reads)
+        cell = {dim: at for dim, at in item.base.items() if dim in found.value.dims}
+        value = task.at_base(found, cell).value
+        if value.size != 1:
+            allowed = "allowed is one value: select it by 'base'"
+            raise InputError(study.where, item.id, f"{value.size} values along {value.dims}", allowed)
+        values[item.id] = float(value)
     return values
 
 
-def _read(study: Study, name: str, derived: dict[str, Derived], runs: xr.Dataset) -> xr.Dataset:
-    """Return a dataset that a check reads: one derived from the study alone, else the study's own runs."""
-    if name in derived and derived[name].reads == [study.name]:
+def _finer(file: SceneFile) -> SceneFile:
+    """Return a scene with segments and time steps half as long, or a quarter of its tolerance."""
+    analysis = file.resolved().analysis
+    changes: dict[str, Any] = {}
+    if analysis.mesh:
+        changes["analysis.mesh.elements"] = FINER * analysis.mesh.elements
+    if analysis.step:
+        changes["analysis.step"] = f"{analysis.step / FINER!r} s"
+    if not analysis.mesh:
+        accuracy = (analysis.accuracy or 4.0 * DISPLACEMENT) / 4.0
+        changes["analysis.accuracy"] = f"{100.0 * accuracy!r} %"
+    return file.with_values(changes, "calibrate")
+
+
+def _read(study: Study, item: Item, name: str, derived: dict[str, Derived], runs: xr.Dataset) -> xr.Dataset:
+    """Return a dataset that a check reads: one derived from the study alone, or the study's own runs.
+
+    The runs also take the place of another study that the check reads. Raises InputError for another derived
+    dataset.
+    """
+    if name not in derived:
+        return runs
+    if derived[name].reads == [study.name]:
         settings = with_printed(derived[name].settings, CONFIG, study.paper)
         return derive(study.paper, name, {study.name: runs}, settings)
-    return runs
+    allowed = f"allowed is a study, or a dataset that is derived from {study.name} alone"
+    raise InputError(f"config/published/{study.paper}.yaml", f"{item.id}.reads", name, allowed)
 
 
 def worst_miss(found: dict[str, float], items: Sequence[Item]) -> float:
@@ -113,67 +167,151 @@ def worst_miss(found: dict[str, float], items: Sequence[Item]) -> float:
     return max(abs(found[item.id] / (item.published or 0.0) - 1.0) for item in items)
 
 
-def search(miss: Callable[[Sequence[float]], float], start: Sequence[float], most: int = MOST) -> Fit:
-    """Find the point of the unit cube at which a function (here the largest error) is least.
+def _check_items(study: Study, items: Sequence[Item], derived: dict[str, Derived]) -> None:
+    """Check that numbers can be fitted, and print which studies this study stands for.
 
-    References
-    ----------
-    Nelder and Mead (1965); the simplex is restarted at the point onto which it has shrunk.
+    Raises InputError when a number has no published value or zero, or its check reads several datasets.
     """
-    best, looks = Fit([*start], miss(start), 1), 1
-    for _ in range(STARTS):
-        corner = np.array(best.shares)
-        away = np.where(corner < 0.5, FIRST_STEP, -FIRST_STEP)
-        simplex = np.vstack([corner, corner + np.diag(away)])
-        minimum = minimize(
-            miss,
-            corner,
-            method="Nelder-Mead",
-            bounds=[(0.0, 1.0)] * len(corner),
-            options={"maxfev": most, "initial_simplex": simplex, "xatol": 1e-3, "fatol": 1e-5},
-        )
-        looks += int(minimum.nfev)
-        if minimum.fun >= best.miss:
-            break
-        best = Fit([float(x) for x in minimum.x], float(minimum.fun), looks)
-    return best._replace(looks=looks)
+    if not items or any(item.published is None for item in items):
+        raise InputError(study.where, "", "no published numbers to fit to", "name some by ID")
+    if zero := [item.id for item in items if item.published == 0.0]:
+        found, allowed = f"{', '.join(zero)}: 0", "a relative error requires a number other than 0"
+        raise InputError(study.where, "published", found, allowed)
+    for item in items:
+        read = {*item.reads.values()}
+        if len(read) > 1:
+            found = f"its check reads {', '.join(sorted(read))}"
+            raise InputError(
+                study.where, item.id, found, f"allowed is one dataset, for which {study.name} stands"
+            )
+        if read - {study.name, *derived}:
+            print(f"{item.id}: its check reads the runs of {study.name} in place of {', '.join(read)}")
 
 
 def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], most: int) -> Fit:
-    """Fit the free values of a study to published values.
+    """Fit the free values of a study to published values, and print values, numbers and doubts.
 
-    Raises InputError when the study has no free value, or a number has no published value.
+    Raises InputError when the study has no free value, or a number cannot be fitted. Raises SimulationError
+    when no run can be completed.
     """
     free = free_values(study)
-    if not items or any(item.published is None for item in items):
-        raise InputError(study.where, "", "no published numbers to fit to", "name some by ID")
+    _check_items(study, items, derived)
+    known: dict[tuple[str | float, ...], dict[str, float]] = {}
 
-    def miss(shares: Sequence[float]) -> float:
+    def values(shares: Shares) -> dict[str, float]:
+        key = tuple(one.value(share) for one, share in zip(free, shares, strict=True))
+        if key not in known:
+            known[key] = values_of(with_values(study, free, shares), items, derived)
+        return known[key]
+
+    def miss(shares: Shares) -> float:
         try:
-            return worst_miss(values_of(with_values(study, free, shares), items, derived), items)
+            worst = worst_miss(values(shares), items)
         except SimulationError:
             return NO_RUN
+        return worst if np.isfinite(worst) else NO_RUN
 
     fit = search(miss, [(one.start - one.low) / (one.high - one.low) for one in free], most)
+    if fit.miss >= NO_RUN:
+        values(fit.shares)  # which raises the cause
+        raise SimulationError(f"{study.where}: a check finds no finite number at any value of the ranges")
     for one, share in zip(free, fit.shares, strict=True):
         print(f"{one.path}: {one.value(share)}")
-    reached = values_of(with_values(study, free, fit.shares), items, derived)
+    reached = values(fit.shares)
     for item in items:
         print(f"{item.id}: {reached[item.id]:.4g} {item.unit}, printed {item.published:g}")
     print(f"largest relative error {100.0 * fit.miss:.2f} % after {fit.looks} trials")
+    slopes = _slopes(values, fit.shares, free, items)
+    lines = [
+        *_doubts(free, fit, slopes),
+        *_numerical_error(study, free, fit, items, derived, slopes, reached),
+    ]
+    print("\n".join(lines))
     return fit
+
+
+def _slopes(
+    values: Callable[[Shares], dict[str, float]], shares: Shares, free: Sequence[Free], items: Sequence[Item]
+) -> np.ndarray[Any, np.dtype[np.float64]]:
+    """Change of numbers, as a share of the published ones, per share of a range: (numbers, free values).
+
+    NaN where a run cannot be completed.
+    """
+    base, made = values(shares), np.full((len(items), len(free)), np.nan)
+    for k, share in enumerate(shares):
+        aside = share + (ASIDE if share < 0.5 else -ASIDE)
+        try:
+            there = values([*shares[:k], aside, *shares[k + 1 :]])
+        except SimulationError:
+            continue
+        for n, item in enumerate(items):
+            made[n, k] = (there[item.id] - base[item.id]) / (item.published or 1.0) / (aside - share)
+    return made
+
+
+def _doubts(free: Sequence[Free], fit: Fit, slopes: np.ndarray[Any, np.dtype[np.float64]]) -> Iterator[str]:
+    """Sentences about values without effect, at the end of their range, and other values that fit."""
+    for k, (one, share) in enumerate(zip(free, fit.shares, strict=True)):
+        if (slopes[:, k] == 0.0).all():
+            yield f"warning: {one.path} has no effect on the numbers, so its value is arbitrary"
+        elif min(share, 1.0 - share) < AT_END:
+            yield f"warning: {one.path} is at the end of its range; a value outside may fit better"
+    for shares in fit.others:
+        words = ", ".join(f"{one.path}: {one.value(x)}" for one, x in zip(free, shares, strict=True))
+        yield f"warning: another value fits equally well: {words}"
+
+
+def _numerical_error(
+    study: Study,
+    free: Sequence[Free],
+    fit: Fit,
+    items: Sequence[Item],
+    derived: dict[str, Derived],
+    slopes: np.ndarray[Any, np.dtype[np.float64]],
+    reached: dict[str, float],
+) -> Iterator[str]:
+    """Sentences about numbers and fitted values on finer meshes, which show the numerical error."""
+    try:
+        finer = values_of(with_values(study, free, fit.shares), items, derived, finer=True)
+    except SimulationError as error:
+        yield f"warning: the numerical error is not known, because the finer run failed: {error}"
+        return
+    changes = np.array([(finer[item.id] - reached[item.id]) / (item.published or 1.0) for item in items])
+    coarse = False
+    for item, change in zip(items, changes, strict=True):
+        published = item.published or 0.0
+        large = abs(change * published) > tolerance(published, item.rounding or 0.0, item.within)
+        coarse |= large
+        yield (
+            f"{item.id} in finer runs, with the same values: {finer[item.id]:.4g} {item.unit}, "
+            f"a difference of {percent(abs(change))}"
+        )
+    if len(items) >= len(free) and np.isfinite(slopes).all():
+        shift = np.linalg.lstsq(slopes, -changes, rcond=None)[0]
+        for one, share in zip(free, shift, strict=True):
+            size = abs(share) * (one.high - one.low)
+            yield f"{one.path}: finer runs change the fitted value by about {size:.2g} {one.unit}".rstrip()
+    if coarse:
+        yield (
+            "warning: mesh and time step are too coarse for this fit, and its error may be several times "
+            "these differences. Use a finer mesh and a shorter time step, or give the study a tolerance "
+            "(analysis.accuracy)"
+        )
 
 
 def fit_study(config: Path, study: str, ids: list[str], tier: str, most: int | None) -> Fit:
     """Fit a study, named ``paper/study``, to published values of its paper.
 
-    Raises InputError when the study does not exist.
+    Raises InputError when the study or a published value does not exist.
     """
     paper, _, name = study.partition("/")
     file = read_studies(config, paper)
     if name not in file.studies:
         raise InputError(config / "studies" / f"{paper}.yaml", "studies", f"no study {name!r}", "")
     published = read_published(config, paper, set(file.datasets))
+    if missing := [one for one in ids if one not in {item.id for item in published.items}]:
+        allowed = f"allowed are {', '.join(item.id for item in published.items if item.kind == 'number')}"
+        raise InputError(config / "published" / f"{paper}.yaml", "", f"no {', '.join(missing)}", allowed)
     items = [item for item in published.items if item.id in ids]
     made = Study(paper, name, file.studies[name], config, tier, None, file.readings)  # type: ignore[arg-type]
     return calibrate(made, items, dict(file.derived), most or MOST)

@@ -124,8 +124,8 @@ def fill_tuned(
     """Simulate points that the store lacks, with the tuned setting, or with the tolerance where it fails.
 
     The tuned setting does not suffice for a point that cannot be completed, or whose estimated error exceeds
-    the tolerance. For a point without an estimate, the nearest point with an estimate decides. Raises
-    SimulationError when a point cannot be completed with the tolerance either.
+    the tolerance or could not be found. For a point without an estimate, the nearest point with an estimate
+    decides. Raises SimulationError when a point cannot be completed with the tolerance either.
 
     Parameters
     ----------
@@ -152,11 +152,14 @@ def fill_tuned(
 
 
 def _serves(study: Study, tuned: Study, point: Point) -> bool | None:
-    """Whether a stored point's estimated error is within the study's tolerance; None without estimate."""
+    """Whether a stored point's estimated error is within the study's tolerance; None without estimate.
+
+    A point whose error could not be estimated, because a coarser run failed, is not known to be within it.
+    """
     if not has_error_estimate(tuned, point):
         return None
     held = store.about(point.key)
-    return held is None or not exceeds(study, held["facts"])
+    return held is None or (held["facts"].get("error_estimate") != {} and not exceeds(study, held["facts"]))
 
 
 def _by_nearest(study: Study, points: list[Point], serves: dict[int, bool]) -> list[bool]:
