@@ -68,7 +68,8 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     met = f"{counts.met} of {counts.cases}"
     answer = (
         f"{met} hard cases, such as end stops, compression, disconnects and extreme stiffness, end as "
-        f"expected; {silent} a large error without a warning."
+        f"expected. Of the {counts.compared} with a reference solution, {silent} a large error without a "
+        "warning."
     )
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return met, answer, _stack(parts) + _key(each)
@@ -90,12 +91,12 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
         )
     if none:
         answers.append(f"{_named(none)} no result by more than 1 %")
-    rows = [*ranked[: ROWS - 1], *never(ranked)[:1]]
+    rows = [*ranked[: ROWS - len(none)], *none]
     drawn = [(one.name, one.changed / one.scenes) for one in rows]
     return (
         number,
         " ".join(map(sentence, answers)),
-        _bars(drawn) + _under("share of scenes whose results it changes"),
+        _bars(drawn) + _under("share of scenes in which the effect changes a result by more than 1 %"),
     )
 
 
@@ -140,7 +141,8 @@ def _stack(parts: Sequence[tuple[str, int]]) -> str:
 def _bars(shares: Sequence[tuple[str, float]]) -> str:
     """Draw one named bar per share, from top to bottom."""
     rows = (
-        f'<span>{escape(name)}</span><i><b style="width: {100.0 * share:.0f}%"></b></i>'
+        f"<span>{escape(name)}, {100.0 * share:.0f}&nbsp;%</span>"
+        f'<i><b style="width: {100.0 * share:.0f}%"></b></i>'
         for name, share in shares
     )
     return f'<span class="ranked" aria-hidden="true">{"".join(rows)}</span>'

@@ -25,7 +25,7 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     assert one.number == "3 of 4"
     assert one.answer == (
         "3 of 4 hard cases, such as end stops, compression, disconnects and extreme stiffness, end as "
-        "expected; 1 has a large error without a warning."
+        "expected. Of the 3 with a reference solution, 1 has a large error without a warning."
     )
     assert one.spark.count("<rect") == 4
 
