@@ -18,7 +18,7 @@ MODE = "drilling"
 def allowances(seas: xr.Dataset) -> xr.Dataset:
     """Dynamic allowance by output over the wave height: the value that nine seas in ten do not exceed.
 
-    The maximum of each seed minus the value at rest is taken to follow a Gumbel distribution.
+    The largest motion of each seed from the value at rest is taken to follow a Gumbel distribution.
     """
     made = xr.Dataset({f"{name}_allowance": _fractile(each) for name, each in _added(seas).items()})
     return described(made, PAPER, "dynamic allowances from irregular seas")
@@ -60,10 +60,14 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
 
 
 def _added(seas: xr.Dataset) -> dict[str, xr.DataArray]:
-    """Increase of each run's outputs over their values at rest, in the unit of the output."""
+    """Increase of each run's outputs over their values at rest, in the unit of the output.
+
+    For angles it is the largest motion to either side, because the angle at rest has both signs over the
+    range of offsets.
+    """
     added = {}
     for name in ("lfj_angle", "ufj_angle"):
-        added[name] = abs(seas[name]).max("time") - abs(seas[name]).isel(time=0)
+        added[name] = abs(seas[name] - seas[name].isel(time=0)).max("time")
     added["joint_stroke"] = seas["stroke"].max("time")  # from the static state
     stress, tension = "von_mises_stress", "effective_tension"
     added[stress] = seas[f"{stress}_max"].max("s_node") - seas[f"{stress}_static"].max("s_node")

@@ -240,11 +240,16 @@ def demand_of(
 
     ``rows``: extremes of a run, one row per output and place.
     """
-    names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
-    places = limit.places(names)
-    there = [row for row in rows if row["output"] == limit.output and row["where"] in places]
+    there = rows_of(scene, limit, rows)
     demands = [_demand(limit, row) for row in there if limit.side in row]  # few outputs have no mean
     return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
+
+
+def rows_of(scene: Resolved, limit: Limit, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """The rows of extremes that a limit applies to."""
+    names = [section.name for section in (scene.riser if limit.at else sections_of(scene, limit))]
+    places = limit.places(names)
+    return [row for row in rows if row["output"] == limit.output and row["where"] in places]
 
 
 def sections_of(scene: Resolved, limit: Limit) -> list[Section]:

@@ -9,11 +9,11 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import demand_of, error_of, too_coarse
+from riserstudy.dataset.limits import demand_of, error_of, rows_of, too_coarse
 from riserstudy.errors import InputError
 from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import static
-from riserstudy.scene.limits import Limit
+from riserstudy.scene.limits import SIGNED, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
@@ -84,10 +84,20 @@ def allowance(added: FloatArray) -> float:
 
 
 def _added(scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]) -> float:
-    """The demand of a run minus the demand at rest; NaN if one of them is missing."""
+    """The demand of a run minus the demand at rest; NaN if one of them is missing.
+
+    For outputs with a sign it is the largest motion to either side of the value at rest. The motion against
+    the sign at rest adds to the demand at offsets where the value at rest has the other sign.
+    """
     still, moving = demand_of(scene, limit, rest), demand_of(scene, limit, rows)
     if limit.side == "mean":
         return 0.0
     if still is None or moving is None:
         return float("nan")
+    if limit.output in SIGNED:
+        of = {row["where"]: row for row in rows_of(scene, limit, rest)}
+        pairs = [(of[row["where"]], row) for row in rows_of(scene, limit, rows) if row["where"] in of]
+        above = (run["largest"] - at_rest["largest"] for at_rest, run in pairs)
+        below = (at_rest["smallest"] - run["smallest"] for at_rest, run in pairs)
+        return float(max([*above, *below]))
     return still[0] - moving[0] if limit.side == "smallest" else moving[0] - still[0]

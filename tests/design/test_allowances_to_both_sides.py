@@ -1,0 +1,42 @@
+"""The allowance of a sea covers motions to both sides of the riser at rest, whatever its sign there."""
+
+import numpy as np
+import pytest
+from rigs_in_waves import in_waves, limited
+
+from riserstudy import simulate
+from riserstudy.design.sea_allowances import allowances
+from riserstudy.scene.at_rest import static
+from riserstudy.simulation.refine import run
+from riserstudy.study.in_sea import Sea, in_sea
+
+SEA = Sea(4.0, 10.0)
+UNITS = {"lfj_angle": "rad", "ufj_angle": "rad"}
+
+
+def file_of(seed, spatial, side):
+    """A rig in waves with an offset to one side and limits that no demand reaches."""
+    tree = in_waves(seed, spatial, 17, "4 m", 20, 30.0, [0.1], [60, 80])
+    depth = -float(tree["water"]["seabed"])
+    tree["platform"]["position"]["surge"] = side * 0.01 * depth
+    return limited(tree, dict.fromkeys(UNITS, 1e3), UNITS)
+
+
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_an_allowance_covers_every_output_of_the_run(seed, spatial, side):
+    file = file_of(seed, spatial, side)
+    found = {
+        limit.output: one for limit, one in zip(file.resolved().limits, allowances(file, SEA, 1), strict=True)
+    }
+    at_rest = run(static(file.resolved())).arrays
+    moving = simulate(in_sea(file, SEA, 1))
+    for name, one in found.items():
+        if one.missing:
+            assert "as estimated" in one.missing
+            continue
+        still = float(np.ravel(at_rest[f"{name}_static"])[0])
+        swing = np.abs(moving[name].values - still).max()
+        assert one.value >= swing * (1.0 - 1e-6), name
+        assert one.value > 0.0
