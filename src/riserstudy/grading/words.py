@@ -88,14 +88,15 @@ def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     return "; ".join(_by_reading(kind, readings))
 
 
+def _answers(kind: Kind) -> dict[ReadingAnswer, str]:
+    """Words for the results of interpretations, in the order in which they are listed."""
+    true, false = _HIT[kind]
+    return {"true": true, "no difference": "no difference", "false": false}
+
+
 def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     """Sentences with the interpretations for each result, or with their number if they are many."""
-    true, false = _HIT[kind]
-    words: dict[ReadingAnswer, str] = {
-        "true": true,
-        "no difference": "neither true nor false (no difference)",
-        "false": false,
-    }
+    words = _answers(kind) | {"no difference": "neither true nor false (no difference)"}
     subject = _capital(_JUDGED[kind])
     names: dict[ReadingAnswer, list[str]] = {}
     for reading in readings:
@@ -127,10 +128,9 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
 
 def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, str]]:
     """Rows of a table: interpretations, and the result with them; of many, the ones with a rare result."""
-    true, false = _HIT[kind]
-    words: dict[ReadingAnswer, str] = {"true": true, "no difference": "no difference", "false": false}
+    true = _HIT[kind][0]
     rows, many = [], len(readings) > MANY
-    for answer, plain in words.items():
+    for answer, plain in _answers(kind).items():
         names = [reading_name(reading) for reading in readings if reading.answer == answer]
         if many and len(names) > NAMED:
             rows.append((f"{len(names)} of {len(readings)} interpretations", plain))
@@ -146,10 +146,9 @@ def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, 
 
 def _by_reading(kind: Kind, readings: Sequence[Reading]) -> list[str]:
     """Parts of results by interpretation."""
-    true, false = _HIT[kind]
-    words: dict[ReadingAnswer, str] = {"true": true, "no difference": "no difference", "false": false}
+    true = _HIT[kind][0]
     parts, many = [], len(readings) > MANY
-    for answer, word in words.items():
+    for answer, word in _answers(kind).items():
         names = [reading_name(r) for r in readings if r.answer == answer]
         if many and len(names) == len(readings):
             parts.append(f"{word} with all {len(names)} interpretations")
