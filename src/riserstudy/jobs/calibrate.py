@@ -142,7 +142,7 @@ def _finer(file: SceneFile) -> SceneFile:
     if analysis.step:
         changes["analysis.step"] = f"{analysis.step / FINER!r} s"
     if not analysis.mesh:
-        accuracy = (analysis.accuracy or 4.0 * DISPLACEMENT) / 4.0
+        accuracy = analysis.accuracy / 4.0 if analysis.accuracy else DISPLACEMENT
         changes["analysis.accuracy"] = f"{100.0 * accuracy!r} %"
     return file.with_values(changes, "calibrate")
 
