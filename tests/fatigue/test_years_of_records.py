@@ -107,3 +107,21 @@ def test_zero_crossing_periods_become_peak_periods_by_the_sea_of_the_study(
     row = (tmp_path / "a.csv").read_text().splitlines()[1]
     assert float(row.split(",")[3]) == pytest.approx(expected, rel=1e-4)
     assert with_peak_period(record, 1.0) is record
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_rows_without_waves_count_as_calm_with_or_without_a_period(seed):
+    """They have the share of the time that they have with a period, and so have all other sea states."""
+    of, record = study(), seas(seed)
+    still = np.random.default_rng(seed).random(len(TIME)) < 0.3
+    record["significant_wave_height"].values[still] = 0.0
+    record["peak_period"].values[still] = np.nan
+    written = record.copy(deep=True)
+    written["peak_period"].values[still] = np.median(record["peak_period"].values[~still])
+    found, expected = (
+        over_years(of, of_record(sea, of, axes_of(of)), {}, calm=True) for sea in (record, written)
+    )
+    assert found.worst[0].rate == pytest.approx(expected.worst[0].rate, rel=1e-12)
+    assert any(line.startswith(f"{int(still.sum())} rows without waves") for line in found.notes)
+    with pytest.raises(InputError, match=f"{100 * still.mean():.3g} % of the time is outside"):
+        summed(of, record)

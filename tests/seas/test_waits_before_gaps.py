@@ -1,10 +1,10 @@
-"""Gaps at random times hide some of the waits, but change the statistics of waits only by their scatter."""
+"""Gaps at random times hide windows and waits, but change their statistics only by the scatter."""
 
 import numpy as np
 import pytest
 
 from riserstudy.seas.synthetic import lasting
-from riserstudy.seas.windows import statistics_of, waits
+from riserstudy.seas.windows import statistics_of, waits, windows
 
 YEARS = 20
 RECORDS = 6
@@ -38,3 +38,15 @@ def test_gaps_make_waits_neither_longer_nor_shorter(group):
         found = statistics_of(waits(workable[recorded], joined, rows, 1.0))
         off.append([a / b - 1.0 if b else np.nan for a, b in zip(found[:3], whole[:3], strict=True)])
     assert (np.abs(np.nanmean(off, axis=0)) <= SCATTER).all()
+
+
+@pytest.mark.parametrize("group", range(4))
+def test_gaps_make_shares_of_windows_neither_larger_nor_smaller(group):
+    off = []
+    for seed in range(RECORDS * group, RECORDS * (group + 1)):
+        workable, recorded, rows = of_seed(seed)
+        whole = windows(workable, np.ones(len(workable) - 1, bool), rows)
+        joined = np.diff(np.flatnonzero(recorded)) == 1
+        found = windows(workable[recorded], joined, rows)
+        off.append([found.inside / whole.inside - 1.0, found.starts / whole.starts - 1.0])
+    assert (np.abs(np.mean(off, axis=0)) <= SCATTER).all()

@@ -55,8 +55,8 @@ def show_hours(found: Hours, lengths: list[float], ahead: Ahead, indent: str = "
     for length in lengths:
         of = found.of_windows(length)
         print(
-            f"{indent}{length:g} h: {counted(of.number, 'window')} with {of.inside:.2%} of the hours; "
-            f"a window can start in {of.starts:.2%}"
+            f"{indent}{length:g} h: {counted(of.number, 'window')} with {_share(of.inside)} of the hours; "
+            f"a window can start in {_share(of.starts)}"
         )
         print(f"{indent}  wait (h)   mean    50 %    90 %   open")
         for name, one in found.of_waits(length):
@@ -94,3 +94,7 @@ def banded(of: Band) -> str:
     if math.isnan(of.low):
         return f"{of.share:.2%} (no band: only one year, or equal years)"
     return f"{of.share:.2%} ({of.low:.2%} to {of.high:.2%} with 90 % probability)"
+
+
+def _share(of: float) -> str:
+    return "an unknown share" if math.isnan(of) else f"{of:.2%}"

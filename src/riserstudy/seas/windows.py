@@ -13,11 +13,14 @@ MOST_LONGER = 0.01
 
 
 class Windows(NamedTuple):
-    """Sufficiently long periods of workable rows without a gap."""
+    """Sufficiently long periods of workable rows without a gap.
+
+    The shares are of the rows for which gaps, whatever the sea in them, change nothing; NaN without such rows.
+    """
 
     number: int
-    inside: float  # share of all rows within a window
-    starts: float  # share of all rows at which work may start and end in time
+    inside: float  # share of rows within a window
+    starts: float  # share of rows at which work may start and end in time
 
 
 class Waits(NamedTuple):
@@ -54,10 +57,29 @@ def stretches(workable: Flags, joined: Flags) -> NDArray[np.int64]:
 
 def windows(workable: Flags, joined: Flags, rows: int) -> Windows:
     """Windows with at least ``rows`` rows."""
-    length = np.diff(stretches(workable, joined), axis=1)[:, 0]
-    long = length[length >= rows]
     n = len(workable)
-    return Windows(len(long), long.sum() / n, (long - rows + 1).sum() / n)
+    inside, starts = np.zeros(n, bool), np.zeros(n, bool)
+    long = [(first, last) for first, last in stretches(workable, joined) if last - first >= rows]
+    for first, last in long:
+        inside[first:last] = True
+        starts[first : last - rows + 1] = True
+    before, after = _rows_to_gaps(joined, n)
+    ends = after >= rows - 1  # a window from here ends before the gap
+    around = ends & (before >= rows - 1)  # so does each window that contains the row, and starts after a gap
+    return Windows(len(long), _share(inside[around]), _share(starts[ends]))
+
+
+def _rows_to_gaps(joined: Flags, n: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Number of rows before and after each row without a gap, (n,) each."""
+    rows_on = np.arange(n)
+    ends = np.append(np.flatnonzero(~joined), n - 1)  # last rows before gaps
+    part = np.searchsorted(ends, rows_on)
+    firsts = np.concatenate([[0], ends[:-1] + 1])
+    return rows_on - firsts[part], ends[part] - rows_on
+
+
+def _share(of: Flags) -> float:
+    return float(of.mean()) if of.size else np.nan
 
 
 def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
@@ -76,8 +98,7 @@ def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
     rows_on = np.arange(n)
     following = np.where(start, rows_on, n)
     following = np.minimum.accumulate(following[::-1])[::-1]
-    ends = np.flatnonzero(~joined)  # last rows before gaps
-    end = np.append(ends, n - 1)[np.searchsorted(ends, rows_on)]
+    end = rows_on + _rows_to_gaps(joined, n)[1]
     known = following <= end
     undecided = end - rows + 2  # first row whose window would not end before the gap
     least = np.maximum(undecided - rows_on, 0)
