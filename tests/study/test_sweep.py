@@ -5,10 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from page_notebook import run_notebook
+from random_rigs import moving, written
 
 from riserstudy import load_scene, simulate, sweep
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.records.numerals import duration
+from riserstudy.scene.load import SceneFile
 from riserstudy.study import simulate_points, store
 from riserstudy.study.far_values import far_values
 from riserstudy.study.sweep import Lines, as_study
@@ -275,3 +277,22 @@ def test_the_notebook_of_its_page_runs_as_it_stands(tmp_path, monkeypatch):
     assert picture["data"]["image/png"].startswith("iVBOR")  # as PNG begins in base64
     assert (tmp_path / "sweep.png").stat().st_size > 5_000
     assert "raise the top tension" in printed
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_a_warning_states_points_whose_error_is_larger_than_the_result(seed):
+    """As the attribute ``warnings`` of each of these runs does; other points cause none."""
+    tree = moving(seed, spatial=bool(seed % 2), conductor=False)
+    tree["analysis"] |= {"mesh": {"elements": 2}, "step": 2.4, "output": {"interval": 3.0}}
+    tree["analysis"]["duration"] = 30.0
+    tree["limits"] = [{"output": "bending_moment", "largest": "1e9 N*m", "mode": "drilling"}]
+    rig = SceneFile("rig.yaml", written(tree))
+    doubtful = [
+        "error is larger than the result" in simulate(at, progress=False).attrs["warnings"]
+        for at in (rig.with_values({"analysis.step": f"{step} s"}, "test") for step in (2.4, 1.2))
+    ]
+    assert doubtful[0]
+    with pytest.warns(UserWarning, match="larger than the result") as caught:
+        sweep(rig, {"analysis.step": [2.4, 1.2]}, cores=1, progress=False)
+    said = [str(one.message) for one in caught if "without a known result" in str(one.message)]
+    assert len(said) == 1 and said[0].startswith(f"sweep: {sum(doubtful)} point")

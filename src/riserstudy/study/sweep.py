@@ -128,7 +128,10 @@ def sweep(
     with _progress(progress, len({point.key for point in study.plan})) as done:
         failures = attempt(study, study.plan, cores or available_cores(), done)
     _check_failures(study, study.plan, failures, on_error)
-    return _dataset(study, study.plan, failures).assign_attrs(title=_title(file, axes))
+    results = _stored(study, study.plan, failures)
+    if doubt := _doubt(study, results):
+        warnings.warn(doubt, stacklevel=2)
+    return _dataset(study, results, failures).assign_attrs(title=_title(file, axes))
 
 
 def _title(file: SceneFile, axes: Iterable[str]) -> str:
@@ -141,15 +144,30 @@ def _check_failures(study: Study, points: list[Point], failures: Mapping[str, ob
         raise SimulationError(_in_words(study, points, failures))
 
 
-def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) -> xr.Dataset:
-    """Results of points, and the reasons why some have none.
-
-    Raises SimulationError when points are no longer in the store.
-    """
+def _stored(study: Study, points: list[Point], failures: Mapping[str, object]) -> dict[str, Result]:
+    """Results of completed points by key. Raises SimulationError when some are no longer in the store."""
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
         raise SimulationError("sweep: points were deleted from the store during the run. Run it again")
+    return results
+
+
+def _doubt(study: Sweep, results: Mapping[str, Result]) -> str:
+    """A warning of points whose estimated error is larger than the result; empty without such points."""
+    from riserstudy.simulation.tolerance import doubt_of
+
+    doubts = {key: doubt for key, result in results.items() if (doubt := doubt_of(result.facts))}
+    if not doubts:
+        return ""
+    first = next(p for p in study.plan if p.key in doubts)
+    place = study.place(first.index)
+    return f"sweep: {counted(len(doubts), 'point')} without a known result; at {place}: {doubts[first.key]}"
+
+
+def _dataset(study: Sweep, results: Mapping[str, Result], failures: Mapping[str, object]) -> xr.Dataset:
+    """Results of points, and the reasons why some have none."""
+    points = study.plan
     empty = _without_numbers(next(iter(results.values())))
     dataset = dataset_of(study, [results.get(p.key) or empty for p in points])
     reasons = [str(failures.get(p.key, "")) for p in points]
@@ -162,8 +180,7 @@ def _dataset(study: Study, points: list[Point], failures: Mapping[str, object]) 
 def _in_words(study: Study, points: list[Point], failures: Mapping[str, object]) -> str:
     """The number of points that cannot be completed, and the reason for the first, in words."""
     point = next(p for p in points if p.key in failures)
-    many = f"{len(failures)} point{'s' if len(failures) > 1 else ''}"
-    return f"sweep: {many} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
+    return f"sweep: {counted(len(failures), 'point')} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
 
 
 def as_study(
