@@ -59,7 +59,8 @@ def test_a_deck_becomes_its_scene(tmp_path):
 def test_everything_that_is_not_mapped_is_named():
     left = read_deck(DECK).left_out
     assert {line.partition(":")[0] for line in left} == {
-        "General.ImplicitConstantTimeStep", "Environment.KinematicViscosity",
+        "General.ImplicitConstantTimeStep", "Environment.WaveTrains[Wave1].WavePeriod",
+        "Environment.KinematicViscosity",
         "Environment.SeabedType", "VesselTypes[Semi].Length", "LineTypes[Joint].PoissonRatio",
         "values that affect only drawings",
     }  # fmt: skip

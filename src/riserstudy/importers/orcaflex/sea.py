@@ -11,6 +11,7 @@ SPECTRA = ("JONSWAP", "ISSC")  # ISSC: a Pierson-Moskowitz spectrum of any heigh
 AIRY = ("Airy", "Single Airy")
 STEEP = ("Dean stream", "Stokes' 5th", "Cnoidal")
 STRETCHING = {"None": "none", "Vertical stretching": "constant", "Wheeler stretching": "stretched"}
+SAME = 0.01  # relative difference of two periods of one sea, which are rounded
 SMALL = 0.1  # largest second harmonic that is left out, as a share of the wave's amplitude
 
 
@@ -69,7 +70,13 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
     elif not train.number("WaveHeight"):
         return None
     else:
-        wave = {"height": q(train.number("WaveHeight"), "m"), "period": q(train.number("WavePeriod"), "s")}
+        period = train.number("WavePeriod")
+        wave = {"height": q(train.number("WaveHeight"), "m"), "period": q(period, "s")}
+        if ramp and period > 0.0 and min(ramp % period, -ramp % period) > 1e-6 * period:
+            train.otherwise["WavePeriod"] = (
+                "a crest is at the origin at t = 0 of the scene, when the build-up begins, not when it ends: the "
+                f"wave is {360.0 * (ramp % period) / period:.0f}° earlier than in the deck"
+            )
     if kind in STEEP:
         _made_linear(train, kind, sea)
         wave["above_mean_level"] = "stretched"
@@ -134,6 +141,7 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
     crossing = train.optional("WaveTz")
     if peak is not None:
         peak = q(train.number("WaveTp"), "s")
+        _check_crossing(train, enhancement)
     elif crossing is not None:
         period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
         peak = {"derived": q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
@@ -150,6 +158,17 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
     reason = "the sea record differs: the random phases and the components are generated differently"
     train.otherwise["WaveSeed"] = reason
     return wave
+
+
+def _check_crossing(train: Part, enhancement: float) -> None:
+    """Refuse a zero-crossing period that is not that of the peak period. A deck may give both."""
+    if train.optional("WaveTz") is None:
+        return
+    period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
+    if abs(period - train.number("WaveTp")) > SAME * period:
+        found = f"{train.number('WaveTz'):g} s, which has a peak period of {period:.4g} s"
+        allowed = f"with WaveTp {train.number('WaveTp'):g} s, they are two seas. Remove one of them"
+        raise train.refused("WaveTz", found, allowed)
 
 
 def peak_over_zero_crossing(enhancement: float) -> float:

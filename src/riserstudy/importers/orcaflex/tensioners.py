@@ -171,13 +171,35 @@ def _link(link: Part, of: Anchorage) -> Pull:
         if kind == "tether" and not unstretched > 0.0:
             found = f"{unstretched:g} m"
             raise link.refused("UnstretchedLength", found, "a tether needs a length above 0")
-        stiffness = link.number("Stiffness") / (unstretched if kind == "tether" else 1.0)
-        pull = stiffness * (length - unstretched)
-        law: tuple[tuple[float, float], ...] = ((0.0, round(pull, 6)), (1.0, round(pull + stiffness, 6)))
+        stiffness = link.number("Stiffness")
+        law = (
+            _tether(stiffness, unstretched, length)
+            if kind == "tether"
+            else (
+                (0.0, round(stiffness * (length - unstretched), 6)),
+                (1.0, round(stiffness * (length - unstretched + 1.0), 6)),
+            )
+        )
     else:
         rows = link.figures("SpringLength", "SpringTension")
         law = tuple((round(reach - length, 6), force) for reach, force in rows)
     return Pull(deck, ring, law, _damping(link) if kind == "spring/damper" else 0.0)
+
+
+def _tether(stiffness: float, unstretched: float, length: float) -> tuple[tuple[float, float], ...]:
+    """Return the law of a tether, which is slack up to its unstretched length and does not push.
+
+    Parameters
+    ----------
+    stiffness : force at twice the unstretched length (kN).
+    unstretched, length : unstretched length, and length with an unstretched riser (m).
+    """
+    longest = 2.0 * max(unstretched, length)  # where the law ends
+    return (
+        (round(-length, 6), 0.0),
+        (round(unstretched - length, 6), 0.0),
+        (round(longest - length, 6), round(stiffness * (longest / unstretched - 1.0), 6)),
+    )
 
 
 def _damping(link: Part) -> float:
