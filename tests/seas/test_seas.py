@@ -125,7 +125,9 @@ def test_windows_and_waits_are_those_counted_by_hand(seed):
     starts, inside, waited = counted(workable, joined, rows)
     of = windows(workable, joined, rows)
     ends = np.array([k + rows <= n and all(joined[k : k + rows - 1]) for k in range(n)])
-    around = np.array([all(0 <= j and j < n and ends[j] for j in range(k - rows + 1, k + 1)) for k in range(n)])
+    around = np.array(
+        [all(j >= 0 and j < n and ends[j] for j in range(k - rows + 1, k + 1)) for k in range(n)]
+    )
     for share, flags in ((of.starts, starts[ends]), (of.inside, inside[around])):
         assert share == pytest.approx(flags.mean()) if flags.size else np.isnan(share)
     long = stretches(workable, joined)

@@ -295,4 +295,5 @@ def test_a_warning_states_points_whose_error_is_larger_than_the_result(seed):
     with pytest.warns(UserWarning, match="larger than the result") as caught:
         sweep(rig, {"analysis.step": [2.4, 1.2]}, cores=1, progress=False)
     said = [str(one.message) for one in caught if "without a known result" in str(one.message)]
-    assert len(said) == 1 and said[0].startswith(f"sweep: {sum(doubtful)} point")
+    assert len(said) == 1
+    assert said[0].startswith(f"sweep: {sum(doubtful)} point")

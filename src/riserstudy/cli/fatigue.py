@@ -151,11 +151,12 @@ def _summed(
     elif seas:
         from riserstudy.cli.seas import USUAL_GAMMA, check_gamma
         from riserstudy.seas.record import read_record, with_peak_period
+        from riserstudy.seas.sea_states import with_calm_periods
 
         record = read_record(seas)
         check_gamma("fatigue", gamma, record)
         record = with_peak_period(record, gamma or gamma_of(dataset) or USUAL_GAMMA)
-        occurs = of_record(record, dataset, axes)
+        occurs = of_record(with_calm_periods(record), dataset, axes)
     elif axes:
         raise InputError("--scatter", "", "not given", "give a table, or --seas RECORD")
     else:

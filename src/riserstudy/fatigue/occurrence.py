@@ -18,7 +18,6 @@ from riserstudy.errors import InputError
 from riserstudy.inputs.text import read_text
 from riserstudy.records.words import counted
 from riserstudy.scene.units import to_si
-from riserstudy.seas.sea_states import without_waves
 from riserstudy.study.months import uneven_months
 
 if TYPE_CHECKING:
@@ -145,7 +144,6 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
         allowed = f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
         raise InputError("--seas", "", "no quantity of the record is an axis of the study", allowed)
     table = np.stack(list(columns.values()), axis=1)
-    calm = _give_period(table, list(columns), without_waves(record), record, axes)
     whole = np.asarray(np.isfinite(table).all(axis=1))
     if not whole.any():
         found = f"no row has {' and '.join(columns)}"
@@ -153,29 +151,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     found_states, counts = np.unique(table[whole], axis=0, return_counts=True)
     values = {axis: found_states[:, k] for k, axis in enumerate(columns)}
     notes = _notes(record, axes, whole)
-    if calm:
-        median = "the median of the other rows"
-        notes += (f"{counted(calm, 'row')} without waves or a period: the period is set to {median}",)
     return Occurrence(values, counts / counts.sum(), notes, tuple(irregular))
-
-
-def _give_period(
-    table: Array, of: list[str], calm: NDArray[np.bool_], record: xr.Dataset, axes: list[str]
-) -> int:
-    """Set periods that rows without waves lack to the median of the others; number of these rows.
-
-    Without it, the occurrence would leave them out, and that of all other sea states would be too large.
-    """
-    period = axis_of(PEAK, axes) if PEAK in record else None
-    if period is None:
-        return 0
-    column = table[:, of.index(period)]
-    lacking = calm & ~np.isfinite(column)
-    known = column[np.isfinite(column)]
-    if not known.size:
-        return 0
-    column[lacking] = np.median(known)
-    return int(lacking.sum())
 
 
 def _notes(record: xr.Dataset, axes: list[str], whole: NDArray[np.bool_]) -> tuple[str, ...]:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.records.words import counted
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -43,6 +44,25 @@ def without_waves(record: xr.Dataset) -> NDArray[np.bool_]:
     return np.asarray(record["significant_wave_height"].values == 0.0)
 
 
+def with_calm_periods(record: xr.Dataset) -> xr.Dataset:
+    """The record with the median peak period of the other rows in rows without waves that lack a period.
+
+    Records of buoys leave out the period of a calm sea. Without these rows, the share of all other sea states
+    would be too large.
+    """
+    if "peak_period" not in record:
+        return record
+    period = record["peak_period"]
+    calm = without_waves(record) & ~np.isfinite(period.values)
+    known = period.values[~calm & np.isfinite(period.values)]
+    if not calm.any() or not known.size:
+        return record
+    filled = period.copy(data=np.where(calm, np.median(known), period.values))
+    told = f"{counted(int(calm.sum()), 'row')} without waves or a period: set to the median of the other rows"
+    filled.attrs["comment"] = "; ".join(filter(None, (period.attrs.get("comment"), told)))
+    return record.assign(peak_period=filled)
+
+
 def sea_states(record: xr.Dataset) -> SeaStates:
     """The sea states of a record (`riserstudy.seas.record.read_record`).
 
@@ -53,15 +73,17 @@ def sea_states(record: xr.Dataset) -> SeaStates:
         if name not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
             raise InputError("RECORD", name, "not in the record", f"there are {there}")
-    values = np.column_stack([record[name].values for name in NEEDED]).astype(float)
-    known = np.isfinite(values).all(axis=1)
-    if known.sum() < 2:
+    if np.isfinite(_values(record)).all(axis=1).sum() < 2:
         raise InputError("RECORD", " and ".join(NEEDED), "no two rows with both", "")
-    calm = without_waves(record) & ~known
-    values[calm, 1] = np.median(values[known, 1])
-    known |= calm
+    values = _values(with_calm_periods(record))
+    known = np.isfinite(values).all(axis=1)
     values[known, 0] = np.maximum(values[known, 0], CALM)
     states, of, rows = np.unique(values[known], axis=0, return_inverse=True, return_counts=True)
     state_of_row = np.full(len(values), -1)
     state_of_row[known] = of.ravel()
     return SeaStates(states, rows, state_of_row)
+
+
+def _values(record: xr.Dataset) -> FloatArray:
+    """Height and period of each row, (rows, 2)."""
+    return np.column_stack([record[name].values for name in NEEDED]).astype(float)

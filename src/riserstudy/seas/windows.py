@@ -15,7 +15,7 @@ MOST_LONGER = 0.01
 class Windows(NamedTuple):
     """Sufficiently long periods of workable rows without a gap.
 
-    The shares are of the rows for which gaps, whatever the sea in them, change nothing; NaN without such rows.
+    The shares are of the rows for which the sea in gaps changes nothing; NaN without such rows.
     """
 
     number: int

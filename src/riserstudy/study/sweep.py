@@ -180,7 +180,8 @@ def _dataset(study: Sweep, results: Mapping[str, Result], failures: Mapping[str,
 def _in_words(study: Study, points: list[Point], failures: Mapping[str, object]) -> str:
     """The number of points that cannot be completed, and the reason for the first, in words."""
     point = next(p for p in points if p.key in failures)
-    return f"sweep: {counted(len(failures), 'point')} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
+    many = counted(len(failures), "point")
+    return f"sweep: {many} cannot be completed; at {study.place(point.index)}: {failures[point.key]}"
 
 
 def as_study(

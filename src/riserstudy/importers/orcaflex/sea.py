@@ -74,8 +74,8 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
         wave = {"height": q(train.number("WaveHeight"), "m"), "period": q(period, "s")}
         if ramp and period > 0.0 and min(ramp % period, -ramp % period) > 1e-6 * period:
             train.otherwise["WavePeriod"] = (
-                "a crest is at the origin at t = 0 of the scene, when the build-up begins, not when it ends: the "
-                f"wave is {360.0 * (ramp % period) / period:.0f}° earlier than in the deck"
+                "a crest is at the origin at t = 0 of the scene, when the build-up begins, not when it "
+                f"ends: the wave is {360.0 * (ramp % period) / period:.0f}° earlier than in the deck"
             )
     if kind in STEEP:
         _made_linear(train, kind, sea)
