@@ -134,7 +134,8 @@ def too_coarse(limit: Limit, error: Error) -> str:
         return ""
     most = f"{100.0 * SURE:g} %{' of its allowable' if of_allowable else ' of its largest value'}"
     return (
-        f"{error.words}, below {most}; give more analysis.mesh.elements, or analysis.accuracy without a mesh"
+        f"{error.words}, below {most}; give a finer analysis.mesh and a shorter analysis.step, or "
+        "analysis.accuracy instead"
     )
 
 
@@ -168,7 +169,7 @@ def _with_error(one: Checked, facts: Mapping[str, Any], own_mesh: bool) -> Check
     if name in facts.get("sampling_error", {}):  # partly due to the limited duration of a vibration
         remedy = f"run longer, or {remedy}"
     if name is None:
-        remedy = "give more analysis.mesh.elements and a shorter analysis.step, or analysis.accuracy instead"
+        remedy = "give a finer analysis.mesh and a shorter analysis.step, or analysis.accuracy instead"
     return one._replace(verdict=UNKNOWN, missing=f"{error.words}, below the margin; {remedy}")
 
 

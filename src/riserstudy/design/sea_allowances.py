@@ -61,7 +61,7 @@ def _of_limit(scene: Resolved, limit: Limit, rest: RunFacts, runs: Sequence[RunF
     errors = [error_of(limit.output, one, own_mesh=True) for one in runs]
     why = too_coarse(limit, max(errors, key=lambda one: one.size))
     if why:
-        return Allowance(math.nan, f"in the runs of the sea, {why}, or a shorter analysis.step")
+        return Allowance(math.nan, f"in the runs of the sea, {why}")
     return Allowance(value)
 
 

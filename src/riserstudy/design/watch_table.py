@@ -181,7 +181,7 @@ def _unsure(scene: Resolved, limit: Limit, time: float | str, facts: dict[str, A
         return ""
     whys = []
     if scene.analysis.mesh and (why := too_coarse(limit, error_of(limit.output, facts, own_mesh=True))):
-        whys.append(f"{why}, or a shorter analysis.step")
+        whys.append(why)
     whys += [sparse] if sparse else []
     return f"circles may be too large: {'; '.join(whys)}" if whys else ""
 
