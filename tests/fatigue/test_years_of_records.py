@@ -127,3 +127,14 @@ def test_rows_without_waves_count_as_calm_with_or_without_a_period(seed):
     assert any(f"{int(still.sum())} rows without waves" in line for line in found.notes)
     with pytest.raises(InputError, match=f"{100 * still.mean():.3g} % of the time is outside"):
         summed(of, with_calm_periods(record))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_periods_in_every_third_row_of_a_season_are_refused(seed):
+    """Otherwise this season would count a third of its time."""
+    of, record = study(), seas(seed)
+    first = int(np.random.default_rng(seed).integers(0, 50))
+    season = np.arange(first, first + 60)
+    record["peak_period"].values[season[season % 3 != 0]] = np.nan
+    with pytest.raises(InputError, match="rows with values are 219 h apart"):
+        summed(of, record)

@@ -19,6 +19,7 @@ from riserstudy.inputs.text import read_text
 from riserstudy.records.words import counted
 from riserstudy.scene.units import to_si
 from riserstudy.study.months import uneven_months
+from riserstudy.study.spacing import check_spacing
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -127,7 +128,8 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     """Sea states of a record, hour by hour, each with its share of all hours that have every quantity.
 
     Raises InputError when no quantity of the record is an axis of the study, a unit does not fit, no row has
-    every quantity, or an axis has the name of the record's bearings, which are not headings of a scene.
+    every quantity, rows have a longer interval in a part of the record, or an axis has the name of the
+    record's bearings, which are not headings of a scene.
     """
     columns, irregular = {}, []
     for name in map(str, record.data_vars):
@@ -148,6 +150,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     if not whole.any():
         found = f"no row has {' and '.join(columns)}"
         raise InputError("--seas", "", found, "give a record with values")
+    check_spacing("--seas", "time", record["time"].values[whole])
     found_states, counts = np.unique(table[whole], axis=0, return_counts=True)
     values = {axis: found_states[:, k] for k, axis in enumerate(columns)}
     notes = _notes(record, axes, whole)

@@ -20,6 +20,7 @@ from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
 from riserstudy.study.months import MONTHS, hours_of_month, month_of, uneven_months
 from riserstudy.study.persistence import PERSISTENCE
+from riserstudy.study.spacing import check_spacing
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -241,8 +242,13 @@ def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bo
 
 
 def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.bool_]) -> Hours:
-    """Workable hours from flags of known rows, (rows,), and of workable rows among these, (known,)."""
+    """Workable hours from flags of known rows, (rows,), and of workable rows among these, (known,).
+
+    Raises InputError when known rows have a longer interval in a part of the record.
+    """
     time = record["time"].values[known]
+    if not known.all():  # the intervals of all rows are checked when a record is read
+        check_spacing("RECORD", "time", time)
     interval = float(record.attrs["interval_hours"])
     years = by_year(time, workable, interval)
     return Hours(

@@ -21,6 +21,7 @@ from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import COLUMNS, UNSURE_HEIGHT, Head, check_fills, head, labels_of
 from riserstudy.seas.netcdf_record import Place, read_netcdf
 from riserstudy.seas.zones import check_zone_of_table
+from riserstudy.study.spacing import check_spacing
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -321,6 +322,8 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
         row = int((steps <= 0.0).argmax()) + 3
         raise InputError(f"{path}, row {row}", "time", "not after the row before", "times must increase")
     _check_interval(path, frame, steps)
+    there = np.isfinite(frame["significant_wave_height"].to_numpy())
+    check_spacing(path, "time", frame.index.to_numpy()[there])
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
         found = "in most rows it is shorter than the zero-crossing period"
