@@ -174,7 +174,7 @@ class Parts(Strict):
             and ({"surge", "pitch"} & set(platform.response.moving) or None),
             "platform.cruise": platform.cruise,
             "top.offset": self.top.offset,
-            "top.tensioners.failed": (self.top.tensioners and self.top.tensioners.pulls_aside) or None,
+            **{name: True for name, (_, aside) in self._pulls.items() if aside},
             "top.lateral_force": self.top.lateral_force,
             "riser.lateral_load": [s for s in self.riser if s.lateral_load] or None,
         }
@@ -193,8 +193,7 @@ class Parts(Strict):
         moving = platform.response.moving if platform.response else []
         if {"sway", "roll", "yaw"} & set(moving):
             reasons["platform.response"] = moving
-        if self.top.tensioners and not self.top.tensioners.even_sided:
-            reasons["top.tensioners"] = "uneven"
+        reasons |= {name: True for name, (even, _) in self._pulls.items() if not even}
         if self.current and (line := self.current.leaves_plane):
             reasons[f"current.{line}"] = True
         for name, part in (("platform.cruise", platform.cruise), ("wave", self.wave)):
@@ -205,6 +204,31 @@ class Parts(Strict):
         if any(section.viv for section in self.riser):
             reasons["riser.viv"] = True  # across the flow
         return next((name for name, value in reasons.items() if value is not None), "")
+
+    @property
+    def _pulls(self) -> dict[str, tuple[bool, bool]]:
+        """Whether cylinders pull evenly on both sides of the plane, and whether along x, by stage of a run.
+
+        The key of the scene names the stage: cylinders may fail, and valves stay open after a release. An
+        open valve has twice the share of a closed one here: any other share gives the same answer.
+        """
+        rig, release = self.top.tensioners, self.disconnect
+        if rig is None:
+            return {}
+        open_ones = (release and release.recoil_valve and release.recoil_valve.failed) or []
+        valves = [2.0 if c in open_ones else 1.0 for c in range(rig.count)]
+        stages = {"top.tensioners": [rig.working]}
+        if rig.failing:
+            stages["top.tensioners.failing"] = [rig.still_working]
+        if open_ones:
+            each = [
+                [v * w for v, w in zip(valves, of, strict=True)] for of in (rig.working, rig.still_working)
+            ]
+            stages["disconnect.recoil_valve.failed"] = each
+        return {
+            name: (all(map(rig.is_even_sided, of)), any(map(rig.pulls_aside, of)))
+            for name, of in stages.items()
+        }
 
 
 def _moving(motion: Any) -> Any:

@@ -294,25 +294,29 @@ class Tensioners(Strict):
         return [0.0 if c in (self.failed or []) else 1.0 for c in range(self.count)]
 
     @property
-    def even_sided(self) -> bool:
-        """Whether the working cylinders are symmetric about the plane of x and z."""
+    def still_working(self) -> list[float]:
+        """Share of the law (1) that each cylinder pulls after those in ``failing`` have failed, too."""
+        late = self.failing.cylinders if self.failing else []
+        return [0.0 if c in late else share for c, share in enumerate(self.working)]
+
+    def is_even_sided(self, shares: list[float]) -> bool:
+        """Whether pulls with these shares (1) of one law, by cylinder, are symmetric about the x-z plane."""
         if self.arrangement is None:
             return True
         places = [
-            (round(math.cos(b), 9), round(math.sin(b), 9) + 0.0)
-            for b, works in zip(self.arrangement.bearings(self.count), self.working, strict=True)
-            if works
+            (round(math.cos(b), 9), round(math.sin(b), 9) + 0.0, share)
+            for b, share in zip(self.arrangement.bearings(self.count), shares, strict=True)
+            if share
         ]
-        return sorted(places) == sorted((x, -y + 0.0) for x, y in places)
+        return sorted(places) == sorted((x, -y + 0.0, share) for x, y, share in places)
 
-    @property
-    def pulls_aside(self) -> bool:
-        """Whether the working cylinders, at equal pulls, have a resultant force along x."""
+    def pulls_aside(self, shares: list[float]) -> bool:
+        """Whether pulls with these shares (1) of one law, by cylinder, have a resultant force along x."""
         if self.arrangement is None:
             return False
         bearings = self.arrangement.bearings(self.count)
-        shares = (w * math.cos(b) for b, w in zip(bearings, self.working, strict=True))
-        return abs(sum(shares)) > 1e-9 * self.count
+        along = (share * math.cos(b) for b, share in zip(bearings, shares, strict=True))
+        return abs(sum(along)) > 1e-9 * self.count
 
     @property
     def piston_mass(self) -> float:
