@@ -35,14 +35,20 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
 
 
 def _answer(of: xr.Dataset) -> str:
-    """Title: reduction of the drilling window from the lowest to the highest sea, in the weakest current."""
-    calm = of.isel(surface_speed=0)
-    ends = calm["envelope_offset"]
+    """Title: currents in which the highest sea allows drilling, or how much it reduces the drilling window."""
+    heights = of["significant_height"].values
+    ends = of["envelope_offset"]
     room = ends.sel(offset_side="high") - ends.sel(offset_side="low")
     low, high = room.isel(significant_height=0), room.isel(significant_height=-1)
-    heights = of["significant_height"].values
-    if np.isnan(high).any():
-        return f"At $H_s$ = {heights[-1]:g} m no offset allows drilling"
+    sea = f"$H_s$ = {heights[-1]:g} m"
+    if np.isnan(high).all():
+        return f"At {sea} no offset allows drilling"
+    is_open = np.isfinite(high).all("mud_weight").values
+    if not is_open[0]:
+        return f"At {sea} some muds do not allow drilling"
+    if not is_open.all():
+        fastest = float(of["surface_speed"][int(is_open.argmin()) - 1])
+        return f"At {sea} every mud allows drilling up to {fastest:g} m/s of current"
     taken = 100.0 * (1.0 - high / low)
     least, most = (f"{float(end):.0f}" for end in (taken.min(), taken.max()))
     by = most if least == most else f"{least} to {most}"

@@ -86,9 +86,9 @@ def test_one_failed_unit_is_one_unit():
     assert titles == ["(a) no units failed", "(b) 1 unit failed", "(c) 2 units failed"]
 
 
-def test_the_narrowing_by_seas_is_told_for_all_muds():
-    """By half at one mud density, by a tenth at the other."""
-    half = np.array([[[50.0, 25.0], [50.0, 45.0]]])  # (current, mud, sea)
+def seas_of(half):
+    """Offsets that allow drilling and allowances of two seas, for half widths over (current, mud, sea)."""
+    half = np.array(half)
     ends = np.stack([-half, half], axis=-1)
     of = xr.Dataset(
         {
@@ -99,7 +99,7 @@ def test_the_narrowing_by_seas_is_told_for_all_muds():
         },
         {
             "operation": ["drilling"],
-            "surface_speed": [0.0],
+            "surface_speed": [0.0, 1.0, 1.6][: len(half)],
             "mud_weight": [1100.0, 1800.0],
             "significant_height": [2.0, 6.0],
             "offset_side": ["low", "high"],
@@ -108,8 +108,35 @@ def test_the_narrowing_by_seas_is_told_for_all_muds():
     added = xr.Dataset(
         {"ufj_angle_allowance": ("significant_height", [0.01, 0.02])}, {"significant_height": [2.0, 6.0]}
     )
-    figure = operability_in_seas(of, added)
-    assert headline(figure).endswith("reduces the drilling window by 10 to 50 %")
+    return of, added
+
+
+GONE = np.nan
+
+
+@pytest.mark.parametrize(
+    "half, title",
+    [
+        (
+            [[[50.0, 25.0], [50.0, 45.0]]],
+            "Raising H_s from 2 to 6 m reduces the drilling window by 10 to 50 %",
+        ),
+        (
+            [[[50.0, 25.0], [50.0, 45.0]], [[50.0, 10.0], [50.0, 45.0]]],
+            "Raising H_s from 2 to 6 m reduces the drilling window by 10 to 80 %",
+        ),
+        (
+            [[[50.0, 25.0], [50.0, 45.0]], [[50.0, 1.0], [50.0, 1.0]], [[50.0, GONE], [50.0, 1.0]]],
+            "At H_s = 6 m every mud allows drilling up to 1 m/s of current",
+        ),
+        ([[[50.0, GONE], [50.0, 45.0]]], "At H_s = 6 m some muds do not allow drilling"),
+        ([[[50.0, GONE], [50.0, GONE]]], "At H_s = 6 m no offset allows drilling"),
+    ],
+)
+def test_the_narrowing_by_seas_is_told_for_all_muds_and_currents(half, title):
+    """By half at one mud density, by a tenth at the other; to nothing in fast currents."""
+    figure = operability_in_seas(*seas_of(half))
+    assert headline(figure) == title
     widths = [line.get_linewidth() for line in figure.axes[0].lines[::2][:2]]
     assert widths[0] > widths[1]  # the one below is seen beside the one above
 
