@@ -35,7 +35,7 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
 
 
 def _answer(of: xr.Dataset) -> str:
-    """Title: currents in which the highest sea allows drilling, or how much it reduces the drilling window."""
+    """Title: currents in which the highest sea allows drilling, or the reduction of the window by it."""
     heights = of["significant_height"].values
     ends = of["envelope_offset"]
     room = ends.sel(offset_side="high") - ends.sel(offset_side="low")
@@ -43,7 +43,7 @@ def _answer(of: xr.Dataset) -> str:
     sea = f"$H_s$ = {heights[-1]:g} m"
     if np.isnan(high).all():
         return f"At {sea} no offset allows drilling"
-    is_open = np.isfinite(high).all("mud_weight").values
+    is_open = high.notnull().all("mud_weight").values
     if not is_open[0]:
         return f"At {sea} some muds do not allow drilling"
     if not is_open.all():
