@@ -40,15 +40,15 @@ class Piece(NamedTuple):
 def stack_up(scene: Resolved) -> Table:
     """The riser from the top down, with sums.
 
-    ``wet weight`` is the submerged weight with the bore flooded with sea water, as when joints hang on the
-    hook. ``hook load`` is the sum of the wet weights from its line downwards, when these joints are made up.
-    ``wet weight, bore empty`` excludes everything inside the bore. ``contents`` are the contents in the
-    scene. The last column is the decrease of tension from the top to this line. For a section without
-    contents, the weight in the scene includes the fluid in its bore. Weights are those of pipe, modules and
-    lines together; above the water, they are weights in air. ``uplift`` is the difference of dry weight and
-    submerged weight with an empty bore. The lift of modules is a net lift, beyond their own weight. A
-    telescopic joint above the ring hangs on the deck and is not included. ``scene``: the riser; masses in kg,
-    lengths in m.
+    ``wet weight`` is the submerged weight with the bore flooded with sea water up to the surface, as when
+    joints hang on the hook. ``hook load`` is the sum of the wet weights from its line downwards, when these
+    joints are made up. ``wet weight, bore empty`` excludes everything inside the bore. ``contents`` are the
+    contents in the scene. The last column is the decrease of tension from the top to this line. For a section
+    without contents, the weight in the scene includes the fluid in its bore. Weights are those of pipe,
+    modules and lines together; above the water, they are weights in air. ``uplift`` is the difference of dry
+    weight and submerged weight with an empty bore. The lift of modules is a net lift, beyond their own
+    weight. A telescopic joint above the ring hangs on the deck and is not included. ``scene``: the riser;
+    masses in kg, lengths in m.
     """
     pieces = _pieces(scene)
     hook: list[float | None] = []
@@ -110,13 +110,17 @@ def _section(scene: Resolved, k: int, upper: float | None) -> Piece:
 
 
 def _flooding(scene: Resolved, k: int) -> float:
-    """Mass of the sea water in the bore of a section (kg/m), if its weight excludes the bore's contents."""
+    """Mean mass of the sea water in the bore of a section (kg/m), if its weight excludes the bore's contents.
+
+    Sea water fills the bore up to the surface.
+    """
     section, ends = scene.riser[k], levels(scene, k)
-    surface = scene.water.surface if scene.water else None
-    dry = ends is not None and surface is not None and ends[0] >= surface
-    if scene.water is None or section.contents is None or dry:
+    if scene.water is None or section.contents is None:
         return 0.0
-    return scene.water.density * 0.25 * math.pi * (section.inner_diameter or 0.0) ** 2
+    surface, wet = scene.water.surface, 1.0
+    if ends is not None and surface is not None:
+        wet = min(max((surface - ends[0]) / (ends[1] - ends[0]), 0.0), 1.0)
+    return wet * scene.water.density * 0.25 * math.pi * (section.inner_diameter or 0.0) ** 2
 
 
 def _parts(section: Section, gravity: float) -> list[Cell]:
