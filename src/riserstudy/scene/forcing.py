@@ -151,11 +151,13 @@ class Platform(Strict):
     Roll is about x, pitch about y (the platform's vertical leans towards +x), and yaw about z.
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
-    and the centre of rotation drifts with the vessel. Response amplitude operators (RAOs) apply for the
-    initial heading of the vessel, and phases for its initial place, even if the vessel drifts. A run warns if
-    the vessel drifts by more than a tenth of the wavelength in the direction of the waves of the scene. With
-    a ``vessel``, the engine refuses a cruise, and a position in surge or sway. ``top.offset`` then gives the
-    initial place of the vessel.
+    and the centre of rotation drifts with the vessel. Phases of response amplitude operators (RAOs) apply for
+    the initial place of the vessel, even if it drifts. A run warns if the vessel drifts by more than a tenth
+    of the wavelength in the direction of the waves of the scene. With a ``vessel``, the engine refuses a
+    cruise, and a position in surge or sway. ``top.offset`` then gives the initial place of the vessel.
+
+    RAOs refer to a hull along x. With RAOs, the engine refuses a rest position with a yaw, and a ``vessel``
+    with another heading.
     """
 
     position: Position | None = None

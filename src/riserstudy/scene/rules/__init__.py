@@ -30,6 +30,7 @@ RULES = (
     pipe.bending,
     vessel.moored,
     vessel.coupled,
+    waves.along_axes,
     vessel.soil,
     pipe.joint,
     analysis.gauge,

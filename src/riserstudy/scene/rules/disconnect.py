@@ -30,10 +30,24 @@ def disconnect(scene: Parts) -> Iterator[Misfit]:
     if release.valve and (scene.top.tension is None or scene.top.tension_loss):
         found, remedy = "valve needs top.tension", "give it, and leave out top.tension_loss"
         yield Misfit("disconnect.valve", found, remedy, ("top.tension", "top.tension_loss"))
+    if release.valve:
+        yield from _shared_pull(scene)
     if release.recoil_valve:
         yield from _throttled(scene, release.recoil_valve)
     if release.drain:
         yield from _drains(scene)
+
+
+def _shared_pull(scene: Parts) -> Iterator[Misfit]:
+    """Valves that reduce the tension to a share of the hanging weight require that nothing else pulls."""
+    top, joint = scene.top, scene.top.telescopic_joint
+    others = {"top.tensioners": top.tensioners, "top.telescopic_joint.tension": joint and joint.tension}
+    for path, pull in others.items():
+        if pull is not None:
+            found = f"valve changes top.tension only; {path} pulls, too"
+            yield Misfit(
+                "disconnect.valve", found, "give the whole pull as top.tension", ("top.tension", path)
+            )
 
 
 def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:

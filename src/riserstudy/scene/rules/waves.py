@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.alike import alike
+from riserstudy.scene.base import ALONG_X
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -33,6 +35,22 @@ def sea(scene: Parts) -> Iterator[Misfit]:
         if section.added_mass and section.added_mass.direction:
             found, remedy = "a wave needs added_mass across the pipe", "leave its direction out"
             yield Misfit(f"riser[{k}].added_mass.direction", found, remedy, ("wave",))
+
+
+def along_axes(scene: Parts) -> Iterator[Misfit]:
+    """Response amplitude operators require a hull along x: they refer to the axes of scene and hull alike."""
+    platform, vessel = scene.platform, scene.vessel
+    if platform is None or platform.response is None:
+        return
+    turns = {
+        "platform.position.yaw": platform.position and platform.position.yaw,
+        "vessel.heading": vessel and vessel.heading,
+    }
+    for path, turn in turns.items():
+        if turn and abs(math.sin(0.5 * turn)) > ALONG_X:
+            found = f"{math.degrees(turn):.4g} deg turns the hull, but not the RAOs of platform.response"
+            remedy = "leave it out, and turn wave, current and wind in the scene instead"
+            yield Misfit(path, found, remedy, ("platform.response",))
 
 
 def viv(scene: Parts) -> Iterator[Misfit]:
