@@ -72,3 +72,32 @@ def test_gaps_at_random_are_allowed(tmp_path, seed):
     cells = ["1.5" if k % every == 0 else "" for k in range(len(time))]
     record = read_record(written(tmp_path, {"hs (m)": cells}, times=time))
     assert hours(record, [sea_limit("hs <= 2 m")]).rows == -(-len(time) // every)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_empty_rows_between_rows_with_heights_change_nothing(tmp_path, seed):
+    """Buoys write rows of wind each ten minutes, and waves in each hour: the record of the hours alone."""
+    draw = np.random.default_rng(seed)
+    every, rows = int(draw.integers(2, 7)), 6 * 1500
+    time = pd.date_range("2003-02-01", periods=every * rows, freq=f"{60 // every} min").to_numpy()
+    noise = np.convolve(draw.standard_normal(rows + 99), np.ones(100) / 10.0, "valid")
+    height = np.round(2.0 * np.exp(0.4 * noise), 2)
+    height[draw.random(rows) < 0.01] = np.nan
+    cells = np.full(len(time), np.nan)
+    cells[::every] = height
+    wind = np.where(np.arange(len(time)) % 2, 5.0, 15.0)
+    made = [
+        read_record(written(tmp_path, {"hs (m)": h, "wind (m/s)": w}, times=t))
+        for h, w, t in ((cells, wind, time), (height, wind[::every], time[::every]))
+    ]
+    limits = [sea_limit("hs <= 2.5 m")]
+    both, alone = (hours(one, limits) for one in made)
+    assert (both.share, both.years, both.interval) == (alone.share, alone.years, 1.0)
+    for length in (3.0, 24.0):
+        assert both.of_windows(length) == alone.of_windows(length)
+        np.testing.assert_equal(both.of_waits(length), alone.of_waits(length))
+    assert both.of_windows(3.0).number > 0
+    of_wind = hours(made[0], [sea_limit("wind <= 10 m/s")])
+    assert of_wind.interval == pytest.approx(1.0 / every)
+    assert of_wind.years[0].recorded == pytest.approx(alone.years[0].recorded, rel=0.02)
+    assert made[0].attrs["interval_hours"] == made[1].attrs["interval_hours"]  # of demands and return values

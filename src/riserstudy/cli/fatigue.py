@@ -155,7 +155,7 @@ def _summed(
 
         record = read_record(seas)
         check_gamma("fatigue", gamma, record)
-        record = with_peak_period(record, gamma or gamma_of(dataset) or USUAL_GAMMA)
+        record = with_peak_period(record, gamma or gamma_of(dataset, place_of(at)) or USUAL_GAMMA)
         occurs = of_record(with_calm_periods(record), dataset, axes)
     elif axes:
         raise InputError("--scatter", "", "not given", "give a table, or --seas RECORD")

@@ -168,7 +168,7 @@ def described(record: xr.Dataset) -> list[str]:
     """A summary of a record, as lines of text."""
     import numpy as np
 
-    from riserstudy.seas.record import gaps
+    from riserstudy.seas.record import gaps, interval_hours
     from riserstudy.study.months import uneven_months
 
     time = record["time"].values
@@ -176,10 +176,11 @@ def described(record: xr.Dataset) -> list[str]:
     missing = sum((g.after - g.before) / np.timedelta64(1, "h") for g in holes)
     missing -= len(holes) * record.attrs["interval_hours"]
     span = (time[-1] - time[0]) / np.timedelta64(1, "h") + record.attrs["interval_hours"]
+    each, of_heights = interval_hours(time), record.attrs["interval_hours"]
     first, last = (str(t.astype("datetime64[m]")).replace("T", " ") for t in (time[0], time[-1]))
     lines = [
         f"{first} to {last} UTC: {counted(len(time), 'row')}, "
-        f"most {record.attrs['interval_hours']:g} h apart",
+        f"most {each:g} h apart" + (f", heights {of_heights:g} h apart" if of_heights != each else ""),
         f"gaps: {len(holes)}, {missing:g} h together, {missing / span:.1%} of the time",
     ]
     widest = sorted(holes, key=lambda g: g.before - g.after)[:3]

@@ -96,13 +96,14 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
 def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     """The scene file of one point, which holds its tables.
 
-    ``index``: index of the point on each axis; empty for a dataset without axes. Raises InputError when the
-    dataset was not simulated, or has no scene of the point.
+    ``index``: index of the point on each axis; empty for a dataset without axes. An axis of which one value
+    is already selected, as by ``isel``, has this value. Raises InputError when the dataset was not simulated,
+    or has no scene of the point.
     """
     record = read_provenance(dataset)
     sets: dict[str, Any] = {}
-    for axis, k in index.items():
-        of_axis, value = _mapping(dataset[axis], "sets"), str(dataset[axis][k].item())
+    for axis, label in _labels(dataset, index).items():
+        of_axis, value = _mapping(dataset[axis], "sets"), str(label.item())
         if not isinstance(of_axis.get(value), dict):
             raise _damaged(dataset[axis], "sets", f"nothing for {axis} = {value}")
         if fault := plain_fault(of_axis[value], f"{axis}.sets"):
@@ -117,6 +118,12 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     source = _name(dataset)
     file = SceneFile(source, record["scene"], origins, held=record["tables"])
     return file.with_values(sets, f"{source}: axes")
+
+
+def _labels(dataset: xr.Dataset, index: Mapping[str, int]) -> dict[str, xr.DataArray]:
+    """The value of a point on each axis: those that are already selected, and those with an index."""
+    selected = {str(n): of for n, of in dataset.coords.items() if of.ndim == 0 and "sets" in of.attrs}
+    return selected | {axis: dataset[axis][k] for axis, k in index.items()}
 
 
 def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Resolved:

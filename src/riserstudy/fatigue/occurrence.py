@@ -150,7 +150,8 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     if not whole.any():
         found = f"no row has {' and '.join(columns)}"
         raise InputError("--seas", "", found, "give a record with values")
-    check_spacing("--seas", "time", record["time"].values[whole])
+    if np.issubdtype(record["time"].dtype, np.datetime64):
+        check_spacing("--seas", "time", record["time"].values[whole])
     found_states, counts = np.unique(table[whole], axis=0, return_counts=True)
     values = {axis: found_states[:, k] for k, axis in enumerate(columns)}
     notes = _notes(record, axes, whole)

@@ -249,9 +249,13 @@ def _first_scene(study: xr.Dataset) -> Resolved:
     return scene_of_point(study, index)
 
 
-def gamma_of(study: xr.Dataset) -> float | None:
-    """Peak enhancement (1) of the irregular sea that a study simulates; None for regular waves."""
-    scene = _first_scene(study)
+def gamma_of(study: xr.Dataset, at: Mapping[str, str] | None = None) -> float | None:
+    """Peak enhancement (1) of the irregular sea that a study simulates; None for regular waves.
+
+    ``at``: values by axis, as in `over_years`; those of other axes are the first ones.
+    """
+    index = {axis: value_of(study, axis, value) for axis, value in (at or {}).items() if axis in study.dims}
+    scene = _first_scene(study.isel(index))
     response = scene.platform and scene.platform.response
     for sea in (response and response.wave, scene.wave):
         if found := getattr(sea, "peak_enhancement", None):

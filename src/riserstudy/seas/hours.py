@@ -14,7 +14,7 @@ from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
-from riserstudy.seas.record import next_to_each_other, rows_of
+from riserstudy.seas.record import interval_of_rows, next_to_each_other, rows_of
 from riserstudy.seas.windows import Wait, Windows, statistics_of, waits, windows
 from riserstudy.seas.year_bands import Band, band, band_of_next
 from riserstudy.seas.years import WHOLE, Year, by_year
@@ -247,9 +247,8 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
     Raises InputError when known rows have a longer interval in a part of the record.
     """
     time = record["time"].values[known]
-    if not known.all():  # the intervals of all rows are checked when a record is read
-        check_spacing("RECORD", "time", time)
-    interval = float(record.attrs["interval_hours"])
+    check_spacing("RECORD", "time", time)
+    interval = interval_of_rows(time, float(record.attrs["interval_hours"]))
     years = by_year(time, workable, interval)
     return Hours(
         len(time), int((~known).sum()), interval, workable, time, years, next_to_each_other(time, interval)

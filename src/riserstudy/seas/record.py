@@ -66,7 +66,7 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     -------
     xarray.Dataset
         Over ``time``: the quantities of `riserstudy.seas.columns` in the file, in SI units, NaN for missing
-        values. The attribute ``interval_hours`` is the most frequent time between rows.
+        values. The attribute ``interval_hours`` is the most frequent time between rows with a height.
     """
     import xarray as xr
 
@@ -85,7 +85,10 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     record.attrs = {
         "Conventions": "CF-1.11",
         "title": f"sea states of {path.name}",
-        "interval_hours": interval_hours(record["time"].values),
+        "interval_hours": interval_of_rows(
+            frame.index.to_numpy()[frame["significant_wave_height"].notna()],
+            interval_hours(frame.index.to_numpy()),
+        ),
         "conversions": notes,
     }
     return record
@@ -107,6 +110,15 @@ def interval_hours(time: NDArray[np.datetime64]) -> float:
     """The most frequent time between rows (h)."""
     steps, counts = np.unique(np.diff(time), return_counts=True)
     return float(steps[counts.argmax()] / np.timedelta64(1, "s")) / 3600.0
+
+
+def interval_of_rows(time: NDArray[np.datetime64], otherwise: float) -> float:
+    """The time between most of some rows (h), such as the rows with a height among rows with a wind speed.
+
+    ``otherwise``: interval of all rows (h), the result if no time is between more than half of the rows.
+    """
+    steps, counts = np.unique(np.diff(time), return_counts=True)
+    return interval_hours(time) if len(steps) and counts.max() > 0.5 * counts.sum() else otherwise
 
 
 def gaps(record: xr.Dataset) -> list[Gap]:
@@ -292,18 +304,22 @@ def _fills(cells: pd.Series, one: Head) -> str:
     return f"{count} cells of {one.heading} with {fills} {one.unit} are values" if count else ""
 
 
-def _check_interval(path: Path, frame: pd.DataFrame, steps: NDArray[np.float64]) -> None:
+def _check_interval(path: Path, time: NDArray[np.datetime64], rows: NDArray[np.bool_]) -> None:
     """Check that few rows are closer than the usual interval, because each row counts as one interval.
 
-    Raises InputError if many are, as in a record that becomes hourly.
+    ``time``, ``rows``: (n,) times, and whether a row is compared. Raises InputError if many are closer, as in
+    a record that becomes hourly.
     """
-    usual = 3600.0 * interval_hours(frame.index.to_numpy())
+    if rows.sum() < 2:
+        return
+    usual = interval_hours(time[rows])
+    steps = np.diff(time[rows]) / np.timedelta64(1, "s") / 3600.0
     closer = steps < CLOSER * usual
     if closer.mean() > MOST_CLOSER:
         row = int(closer.argmax())
-        found = f"{steps[row] / 3600.0:g} h after the row before, most rows {usual / 3600.0:g} h"
+        found = f"{steps[row]:g} h after the row before, most rows {usual:g} h"
         raise InputError(
-            f"{path}, row {row + 3}",
+            f"{path}, row {int(np.flatnonzero(rows)[row + 1]) + 2}",
             "time",
             found,
             "allowed are rows that are one interval apart, or further",
@@ -321,9 +337,10 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
     if (steps <= 0.0).any():
         row = int((steps <= 0.0).argmax()) + 3
         raise InputError(f"{path}, row {row}", "time", "not after the row before", "times must increase")
-    _check_interval(path, frame, steps)
-    there = np.isfinite(frame["significant_wave_height"].to_numpy())
-    check_spacing(path, "time", frame.index.to_numpy()[there])
+    time, there = frame.index.to_numpy(), np.isfinite(frame["significant_wave_height"].to_numpy())
+    for rows in (np.ones(len(time), bool), there):
+        _check_interval(path, time, rows)
+    check_spacing(path, "time", time[there])
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
         found = "in most rows it is shorter than the zero-crossing period"
