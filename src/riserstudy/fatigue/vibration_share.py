@@ -33,7 +33,7 @@ def shares(years: Years, without: Years) -> list[Share]:
     Damage is compared at one place of the riser and its wall; without vibration, the largest damage may be
     elsewhere. ``without``: damage in the same sea states and currents; its places along the riser may differ.
     Raises InputError when the studies cannot be compared: vibration in the second one, or none in the first
-    one, no common detail, or other places around the wall.
+    one, no common detail, other places around the wall, or other curves, places or factors of a detail.
     """
     _check(years, without)
     at_rest = {of.detail: k for k, of in enumerate(without.worst)}
@@ -54,10 +54,13 @@ def _check(years: Years, without: Years) -> None:
     """Refuse studies that cannot be compared."""
     common = {of.detail for of in years.worst} & {of.detail for of in without.worst}
     same = years.rates.shape[1] == without.rates.shape[1]
+    own, others = ({of.name: of for of in each.details} for each in (years, without))
+    unlike = [name for name in own if name in others and own[name] != others[name]]
     faults = {
         "is simulated with vortex-induced vibration": any(sea.vibrates for sea in without.seas),
         "has no detail of the first study": not common,
         "has another number of fatigue.angles": not same,
+        f"has another curve, place or factor of {', '.join(unlike)}": unlike,
     }
     allowed = "allowed is a dataset of the same study with `riser[*].viv: null`"
     for found, there in faults.items():

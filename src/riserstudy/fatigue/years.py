@@ -19,6 +19,7 @@ from riserstudy.fatigue.response import ORDER, Response, in_parts
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.scene.fatigue import Detail
     from riserstudy.scene.resolve import Resolved
 
 Array = NDArray[np.float64]
@@ -73,6 +74,7 @@ class Years(NamedTuple):
     # estimated relative error of runs, each by its damage; NaN where none is known
     error_runs: float
     notes: tuple[str, ...]
+    details: tuple[Detail, ...] = ()  # in the order of `worst`
 
     @property
     def half(self) -> list[Sea]:
@@ -149,6 +151,7 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
         [(axis, str(study[axis].attrs.get("units", ""))) for axis in grid],
         _error_of(found),
         occurs.notes,
+        tuple(_details(study)),
     )
 
 
@@ -200,9 +203,8 @@ def _worst(
     study: xr.Dataset, response: Response, occurs: Occurrence, total: Array, runs: Array
 ) -> list[Worst]:
     """Each detail at the place of its largest damage, with its errors."""
-    factors = _safety_factors(study)
     found = []
-    for k, factor in enumerate(factors):
+    for k, factor in enumerate(detail.safety_factor for detail in _details(study)):
         place = _place(total[k], k)
         rate = float(total[place])
         here = Response(response.grid, response.rates[(..., *place)])
@@ -263,12 +265,12 @@ def gamma_of(study: xr.Dataset, at: Mapping[str, str] | None = None) -> float | 
     return None
 
 
-def _safety_factors(study: xr.Dataset) -> list[float]:
-    """Safety factors of the details in a study's scene."""
+def _details(study: xr.Dataset) -> list[Detail]:
+    """The details in a study's scene."""
     fatigue = _first_scene(study).fatigue
     if fatigue is None:
         raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
-    return [detail.safety_factor for detail in fatigue.details]
+    return fatigue.details
 
 
 def _seas(
