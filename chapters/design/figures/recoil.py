@@ -114,9 +114,9 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
             ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
         ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
         ax.set_xlabel("opening left by the valves (%)")
-        panel_title(ax, f"{count:g} units at work")
+        panel_title(ax, f"lift (m), {count:g} units at work")
     pressures = recoil_failures_outcome["gas_pressure"].values
-    axes[0].set_yticks(range(len(pressures)), [f"{p / 10:g}" for p in pressures])
+    axes[0].set_yticks(range(len(pressures)), [f"{p / 10:.1f}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")
     _key(figure, recoil_failures_outcome["recoil_verdict"])
     highest = recoil_failures_outcome["lift_max"].max("phase").max("gas_pressure")

@@ -80,8 +80,8 @@ def _matters_most(inputs: set[str]) -> str:
     """Title: inputs to which results are most sensitive, in % of result per % of input."""
     names = sorted(in_words(axis) for axis in inputs)
     if len(names) == 1:
-        return f"Relative changes of {names[0]} have the largest effect in each profile"
-    return f"Results are most sensitive to the {' or the '.join(names)}, depending on profile and result"
+        return f"Per per cent of change, the {names[0]} has the largest effect"
+    return f"Per per cent of change, the {' or the '.join(names)} matters most, by profile and result"
 
 
 def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:

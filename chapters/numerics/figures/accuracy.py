@@ -162,4 +162,4 @@ def _met(accuracy: xr.Dataset) -> str:
     judged = np.isfinite(worst)
     kept = int((worst[judged] <= accuracy["requested"].values[judged]).sum())
     many = f"All {kept}" if kept == judged.sum() else f"{kept} of {judged.sum()}"
-    return f"{many} runs meet their tolerance"
+    return f"{many} {'runs' if judged.all() else 'completed runs'} meet their tolerance"

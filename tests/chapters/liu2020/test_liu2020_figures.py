@@ -80,9 +80,9 @@ def test_the_title_of_forces_states_the_least_of_the_largest_errors(seed):
     )
     sets = (xr.Dataset({"horizontal_force": of}) for of in (assumed, calibrated))
     title = headline(statics.dat_force(*sets, *PRINTED))
-    wanted = [min(max(abs(e)) for e in of.reshape(-1, 3)) for of in (errors, small)]
-    said = [float(number) for number in re.findall(r"(\d+) %", title)]
-    assert said == pytest.approx([100.0 * of for of in wanted], abs=0.5)
+    (said,) = map(float, re.findall(r"(\d+) %", title))
+    least = 100.0 * min(max(abs(e)) for e in errors.reshape(-1, 3))
+    assert said <= least < said + 1.0  # "at least" is not rounded up
 
 
 @pytest.mark.parametrize("seed", range(12))

@@ -86,6 +86,6 @@ def test_the_title_of_trends_names_every_input_that_a_result_depends_on_most(see
     title = headline(figure)
     named = {axis for axis in RANGES if axis.replace("_", " ").replace("lmrp", "LMRP") in title}
     assert named == most
-    assert ("in each profile" in title) == (len(most) == 1)
+    assert ("by profile and result" in title) == (len(most) > 1)
     for ax in figure.axes[:3]:
         assert len([line for line in ax.lines if not line.get_label().startswith("_")]) == 2
