@@ -141,8 +141,8 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     if top.x in ("held", "vessel"):
         moved: dict[str, Any] = {"top": top.model_copy(update={"offset": offset})}
         about = scene.platform and scene.platform.centre_of_rotation
-        # the centre of rotation moves with the vessel
-        if top.x == "vessel" and scene.platform and about:
+        # the centre of rotation moves with the platform, which tilts about it
+        if scene.platform and about:
             x = (about.x or 0.0) + offset - (top.offset or 0.0)
             about = about.model_copy(update={"x": x})
             moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
