@@ -6,10 +6,15 @@ from random_rigs import rig, written
 
 from riserstudy import simulate
 from riserstudy.errors import InputError
+from riserstudy.scene.forcing import TILTS
 from riserstudy.scene.load import SceneFile
 
 OUTPUTS = ("x", "y", "z", "effective_tension", "ufj_angle")
 REFUSED = "moves nothing"
+ROW = {"surge": "1 m/m", "surge_phase": "0 deg", "pitch": "1 deg/m", "pitch_phase": "0 deg"}
+ROWS = [{"period": f"{period} s", **ROW} for period in (2, 30)]
+CENTRE = {"centre_of_rotation": {"elevation": "5 m"}}
+RESPONSE = {"operators": ROWS, "phases": "lead", "wave": {"height": "2 m", "period": "10 s"}}
 
 
 def at_rest(tree):
@@ -37,17 +42,22 @@ def drawn(seed):
     return tree
 
 
-@pytest.mark.parametrize("motion, shift", [("surge", 0.01), ("heave", 0.5)])
+@pytest.mark.parametrize("motion, shift", [("surge", 0.01), ("heave", 0.5), ("pitch", 0.05), ("roll", 0.05)])
 def test_a_platform_that_is_moved_moves_the_riser_or_is_refused(motion, shift):
-    """Surge by a hundredth of the depth, heave by half a metre; rigs of all kinds, in plane and space."""
+    """Surge by a hundredth of the depth, heave by half a metre, tilts about a centre far from the riser.
+
+    Rigs of all kinds, in plane and space.
+    """
     refused = moved = 0
     for seed in range(16):
         tree = drawn(seed)
         tree["platform"]["position"] = {}
+        tree["platform"]["centre_of_rotation"] = {"x": "20 m", "y": "15 m", "elevation": "5 m"}
         before = at_rest(tree)
         depth = -tree["water"]["seabed"]
         by = shift * (depth if motion == "surge" else 1.0)
-        tree["platform"]["position"] = {motion: f"{by!r} m"}
+        unit = "rad" if motion in TILTS else "m"
+        tree["platform"]["position"] = {motion: f"{by!r} {unit}"}
         try:
             after = at_rest(tree)
         except InputError as error:
@@ -61,7 +71,7 @@ def test_a_platform_that_is_moved_moves_the_riser_or_is_refused(motion, shift):
         )
         assert apart > 1e-6, f"seed {seed}"
         moved += 1
-    assert refused >= 2
+    assert refused >= (1 if motion in TILTS else 2)
     assert moved >= 5
 
 
@@ -72,6 +82,10 @@ def test_a_platform_that_is_moved_moves_the_riser_or_is_refused(motion, shift):
         ({"cruise": {"speed": "1 m/s"}}, "top.x"),
         ({"heave": {"amplitude": "2 m", "period": "10 s"}}, "top.z"),
         ({"position": {"sway": "3 m"}}, "top.x"),
+        ({"pitch": {"amplitude": "2 deg", "period": "10 s"}}, "top.x"),
+        ({"position": {"yaw": "3 deg"}}, "top.x"),
+        ({"response": RESPONSE}, "top.z"),
+        ({"response": RESPONSE | {"motions": ["pitch"]}}, "top.x"),
     ],
 )
 def test_a_motion_that_nothing_follows_is_refused_with_the_line_to_change(platform, end):
@@ -79,6 +93,6 @@ def test_a_motion_that_nothing_follows_is_refused_with_the_line_to_change(platfo
     tree["top"] |= {"x": "held", "z": "held"}
     tree["top"].pop("tensioners", None)
     tree["top"]["telescopic_joint"]["tension"] = "9 MN"
-    tree |= {"platform": platform, "analysis": {"duration": "10 s", "output": {"interval": "1 s"}}}
+    tree |= {"platform": platform | CENTRE, "analysis": {"duration": "10 s", "output": {"interval": "1 s"}}}
     with pytest.raises(InputError, match=f"{REFUSED}.*'{end}: platform'"):
         SceneFile("rig", tree, {}).resolved()

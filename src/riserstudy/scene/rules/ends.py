@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.forcing import TILTS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -37,7 +38,7 @@ def held(scene: Parts) -> Iterator[Misfit]:
 
 
 def followed(scene: Parts) -> Iterator[Misfit]:
-    """Translations of the platform must move the upper end or the tensioners; else they have no effect."""
+    """Motions of the platform must move the upper end or the tensioners; else they have no effect."""
     platform, top = scene.platform, scene.top
     if platform is None:
         return
@@ -45,15 +46,22 @@ def followed(scene: Parts) -> Iterator[Misfit]:
     across = top.x in ("platform", "vessel") or bool(rig and rig.arrangement)
     # the stroke of a free end is measured from the platform
     up = top.z != "held" or rig is not None
-    given = platform.response.motions if platform.response and platform.response.motions else []
-    for name, follows, end in (
-        ("surge", across, "x"), ("sway", across, "x"), ("cruise", across, "x"), ("heave", up, "z"),
-    ):  # fmt: skip
+    response = platform.response
+    given = response.motions if response and response.motions else []
+    follows = dict.fromkeys(("surge", "sway", "cruise"), across) | {"heave": up}
+    follows |= dict.fromkeys(TILTS, across or up)  # they move points of the deck sideways, up and down
+    nothing = "moves nothing: neither the upper end nor a tensioner follows it"
+    for name, is_followed in follows.items():
         paths = {
             f"platform.{name}": getattr(platform, name),
             f"platform.position.{name}": getattr(platform.position, name, None),
             "platform.response.motions": name in given,
         }
-        for path in (path for path, value in paths.items() if value and not follows):
-            found = f"{name} of the platform moves nothing: neither the upper end nor a tensioner follows it"
-            yield Misfit(path, found, f"write 'top.{end}: platform'", (f"top.{end}",))
+        end = "z" if name == "heave" else "x"
+        for path in (path for path, value in paths.items() if value and not is_followed):
+            yield Misfit(
+                path, f"{name} of the platform {nothing}", f"write 'top.{end}: platform'", (f"top.{end}",)
+            )
+    if response and not any(follows[name] for name in response.moving):
+        also = ("top.x", "top.z")
+        yield Misfit("platform.response", nothing, "write 'top.x: platform' and 'top.z: platform'", also)
