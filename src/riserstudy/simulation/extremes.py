@@ -36,7 +36,8 @@ def extremes(
     continues after them, and cover whole periods of a periodic motion. They are taken over all time steps.
     Means of values along the riser are taken over outputs, and absent if the outputs see few phases of the
     motion. A static run has no times, and its values are also the means. In space, the mean of an angle is
-    the magnitude of the mean rotation; in a plane it has a sign. ``histories``: histories along the riser,
+    the magnitude of the mean rotation; in a plane it has a sign. Of cylinders it is the mean of the one with
+    the largest mean. ``histories``: histories along the riser,
     (time, n + 1), in addition to those in ``arrays``.
     """
     rows = []
@@ -150,14 +151,14 @@ def _over_time(name: str, arrays: Arrays) -> dict[str, Any] | None:
     elif rest is not None:
         values = rest.reshape(1, -1)
         row |= {"largest": float(values.max()), "smallest": float(values.min())}
-        row["mean"] = float(values.mean())
+        row["mean"] = row["largest"]
     else:
         return None
     return row
 
 
 def _mean_over_time(scene: Resolved, name: str, arrays: Arrays, of: Seen) -> dict[str, float]:
-    """The mean of an output with one value per time, over all steps if they are known; empty at rest."""
+    """The mean of an output over all steps, if known, the largest of all cylinders; empty at rest."""
     by_steps = name in of.steps
     held = until_release(scene, name, of.steps if by_steps else arrays)
     if name not in held or "time" not in held or not len(held["time"]):
@@ -166,7 +167,7 @@ def _mean_over_time(scene: Resolved, name: str, arrays: Arrays, of: Seen) -> dic
     mean = _time_mean(scene, name, held["time"], values, by_steps)
     if mean is None:
         return {}
-    return {"mean": float(np.linalg.norm(mean) if name in of.rotations else mean.mean())}
+    return {"mean": float(np.linalg.norm(mean) if name in of.rotations else mean.max())}
 
 
 def _time_mean(
