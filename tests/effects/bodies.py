@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.end_mass import EndMass
 from riserstudy.model.model import Effect, Model, Unknowns
 from riserstudy.solve.evaluate import energies, shape_of
@@ -20,6 +21,11 @@ from riserstudy.solve.sums import DONE, GIVEN, LOST, new_sums
 
 LOWER, UPPER = 0, 1  # nodes
 DIRECTIONS = 3
+
+
+def on_two_cylinders() -> Upright:
+    """Two upright cylinders at the upper body, at mid-stroke at an elevation of 1 m; their deck rests."""
+    return Upright(UPPER, np.ones(2), np.zeros(3), np.zeros((3, 3)))
 
 
 def bodies(

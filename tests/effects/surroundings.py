@@ -61,7 +61,7 @@ def sea(d: int, above: int = STRETCHED) -> Wave:
 
 
 def cylinders(d: int) -> Upright:
-    return Upright(N, TOP + np.array([0.0, 0.5]))
+    return Upright(N, TOP + np.array([0.0, 0.5]), np.array([7.0, -4.0, 2.0]), np.zeros((3, 3)))
 
 
 def pair(a: float, b: float) -> np.ndarray:

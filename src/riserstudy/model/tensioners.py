@@ -23,6 +23,7 @@ from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect
 from riserstudy.model.platform_motion import centre
 from riserstudy.model.space_out import ring_at_mid_stroke
+from riserstudy.model.supports import top_at_rest
 from riserstudy.model.tensioner_law import linear_law, table_law
 from riserstudy.scene.disconnect import RecoilValve
 from riserstudy.scene.resolve import Resolved
@@ -43,7 +44,7 @@ def tensioners(of: Layout) -> Iterator[Effect]:
     if rig.mid_stroke == "riser in equilibrium":
         elevation = ring_at_mid_stroke(of.scene)
     if rig.arrangement is None:
-        yield upright(rig, ring, elevation)
+        yield upright(of, rig, elevation)
         return
     record = in_space(of, rig, rig.arrangement, elevation)
     yield Effect("tensioner cylinders", record, "top.tensioners.arrangement")
@@ -128,9 +129,10 @@ def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:
         yield Effect("piston mass", record, "top.tensioners.two_chamber_gas.pistons")
 
 
-def upright(rig: Tensioners, ring: int, elevation: float) -> Effect:
+def upright(of: Layout, rig: Tensioners, elevation: float) -> Effect:
     """Vertical cylinders, at mid-stroke when the ring is at an elevation (m)."""
-    record = Upright(ring, np.full(rig.count, elevation))
+    arm = np.array(top_at_rest(of)) - centre(of.scene.platform)
+    record = Upright(of.mesh.ring, np.full(rig.count, elevation), arm, np.zeros((3, 3)))
     return Effect("tensioner cylinders", record, "top.tensioners")
 
 

@@ -14,6 +14,7 @@ from riserstudy.model.joints import TURNS
 from riserstudy.model.layout import AXES, corners, layout_of, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
+from riserstudy.model.platform_motion import centre
 from riserstudy.model.space_out import joint_of
 from riserstudy.model.stops import beyond_its_barrels, joint_stops_touched, stops_touched
 from riserstudy.model.tensioner_law import leaves_table, pushes
@@ -193,7 +194,7 @@ def over_time(scene: Resolved, model: Model, mesh: Mesh, record: Record, rest: A
         series["tensioner_force"] = record.probe[:, c : 2 * c]
         series["stroke"] = record.probe[:, 0] - rest.reach[0]
     elif scene.platform and scene.top.z == "free":
-        series["stroke"] = record.platform[:, 2] - (record.top[:, -1] - rest.top)
+        series["stroke"] = _deck_heave(scene, record, rest) - (record.top[:, -1] - rest.top)
     if joint := joint_of(scene):
         series["stroke"] = record.end[:, 1, -1] - rest.joint
         series["joint_stroke"] = record.end[:, 1, -1] - joint.length
@@ -226,6 +227,17 @@ def rotations(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arra
         first = model.probes[TURNS[0]]
         arrays["lfj_angle"] = record.probe[:, first : first + len(TURNS)]
     return arrays
+
+
+def _deck_heave(scene: Resolved, record: Record, rest: AtRest) -> FloatArray:
+    """Vertical motion of the deck above the riser, (time,), m: the platform's heave and that by its tilts."""
+    heave, tilts = record.platform[:, 2], record.platform[:, 3:]
+    if not tilts.any():
+        return heave
+    from scipy.spatial.transform import Rotation
+
+    arm = np.array([scene.top.offset or 0.0, 0.0, rest.top]) - centre(scene.platform)
+    return np.asarray(heave + Rotation.from_euler("xyz", tilts).apply(arm)[:, 2] - arm[2])
 
 
 def _ends(

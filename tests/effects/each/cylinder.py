@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import cos, sin
+
 import numpy as np
 import pytest
 from small_scenes import simulated
@@ -24,8 +26,14 @@ analysis: {mesh: {elements: 5}}
 def upright(record, s):
     force = np.zeros_like(s.force)
     force[-1, record.node] = s.pull.sum()
-    reach = s.platform[0, 2] - s.r[-1, record.node] + record.zero
-    rate = s.platform[1, 2] - s.v[-1, record.node] + 0.0 * record.zero
+    x, y, z = record.arm
+    (roll, pitch), (rolling, pitching) = s.platform[0, 3:5], s.platform[1, 3:5]
+    high, aside = cos(roll) * z + sin(roll) * y, cos(roll) * y - sin(roll) * z  # after the roll
+    heave = s.platform[0, 2] - sin(pitch) * x + cos(pitch) * high - z
+    turning = cos(pitch) * rolling * aside - pitching * (cos(pitch) * x + sin(pitch) * high)
+    heaving = s.platform[1, 2] + turning
+    reach = heave - s.r[-1, record.node] + record.zero
+    rate = heaving - s.v[-1, record.node] + 0.0 * record.zero
     return {"force": force, "reach": reach, "reach_rate": rate}
 
 

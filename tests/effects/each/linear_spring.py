@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bodies import UPPER, bodies, energy, motion
+from bodies import UPPER, bodies, energy, motion, on_two_cylinders
 from surroundings import Case, cylinders, pair
 
 from riserstudy import load_scene, simulate
-from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.linear_spring import LinearSpring
 
 
@@ -49,7 +48,7 @@ def test_the_weight_that_hangs_on_springs_extends_them(tmp_path):
 
 def test_a_body_on_springs_is_an_oscillator():
     mass, stiff = 2e4, pair(3e4, 5e4)
-    records = LinearSpring(np.zeros(2), stiff), Upright(UPPER, np.ones(2))
+    records = LinearSpring(np.zeros(2), stiff), on_two_cylinders()
     model = bodies(*records, mass=mass, cylinders=2)
     model.s.v[-1, UPPER] = 1.0
     w = np.sqrt(stiff.sum() / mass)
@@ -62,7 +61,7 @@ def test_a_body_on_springs_is_an_oscillator():
 
 def test_a_stretched_spring_has_the_energy_that_stretched_it():
     """Half of stiffness times square of the extension, and the work of the tension at mid-stroke."""
-    records = LinearSpring(pair(1e5, 2e5), pair(3e4, 5e4)), Upright(UPPER, np.ones(2))
+    records = LinearSpring(pair(1e5, 2e5), pair(3e4, 5e4)), on_two_cylinders()
     model = bodies(*records, cylinders=2)
     still = energy(model)
     model.s.r[-1, UPPER] = 1.0 - 2.0

@@ -7,10 +7,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bodies import UPPER, bodies, energy, motion
+from bodies import UPPER, bodies, energy, motion, on_two_cylinders
 from surroundings import Case, cylinders, pair
 
-from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.linear_spring import LinearSpring
 from riserstudy.effects.recoil_valve import RecoilValve
 
@@ -40,7 +39,7 @@ def raised(pull, residual, start=-2.0):
     records = (
         LinearSpring(pair(0.5, 0.5) * pull, np.zeros(2)),
         RecoilValve(RESISTANCE, residual * np.ones(2), start, 1.0, np.zeros(2)),
-        Upright(UPPER, np.ones(2)),
+        on_two_cylinders(),
     )
     return bodies(*records, mass=MASS, weight=WEIGHT, cylinders=2)
 

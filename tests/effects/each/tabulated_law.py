@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bodies import UPPER, bodies, energy, motion
+from bodies import UPPER, bodies, energy, motion, on_two_cylinders
 from scipy.interpolate import PPoly
 from surroundings import Case, cylinders, pair
 
 from riserstudy import load_scene, simulate
-from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.model.tensioner_law import table_law
 from riserstudy.scene.tensioners import TableRow
@@ -68,7 +67,7 @@ def test_a_straight_table_makes_a_body_an_oscillator():
     table = [(x, weight + stiff * x) for x in (-most, -0.1, 0.05, most)]
     law = table_law([TableRow.model_construct(reach=x, force=f) for x, f in table])
     record = TabulatedLaw(law.x, law.c, law.antiderivative().c, pair(1.0, 0.0))
-    model = bodies(record, Upright(UPPER, np.ones(2)), mass=mass, weight=weight, cylinders=2)
+    model = bodies(record, on_two_cylinders(), mass=mass, weight=weight, cylinders=2)
     w, speed = np.sqrt(stiff / mass), 1.0
     assert speed / w > 2.0 * most
     model.s.v[-1, UPPER] = speed
@@ -85,7 +84,7 @@ def test_a_table_has_the_energy_that_extended_it():
     rows = [(-2.0, 1e5), (-1.0, 2e5), (0.0, 3e5)]
     law = table_law([TableRow.model_construct(reach=x, force=f) for x, f in rows], "linear")
     record = TabulatedLaw(law.x, law.c, law.antiderivative().c, pair(1.0, 0.0))
-    model = bodies(record, Upright(UPPER, np.ones(2)), cylinders=2)
+    model = bodies(record, on_two_cylinders(), cylinders=2)
     shortest = 2.0
     still = energy(model)
     model.s.r[-1, UPPER] = 1.0 + shortest

@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bodies import UPPER, bodies, energy, motion
+from bodies import UPPER, bodies, energy, motion, on_two_cylinders
 from surroundings import Case, cylinders, pair
 
 from riserstudy import load_scene, simulate
-from riserstudy.effects.cylinder import Upright
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 
 
@@ -70,7 +69,7 @@ def test_half_the_volume_has_twice_the_pressure_at_one_temperature(tmp_path):
 
 #: areas, pressures and volumes of high and low chamber
 CHAMBERS = (pair(0.2, 0.2), pair(10e5, 10e5), pair(2.0, 2.0), pair(0.3, 0.3), pair(2e5, 2e5), pair(1.5, 1.5))
-UPRIGHT = Upright(UPPER, np.ones(2))
+UPRIGHT = on_two_cylinders()
 
 
 def test_gas_at_one_temperature_has_the_work_of_its_pressure():
