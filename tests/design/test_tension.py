@@ -5,11 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from random_rigs import rig, written
 
 from riserstudy import load_scene
 from riserstudy.design import engine_tension, tension
 from riserstudy.design.tension import Rig, Tolerances
 from riserstudy.design.window import window
+from riserstudy.errors import SimulationError
+from riserstudy.scene.load import SceneFile
 
 SCENE = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
 AS_TOLD = Tolerances(1.0, 1.0)
@@ -135,3 +138,17 @@ def test_the_window_names_what_governs_and_closes_where_floors_pass_ceilings():
     recoiled = window(3.0e6, 3.5e6, rig, 6.0e6, 0.9, recoil=(None, 3.4e6))
     assert recoiled.ceiling == "recoil"
     assert recoiled.gap < 0.0
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_search_that_has_not_converged_has_no_answer(seed, monkeypatch):
+    """Rigs in a current, in plane and space: one equilibrium is not enough, twenty are."""
+    tree = rig(seed, spatial=bool(seed % 2), conductor=False)
+    tree["analysis"] = {"mesh": {"elements": 40}}
+    for section in tree["riser"]:
+        section["buoyancy_lift"] = "0 N/m"
+    riser = SceneFile("rig.yaml", written(tree)).resolved()
+    assert abs(engine_tension.needed(riser, AS_TOLD).left) <= 1.0  # N
+    monkeypatch.setattr(engine_tension, "MOST", 1)
+    with pytest.raises(SimulationError, match="minimum tension: after 1 equilibria"):
+        engine_tension.needed(riser, AS_TOLD)

@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 from riserstudy.design import tension as formula
 from riserstudy.design.tension import Tolerances, carrying_tension, columns_above, weight_of_ring
+from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import prescribed
+from riserstudy.records.numerals import newtons
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.pressures import mud_above_the_riser
 from riserstudy.scene.resolve import Resolved
@@ -21,6 +23,7 @@ from riserstudy.simulation.starting_mesh import coarsest_mesh
 FloatArray = NDArray[np.float64]
 # smallest effective tension, as a share of the top tension, at which the iteration ends
 EXACT = 1e-10
+SUFFICIENT = 1e-6  # the same, above which the iteration has not converged after the last equilibrium
 PLENTY = 1.5  # initial top tension, as a multiple of the formula's tension
 MOST = 20  # largest number of equilibria
 
@@ -45,7 +48,7 @@ def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
 
     In each iteration, the top tension is reduced by the smallest effective tension, until this is zero.
     Tensioners are replaced by a constant tension at the ring, along the telescopic joint if there is one.
-    Raises SimulationError when no equilibrium is found.
+    Raises SimulationError when no equilibrium is found, or the iteration does not converge.
     """
     heavy = _with_tolerances(scene, tolerances)
     tension = PLENTY * formula.governing(scene, tolerances).tension
@@ -55,6 +58,12 @@ def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
         if abs(left[slackest]) <= EXACT * tension:
             break
         tension -= float(left[slackest])
+    if abs(left[slackest]) > SUFFICIENT * tension:
+        raise SimulationError(
+            f"minimum tension: after {MOST} equilibria the effective tension at s = {s[slackest]:.4g} m is "
+            f"still {newtons(float(left[slackest]))}, at a top tension of {newtons(tension)}; give more "
+            "analysis.mesh.elements"
+        )
     above = mud_above_the_riser(scene)
     return Slack(tension + above, float(s[slackest]), float(left[slackest]))
 
