@@ -13,6 +13,7 @@ from riserstudy.effects.lift_gauge import LiftGauge
 from riserstudy.effects.stack_contact import StackContact
 from riserstudy.effects.support import Support
 from riserstudy.effects.tension_loss import TensionLoss
+from riserstudy.effects.torsion import Torsion
 from riserstudy.model.layout import Layout
 from riserstudy.model.model import Effect, Model, Report
 from riserstudy.scene.resolve import Resolved
@@ -62,7 +63,7 @@ def fading(model: Model, at: float, over: float) -> list[Effect]:
 
 
 def _at_the_lower_end(record: object) -> bool:
-    return isinstance(record, Support | FlexJoint) and record.node == 0
+    return isinstance(record, Torsion) or (isinstance(record, Support | FlexJoint) and record.node == 0)
 
 
 def _settle_moments(model: Model) -> None:

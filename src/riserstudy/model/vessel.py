@@ -87,7 +87,7 @@ def floating(scene: Resolved, d: int, node: int, probe: Report) -> Iterator[Effe
         munk = Munk(node, loose, radius, heading, float(mass[0] - mass[1]), current)
         yield Effect("Munk moment", munk, "vessel.yaw, current")
     twist = sum(section.twist for section in scene.riser)
-    if yaw and twist:
+    if yaw and twist and scene.bottom.hold != "free":  # a free lower end turns with the vessel
         spring = Torsion(loose, 1.0 / (twist * radius**2))
         yield Effect("torsion", spring, "vessel.yaw, riser.shear_modulus")
 

@@ -177,7 +177,10 @@ class TelescopicJoint(Strict):
 
 
 class TensionLoss(Strict):
-    """Loss of a share of the top tension from the time ``at``, smoothly within ``over``, or suddenly."""
+    """Loss of a share of ``top.tension`` from the time ``at``, smoothly within ``over``, or suddenly.
+
+    The pulls of tensioners and of a telescopic joint remain.
+    """
 
     share: Annotated[float, Field(gt=0.0, le=1.0)]
     at: Annotated[u.Time, NOT_NEGATIVE]

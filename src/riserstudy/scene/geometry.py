@@ -35,12 +35,10 @@ def levels(scene: Parts, k: int) -> tuple[float, float] | None:
     An end is exactly at the water surface if only a rounding error is between them.
     """
     lengths = [section.total_length for section in scene.riser]
-    bottom = scene.bottom.elevation
-    if bottom is None:
-        if scene.top.elevation is None:
-            return None
-        bottom = scene.top.elevation - sum(lengths)
-    low = bottom + sum(lengths[:k])
+    ends = span(scene)
+    if ends is None:
+        return None
+    low = ends.bottom + sum(lengths[:k])
     surface = scene.water.surface if scene.water else None
     return at_level(surface, low), at_level(surface, low + lengths[k])
 

@@ -299,10 +299,9 @@ class Section(Strict):
     def elasticity(self) -> tuple[float, float]:
         """EA (N) and EI (N m2) of pipe and lines; EI is 0 for a string."""
         axial, bending = self.pipe_elasticity
-        if not bending:
-            return axial, bending
         more = [line.elasticity for line in self.lines or []]
-        return axial + sum(a for a, _ in more), bending + sum(b for _, b in more)
+        axial += sum(a for a, _ in more)
+        return axial, bending + sum(b for _, b in more) if bending else 0.0
 
     @property
     def pipe_shares(self) -> tuple[float, float]:

@@ -20,6 +20,7 @@ from riserstudy.model.stops import beyond_its_barrels, joint_stops_touched, stop
 from riserstudy.model.tensioner_law import leaves_table, pushes
 from riserstudy.scene.analysis import Output
 from riserstudy.scene.ends import TelescopicJoint
+from riserstudy.scene.forcing import Position
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Tensioners
@@ -230,14 +231,17 @@ def rotations(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arra
 
 
 def _deck_heave(scene: Resolved, record: Record, rest: AtRest) -> FloatArray:
-    """Vertical motion of the deck above the riser, (time,), m: the platform's heave and that by its tilts."""
-    heave, tilts = record.platform[:, 2], record.platform[:, 3:]
+    """Vertical motion of the deck above the riser from its rest position, (time,), m: by heave and tilts."""
+    place = (scene.platform and scene.platform.position) or Position()
+    heave, tilts = record.platform[:, 2] - (place.heave or 0.0), record.platform[:, 3:]
     if not tilts.any():
         return heave
     from scipy.spatial.transform import Rotation
 
     arm = np.array([scene.top.offset or 0.0, 0.0, rest.top]) - centre(scene.platform)
-    return np.asarray(heave + Rotation.from_euler("xyz", tilts).apply(arm)[:, 2] - arm[2])
+    still = [place.roll or 0.0, place.pitch or 0.0, place.yaw or 0.0]
+    turned, at_rest = (Rotation.from_euler("xyz", of).apply(arm)[..., 2] for of in (tilts, still))
+    return np.asarray(heave + turned - at_rest)
 
 
 def _ends(

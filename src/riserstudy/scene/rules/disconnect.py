@@ -44,10 +44,8 @@ def _shared_pull(scene: Parts) -> Iterator[Misfit]:
     others = {"top.tensioners": top.tensioners, "top.telescopic_joint.tension": joint and joint.tension}
     for path, pull in others.items():
         if pull is not None:
-            found = f"valve changes top.tension only; {path} pulls, too"
-            yield Misfit(
-                "disconnect.valve", found, "give the whole pull as top.tension", ("top.tension", path)
-            )
+            found, remedy = f"valve changes top.tension only; {path} pulls, too", "give it all as top.tension"
+            yield Misfit("disconnect.valve", found, remedy, ("top.tension", path))
 
 
 def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:

@@ -26,6 +26,9 @@ def water(scene: Parts) -> Iterator[Misfit]:
         for name in ("drag", "tangential_drag", "added_mass"):
             if getattr(section, name):
                 yield Misfit(f"riser[{k}].{name}", "needs water", "add water, or leave it out", ("water",))
+    for name, body in (("bottom.body", scene.bottom.body), ("top.body", scene.top.body)):
+        if body and body.drag_area:
+            yield Misfit(f"{name}.drag_area", "needs water", "add water, or leave it out", ("water",))
     if scene.current:
         yield Misfit("current", "needs water", "add water, or leave current out", ("water",))
 
