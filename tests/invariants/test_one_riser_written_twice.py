@@ -135,3 +135,11 @@ def test_drag_of_a_body_needs_water(end):
     tree[end]["body"]["drag_area"] = {"horizontal": "30 m^2"}
     with pytest.raises(InputError, match=rf"{end}.body.drag_area: needs water"):
         SceneFile("riser.yaml", tree).resolved()
+
+
+def test_an_offset_of_a_free_top_is_refused():
+    tree = riser(x="free")
+    SceneFile("riser.yaml", tree).resolved()
+    tree["top"]["offset"] = "20 m"
+    with pytest.raises(InputError, match="offset needs an x that is held"):
+        SceneFile("riser.yaml", tree).resolved()

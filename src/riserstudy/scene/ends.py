@@ -225,6 +225,8 @@ class Top(Strict):
             raise ValueError("give elevation or held_at_tension, not both")
         if self.z == "free" and (self.elevation is not None or self.held_at_tension is not None):
             raise ValueError("elevation and held_at_tension need a z that is held or on the platform")
+        if self.x == "free" and self.offset:
+            raise ValueError("offset needs an x that is held, or on the platform or a vessel")
         if self.tension_loss and self.tension is None:
             raise ValueError("tension_loss needs tension")
         pulled = self.tension is not None or self.tensioners is not None
