@@ -9,7 +9,10 @@ import xarray as xr
 from scipy.integrate import solve_ivp
 
 from riserstudy import load_scene, simulate
+from riserstudy.dataset.tables import in_units, table_of
+from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
+from riserstudy.scene.units import factor
 
 SCENE = "config/scenes/design/recoil.yaml"
 QUICK = {
@@ -157,3 +160,20 @@ def test_a_disconnect_warns_exactly_where_the_lmrp_stands_on_the_stack(pressure)
     said = [text for text in json.loads(dataset.attrs["warnings"]) if "overpull" in text]
     assert bool(said) == (dataset.attrs["overpull"] < 0.0)
     assert bool(said) or pressure > 36, "no case stands on the stack: it tests nothing"
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_in_feet_and_kips_the_outcome_has_the_same_quantities(seed):
+    draw = np.random.default_rng(seed)
+    names = ("overpull", "lift_max", "lift_rate_max", "clearance_min", "clearance_time", "smallest_tension")
+    names += ("contents_speed_max", "contents_top_min")
+    of = xr.Dataset(attrs={name: float(draw.uniform(-1e3, 1e3)) for name in names})
+    table = table_of("recoil", load_scene(SCENE).resolved(), of)
+    us = in_units(table, UnitSystem.US)
+    assert "ft" in {row[2] for row in us.rows}
+    for plain, same in zip(table.rows, us.rows, strict=True):
+        if plain[1] is None:
+            assert same[1] is None
+        else:
+            assert same[1] * factor(same[2], plain[2]) == pytest.approx(plain[1]), plain[0]
+        assert same[3] == plain[3]  # s

@@ -6,7 +6,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.dataset.limits import taken_by
-from riserstudy.dataset.table import Cell, Table
+from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.scene.pressures import not_in_tension
 from riserstudy.scene.resolve import Resolved
@@ -45,7 +45,7 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
         rows.append(["largest speed of the mud", of["contents_speed_max"], "m/s", None, ""])
         lowest = of["contents_top_min"]
         rows.append(["lowest level of the mud", lowest, "m", None, "above the lower end"])
-    return Table(["quantity", "value", "unit", "time", "note"], ["", "", "", "s", ""], rows)
+    return Table(["quantity", "value", "unit", "time", "note"], ["", OF_ROW, "", "s", ""], rows)
 
 
 def disconnects(dataset: xr.Dataset) -> bool:

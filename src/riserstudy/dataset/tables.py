@@ -105,10 +105,9 @@ def in_columns(table: Table) -> list[str]:
 
     A missing value is printed as an empty cell.
     """
-    heads = [f"{n} ({u})" if u else n for n, u in zip(table.columns, table.units, strict=True)]
     texts = [[_cell_text(cell) for cell in row] for row in table.rows]
     numeric = [not any(isinstance(c, str) for c in column) for column in zip(*table.rows, strict=True)]
-    return aligned([heads, *texts], numeric)
+    return aligned([heads(table), *texts], numeric)
 
 
 def write_csv(table: Table, target: Path) -> None:
