@@ -6,6 +6,7 @@ from rigs_in_waves import in_waves, limited
 
 from riserstudy import simulate
 from riserstudy.design.sea_allowances import allowances
+from riserstudy.errors import InputError
 from riserstudy.scene.at_rest import static
 from riserstudy.simulation.refine import run
 from riserstudy.study.in_sea import Sea, in_sea
@@ -40,3 +41,33 @@ def test_an_allowance_covers_every_output_of_the_run(seed, spatial, side):
         swing = np.abs(moving[name].values - still).max()
         assert one.value >= swing * (1.0 - 1e-6), name
         assert one.value > 0.0
+
+
+VESSEL = {"mass": "6e7 kg", "hull_drag": "6e5 N*s^2/m^2", "wave_drift": {"force": "1 MN", "heading": "0 deg"}}
+
+
+def departing(file, kind, seed):
+    """The rig with a further event or motion during its runs in a sea."""
+    early = f"{np.random.default_rng(seed).uniform(2.0, 20.0)} s"
+    if kind == "vessel":
+        return {"vessel": VESSEL, "top.x": "vessel", "platform.position": None}
+    if kind == "top.tension_loss":
+        loss = {"share": 0.3, "at": early, "over": "2 s"}
+        return {
+            "top": {"x": "platform", "z": "free", "tension": "9 MN", "rotation": "free", "tension_loss": loss}
+        }
+    return {kind: {"at": early, "cylinders": [0]}}
+
+
+@pytest.mark.parametrize("kind", ["vessel", "top.tension_loss", "top.tensioners.failing"])
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(2))
+def test_what_moves_or_loads_the_riser_without_the_sea_is_no_allowance_of_the_sea(
+    seed, spatial, kind, monkeypatch
+):
+    file = file_of(seed, spatial, 1.0)
+    other = file.with_values(departing(file, kind, seed), "test")
+    other.resolved()  # the scene itself is allowed
+    monkeypatch.setattr("riserstudy.design.sea_allowances.run", None)  # refused before the first run
+    with pytest.raises(InputError, match=kind):
+        allowances(other, SEA, 1)

@@ -66,7 +66,7 @@ def _of_limit(scene: Resolved, limit: Limit, rest: RunFacts, runs: Sequence[RunF
 
 
 def _refuse_departures(source: str, scene: Resolved) -> None:
-    """Refuse a scene with a tow or a release, whose effect cannot be separated from that of the sea.
+    """Refuse a scene with another event or motion, whose effect cannot be separated from that of the sea.
 
     Raises InputError when the scene has one of them.
     """
@@ -76,6 +76,15 @@ def _refuse_departures(source: str, scene: Resolved) -> None:
     if scene.disconnect:
         found = "releases the riser during the runs in a sea"
         raise InputError(source, "disconnect", found, "Remove it")
+    if scene.vessel:
+        found = "moves away from its offset during the runs in a sea"
+        raise InputError(source, "vessel", found, "Replace it by `platform`, with `top.x: platform`")
+    if scene.top.tension_loss:
+        found = "changes the tension during the runs in a sea"
+        raise InputError(source, "top.tension_loss", found, "Remove it")
+    if scene.top.tensioners and scene.top.tensioners.failing:
+        found = "changes the pull during the runs in a sea"
+        raise InputError(source, "top.tensioners.failing", found, "Write `failed` instead")
 
 
 def allowance(added: FloatArray) -> float:
