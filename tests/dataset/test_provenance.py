@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 import matplotlib.font_manager  # noqa: F401  makes its cache before home is another folder
+import numpy as np
 import pytest
 import xarray as xr
 
@@ -217,3 +218,30 @@ def test_the_tables_of_a_rerun_stand_in_its_own_dataset(commands, run, sandbox):
     assert commands("rerun", "of_others.nc", "-o", "again.nc")[0] == 0
     with xr.open_dataset(sandbox / "work/again.nc") as again:
         assert json.loads(again.attrs["provenance"])["tables"] == {OWN: TABLE}
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_point_has_one_scene_whichever_of_its_axes_are_selected_first(run, seed):
+    """Axes that set parts of what another axis sets whole; later axes replace values of earlier ones."""
+    draw = random.Random(seed)
+    whole = {f"{a}": {"platform.surge": {"amplitude": f"{a} m", "period": "15 s"}} for a in (1, 2)}
+    part = {f"{p}": {"platform.surge.period": f"{p} s"} for p in (8, 12)}
+    pull = {f"{k}": {"top.tension": f"{k} MN"} for k in (2, 3)}
+    axes = {"whole": whole, "part": part, "pull": pull}
+    names = draw.sample([*axes], 3)
+    study = xr.Dataset(
+        {"point": (names, np.zeros((2, 2, 2)))},
+        {name: (name, [*axes[name]], {"sets": json.dumps(axes[name])}) for name in names},
+        run.attrs,
+    )
+    for index in np.ndindex(2, 2, 2):
+        at = dict(zip(names, map(int, index), strict=True))
+        tree = scene_file_of(study, at).tree
+        if names.index("whole") < names.index("part"):
+            assert tree["platform"]["surge"]["period"] == f"{[8, 12][at['part']]} s"
+        for first in [draw.sample(names, draw.randint(1, 3)) for _ in range(3)]:
+            selected = study
+            for name in first:
+                selected = selected.isel({name: at[name]})
+            rest = {name: at[name] for name in draw.sample(names, 3) if name not in first}
+            assert scene_file_of(selected, rest).tree == tree, first

@@ -121,9 +121,14 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
 
 
 def _labels(dataset: xr.Dataset, index: Mapping[str, int]) -> dict[str, xr.DataArray]:
-    """The value of a point on each axis: those that are already selected, and those with an index."""
+    """The value of a point on each axis, selected already or by its index, in the order of the axes.
+
+    Later axes replace values of earlier ones. A selection keeps the order of the coordinates.
+    """
     selected = {str(n): of for n, of in dataset.coords.items() if of.ndim == 0 and "sets" in of.attrs}
-    return selected | {axis: dataset[axis][k] for axis, k in index.items()}
+    every = selected | {axis: dataset[axis][k] for axis, k in index.items()}
+    order = [name for name in map(str, dataset.coords) if name in every]
+    return {name: every[name] for name in dict.fromkeys([*order, *every])}
 
 
 def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Resolved:
