@@ -9,6 +9,7 @@ from random_rigs import rig, written
 
 from riserstudy import load_scene
 from riserstudy.design import engine_tension, tension
+from riserstudy.design.recoil import limits
 from riserstudy.design.tension import Rig, Tolerances
 from riserstudy.design.window import window
 from riserstudy.errors import SimulationError
@@ -152,3 +153,13 @@ def test_a_search_that_has_not_converged_has_no_answer(seed, monkeypatch):
     monkeypatch.setattr(engine_tension, "MOST", 1)
     with pytest.raises(SimulationError, match="minimum tension: after 1 equilibria"):
         engine_tension.needed(riser, AS_TOLD)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_no_setting_is_left_where_none_is_safe_in_recoil(seed):
+    """Disconnects of which each one re-contacts or strokes out."""
+    draw = np.random.default_rng(seed)
+    down = draw.random(5) < 0.5
+    none = limits(np.sort(draw.uniform(2e6, 6e6, 5)), down, ~down)
+    of = window(float(draw.uniform(1e6, 3e6)), None, Rig(6, 1, 0.95, 0.0), 6.7e6, 0.9, none[:1] + none[2:3])
+    assert (of.floor, of.ceiling, of.gap) == ("recoil", "recoil", -math.inf)

@@ -51,16 +51,24 @@ def window(
     lift_off : vertical tension that lifts the LMRP off with its overpull (N), required with all units; None:
         not requested.
     dynamic_limit, share : dynamic tension limit of all units (N), and the allowed share of it.
-    recoil : smallest and largest setting (N) from an analysis of recoil; None: not known.
+    recoil : smallest and largest setting (N) from an analysis of recoil; None: not known; NaN: no setting is
+        allowed.
     """
     floors = {"minimum tension": setting(minimum, rig)}
     if lift_off is not None:
         floors["LMRP lift-off"] = setting(lift_off, rig._replace(failed=0))
     ceilings = {"dynamic tension limit": share * dynamic_limit}
     for side, value in zip((floors, ceilings), recoil, strict=True):
-        if value is not None and math.isfinite(value):
-            side["recoil"] = value
+        if value is not None:
+            side["recoil"] = _or_none(value, side is floors)
     return Window(floors, ceilings)
+
+
+def _or_none(value: float, is_floor: bool) -> float:
+    """A limit by recoil; without an allowed setting (NaN), one that no setting meets."""
+    if not math.isnan(value):
+        return value
+    return math.inf if is_floor else -math.inf
 
 
 class Ceiling(NamedTuple):
