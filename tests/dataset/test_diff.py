@@ -1,5 +1,6 @@
 """What changed between two sets of results."""
 
+import json
 import random
 import time
 
@@ -147,3 +148,43 @@ def test_where_there_is_nothing_to_compare_diff_says_so(tmp_path):
     for path in (tmp_path / "a", tmp_path / "absent", tmp_path / "bad.nc"):
         with pytest.raises(InputError):
             changes(path, path)
+
+
+def checked(folder, rows):
+    """A run with limits in its attribute."""
+    path = results(folder) / "paper/run.nc"
+    xr.load_dataset(path).assign_attrs(limits=rows if isinstance(rows, str) else json.dumps(rows)).to_netcdf(
+        path
+    )
+    return path
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_equal_numbers_with_other_verdicts_or_allowables_have_changed(tmp_path, seed):
+    draw = random.Random(seed)
+    rows = [
+        {
+            "mode": draw.choice(["drilling", "connected"]),
+            "side": "largest",
+            "output": name,
+            "at": "",
+            "allowable": draw.choice([None, float("nan"), 4.5]),
+            "verdict": "within",
+            "demand": draw.random(),
+        }
+        for name in ("lfj_angle", "bending_moment")
+    ]
+    other = [dict(row) for row in rows]
+    name, value = draw.choice([("verdict", "exceeded"), ("allowable", 7.0), ("mode", "survival")])
+    draw.choice(other)[name] = value
+    before = checked(tmp_path / "a", rows)
+    assert changes(before, checked(tmp_path / "b", rows)).varied == []
+    (found,) = changes(before, checked(tmp_path / "c", other)).varied
+    assert (found.variable, bool(found.why)) == ("limits", True)
+
+
+@pytest.mark.parametrize("held", ["", "{", "none above 3 m", '["a"]', "1"])
+def test_an_attribute_of_others_that_holds_no_limits_is_compared_as_text(tmp_path, held):
+    before = checked(tmp_path / "a", held)
+    assert changes(before, checked(tmp_path / "b", held)).varied == []
+    assert changes(before, checked(tmp_path / "c", held + " ft")).apart == 1

@@ -9,6 +9,7 @@ points, which change with every edit of the engine.
 from __future__ import annotations
 
 import csv
+import json
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -138,6 +139,21 @@ def _varied(name: str, old: Path | None, new: Path | None) -> Iterator[Varied]:
             yield Varied(name, variable, float("inf"), f"only in {where}")
         else:
             yield _one(name, variable, before[variable], after[variable])
+    if any("limits" in one.attrs for one in (before, after)):
+        same = _limits(before) == _limits(after)
+        yield Varied(name, "limits", 0.0, "" if same else "other allowables or verdicts")
+
+
+def _limits(dataset: xr.Dataset) -> str:
+    """Limits in the attribute of a dataset, with their allowables and, in a run, their verdicts.
+
+    An attribute that holds no limits, in a file of others, is its own text.
+    """
+    names, held = ("mode", "side", "output", "at", "allowable", "verdict"), dataset.attrs.get("limits", "[]")
+    try:
+        return json.dumps([[row.get(name) for name in names] for row in json.loads(held)])
+    except (TypeError, ValueError, AttributeError, RecursionError):
+        return str(held)
 
 
 def _at_common_points(axis: str, old: xr.Dataset, new: xr.Dataset) -> tuple[xr.Dataset, xr.Dataset, int]:
