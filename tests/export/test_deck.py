@@ -152,3 +152,18 @@ def test_the_command_writes_the_deck_and_prints_what_is_not_in_it(tmp_path, caps
     assert f"{deck} is written" in said
     assert read_deck(deck).tree["top"]["telescopic_joint"]["tension"].endswith("kN")
     assert load_scene(scene)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_crest_that_comes_at_another_time_is_named_with_its_phase(tmp_path, seed):
+    """In OrcaFlex a crest is at the origin when the build-up ends, in a scene when it begins."""
+    draw = np.random.default_rng(seed)
+    period = float(draw.integers(6, 14))
+    whole, share = int(draw.integers(1, 4)), 0.25 * int(draw.integers(0, 4)) if seed else 0.25
+    ramp = (whole + share) * period
+    wave = {"height": "3 m", "period": f"{period} s", "above_mean_level": "none", "ramp": f"{ramp} s"}
+    time = {"duration": "100 s", "output": {"interval": "0.5 s"}}
+    left = write_deck(file_of(drawn(seed) | {"wave": wave, "analysis": time})).left_out
+    said = [line for line in left if line.startswith("wave.period")]
+    assert bool(said) == bool(share)
+    assert all(f"{360.0 * share:.0f}°" in line for line in said)

@@ -16,6 +16,7 @@ from riserstudy.scene.soil import Matlock
 from riserstudy.scene.water import Water
 
 STRETCHING = {"none": "None", "constant": "Vertical stretching", "stretched": "Wheeler stretching"}
+SAME = 1e-6  # share of a wave period that counts as none
 STRAIGHT = 1e-3  # largest error of a thinned current table, as a share of its greatest speed
 
 
@@ -128,6 +129,12 @@ def stages(deck: Deck) -> dict[str, Any]:
         if ramp != first:
             reason = "none" if ramp is None else f"{ramp:g} s"
             deck.otherwise[path] = f"{reason}; the OrcaFlex model builds up over its first stage, {first:g} s"
+    wave = scene.wave
+    if isinstance(wave, RegularWave) and min(first % wave.period, -first % wave.period) > SAME * wave.period:
+        deck.otherwise["wave.period"] = (
+            "in OrcaFlex a crest is at the origin when the build-up ends, not at its start: the wave of the "
+            f"deck is {360.0 * (first % wave.period) / wave.period:.0f}° later"
+        )
     made["StageDuration"] = [first, a.duration - first] if a.duration > first else [first]
     every = a.output.interval if a.output else 0.1
     return made | {"TargetLogSampleInterval": every, "ImplicitConstantTimeStep": a.step or 0.1}
