@@ -44,3 +44,20 @@ def test_an_hour_of_a_new_year_is_no_year_that_is_held_back(capsys, seed):
     assert f"observed {(height[at] <= 2.0).mean():.2%}" in said[0]
     with pytest.raises(InputError, match="no earlier years"):
         held_back(sea, limits, Ahead(years, 0.66))
+
+
+@pytest.mark.parametrize("years", [2, 3, 5])
+def test_without_a_band_nothing_is_inside_or_outside_of_it(capsys, years):
+    """Of one year, or of equal years, no band is known."""
+    for height, known in ((1.0, False), (None, years > 2)):
+        time = np.arange(np.datetime64("2001-01-01T00"), np.datetime64(f"{2001 + years}-01-01T00"))
+        draw = np.random.default_rng(years)
+        year = time.astype("datetime64[Y]").astype(int)
+        drawn = draw.uniform(0.0, 3.0 + 0.3 * (year - year[0]), len(time))
+        values = drawn if height is None else np.full(len(time), height)
+        sea = xr.Dataset({"significant_wave_height": ("time", values)}, {"time": time})
+        sea.attrs["interval_hours"] = 1.0
+        held_back(sea, [sea_limit("hs <= 2 m")], Ahead(1, 0.66))
+        said = capsys.readouterr().out.strip()
+        assert said.endswith("side") == known
+        assert ("no band" in said) != known

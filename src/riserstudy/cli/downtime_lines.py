@@ -83,9 +83,10 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
     first = recorded[-last.years]
     known, came = (hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first))
     predicted = known.next_years(*last)
-    outcome = "inside" if predicted.low <= came.band.share <= predicted.high else "outside"
+    inside = predicted.low <= came.band.share <= predicted.high
+    outcome = "" if math.isnan(predicted.low) else ": inside" if inside else ": outside"
     print(
-        f"held back from {first} on: predicted {banded(predicted)}, observed {came.band.share:.2%}: {outcome}"
+        f"held back from {first} on: predicted {banded(predicted)}, observed {came.band.share:.2%}{outcome}"
     )
 
 
