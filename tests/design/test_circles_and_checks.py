@@ -45,3 +45,20 @@ def test_a_limit_that_is_not_evaluated_has_no_circle(seed):
         assert told == (verdict == "not evaluated")
     assert table.missing
     assert "that are evaluated" in table.table.rows[-1][0]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_mode_of_which_no_limit_is_evaluated_has_no_circle(seed):
+    """Means have no time at which they are reached: their mode is not one of which no limit is reached."""
+    angles = ("lfj_angle", "ufj_angle")
+    means = [{"output": name, "mean": "1e9 rad", "mode": "drilling"} for name in angles]
+    largest = {"output": "effective_tension", "largest": "1e12 N", "mode": "disconnect"}
+    limits = [*means[: 1 + seed // 2], largest]
+    file = SceneFile("rig.yaml", written(towed(seed)) | {"limits": limits})
+    table = circles(
+        file.resolved(), simulate(file, progress=False), Times(5.0, 5.0), ["drilling", "disconnect"]
+    )
+    whole = {row[0].partition(":")[0]: row for row in table.table.rows if "first of all" in str(row[0])}
+    assert whole["drilling"][1:5] == [None] * 4
+    assert str(whole["drilling"][-1]).startswith("not evaluated")
+    assert not str(whole["disconnect"][-1]).startswith("not evaluated")

@@ -138,11 +138,13 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
     missing = False
     for mode in modes:
         first, earliest, lost, unsure = math.inf, math.inf, False, list[str]()
+        evaluated = 0
         for limit, time, error, row in zip(scene.limits or [], reached, errors, verdicts, strict=True):
             if limit.mode != mode:
                 continue
             why = _unknown(limit.side, time, row)
             lost = lost or bool(why)
+            evaluated += not why
             at = math.inf if isinstance(time, str) else float(time)
             first, earliest = min(first, at), min(earliest, at - error)
             remark = "" if why else _unsure(scene, limit, time, facts, sparse if error else "")
@@ -155,7 +157,10 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
         missing = missing or lost
         named = f"{mode}: first of all" + (" that are evaluated" if lost else "")
         remark = f"circles may be too large: see the notes of {', '.join(unsure)}" if unsure else ""
-        rows.append(_row(named, first, first - earliest, way, times, remark))
+        if evaluated:
+            rows.append(_row(named, first, first - earliest, way, times, remark))
+        else:
+            rows.append([named, None, None, None, None, "not evaluated: no limit of this mode is"])
     return Circles(Table(COLUMNS, UNITS, rows), missing)
 
 
