@@ -190,3 +190,11 @@ def test_a_shape_without_elevations_is_refused():
     run = xr.Dataset({"x": (("time", "s"), np.ones((3, 4)))}, {"time": range(3), "s": range(4)})
     with pytest.raises(InputError, match="z: no elevation"):
         draw("shape", run)
+
+
+@pytest.mark.parametrize("kept", [[], LIMITS[:1]])
+def test_a_limit_whose_allowable_is_on_an_axis_has_no_line(kept):
+    free = {"output": "bending_moment", "at": "", "allowable": None}
+    one, other = (run().assign_attrs(limits=json.dumps(rows)) for rows in ([*kept, free], kept))
+    found, expected = (len(draw("range", of, ["bending_moment"]).axes[0].lines) for of in (one, other))
+    assert found == expected

@@ -110,7 +110,7 @@ def _limits(run: xr.Dataset, name: str) -> Iterator[float]:
     """Allowables for the whole riser, in the reader's unit."""
     factor = read_in(attributes(name).get("units", "")).factor
     for row in json.loads(run.attrs.get("limits", "[]")):
-        if row["output"] == name and not row["at"]:
+        if row["output"] == name and not row["at"] and row["allowable"] is not None:
             yield factor * row["allowable"]
             if name in SIGNED:
                 yield -factor * row["allowable"]
