@@ -6,10 +6,15 @@ import numpy as np
 import pytest
 
 from riserstudy.errors import InputError
+from riserstudy.scene.limit_inputs import times_of_mean
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 
 SEEDS = range(4)
+VORTICES = {
+    "model": "synchronisation", "diameter": "0.5334 m", "coefficient": 1.2, "frequencies": [0.11, 0.18, 0.26],
+    "memory": 20.0, "seed": 1,
+}  # fmt: skip
 
 
 def pipe(length, name="pipe"):
@@ -143,3 +148,19 @@ def test_an_offset_of_a_free_top_is_refused():
     tree["top"]["offset"] = "20 m"
     with pytest.raises(InputError, match="offset needs an x that is held"):
         SceneFile("riser.yaml", tree).resolved()
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_means_begin_when_the_longest_ramp_ends_whatever_it_belongs_to(seed):
+    """A ramp of the current, or of the lift of vortices in it, delays them alike."""
+    ramp = f"{float(np.random.default_rng(seed).uniform(5.0, 60.0))!r} s"
+    starts = []
+    for of in ("current", "vortices"):
+        tree = in_motion(riser())
+        tree["analysis"]["duration"] = "100 s"
+        tree["current"] = {"profile": {"shape": "uniform", "surface_speed": "1 m/s"}}
+        tree["riser"][0]["viv"] = VORTICES | {"ramp": "1 s"}
+        (tree["current"] if of == "current" else tree["riser"][0]["viv"])["ramp"] = ramp
+        scene = SceneFile("riser.yaml", tree).resolved()
+        starts.append(times_of_mean(scene, "ufj_angle").start)
+    assert starts[0] == starts[1] == pytest.approx(float(ramp.split()[0]))

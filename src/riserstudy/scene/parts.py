@@ -131,11 +131,12 @@ class Parts(Strict):
 
     @property
     def built_up(self) -> float:
-        """Time at which the last ramp of the scene has ended (s)."""
+        """Time at which the last ramp that the scene gives has ended (s)."""
         platform = self.platform or Platform()
         response = platform.response
         moving = [motion for _, motion in platform.harmonics]
-        growing = (*moving, platform.cruise, response, self.wave, self.current)
+        vortices = (section.viv for section in self.riser)
+        growing = (*moving, platform.cruise, response, self.wave, self.current, *vortices)
         return max((part.ramp or 0.0 for part in growing if part), default=0.0)
 
     @property
