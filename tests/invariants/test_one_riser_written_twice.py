@@ -164,3 +164,17 @@ def test_means_begin_when_the_longest_ramp_ends_whatever_it_belongs_to(seed):
         scene = SceneFile("riser.yaml", tree).resolved()
         starts.append(times_of_mean(scene, "ufj_angle").start)
     assert starts[0] == starts[1] == pytest.approx(float(ramp.split()[0]))
+
+
+def test_a_current_with_a_ramp_is_refused_with_a_hull_on_which_it_acts_at_once():
+    tree = in_motion(riser(pipe(400.0)))
+    tree["bottom"] = {"hold": "free"}
+    tree["top"] = {"x": "vessel", "z": "held", "elevation": "20 m"}
+    tree["vessel"] = {"mass": "2000 t", "hull_drag": "5e5 N*s^2/m^2"}
+    tree["current"] = {"profile": {"shape": "uniform", "surface_speed": "1 m/s"}}
+    SceneFile("riser.yaml", tree).resolved()
+    tree["current"]["ramp"] = "2 s"
+    with pytest.raises(
+        InputError, match=r"current.ramp: the current acts on the hull of the vessel from the start"
+    ):
+        SceneFile("riser.yaml", tree).resolved()

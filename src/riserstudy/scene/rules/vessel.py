@@ -32,6 +32,9 @@ def moored(scene: Parts) -> Iterator[Misfit]:
             found = "not simulated with top.tensioners.arrangement, whose cylinders pull at the vessel"
             remedy = f"leave out vessel.{name} or the arrangement"
             yield Misfit(f"vessel.{name}", found, remedy, ("top.tensioners.arrangement",))
+    if scene.current and scene.current.ramp and (vessel.hull_drag or vessel.yaw):
+        found = "the current acts on the hull of the vessel from the start"
+        yield Misfit("current.ramp", found, "leave it out", ("vessel",))
     if vessel.hull_drag and scene.water is None:
         yield Misfit("vessel.hull_drag", "needs water", "add water", ("water",))
 
