@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
 from matplotlib.figure import Figure
+from scipy.interpolate import PchipInterpolator
 
-from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.style import COLOURS, headline, legend_below, panel_title, panels, shades
 
 STATIONS = (433.0, 333.0, 233.0, 133.0)  # m from the bottom
+FINE = 500  # points of a curve through the values at the nodes
 LAST = 40.0  # s, plotted time at the end of the histories
 
 
@@ -37,36 +39,41 @@ def statics(s1: xr.Dataset, s4b: xr.Dataset, s4c: xr.Dataset, s4e: xr.Dataset) -
 def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     """Histories of lateral position, moment envelopes, and top tension."""
     figure, axes = panels(1, 3)
-    # shades of the colour of S2 in the other panels
-    shades = colormaps["Blues"](np.linspace(0.95, 0.4, len(STATIONS)))
-    for colour, s in zip(shades, STATIONS, strict=True):
+    named = (("S2, constant top tension", s2), ("S2c, top held at its height", s2c))
+    lines = []
+    for colour, s in zip(shades(COLOURS[2], len(STATIONS))[::-1], STATIONS, strict=True):
         history = s2["x"].interp(s=s, method="cubic")
-        axes[0].plot(history["time"], history, color=colour, linewidth=1.2, label=f"S2, s = {s:.0f} m")
+        lines += axes[0].plot(history["time"], history, color=colour, linewidth=1.2, label=f"{s:.0f} m")
     axes[0].set_xlabel("time (s)")
     axes[0].set_ylabel("lateral position x (m)")
-    panel_title(axes[0], "S2, at four heights")
+    panel_title(axes[0], "S2 at four heights")
     axes[0].set_xlim(float(s2["time"][-1]) - LAST, float(s2["time"][-1]))
-    for colour, (name, scene) in zip(COLOURS, (("S2", s2), ("S2c", s2c)), strict=False):
+    for colour, (name, scene) in zip(COLOURS, named, strict=False):
+        s = np.linspace(float(scene["s_node"][0]), float(scene["s_node"][-1]), FINE)
         for side in ("max", "min"):
-            moment = scene[f"bending_moment_{side}"] / 1e3
-            axes[1].plot(moment, scene["s_node"], color=colour, label=name if side == "max" else None)
+            moment = PchipInterpolator(scene["s_node"], scene[f"bending_moment_{side}"] / 1e3)(s)
+            axes[1].plot(moment, s, color=colour, linewidth=1.3, label=name if side == "max" else None)
         tension = scene["effective_tension"].isel(s=-1) / 1e3
-        axes[2].plot(tension["time"], tension, color=colour, linewidth=0.8, label=name)
-    axes[1].set_xlabel("bending moment envelope (kN m)")
-    axes[1].set_ylabel("s from the bottom (m)")
+        axes[2].plot(tension["time"], tension, color=colour, linewidth=0.9, label=name)
+    axes[1].set_xlabel("moment envelope (kN m)")
+    axes[1].set_ylabel("height above the bottom (m)")
+    largest = [_largest_moment(scene) for _, scene in named]
+    words = dict.fromkeys(f"{one:.0f}" for one in largest)
+    panel_title(axes[1], f"largest: {' and '.join(words)} kN m{' in both' if len(words) == 1 else ''}")
     axes[2].set_xlabel("time (s)")
     axes[2].set_ylabel("top tension (kN)")
-    axes[2].set_ylim(bottom=2100)
-    handles = [*axes[0].get_legend_handles_labels(), *axes[1].get_legend_handles_labels()]
-    labels = [*handles[1], *(f"{name}, (b) and (c)" for name in handles[3])]
-    legend_below(figure, [*handles[0], *handles[2]], labels, 6)
-    moments = [
-        max(float(abs(scene[f"bending_moment_{side}"]).max()) for side in ("max", "min"))
-        for scene in (s2, s2c)
-    ]
-    changed = f"{100.0 * (moments[1] / moments[0] - 1.0):+.1f} %".replace("-", "−")
-    headline(figure, f"A held top changes the largest moment by {changed}")
+    panel_title(axes[2], "from static equilibrium")
+    legend_below(figure, *axes[1].get_legend_handles_labels(), 2)
+    late = s2c["effective_tension"].isel(s=-1).sel(time=slice(float(s2c["time"][-1]) - LAST, None)) / 1e3
+    varied = 0.5 * float(late.max() - late.min())
+    headline(figure, f"With its top held in height, the riser's tension varies by ±{float(f'{varied:.2g}'):.0f} kN")
+    label_ends(axes[0], lines)
     return figure
+
+
+def _largest_moment(scene: xr.Dataset) -> float:
+    """Largest magnitude of the bending moment (kN m)."""
+    return max(float(abs(scene[f"bending_moment_{side}"]).max()) for side in ("max", "min")) / 1e3
 
 
 def heave(s3: xr.Dataset) -> Figure:

@@ -13,11 +13,28 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
 from chapters.numerics.figures.scenes import in_one_line
-from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, legend_below, log_ticks, panel_title, panels
 
 QUANTITIES = ("displacement", "moment", "tension")
-MARKERS = "osD^vPX*<>"
-STYLES = ("-", (0, (4, 2)))
+FAMILIES = {
+    "gen.-alpha 0.8": "generalised-alpha",
+    "gen.-alpha 1": "generalised-alpha",
+    "gen.-alpha 0.5": "generalised-alpha",
+    "Newmark 0.3025 0.6": "Newmark (β 0.3025, γ 0.6)",
+    "Verlet": "explicit",
+    "semi-implicit Euler": "explicit",
+    "Hermite, Newmark 1/4 1/2": "Newmark, Hermite elements",
+}
+LOOK = {  # mark, colour and width of the line
+    "generalised-alpha": ("o", COLOURS[0], 1.4),
+    "TR-BDF2": ("v", COLOURS[4], 1.4),
+    "ESDIRK4": ("P", COLOURS[1], 2.2),
+    "Newmark (β 0.3025, γ 0.6)": ("^", COLOURS[3], 1.4),
+    "explicit": ("s", COLOURS[6], 1.4),
+    "Newmark, Hermite elements": ("D", COLOURS[5], 1.4),
+    "Radau": (">", COLOURS[2], 1.4),
+}
+EQUAL = 1.15  # ratio of times below which only the more accurate run is drawn
 LARGEST = 0.5  # largest error that is drawn
 BELOW = 0.02  # lower limit of the axis of errors, relative to the smallest tolerance
 CHANGED = (0, (6, 2, 1, 2))  # dashes of the change of the reference
@@ -25,22 +42,24 @@ TARGET = 0.002  # error at which methods are compared
 
 
 def accuracy(accuracy: xr.Dataset) -> Figure:
-    """One panel per scene: for each method, the lowest error over time among its meshes and steps."""
+    """One panel per scene: for each family of methods, the lowest error over time of its meshes and steps."""
     scenes = [str(scene) for scene in accuracy["scene"].values]
     columns = min(2, len(scenes))
     figure, axes = panels(-(-len(scenes) // columns), columns, height=3.3)
     quickest: list[str] = []
     for ax, scene in zip(axes, scenes, strict=False):
-        first = _scene(ax, accuracy.sel({"scene": scene}))
+        first, least = _scene(ax, accuracy.sel({"scene": scene}))
         quickest.append(first)
-        words = f"{first or 'no method'} reaches {100 * TARGET:g} %{' first' if first else ''}"
+        words = f"{first} reaches {100 * TARGET:g} % first" if first else f"no error below {100 * least:.2g} %"
         panel_title(ax, f"{in_one_line(scene)}:\n{words}")
-        ax.set_xlabel("time of a run (s)")
+        ax.set_xlabel("elapsed time of a run (s)")
         ax.set_ylabel("largest error (%)")
         ax.set_xscale("log")
         ax.set_yscale("log")
+        log_ticks(ax.xaxis)
+        log_ticks(ax.yaxis)
+        ax.xaxis.set_major_formatter("{x:g}")
         ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
-        ax.xaxis.set_minor_formatter(NullFormatter())
     for ax in axes[len(scenes) :]:
         ax.set_axis_off()
         ax.set_title("", loc="left")
@@ -48,7 +67,7 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     for ax in axes[: len(scenes)]:
         for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):
             drawn.setdefault(label, handle)
-    figure.legend(drawn.values(), drawn.keys(), loc="outside lower center", ncols=4, fontsize="small")
+    legend_below(figure, list(drawn.values()), list(drawn), 3)
     headline(figure, _answer(quickest))
     return figure
 
@@ -59,25 +78,49 @@ def _answer(quickest: list[str]) -> str:
     if not wins:
         return f"No method reaches an error of {100 * TARGET:g} %"
     name, count = wins[0]
-    return f"At an error of {100 * TARGET:g} %, {name} is fastest in {count} of {len(quickest)} scenes"
+    return f"{_short(name)} is fastest to the dotted error in {count} of {sum(map(bool, quickest))} scenes"
 
 
-def _scene(ax: Axes, of: xr.Dataset) -> str:
-    """Draw the edges of all methods; return the fastest at the target error, "" if none reaches it."""
-    quickest = (np.inf, "")
-    for k, method in enumerate(map(str, of["method"].values)):
-        edge = _edge(of.sel({"method": method}))
+def _short(family: str) -> str:
+    """Name of a family without its settings."""
+    return family.split(" (")[0]
+
+
+def _scene(ax: Axes, of: xr.Dataset) -> tuple[str, float]:
+    """Draw the edges of all families; return the fastest at the target error ("": none), and the least error."""
+    quickest, least = (np.inf, ""), np.inf
+    families: dict[str, list[str]] = {}
+    for method in map(str, of["method"].values):
+        families.setdefault(FAMILIES.get(method, method), []).append(method)
+    for family, methods in families.items():
+        edge = _edge(of.sel({"method": methods}))
         if not len(edge):
             continue
+        mark, colour, width = LOOK.get(family, ("*", "0.4", 1.4))
         ax.plot(
-            *edge.T, marker=MARKERS[k % len(MARKERS)], markersize=3.5, linewidth=1.2,
-            color=COLOURS[k % len(COLOURS)], linestyle=STYLES[k // len(COLOURS)], label=method,
+            *_thinned(edge).T, marker=mark, markersize=4, linewidth=width, color=colour, label=family,
+            zorder=2.5 if width > 2.0 else 2.0,
         )  # fmt: skip
+        least = min(least, float(edge[-1, 1]))
         met = edge[edge[:, 1] <= TARGET, 0]
         if len(met):
-            quickest = min(quickest, (float(met.min()), method))
-    ax.axhline(TARGET, color="0.5", linewidth=0.8, linestyle=":")
-    return quickest[1]
+            quickest = min(quickest, (float(met.min()), _short(family)))
+    if least <= TARGET:
+        ax.axhline(TARGET, color="0.5", linewidth=0.8, linestyle=":")
+    return quickest[1], least
+
+
+def _thinned(edge: NDArray[np.float64]) -> NDArray[np.float64]:
+    """An edge (n, 2) without runs that a better one follows at almost the same time.
+
+    The first run at the target error is kept.
+    """
+    first = int(np.argmax(edge[:, 1] <= TARGET))
+    kept = [len(edge) - 1]
+    for k in range(len(edge) - 2, -1, -1):
+        if edge[kept[-1], 0] > EQUAL * edge[k, 0] or (k == first and edge[k, 1] <= TARGET):
+            kept.append(k)
+    return edge[kept[::-1]]
 
 
 def _edge(one: xr.Dataset) -> NDArray[np.float64]:
