@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
+from riserstudy.figures.direct import label_ends
 from riserstudy.figures.names import in_words
 from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels
 
 #: colour of each limit, in all modes
 OF_LIMIT = {
     "mean lfj_angle": COLOURS[0],
-    "mean ufj_angle": COLOURS[1],
     "largest lfj_angle": COLOURS[2],
+    "mean ufj_angle": COLOURS[1],
     "largest ufj_angle": COLOURS[5],
     "largest joint_stroke": COLOURS[3],
     "largest von_mises_stress": COLOURS[4],
@@ -40,33 +44,60 @@ def operability_disconnect(operability: xr.Dataset) -> Figure:
 
 
 def _chart(operability: xr.Dataset, mode: str) -> Figure:
-    """Draw the limits of a mode over current, one panel per mud density."""
+    """Draw the limits of a mode over current, one panel per mud density; limits that govern are strong."""
     muds = operability["mud_weight"].values
     figure, axes = panels(1, len(muds), 4.2, sharey=True)
     mine = [name for name in operability["limit"].values if str(name).startswith(mode + ":")]
+    mine.sort(key=_place)
     limits = operability["offset_of_limit"]
+    envelopes = operability["envelope_offset"].sel(operation=mode)
+    strong: dict[str, list[Line2D]] = {}  # in the last panel
     for ax, mud in zip(axes, muds, strict=True):
         for name in mine:
             reached = np.isfinite(limits.sel(limit=name)).any()
             limit = str(name).partition(": ")[2]
             label = in_words(limit) + ("" if reached else " (not reached)")
-            _line(ax, limits.sel(limit=name, mud_weight=mud), OF_LIMIT.get(limit, GREY), label)
-        envelope = operability["envelope_offset"].sel(operation=mode, mud_weight=mud)
-        _shade(ax, envelope, operability.attrs["reach"])
+            governs = bool((limits.sel(limit=name) == envelopes).any())
+            lines = _line(
+                ax, limits.sel(limit=name, mud_weight=mud), OF_LIMIT.get(limit, GREY), label, governs
+            )
+            if governs and mud == muds[-1]:
+                strong[in_words(limit)] = lines
+        _shade(ax, envelopes.sel(mud_weight=mud), operability.attrs["reach"])
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
         panel_title(ax, f"mud of {mud:g} kg/m³")
     axes[0].set_ylabel("platform offset, + down current (m)")
     key_below(figure, axes[0], 3)
     headline(figure, _answer(operability.sel(operation=mode), mode))
+    ends = [(line, name) for name, lines in strong.items() for line in lines if _drawn_to_end(line)]
+    if ends:
+        names = [name.removesuffix(" angle").removeprefix("largest ") for _, name in ends]
+        label_ends(axes[-1], [line for line, _ in ends], names=names)
     return figure
 
 
-def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str) -> None:
+def _place(name: str) -> int:
+    """Place of a limit in the key: limits of one joint are neighbours; unknown ones are last."""
+    limit = str(name).partition(": ")[2]
+    return [*OF_LIMIT, limit].index(limit)
+
+
+def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str, governs: bool) -> list[Line2D]:
     """Draw both sides of one limit, with gaps where the search does not reach it."""
+    look: dict[str, Any] = {"linewidth": 2.0} if governs else {"markersize": 2.0, "linewidth": 0.7}
+    drawn = []
     for side, label in (("low", None), ("high", name)):
         one = offset.sel(offset_side=side)
-        ax.plot(one["surface_speed"], one.where(np.isfinite(one)), ".-", color=colour, label=label)
+        drawn += ax.plot(
+            one["surface_speed"], one.where(np.isfinite(one)), ".-", color=colour, label=label, **look
+        )
+    return drawn
+
+
+def _drawn_to_end(line: Line2D) -> bool:
+    """Whether a line has a value at the right edge of its panel."""
+    return bool(np.isfinite(np.asarray(line.get_ydata(), dtype=float)[-1]))
 
 
 def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
 from matplotlib.axes import Axes
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, hsv_to_rgb
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
+from scipy.interpolate import PchipInterpolator
 
-from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.style import COLOURS, headline, panel_title, panels, shades
 
 LABELS = ("clear of BOP and end stops", "LMRP re-contacts the BOP", "cylinders stroke out", "both, by phase")
+QUIET = (0.65, 0.72)  # saturation and value of colours in a circle
+FINE = 2000  # points of a smooth curve through samples
 FILL = ("#9fd8bd", "#f5c9a0", "#a9c9e8", "#d3a9c4")
 
 
@@ -138,23 +141,28 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
     figure, (liu, mao) = panels(1, 2, 3.6)
     heaves = recoil_liu2020["heave_amplitude"].values
     one = recoil_liu2020["lift"].sel(heave_amplitude=heaves[len(heaves) // 2])
-    cycle = colormaps["hsv"]
+    phases = []
     for phase in one["phase"].values:
-        colour = tuple(0.8 * part for part in cycle(float(phase) / 360.0)[:3])
-        liu.plot(one["time"], one.sel(phase=phase), color=colour, label=f"disconnect at {phase:g}°")
-    panel_title(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m")
-    for shade, tension in zip(COLOURS, recoil_mao["top_tension"].values, strict=False):
+        colour = hsv_to_rgb((float(phase) / 360.0 % 1.0, *QUIET))
+        phases += liu.plot(
+            one["time"], one.sel(phase=phase), color=colour, linewidth=1.3, label=f"{phase:g}°"
+        )
+    panel_title(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m, by phase of disconnect")
+    tensions = recoil_mao["top_tension"].values
+    fine = np.linspace(*recoil_mao["time"].values[[0, -1]], FINE)
+    for shade, tension in zip(shades(COLOURS[0], len(tensions)), tensions, strict=True):
         at = recoil_mao["lift"].sel(top_tension=tension)
-        mao.plot(at["time"], at, color=shade, label=f"{tension / 1e3:.1f} MN")
+        lift = PchipInterpolator(at["time"], at)(fine)
+        mao.plot(fine, lift, color=shade, linewidth=1.3, label=f"{tension / 1e3:.1f} MN")
+    mao.legend(title="top tension", fontsize="small", title_fontsize="small", loc="upper right")
     panel_title(mao, "Mao et al., assumed valves")
     for ax in (liu, mao):
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("time (s)")
         ax.set_ylabel("LMRP lift above the BOP (m)")
-    mao.legend(title="top tension", fontsize="small", loc="upper right")
-    key_below(figure, liu, 4)
     high = float(one.max("time").max()), float(recoil_mao["lift"].max())
     headline(
         figure, f"After a disconnect Liu et al.'s LMRP rises {high[0]:.1f} m, Mao et al.'s {high[1]:.1f} m"
     )
+    label_ends(liu, phases)
     return figure

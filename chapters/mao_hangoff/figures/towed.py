@@ -21,7 +21,15 @@ from chapters.mao_hangoff.figures.colours import (
     PROFILE,
     ordered,
 )
-from chapters.mao_hangoff.figures.towed_shared import AGAINST, ASTERN, NESTED, TIME, down, name_upright
+from chapters.mao_hangoff.figures.towed_shared import (
+    AGAINST,
+    ASTERN,
+    NESTED,
+    TIME,
+    down,
+    name_upright,
+    sign_of_largest,
+)
 from chapters.mao_hangoff.runs import STATED, at_nodes_of_paper
 from chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_ends, label_line, legible
@@ -40,7 +48,7 @@ FAMILIES = {
 MIDDLE, DEEPEST = 700.0, 1800.0  # m, in Fig 8: depth of line names, and last depth
 #: of lines that are close: name in the figure, its depth (m), and its offset (points)
 PLACES = {
-    "uniform to 100 m, none below 300 m": ("300 m (Figs\n9 to 12, 14)", 230.0, (-2.0, 6.0)),
+    "uniform to 100 m, none below 300 m": ("300 m (Figs\n9 to 12, 14)", 170.0, (-3.0, 3.0)),
     "uniform to 100 m, none below 500 m": ("500 m", 340.0, (3.0, -4.0)),
     "exponential 100 m": ("100 m", 290.0, (5.0, 0.0)),
     "exponential 300 m": ("300 m", 420.0, (5.0, 0.0)),
@@ -144,7 +152,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
     depth, shapes = share["below_surface"], [str(one) for one in share["current_profile"].values]
     speeds = (1.0, 1.1, 1.2)
     for colour, speed in zip(ordered(OF_INPUT["current_speed"], speeds), speeds, strict=True):
-        axes[0].plot(_while_it_flows(speed * share[0]), depth, color=colour, label=f"{speed:.1f} m/s")
+        axes[0].plot(speed * share[0], depth, color=colour, label=f"{speed:.1f} m/s")
     axes[0].legend(fontsize="small", loc="lower right", title="at the surface", title_fontsize="small")
     axes[0].set_xlabel("current speed (m/s)")
     panel_title(axes[0], "uniform to 100 m,\nzero below 300 m")
@@ -152,8 +160,7 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
         of_family = [shape for shape in shapes if _family(shape) == family]
         flowing = [float(share.sel(current_profile=shape).mean()) for shape in of_family]
         for colour, shape in zip(ordered(PROFILE, flowing), of_family, strict=True):
-            curve = _while_it_flows(share.sel(current_profile=shape))
-            (line,) = ax.plot(curve, depth, color=colour, label=shape)
+            (line,) = ax.plot(share.sel(current_profile=shape), depth, color=colour, label=shape)
             name, level, away = PLACES.get(shape, (shape, MIDDLE, (5.0, 0.0)))
             label_line(ax, line, level / float(depth.max()), away, name=name, size="x-small")
         ax.set_xlabel("speed / surface speed")
@@ -167,11 +174,6 @@ def fig08(current_profiles: xr.Dataset) -> Figure:
 def _family(shape: str) -> str:
     """Key in ``FAMILIES`` of a current profile, and so its panel of Fig 8."""
     return next((family for family in FAMILIES if family in shape), "")
-
-
-def _while_it_flows(speed: xr.DataArray) -> xr.DataArray:
-    """Speeds above one hundredth of the largest, else NaN, to keep lines off the axis."""
-    return speed.where(speed > 0.01 * float(speed.max()))
 
 
 def fig09(
@@ -230,10 +232,10 @@ def _moment_of_base(
     Returns the largest moment on the fine mesh (kN m), and the band of the range in a heave cycle.
     """
     at_130 = base_runs["bending_moment"].sel(time=STATED) / 1e3
-    turn = _sign_of_largest(at_130)
+    turn = sign_of_largest(at_130)
     ours, depth = turn * at_130, float(base_runs["s"][-1]) - base_runs["s"]
     theirs = at_nodes_of_paper(own["bending_moment"].sel(time=STATED).dropna("s")) / 1e3
-    theirs = _sign_of_largest(theirs) * theirs
+    theirs = sign_of_largest(theirs) * theirs
     ax.plot(ours, depth, color=OF_MESH[FINE_MESH])
     ax.axvline(moment, **PRINTED)
     ax.plot(theirs, float(theirs["s"][-1]) - theirs["s"], ":", color=OF_MESH[MESH_OF_PAPER])
@@ -272,8 +274,3 @@ def _axial_motion(ax: Axes, z: xr.DataArray) -> None:
         ax.plot(at["time"], at - at[0], color=colour, lw=width, label=name)
     ax.set_xlabel(TIME)
     ax.set_ylabel("axial motion (m)")
-
-
-def _sign_of_largest(moment: xr.DataArray) -> float:
-    """Sign of a moment at its largest magnitude; multiplied by it, the largest moment is positive."""
-    return float(np.sign(moment.isel(s=int(abs(moment).argmax("s")))))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
@@ -12,7 +13,7 @@ from riserstudy.figures.style import mosaic, panel_title
 
 AGAINST = "current 1 m/s, against"  # of Figs 9, 10 and 14
 ASTERN, DEPTH = "displacement astern (m)", "depth below the joint (m)"
-MOMENT = "|bending moment| at 130 s (kN m)"
+MOMENT = "|moment| at 130 s (kN m)"
 RISE = "rise of the LMRP (m)"
 TIME = "time (s)"
 #: points, widths of lines that nearly coincide: the first is visible on both sides of the next
@@ -86,3 +87,8 @@ def down(ax: Axes, label: str) -> None:
     ax.set_xlabel(label)
     ax.set_ylabel(DEPTH)
     ax.invert_yaxis()
+
+
+def sign_of_largest(moment: xr.DataArray) -> float:
+    """Sign of a moment at its largest magnitude; multiplied by it, the largest moment is positive."""
+    return float(np.sign(moment.isel(s=int(abs(moment).argmax("s")))))

@@ -19,6 +19,7 @@ from chapters.mao_hangoff.figures.towed_shared import (
     down,
     name_upright,
     rise_and_differences,
+    sign_of_largest,
     towed_panels,
 )
 from chapters.mao_hangoff.runs import STATED, as_drawn
@@ -38,12 +39,16 @@ from riserstudy.figures.style import (
 
 MASSES = (140.0, 130.0, 120.0)  # t, of the LMRP
 UPPER = ((0.0, 9.0), (-10.0, 290.0))  # enlarged ranges of |moment| (kN m) and depth (m) in Figs 11 and 12
+SIGNED = "moment at 130 s (kN m)"
 TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
+THICK, THIN = 2.0, 0.8  # points, widths of lines of the first and the other profile
 ALIKE = 1.0  # %, largest difference of curves that are drawn inside each other
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
 
 
-def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> Figure:
+def fig10(
+    lmrp_mass: xr.Dataset, lmrp_mass_runs: xr.Dataset, heavy: float, light: float, moment: float
+) -> Figure:
     """Shapes, moments and axial motions with three LMRPs, and the differences from the heaviest.
 
     ``heavy``, ``light``: printed distances with 140 and 120 t (m); ``moment``: printed largest moment (kN m).
@@ -52,7 +57,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     colours = ordered(OF_INPUT["lmrp_mass"], MASSES)
     curves = {
         AGAINST: (-lmrp_mass["displacement_along"].sel(time=STATED), "m"),
-        "size of the moment": (lmrp_mass["bending_moment_size"] / 1e3, "kN m"),
+        "moment, signed": (_signed_moment(lmrp_mass_runs), "kN m"),
     }
     depth = float(lmrp_mass["s"][-1]) - lmrp_mass["s"]
     for ax, below, (title, (values, unit)) in zip(axes[:2], axes[3:5], curves.items(), strict=True):
@@ -65,7 +70,7 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
         panel_title(ax, title)
         panel_title(below, f"differences from {MASSES[0]:g} t")
         down(below, f"difference ({unit})")
-    for ax, label, value, unit in zip(axes, (ASTERN, MOMENT), (heavy, moment), ("m", "kN m"), strict=False):
+    for ax, label, value, unit in zip(axes, (ASTERN, SIGNED), (heavy, moment), ("m", "kN m"), strict=False):
         down(ax, label)
         ax.axvline(value, **PRINTED)
         name_upright(ax, value, 0.72, f"{MASSES[0]:g} t, printed:\n{value:g} {unit}")
@@ -87,9 +92,15 @@ def fig10(lmrp_mass: xr.Dataset, heavy: float, light: float, moment: float) -> F
     return figure
 
 
+def _signed_moment(runs: xr.Dataset) -> xr.DataArray:
+    """Bending moment at 130 s (kN m) over mass and s, positive where the heaviest LMRP has its largest one."""
+    moment = runs["bending_moment"].sel(time=STATED)
+    return sign_of_largest(moment.sel(lmrp_mass=MASSES[0])) * moment / 1e3
+
+
 def fig11(current_speed: xr.Dataset) -> Figure:
     """Shapes, moments and axial motions for three speeds of the current, in two profiles."""
-    held = "current along, platform 1.289 m/s"
+    held = "current along, platform 2.5 kn"
     label = "current {:.1f} m/s"
     figure = _two_profiles(current_speed, "current_speed", (1.0, 1.1, 1.2), label, held)
     headline(figure, _by_profile("current", current_speed, "current_speed", 1.0, 1.2))
@@ -98,7 +109,7 @@ def fig11(current_speed: xr.Dataset) -> Figure:
 
 def fig12(platform_speed: xr.Dataset) -> Figure:
     """Shapes, moments and axial motions for three speeds of the platform, in two profiles."""
-    held = "current 1.2 m/s, along"
+    held = "current along, 1.2 m/s"
     label = "platform {:g} kn"
     figure = _two_profiles(platform_speed, "platform_speed", (2.4, 2.5, 2.6), label, held)
     headline(figure, _by_profile("platform", platform_speed, "platform_speed", 2.4, 2.6))
@@ -106,7 +117,7 @@ def fig12(platform_speed: xr.Dataset) -> Figure:
 
 
 def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, held: str) -> Figure:
-    """Panels in the first profile; dashed lines are shapes and moments in the other profile.
+    """Panels in the first profile; thin lines are shapes and moments in the other profile.
 
     ``held``: speed and direction that panel (a) states.
     """
@@ -115,24 +126,24 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
     axes = figure.axes
     other = runs.isel(current_profile=-1, drop=True)
     change = changes(other, axis, values[0], values[-1])["displacement"]
-    alike = abs(change) < ALIKE
-    widths = NESTED if alike else (1.2, 1.2, 1.2)
-    for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, widths, strict=True):
-        dashes = (0, (4.0 / width, 2.0 / width))  # equal lengths: the width multiplies them
+    for line in (*axes[0].lines, *axes[1].lines):
+        line.set_linewidth(THICK)
+    for colour, value in zip(ordered(OF_INPUT[axis], values), values, strict=True):
         run = other.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
         moment = run["bending_moment_size"].dropna("s") / 1e3
         for ax, curve in zip(axes, (-shape, moment), strict=False):
             depth = float(curve["s"][-1]) - curve["s"]
-            ax.plot(curve, depth, color=colour, lw=width, ls=dashes)
-    if alike:
+            ax.plot(curve, depth, color=colour, lw=THIN)
+    if abs(change) < ALIKE:
         axes[0].annotate(
-            f"the three dashed\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
+            f"the three thin lines\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
-    enlarge(axes[1], (0.45, 0.32, 0.37, 0.42), *UPPER)
-    axes[0].plot([], [], color=GREY, label=f"(a–d) {names[0]} (assumed)")
-    axes[0].plot([], [], "--", color=GREY, label=f"(a, b) {names[-1]} (assumed)")
+    inset = enlarge(axes[1], (0.44, 0.34, 0.36, 0.46), *UPPER, widest=THICK)
+    inset.set_title("enlarged (m, kN m)", fontsize="x-small", pad=3.0)
+    axes[0].plot([], [], color=GREY, lw=THICK, label=f"(a–d) {names[0]} (assumed)")
+    axes[0].plot([], [], color=GREY, lw=THIN, label=f"(a, b) {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
     return figure
 
@@ -255,6 +266,9 @@ def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: 
     low, high = (f"{abs(change):{'.0f' if round(change) else '.1g'}}" for change in found)
     if found[0] < 0.0 < found[1]:
         return f"A faster {quantity} changes the displacement by −{low} or +{high} %, depending on profile"
+    if min(map(abs, found)) < ALIKE:
+        verb, most = ("increases", high) if sum(found) > 0.0 else ("decreases", low)
+        return f"A faster {quantity} {verb} the displacement by {most} %, or by less than {ALIKE:g} %"
     verb, least, most = ("increases", low, high) if found[1] > 0.0 else ("decreases", high, low)
     between = f"{least} or {most}" if least != most else most
     return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"
