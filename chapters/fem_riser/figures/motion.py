@@ -27,7 +27,8 @@ from chapters.fem_riser.claims import (
 )
 from chapters.fem_riser.figures.shared import BLUE, DEFLECTION, HEIGHT, TIME
 from chapters.fem_riser.figures.trends import envelopes
-from riserstudy.figures.direct import label_ends, label_line, named
+from riserstudy.figures.direct import label_ends
+from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -39,7 +40,8 @@ from riserstudy.figures.style import (
     panels,
 )
 
-LATE, MIDDLE = (200.0, 1000.0, 1800.0), 1000.0  # m, heights of the last window; mid-length
+LATE = (200.0, 1000.0, 1800.0)  # m, heights of the last window
+ENLARGED = 1950.0  # m, height of the enlarged part of the last profiles
 NEAR = 0.03  # relative difference from the printed time that a title calls nearly
 WINDOWS = ((0.0, 16.0), (17.0, 260.0), (261.0, 300.0))  # s
 PHASE = ListedColormap(colormaps["cividis"](np.linspace(0.0, 0.85, 256)))  # of time
@@ -99,6 +101,9 @@ def fig04(motion: xr.Dataset) -> Figure:
         panel_title(axes[k], f"profiles in {start:g} to {end:g} s")
         axes[k].set_ylim(0.0, float(x["s"][-1]))
         _histories(axes[k + 3], window, last_window=k == 2)
+    _enlarge_last(axes[2], x.sel(time=slice(*WINDOWS[2])))
+    for ax, title in zip(axes[3:], ("heights as in (e)", "heights s", "minus the last mean"), strict=True):
+        panel_title(ax, f"histories, {title}")
     axes[0].set_ylabel(HEIGHT)
     height = float(x["s"][x.sizes["s"] // 2])
     settled = float(settling_time(motion, SETTLED))
@@ -113,12 +118,21 @@ def fig04(motion: xr.Dataset) -> Figure:
         f"The mean at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s "
         "(tide calibrated)",
     )
-    for ax in axes[3:]:
-        inside = [line for line in named(ax) if "mean" in str(line.get_label())]
-        label_ends(ax, [line for line in named(ax) if line not in inside], size="x-small")
-        for line in inside:  # below the mean, where only the ends of other lines cross
-            label_line(ax, line, 0.28, (4.0, -14.0), size="x-small")
+    for ax in axes[4:]:
+        label_ends(ax, size="x-small")
+    axes[3].margins(x=0.0)
     return figure
+
+
+def _enlarge_last(ax: Axes, x: xr.DataArray) -> None:
+    """Enlarge the profiles of the last window around a height at which the wave moves the riser."""
+    at = x.sel(s=ENLARGED, method="nearest")
+    low, high, s = float(at.min()), float(at.max()), float(at["s"])
+    room = 0.8 * (high - low)
+    up = 2.0 * room * (float(x["s"][-1]) - s) / high  # as high as the lines' slope requires
+    inset = enlarge(ax, (0.17, 0.2, 0.33, 0.4), (low - room, high + room), (s - up, s + up), widest=0.7)
+    inset.locator_params(axis="x", nbins=2)
+    inset.set_title("enlarged (m, m)", fontsize="x-small", pad=3.0)
 
 
 def _mean(ax: Axes, motion: xr.Dataset) -> None:
@@ -139,12 +153,10 @@ def _histories(ax: Axes, window: xr.DataArray, *, last_window: bool) -> None:
             continue
         track = window.sel(s=s, method="nearest")
         drawn = 100.0 * (track - averaged(track).isel(time=-1)) if last_window else track
-        mean = " and its mean" if last_window and s == MIDDLE else ""
-        ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m" + mean)
+        ax.plot(track["time"], drawn, color=colour, linewidth=0.9, label=f"{s:g} m")
     ax.set_xlabel(TIME)
-    ax.set_ylabel("deviation from the last mean (cm)" if last_window else DEFLECTION)
+    ax.set_ylabel("deviation (cm)" if last_window else DEFLECTION)
     ax.margins(y=0.1)  # room for labels
-    panel_title(ax, "histories at heights s")
 
 
 def _profiles(figure: Figure, ax: Axes, window: xr.DataArray, last: xr.DataArray, colours: Colormap) -> None:
@@ -168,8 +180,7 @@ def fig05(settled: xr.Dataset) -> Figure:
     ]
     headline(
         figure,
-        f"Deflection peaks {100.0 * place:.0f} % up the riser, stress and angle within "
-        f"{100.0 * max(ends):.0f} % of its ends",
+        f"Deflection peaks {100.0 * place:.0f} % up the riser, stress and angle near its ends",
     )
     return figure
 

@@ -25,13 +25,14 @@ from chapters.fem_riser.along import (
 )
 from chapters.fem_riser.claims import BEAM, LUMPED
 from chapters.fem_riser.figures.shared import ANGLE, BLACK, BLUE, DEFLECTION, HEIGHT, RED, STRESS
-from riserstudy.figures.style import GREY, headline, legend_below, panels
+from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
 from riserstudy.records.words import listed
 
 FILL = 0.25  # opacity of ranges, of which three overlap
-APART = "vibration amplitude,\ndrift (m)"
-SEEN = 1e-3  # m, of vibration and drift: below it, lines show errors of the mesh
-DRIFTS = 10.0 * SEEN  # m, least maximum of a drift that is shown; smaller drifts change sign
+APART = "amplitude or drift (m)"
+SEEN = 3e-3  # m, of vibration and drift: below it, lines show errors of the mesh
+DRIFTS = 0.01  # m, least maximum of a drift that is shown; smaller drifts change sign
+TITLES = ("deflection", "stress", "angle", "vibration and drift")
 SIMPLE = {0.5: ("halves", "halving"), 2.0: ("doubles", "doubling"), 3.0: ("triples", "tripling")}
 ABOUT = 0.1  # largest relative difference of a ratio from the ratio in a title
 
@@ -159,8 +160,9 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
                 if float(drift.max()) > DRIFTS:
                     drift = _around_largest(drift)
                     axes[3].plot(drift, drift["s"], ":", color=colour, linewidth=1.2)
-    for ax, label in zip(axes, (DEFLECTION, STRESS, ANGLE, APART), strict=True):
+    for ax, label, title in zip(axes, (DEFLECTION, STRESS, ANGLE, APART), TITLES, strict=True):
         ax.set_xlabel(label)
+        panel_title(ax, title)
     _frame(axes, max(float(runs["s_node"][-1]) for runs in cases.values()))
     known: dict[str, Any] = {
         name: Patch(facecolor=to_rgba(colour, FILL), edgecolor=colour)
@@ -174,7 +176,7 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
     }
     legend_below(figure, [*known.values()], [*known], 3)
     (legend,) = figure.legends
-    legend.set_title("(a–c) filled: range in 261 to 300 s, beam", FontProperties(size="small"))
+    legend.set_title("(a–c) range in 261 to 300 s by the beam; narrow ranges appear as lines", FontProperties(size="small"))
     return figure
 
 
@@ -196,7 +198,7 @@ def _frame(axes: list[Axes], length: float) -> None:
         ax.margins(x=0.08)
     axes[3].set_xscale("log")
     axes[3].set_xlim(left=SEEN)
-    ticks = [tick for tick in (SEEN, 0.01, 0.1, 1.0) if tick <= axes[3].get_xlim()[1]]
+    ticks = [tick for tick in (0.01, 0.1, 1.0) if tick <= axes[3].get_xlim()[1]]
     axes[3].set_xticks(ticks, [f"$10^{{{np.log10(tick):.0f}}}$" for tick in ticks])
     low, high = axes[2].get_xlim()  # no label at its end, next to the first label of the next panel
     axes[2].set_xticks([t for t in axes[2].get_xticks() if low < t < high - 0.05 * (high - low)])

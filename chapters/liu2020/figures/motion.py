@@ -21,6 +21,7 @@ DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 LETTERS = 20  # most letters per line of a name next to a panel
 ROOM = 0.28  # share of the width of a panel of samples, kept free at the right for text
 COUNTS = {1: "one", 2: "two", 3: "three", 4: "four", 5: "five", 6: "six"}
+FINE = 400  # points of a smooth curve through the nodes
 PEAK = 0.1  # least prominence of a resonance peak, as a share of its height
 DISPLACEMENT = "lateral displacement (m)"
 WAVE_SPEED = 31.9  # m/s, of lateral waves: sqrt(tension / (mass + added mass))
@@ -193,19 +194,21 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
     moment = by_depth(run["bending_moment"]).sel(depth=slice(0.0, None)) / 1e3
     end = float(moment["time"][-1])
     size = float(abs(moment).max())
+    fine = np.linspace(0.0, float(moment["depth"].max()), FINE)
     parts = {
-        "first 40 s": (slice(0.0, 40.0), "--"),
-        "steady state, last 40 s": (slice(end - 40.0, None), "-"),
+        "first 40 s": (slice(0.0, 40.0), 2.0),
+        "steady state, last 40 s": (slice(end - 40.0, None), 1.1),
     }
-    for ax, shade, (name, (times, line)) in zip(
-        axes, (shades(ON_TENSIONERS, 3)[0], ON_TENSIONERS), parts.items(), strict=False
+    for ax, shade, (name, (times, width)) in zip(
+        axes, (ON_TENSIONERS, shades(ON_TENSIONERS, 3)[2]), parts.items(), strict=False
     ):
         part = moment.sel(time=times)
         field(figure, ax, part, "time", "depth", "", signed=size)
         ax.set_xlabel(TIME)
         panel_title(ax, name)
-        most = abs(part).max("time")
-        axes[2].plot(most, most["depth"], line, color=shade, label=name)
+        along = part.dropna("depth", how="all").sortby("depth")
+        most = abs(along.interp(depth=fine, method="cubic")).max("time")
+        axes[2].plot(most, fine, color=shade, linewidth=width, label=name)
     figure.colorbar(
         axes[0].collections[0], ax=axes[:2], location="bottom", aspect=40, label="bending moment (kN m)"
     )

@@ -78,8 +78,6 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
             largest = float(at.sel(integrator="implicit").argmax("s")) / (depth.size - 1.0)
             share, offset = (0.1, (4.0, 0.0)) if ax is axes[0] else (largest, (0.0, 3.0))
             label_line(ax, line, share, offset)
-    for ax, title in zip(axes, ("shape", "bending moment"), strict=True):
-        panel_title(ax, title)
     implicit = axes[1].plot([], [], color=GREY, label="implicit")
     explicit = axes[1].plot([], [], ".", color=GREY, ms=4, label="explicit")
     down(axes[0], ASTERN)
@@ -93,11 +91,9 @@ def fig04(hangoff_ref_start: xr.Dataset) -> Figure:
         at = curves.sel(time=list(START))
         apart = abs(at.sel(integrator="explicit") - at.sel(integrator="implicit")).max()
         shares.append(100.0 * float(apart / abs(at).max()))
-    headline(
-        figure,
-        f"Shapes by implicit and explicit integration agree to {shares[0]:.1g} %, "
-        f"moments to {shares[1]:.1g} %",
-    )
+    for ax, title, share in zip(axes, ("shape", "bending moment"), shares, strict=True):
+        panel_title(ax, f"{title}: differences up to {share:.1g} %")
+    headline(figure, "Implicit and explicit integration agree, except for ripples ahead of the front")
     return figure
 
 
@@ -109,10 +105,14 @@ def _enlarge_largest_difference(ax: Axes, moments: xr.DataArray, depth: xr.DataA
     there = apart.isel(at)
     x, level = float(explicit.isel(at)), float(depth.isel(s=at["s"]))
     near = (x - 1.0, x + 1.2), (level - AROUND, level + AROUND)
-    inset = enlarge(ax, (0.47, 0.26, 0.43, 0.38), *near)
+    inset = enlarge(ax, (0.47, 0.26, 0.38, 0.38), *near)
+    colours = dict(zip(START, ordered(OF_COORDINATE["time"], START), strict=True))
+    for line in list(inset.lines):  # only the time of this difference
+        if line.get_color() != colours[float(there["time"])]:
+            line.remove()
     inset.plot(x, level, "o", color="black", ms=11, mfc="none", mec="black", mew=0.9)
     inset.set_title(
-        f"largest difference (ring):\n{float(there):.1g} kN m at {float(there['time']):g} s",
+        f"largest difference (circle):\n{float(there):.1g} kN m at {float(there['time']):g} s",
         fontsize="x-small", pad=3.0,
     )  # fmt: skip
 

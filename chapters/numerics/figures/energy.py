@@ -11,6 +11,7 @@ from matplotlib.ticker import FixedLocator, NullLocator
 from riserstudy.figures.style import COLOURS, headline, key_below
 
 ROUNDING = 1e-14  # share of energy below which only rounding errors remain
+TICKS = (1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0)  # shares of energy
 PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
 
 
@@ -20,12 +21,12 @@ def energy(energy: xr.Dataset) -> Figure:
     figure = Figure((9.8, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
     most = largest(energy)
-    high = 10.0 * max(float(most[part].max()) for part in PARTS)
     for ax, letter, (part, words) in zip(axes, "ab", PARTS.items(), strict=True):
         _marks(ax, most[part], cases)
-        _axis(ax, max(high, 1.0))
+        _axis(ax, most[part])
         ax.set_title(f"({letter}) {words}", loc="left", fontsize="medium")
     axes[0].set_yticks(range(len(cases)), cases)
+    _absent(axes[0], most["numerical"])
     axes[0].set_ylim(len(cases) - 0.5, -0.5)
     headline(figure, answer(energy))
     key_below(figure, axes[0], 5)
@@ -44,7 +45,7 @@ def answer(energy: xr.Dataset) -> str:
     by = most["numerical"].max("case")
     worst = str(by["method"].values[int(np.nanargmax(by.values))])
     return (
-        f"Energy balances close to {100 * float(most['unexplained'].max()):.1g} %; "
+        f"Energy residuals are at most {100 * float(most['unexplained'].max()):.1g} %; "
         f"{worst.split()[0]} dissipates up to {100 * float(by.max()):.2g} %"
     )
 
@@ -62,15 +63,30 @@ def _marks(ax: Axes, most: xr.DataArray, cases: list[str]) -> None:
         ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)
 
 
-def _axis(ax: Axes, high: float) -> None:
-    """Set the axis of shares in per cent; its lowest tick is the level of rounding."""
-    ticks = [1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0]
+def _absent(ax: Axes, most: xr.DataArray) -> None:
+    """Name the methods that have no mark in a row, because they are unstable with its step."""
+    for row, case in enumerate(most["case"].values):
+        of = most.sel({"case": case})
+        if absent := [str(method) for method in of["method"].values[np.isnan(of.values)]]:
+            ax.annotate(
+                f"{', '.join(absent)}: unstable", (0.01, row), xycoords=("axes fraction", "data"),
+                va="center", fontsize="small",
+            )  # fmt: skip
+
+
+def _axis(ax: Axes, share: xr.DataArray) -> None:
+    """Set the axis of shares in per cent, around the marks; its lowest tick may be the level of rounding."""
+    values = np.maximum(share.values[np.isfinite(share.values)], ROUNDING)
+    low, high = (float(end) for end in (values.min(), values.max()))
+    ticks = [tick for tick in TICKS if 0.03 * low <= tick <= 30.0 * high]
+    at_rounding = low < TICKS[0]
     ax.set_xscale("log")
-    ax.set_xlim(0.3 * ROUNDING, high)
-    ax.xaxis.set_major_locator(FixedLocator([ROUNDING, *ticks]))
+    ax.set_xlim(0.3 * ROUNDING if at_rounding else 0.03 * low, 30.0 * high)
+    ax.xaxis.set_major_locator(FixedLocator([*([ROUNDING] if at_rounding else []), *ticks]))
     ax.xaxis.set_minor_locator(NullLocator())
-    powers = (round(np.log10(100.0 * tick)) for tick in ticks)
-    ax.set_xticklabels(["rounding", *(f"$10^{{{power}}}$" for power in powers)])
+    words = [f"$10^{{{round(np.log10(100.0 * tick))}}}$" for tick in ticks]
+    lowest = rf"$\leq 10^{{{round(np.log10(100.0 * ROUNDING))}}}$"
+    ax.set_xticklabels([*([lowest] if at_rounding else []), *words])
     ax.tick_params(axis="y", length=0)
     ax.grid(True, axis="x", color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)

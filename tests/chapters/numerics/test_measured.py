@@ -159,7 +159,7 @@ def test_the_figure_of_energy_says_how_far_the_balance_is_off_and_who_dissipates
         {"case": ["swing"], "method": ["one", "other"]},
     )
     figure = draw("numerics", "energy", {"energy": found})
-    assert figure.get_suptitle() == ("Energy balances close to 0.03 %; other dissipates up to 5 %")
+    assert figure.get_suptitle() == ("Energy residuals are at most 0.03 %; other dissipates up to 5 %")
     marks = [line.get_xdata() for line in figure.axes[0].lines if line.get_label() == "one"]
     assert float(marks[0][0]) == pytest.approx(0.02)
 
