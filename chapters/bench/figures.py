@@ -66,7 +66,9 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     legend_below(figure, *axes[1].get_legend_handles_labels(), 2)
     late = s2c["effective_tension"].isel(s=-1).sel(time=slice(float(s2c["time"][-1]) - LAST, None)) / 1e3
     varied = 0.5 * float(late.max() - late.min())
-    headline(figure, f"With its top held in height, the riser's tension varies by ±{float(f'{varied:.2g}'):.0f} kN")
+    headline(
+        figure, f"With its top held in height, the riser's tension varies by ±{float(f'{varied:.2g}'):.0f} kN"
+    )
     label_ends(axes[0], lines)
     return figure
 

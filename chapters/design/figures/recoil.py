@@ -149,7 +149,7 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
         )
     panel_title(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m, by phase of disconnect")
     tensions = recoil_mao["top_tension"].values
-    fine = np.linspace(*recoil_mao["time"].values[[0, -1]], FINE)
+    fine = np.linspace(float(recoil_mao["time"][0]), float(recoil_mao["time"][-1]), FINE)
     for shade, tension in zip(shades(COLOURS[0], len(tensions)), tensions, strict=True):
         at = recoil_mao["lift"].sel(top_tension=tension)
         lift = PchipInterpolator(at["time"], at)(fine)

@@ -175,13 +175,7 @@ def fig05(settled: xr.Dataset) -> Figure:
     figure = envelopes({"2000 m, tension ratio 1.3, buoyant factor 0.7 (assumed)": settled}, (BLUE,))
     measured = measures(settled.sel(solver=BEAM))
     place = float(measured["deflection_place"])
-    ends = [
-        float(measured[f"{name}_from_{end}"]) for name in ("stress", "angle") for end in ("bottom", "top")
-    ]
-    headline(
-        figure,
-        f"Deflection peaks {100.0 * place:.0f} % up the riser, stress and angle near its ends",
-    )
+    headline(figure, f"Deflection peaks {100.0 * place:.0f} % up the riser, stress and angle near its ends")
     return figure
 
 

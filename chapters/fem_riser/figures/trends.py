@@ -176,7 +176,9 @@ def envelopes(cases: Mapping[str, xr.Dataset], colours: tuple[str, ...]) -> Figu
     }
     legend_below(figure, [*known.values()], [*known], 3)
     (legend,) = figure.legends
-    legend.set_title("(a–c) range in 261 to 300 s by the beam; narrow ranges appear as lines", FontProperties(size="small"))
+    legend.set_title(
+        "(a–c) range in 261 to 300 s by the beam; narrow ranges are lines", FontProperties(size="small")
+    )
     return figure
 
 

@@ -195,10 +195,7 @@ def fig19(roll_case: xr.Dataset, largest: float) -> Figure:
     end = float(moment["time"][-1])
     size = float(abs(moment).max())
     fine = np.linspace(0.0, float(moment["depth"].max()), FINE)
-    parts = {
-        "first 40 s": (slice(0.0, 40.0), 2.0),
-        "steady state, last 40 s": (slice(end - 40.0, None), 1.1),
-    }
+    parts = {"first 40 s": (slice(0.0, 40.0), 2.0), "steady state, last 40 s": (slice(end - 40.0, None), 1.1)}
     for ax, shade, (name, (times, width)) in zip(
         axes, (ON_TENSIONERS, shades(ON_TENSIONERS, 3)[2]), parts.items(), strict=False
     ):

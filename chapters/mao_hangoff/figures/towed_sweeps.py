@@ -93,7 +93,7 @@ def fig10(
 
 
 def _signed_moment(runs: xr.Dataset) -> xr.DataArray:
-    """Bending moment at 130 s (kN m) over mass and s, positive where the heaviest LMRP has its largest one."""
+    """Bending moment at 130 s (kN m) over mass and s; the largest one with the heaviest LMRP is positive."""
     moment = runs["bending_moment"].sel(time=STATED)
     return sign_of_largest(moment.sel(lmrp_mass=MASSES[0])) * moment / 1e3
 

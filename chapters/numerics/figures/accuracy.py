@@ -13,7 +13,15 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
 from chapters.numerics.figures.scenes import in_one_line
-from riserstudy.figures.style import COLOURS, headline, key_below, legend_below, log_ticks, panel_title, panels
+from riserstudy.figures.style import (
+    COLOURS,
+    headline,
+    key_below,
+    legend_below,
+    log_ticks,
+    panel_title,
+    panels,
+)
 
 QUANTITIES = ("displacement", "moment", "tension")
 FAMILIES = {
@@ -50,7 +58,9 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     for ax, scene in zip(axes, scenes, strict=False):
         first, least = _scene(ax, accuracy.sel({"scene": scene}))
         quickest.append(first)
-        words = f"{first} reaches {100 * TARGET:g} % first" if first else f"no error below {100 * least:.2g} %"
+        words = (
+            f"{first} reaches {100 * TARGET:g} % first" if first else f"no error below {100 * least:.2g} %"
+        )
         panel_title(ax, f"{in_one_line(scene)}:\n{words}")
         ax.set_xlabel("elapsed time of a run (s)")
         ax.set_ylabel("largest error (%)")
@@ -87,7 +97,7 @@ def _short(family: str) -> str:
 
 
 def _scene(ax: Axes, of: xr.Dataset) -> tuple[str, float]:
-    """Draw the edges of all families; return the fastest at the target error ("": none), and the least error."""
+    """Draw the edges of all families; return the first at the target error, if any, and the least error."""
     quickest, least = (np.inf, ""), np.inf
     families: dict[str, list[str]] = {}
     for method in map(str, of["method"].values):

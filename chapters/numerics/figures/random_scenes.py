@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from chapters.numerics.figures.scenes import family_in_words
-from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, panel_title, panels
 
 HONEST = (0.5, 5.0)  # range of the ratio of estimated to true error
 CHEAP = (5.0, 10.0)  # target ratios to the cheapest work: median, 95 % of scenes
@@ -21,7 +21,10 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
     figure, (left, right) = panels(1, 2, height=4.4)
     _errors(left, random_scenes)
     _costs(right, random_scenes)
-    key_below(figure, left, 3)
+    keys = [ax.get_legend_handles_labels() for ax in (left, right)]
+    legend_below(figure, [*keys[0][0], *keys[1][0]], [*keys[0][1], *keys[1][1]], 2)
+    panel_title(left, "error")
+    panel_title(right, "work; right: scenes with none cheaper")
     headline(figure, answer(random_scenes))
     return figure
 
@@ -39,10 +42,10 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
     requested = float(of.attrs["requested"])
     true, estimated = (np.maximum(of[name], LEAST) for name in ("true", "estimated"))
     ends = np.array([LEAST, 1.0])
-    band = "estimate of 0.5 to 5 times the error"
+    band = "(a) estimate of 0.5 to 5 times the error"
     ax.fill_between(ends, HONEST[0] * ends, HONEST[1] * ends, color="0.92", lw=0.0, label=band)
-    ax.plot(ends, ends, color=GREY, linewidth=0.8, label="estimate equal to the error")
-    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0, label="tolerance")
+    ax.plot(ends, ends, color=GREY, linewidth=0.8, label="(a) estimate equal to the error")
+    ax.axvline(requested, color="black", linestyle=":", linewidth=1.0, label="(a) tolerance")
     missed = (of["true"] > requested).values
     for here, colour, words in (
         (~missed, COLOURS[0], ""),
@@ -82,24 +85,20 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
     for row, family in enumerate(families):
         here = (of["family"] == family).values & judged
         none = int(np.isnan(ratio[here]).sum())
-        text = f"{none} of {here.sum()}: none cheaper" if here.any() else "none judged"
         ax.annotate(
-            text if none or not here.any() else "", (0.98, row), xycoords=("axes fraction", "data"),
-            ha="right", va="center", fontsize="x-small",
+            f"{none} of {here.sum()}" if here.any() else "none judged", (1.02, row),
+            xycoords=("axes fraction", "data"), va="center", fontsize="small", annotation_clip=False,
         )  # fmt: skip
         for kind in (False, True):
             values = ratio[here & (held_out == kind)]
             ax.plot(values, np.full(len(values), row), "o", color=COLOURS[0], markersize=5,
                     markerfacecolor=COLOURS[0] if kind else "none")  # fmt: skip
-    for limit, of_which in zip(CHEAP, ("median", "95 %"), strict=True):
-        ax.axvline(limit, color="black", linestyle=":", linewidth=1.0)
-        ax.annotate(
-            f"{of_which} of scenes:\nat most {limit:g}", (limit, 1.0), xycoords=("data", "axes fraction"),
-            ha="right" if limit == CHEAP[0] else "left", va="bottom", fontsize="x-small",
-        )  # fmt: skip
+    for limit, of_which, line in zip(CHEAP, ("median", "95 %"), ("-.", "--"), strict=True):
+        label = f"(b) target, {of_which} of the scenes: {limit:g}"
+        ax.axvline(limit, color="0.4", linestyle=line, linewidth=1.0, label=label)
     ax.set_xscale("log")
-    ax.set_xticks([0.5, 1, 2, 5, 10, 20], ["0.5", "1", "2", "5", "10", "20"])
+    ax.set_xticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
     ax.set_yticks(range(len(families)), list(map(family_in_words, families)), fontsize="small")
-    ax.set_xlim(0.4, 80.0)
+    ax.set_xlim(0.7, max(20.0, 1.5 * float(np.nanmax(ratio, initial=1.0))))
     ax.set_ylim(len(families) - 0.5, -0.5)
     ax.set_xlabel("work / work of the cheapest setting")

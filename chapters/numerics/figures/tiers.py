@@ -8,7 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
-from riserstudy.figures.style import COLOURS, headline, key_below, log_ticks, panels
+from riserstudy.figures.style import COLOURS, headline, legend_below, log_ticks, panel_title, panels
 
 LEAST = 1e-7  # smallest error that is drawn
 ROW, FRAME = 0.3, 1.7  # inches: height of a row, and of the rest
@@ -28,19 +28,34 @@ def tiers(tiers: xr.Dataset) -> Figure:
         right.plot(_drawable(of["estimated"]), rows, marker, color=colour, markersize=6)
         peaks = _drawable(of["error"].max("quantity"))
         right.plot(peaks, rows, marker, color=colour, markersize=6, markerfacecolor="none")
-    left.set_yticks(
-        places, [str(scene).replace(" deg", "°") for scene in tiers["scene"].values], fontsize="small"
-    )
+        for row in np.flatnonzero(np.isnan(of["wall_seconds"].values)):
+            left.annotate(
+                f"not in {tier}", (0.03, rows[row]), xycoords=("axes fraction", "data"), va="center",
+                fontsize="x-small", color=colour,
+            )  # fmt: skip
+    right.plot([], [], "o", color="0.4", markersize=6, label="(b) estimated error")
+    right.plot([], [], "o", color="0.4", markersize=6, markerfacecolor="none", label="(b) error of the peaks")
+    left.set_yticks(places, [_in_words(str(scene)) for scene in tiers["scene"].values], fontsize="small")
     right.set_yticks(places, [""] * len(places))
-    _across(left, "time of all runs (s)", 1.0)
-    _across(right, "largest error (%): estimated\n(filled), of peaks (open)", 100.0)
+    _across(left, "elapsed time of all runs (s)", 1.0)
+    _across(right, "largest error (%)", 100.0)
     headline(figure, answer(tiers))
-    key_below(figure, left, 3)
+    panel_title(left, "elapsed time")
+    panel_title(right, "errors")
+    keys = [ax.get_legend_handles_labels() for ax in (left, right)]
+    legend_below(figure, [*keys[0][0], *keys[1][0]], [*keys[0][1], *keys[1][1]], 5)
     return figure
 
 
+def _in_words(scene: str) -> str:
+    return scene.replace(" deg", "°").replace("no open inputs", "no unspecified inputs")
+
+
 def answer(tiers: xr.Dataset) -> str:
-    """Title: median ratio of times of the finest and the coarsest tier, over the scenes that both can run."""
+    """Title: median ratio of times of the finest and the coarsest tier, and the largest error of peaks.
+
+    The ratio is over the scenes that both can run.
+    """
     first, last = str(tiers["tier"].values[0]), str(tiers["tier"].values[-1])
     if first == last:
         spent = float(tiers["wall_seconds"].median())
@@ -49,10 +64,13 @@ def answer(tiers: xr.Dataset) -> str:
     if not ratio.size:
         return f"No scene was simulated at both {first} and {last}"
     middle = float(ratio.median())
-    if abs(middle - 1.0) <= ALIKE:
-        return f"In the median, a scene takes about as long in the {last} tier as in {first}"
-    times = f"{middle:.2g}"
-    return f"In the median, a scene takes {times} times as long in the {last} tier as in {first}"
+    times = "about as long as" if abs(middle - 1.0) <= ALIKE else f"{middle:.2g} times as long as"
+    said = f"{last.capitalize()} takes {times} {first} (median)"
+    most = 100.0 * float(tiers["error"].sel(tier=last).max())
+    if not most > 0.0:
+        return said
+    unit = 10.0 ** np.floor(np.log10(most))
+    return f"{said}; peaks err below {unit * np.ceil(most / unit):.1g} %"
 
 
 def _drawable(error: xr.DataArray) -> xr.DataArray:
