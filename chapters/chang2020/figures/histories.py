@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import MaxNLocator
 
 from chapters.chang2020.figures.shared import (
+    FITTED,
     GAS_LAW,
     LINES,
     MODELS,
@@ -117,29 +118,32 @@ def _printed_range(ax: Axes, bare: xr.DataArray, settled: xr.DataArray, reductio
 
 def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) -> Figure:
     """Heave and tension at 3 and 10 m, gas law and lines; (a) to (d) as in the paper, then steady state."""
-    figure, axes = panels(4, 2, 2.2)
+    figure, axes = panels(3, 2, 2.6)
     started, settled = _histories(from_rest), _histories(steady)
     straight = _histories(lines_settled)
     start = float(steady["time"][0])
     cases = [(a, q) for a in NAMED for q in ("heave", "tension")]
-    for (amplitude, quantity), early, late in zip(cases, axes[:4], axes[4:], strict=True):
+    for (amplitude, quantity), ax in zip(cases, axes[:4], strict=True):
         for model, line in MODELS.items():
             run = started.sel(tensioner_model=model, heave_amplitude=amplitude)
-            early.plot(run["time"], run[quantity], line, color=OF_MODEL[model], lw=1.1)
+            ax.plot(run["time"], run[quantity], line, color=OF_MODEL[model], lw=1.1)
+        ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
+        ax.set_xlim(0.0, LAST)
+        ax.set_xlabel(TIME)
+        panel_title(ax, f"{of_amplitude(amplitude)}, {STATES['from_rest']}")
+    for amplitude, ax in zip(NAMED, axes[4:], strict=True):
         law = settled.sel(tensioner_model="gas law", heave_amplitude=amplitude)
-        late.plot(law["time"] - start, law[quantity], color=GAS_LAW, lw=2.2, label="gas law")
+        ax.plot(law["time"] - start, law["heave"], color=GAS_LAW, lw=2.2, label="gas law")
         for k, name in enumerate(map(str, straight["line"].values)):
             run = straight.sel(line=name, heave_amplitude=amplitude)
-            late.plot(run["time"] - start, run[quantity], color=OF_MODEL[name], lw=1.4, ls=DASHES[k],
-                      label=LINES[name])  # fmt: skip
-        for ax, when, end in ((early, "from_rest", LAST), (late, "steady", 20.0)):
-            ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
-            ax.set_xlim(0.0, end)
-            panel_title(ax, f"{of_amplitude(amplitude)}, {STATES[when]}")
-    for ax in axes[2:4]:
-        ax.set_xlabel(TIME)
-    for ax in axes[6:]:
+            where = "" if OF_MODEL[name] == FITTED else "(e, f) "
+            ax.plot(run["time"] - start, run["heave"], color=OF_MODEL[name], lw=1.4, ls=DASHES[k],
+                    label=where + LINES[name])  # fmt: skip
+        ax.set_xlim(0.0, 20.0)
         ax.set_xlabel(IN_PERIOD)
+        ax.set_ylabel(HEAVE)
+        _tension_at_right(ax, law)
+        panel_title(ax, f"{of_amplitude(amplitude)}, {STATES['steady']}")
     lowest = {"heave_amplitude": NAMED[1]}
     curved = float(settled["heave"].sel(lowest | {"tensioner_model": "gas law"}).min("time"))
     troughs = straight["heave"].sel(lowest).min("time")
@@ -152,6 +156,13 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
     headline(figure, f"At {NAMED[1]:g} m {count} deeper troughs than the gas law")
     key_below(figure, axes[4], 3)
     return figure
+
+
+def _tension_at_right(ax: Axes, run: xr.Dataset) -> None:
+    """Add an axis of tension (MN) to a panel of heave (m), to which the tension is proportional."""
+    stiffness = float((run["tension"] * run["heave"]).sum() / (run["heave"] ** 2).sum())
+    right = ax.secondary_yaxis("right", functions=(lambda x: stiffness * x, lambda t: t / stiffness))
+    right.set_ylabel(TENSION)
 
 
 def fig11(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
