@@ -49,10 +49,10 @@ def surge(s2: xr.Dataset, s2c: xr.Dataset) -> Figure:
     panel_title(axes[0], "S2 at four heights")
     axes[0].set_xlim(float(s2["time"][-1]) - LAST, float(s2["time"][-1]))
     for colour, (name, scene) in zip(COLOURS, named, strict=False):
-        s = np.linspace(float(scene["s_node"][0]), float(scene["s_node"][-1]), FINE)
+        heights = np.linspace(float(scene["s_node"][0]), float(scene["s_node"][-1]), FINE)
         for side in ("max", "min"):
-            moment = PchipInterpolator(scene["s_node"], scene[f"bending_moment_{side}"] / 1e3)(s)
-            axes[1].plot(moment, s, color=colour, linewidth=1.3, label=name if side == "max" else None)
+            moment = PchipInterpolator(scene["s_node"], scene[f"bending_moment_{side}"] / 1e3)(heights)
+            axes[1].plot(moment, heights, color=colour, linewidth=1.3, label=name if side == "max" else None)
         tension = scene["effective_tension"].isel(s=-1) / 1e3
         axes[2].plot(tension["time"], tension, color=colour, linewidth=0.9, label=name)
     axes[1].set_xlabel("moment envelope (kN m)")

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -161,7 +163,14 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
 def _tension_at_right(ax: Axes, run: xr.Dataset) -> None:
     """Add an axis of tension (MN) to a panel of heave (m), to which the tension is proportional."""
     stiffness = float((run["tension"] * run["heave"]).sum() / (run["heave"] ** 2).sum())
-    right = ax.secondary_yaxis("right", functions=(lambda x: stiffness * x, lambda t: t / stiffness))
+
+    def to_tension(heave: Any) -> Any:
+        return stiffness * heave
+
+    def to_heave(tension: Any) -> Any:
+        return tension / stiffness
+
+    right = ax.secondary_yaxis("right", functions=(to_tension, to_heave))
     right.set_ylabel(TENSION)
 
 
