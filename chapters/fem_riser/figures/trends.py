@@ -61,8 +61,8 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
     found = measures(tension_ratio.sel(solver=BEAM))
     colours = (BLACK, BLUE, RED)
     _largest(figure.axes[1], "largest\n(MPa):", 1e-6 * found["stress"], colours, (0.68, 0.6))
-    head = "largest\nvibration (m):"
-    _largest(figure.axes[3], head, found["vibration"], colours, (0.04, 0.245))
+    head = "vibration\n(m):"
+    _largest(figure.axes[3], head, found["vibration"], colours, (0.04, 0.36))
     return figure
 
 
