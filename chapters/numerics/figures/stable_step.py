@@ -13,7 +13,7 @@ from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
 UNSAFE = 1.0  # measured / predicted step, below which the prediction is too long
 LINE = 11.0  # height of a line of text (points)
-ROOM = 6.0  # ratio by which the axis is longer than the lines, for their names
+ROOM = 8.0  # ratio by which the axis is longer than the lines, for their names
 ALIKE = 0.1  # difference (%) below which steps count as equal
 
 
@@ -26,13 +26,13 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
     for row, alike in enumerate(_coinciding(stable_step)):
         of = stable_step.isel(variant=alike[0])
         colour = COLOURS[row % len(COLOURS)]
-        ax.plot(of["elements"], 1e3 * of["predicted"], "-", linewidth=1.2, color=colour)
+        ax.plot(of["elements"], of["predicted"], "-", linewidth=1.2, color=colour)
         for k in alike:
             one = stable_step.isel(variant=k)
-            ax.plot(one["elements"], 1e3 * one["measured"], "o", ms=5, mfc="none", color=colour)
+            ax.plot(one["elements"], one["measured"], "o", ms=5, mfc="none", color=colour)
         last = int(np.flatnonzero(np.isfinite(of["measured"].values))[-1])
         name = _named([str(stable_step["variant"].values[k]) for k in alike]) + _differs(ratio[alike])
-        ends.append((float(of["elements"][last]), 1e3 * float(of["measured"][last]), name, colour))
+        ends.append((float(of["elements"][last]), float(of["measured"][last]), name, colour))
     ax.plot([], [], "-", color="0.4", linewidth=1.2, label="predicted")
     ax.plot([], [], "o", ms=5, mfc="none", color="0.4", label="measured")
     ax.set_xscale("log")
@@ -42,7 +42,7 @@ def stable_step(stable_step: xr.Dataset) -> Figure:
     ax.xaxis.set_minor_formatter(NullFormatter())
     ax.yaxis.set_major_formatter("{x:g}")
     ax.set_xlabel("number of segments")
-    ax.set_ylabel("longest stable time step (ms)")
+    ax.set_ylabel("longest stable time step (s)")
     low, high = ax.get_xlim()
     ax.set_xlim(low, ROOM * high)
     headline(figure, answer(ratio))
