@@ -87,7 +87,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
     said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
     assert said == "0 of 1 long runs have an accurate setting"
     found["error_moment"][1] = 0.005
-    found["cpu_seconds"][:2] = 8.0, 0.2
+    found["cpu_seconds"][:2] = np.array([8.0, 0.2])
     said = draw("numerics", "long_runs", {"long_runs": found}).get_suptitle()
     assert said == "The cheapest accurate setting is 40 times faster than the paper's"
     assert section({"long_runs": found}).sentences[0].startswith("Long simulation “46 hours”. ")
