@@ -64,12 +64,12 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
-    silent = {0: "none has", 1: "1 has"}.get(counts.silent, f"{counts.silent} have")
+    silent = {0: "none is", 1: "1 is"}.get(counts.silent, f"{counts.silent} are")
     met = f"{counts.met} of {counts.cases}"
     answer = (
-        f"{met} hard cases, such as end stops, compression, disconnects and extreme stiffness, end as "
-        f"expected. Of the {counts.compared} with a reference solution, {silent} a large error without a "
-        "warning."
+        f"As expected, {met} hard cases, such as end stops, compression, disconnects and extreme stiffness, "
+        "end with a stable result or are refused with a reason. Of the "
+        f"{counts.compared} with a reference solution, {silent} inaccurate without a warning."
     )
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return met, answer, _stack(parts) + _key(each)

@@ -24,8 +24,9 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     (one,) = shown({"stability": stability})
     assert one.number == "3 of 4"
     assert one.answer == (
-        "3 of 4 hard cases, such as end stops, compression, disconnects and extreme stiffness, end as "
-        "expected. Of the 3 with a reference solution, 1 has a large error without a warning."
+        "As expected, 3 of 4 hard cases, such as end stops, compression, disconnects and extreme stiffness, "
+        "end with a stable result or are refused with a reason. Of the 3 with a reference solution, 1 is "
+        "inaccurate without a warning."
     )
     assert one.spark.count("<rect") == 4
 
