@@ -223,6 +223,12 @@ def written(tree: Any, inside: str = "", unit_of: dict[str, str] | None = None) 
     return made
 
 
+def on_cylinders(seed: int, *needs: str, **kind: bool | None) -> dict[str, Any]:
+    """The first rig in motion, from a seed on in steps of 97, whose tensioners have these entries."""
+    rigs = (moving(k, **kind) for k in range(seed, seed + 2000, 97))
+    return next(tree for tree in rigs if {*needs} <= {*tree["top"].get("tensioners", {})})
+
+
 def moving(seed: int, **kind: bool | None) -> dict[str, Any]:
     """A rig in motion: surge, heave and pitch, in space sway and roll too, with its own mesh and step.
 

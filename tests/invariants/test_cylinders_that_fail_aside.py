@@ -7,7 +7,7 @@ import copy
 
 import numpy as np
 import pytest
-from random_rigs import moving, written
+from random_rigs import on_cylinders, written
 
 from riserstudy import simulate
 from riserstudy.scene.load import SceneFile
@@ -20,11 +20,7 @@ FAR = 1e-3  # m: least motion aside that a test must show
 def failing(seed):
     """A rig in a plane on inclined cylinders, of which one or two fail during the run."""
     draw = np.random.default_rng((seed, 9))
-    tree = next(
-        tree
-        for k in range(seed, seed + 1000, 97)
-        if "arrangement" in (tree := moving(k, spatial=False, conductor=False))["top"].get("tensioners", {})
-    )
+    tree = on_cylinders(seed, "arrangement", spatial=False, conductor=False)
     rig, duration = tree["top"]["tensioners"], tree["analysis"]["duration"]
     cylinders = draw.permutation(rig["count"]).tolist()
     rig["failing"] = {"at": f"{0.3 * duration!r} s", "cylinders": cylinders[: int(draw.integers(1, 3))]}
@@ -34,12 +30,7 @@ def failing(seed):
 def with_open_valves(seed):
     """A rig in a plane on gas cylinders, of which one keeps its recoil valve open after a disconnect."""
     draw = np.random.default_rng((seed, 10))
-    tree = next(
-        tree
-        for k in range(seed, seed + 2000, 97)
-        if {"arrangement", "gas"}
-        <= {*(tree := moving(k, spatial=False, conductor=False))["top"].get("tensioners", {})}
-    )
+    tree = on_cylinders(seed, "arrangement", "gas", spatial=False, conductor=False)
     at = 0.4 * tree["analysis"]["duration"]
     tree["top"]["telescopic_joint"]["stop"] = {"collapse": "6 m", "stroke": "8 m", "stiffness": "5 MN/m"}
     tree["bottom"]["body"] = {"name": "LMRP", "mass": 7e4, "submerged_weight": "300 kN"}

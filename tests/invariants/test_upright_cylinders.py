@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from random_rigs import moving, written
+from random_rigs import on_cylinders, written
 
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
@@ -11,11 +11,7 @@ from riserstudy.simulation.refine import run
 def tilting(seed, spatial):
     """A rig in motion on upright cylinders, below a platform that tilts about a centre aside."""
     draw = np.random.default_rng((seed, 11))
-    tree = next(
-        tree
-        for k in range(seed, seed + 2000, 83)
-        if "tensioners" in (tree := moving(k, spatial=spatial, conductor=False))["top"]
-    )
+    tree = on_cylinders(seed, "count", spatial=spatial, conductor=False)
     tree["top"]["tensioners"].pop("arrangement", None)
     size, period = float(draw.uniform(0.01, 0.05)), float(draw.uniform(8.0, 14.0))
     tilts = ("pitch", "roll") if spatial else ("pitch",)

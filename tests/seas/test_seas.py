@@ -9,8 +9,9 @@ from riserstudy.errors import InputError
 from riserstudy.seas.hours import hours, sea_limit
 from riserstudy.seas.record import gaps, read_record, with_peak_period, write_record
 from riserstudy.seas.synthetic import synthetic
-from riserstudy.seas.windows import statistics_of, stretches, waits, windows
+from riserstudy.seas.windows import statistics_of, waits, windows
 from riserstudy.seas.years import by_year
+from riserstudy.study.spacing import stretches
 
 ROWS = ["time,hs (m),tz (s)"] + [
     f"2001-01-{day:02d} {hour:02d}:00,{1 + 0.1 * hour:.3f},5" for day in range(1, 9) for hour in range(24)

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.study.spacing import stretches
+
 Flags = NDArray[np.bool_]
 # largest share of waits longer than the longest known one for which a mean is given
 MOST_LONGER = 0.01
@@ -43,30 +45,24 @@ class Wait(NamedTuple):
     open: int  # number of waits that a gap or the record's end interrupts
 
 
-def stretches(workable: Flags, joined: Flags) -> NDArray[np.int64]:
-    """First row and row after the last of each period of workable rows, (k, 2).
-
-    ``joined``: (n - 1,) whether a row and the next are one interval apart.
-    """
-    before = np.concatenate([[False], workable[:-1] & joined])
-    after = np.concatenate([workable[1:] & joined, [False]])
-    first = np.flatnonzero(workable & ~before)
-    last = np.flatnonzero(workable & ~after) + 1
-    return np.column_stack([first, last])
-
-
 def windows(workable: Flags, joined: Flags, rows: int) -> Windows:
     """Windows with at least ``rows`` rows."""
-    n = len(workable)
-    inside, starts = np.zeros(n, bool), np.zeros(n, bool)
+    inside, starts = np.zeros(len(workable), bool), _starts(workable, joined, rows)
     long = [(first, last) for first, last in stretches(workable, joined) if last - first >= rows]
     for first, last in long:
         inside[first:last] = True
-        starts[first : last - rows + 1] = True
-    before, after = _rows_to_gaps(joined, n)
+    before, after = _rows_to_gaps(joined, len(workable))
     ends = after >= rows - 1  # a window from here ends before the gap
     around = ends & (before >= rows - 1)  # so does each window that contains the row, and starts after a gap
     return Windows(len(long), _share(inside[around]), _share(starts[ends]))
+
+
+def _starts(workable: Flags, joined: Flags, rows: int) -> Flags:
+    """Whether a window of ``rows`` rows can start at each row, (n,)."""
+    starts = np.zeros(len(workable), bool)
+    for first, last in stretches(workable, joined):
+        starts[first : max(last - rows + 1, first)] = True
+    return starts
 
 
 def _rows_to_gaps(joined: Flags, n: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
@@ -92,11 +88,8 @@ def waits(workable: Flags, joined: Flags, rows: int, interval: float) -> Waits:
     into the gap.
     """
     n = len(workable)
-    start = np.zeros(n, bool)
-    for first, last in stretches(workable, joined):
-        start[first : max(last - rows + 1, first)] = True
     rows_on = np.arange(n)
-    following = np.where(start, rows_on, n)
+    following = np.where(_starts(workable, joined, rows), rows_on, n)
     following = np.minimum.accumulate(following[::-1])[::-1]
     end = rows_on + _rows_to_gaps(joined, n)[1]
     known = following <= end

@@ -37,8 +37,8 @@ def extremes(
     Means of values along the riser are taken over outputs, and absent if the outputs see few phases of the
     motion. A static run has no times, and its values are also the means. In space, the mean of an angle is
     the magnitude of the mean rotation; in a plane it has a sign. Of cylinders it is the mean of the one with
-    the largest mean. ``histories``: histories along the riser,
-    (time, n + 1), in addition to those in ``arrays``.
+    the largest mean. ``histories``: histories along the riser, (time, n + 1), in addition to those in
+    ``arrays``.
     """
     rows = []
     for name in ALONG:

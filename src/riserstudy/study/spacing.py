@@ -35,7 +35,7 @@ def check_spacing(where: Path | str, field: str, time: NDArray[np.datetime64]) -
     lengths, counts = np.unique(steps, return_counts=True)
     usual = float(lengths[counts.argmax()])
     wide = steps > FURTHER * usual
-    parts = _alike(steps, wide)
+    parts = stretches(wide, np.abs(np.diff(steps)) <= ALIKE * steps[1:])
     parts = parts[parts[:, 1] - parts[:, 0] >= SUCCESSIVE]
     hours = np.array([float(steps[first:last].sum()) for first, last in parts])
     recorded = float(hours.sum() + steps[~wide].sum())
@@ -51,12 +51,16 @@ def check_spacing(where: Path | str, field: str, time: NDArray[np.datetime64]) -
     raise InputError(where, field, found, allowed)
 
 
-def _alike(steps: NDArray[np.float64], wide: NDArray[np.bool_]) -> NDArray[np.int64]:
-    """First, and after the last, of successive wide steps (n,) with equal lengths, (parts, 2)."""
-    equal = np.abs(np.diff(steps)) <= ALIKE * steps[1:]
-    joined = wide[:-1] & wide[1:] & equal
-    first = np.flatnonzero(wide & ~np.append(False, joined))
-    last = np.flatnonzero(wide & ~np.append(joined, False)) + 1
+def stretches(flags: NDArray[np.bool_], joined: NDArray[np.bool_]) -> NDArray[np.int64]:
+    """First row and row after the last of each period of successive rows with a flag, (k, 2).
+
+    ``flags``: (n,). ``joined``: (n - 1,) whether a row and the next can be in one period, such as rows that
+    are one interval apart.
+    """
+    before = np.concatenate([[False], flags[:-1] & joined])
+    after = np.concatenate([flags[1:] & joined, [False]])
+    first = np.flatnonzero(flags & ~before)
+    last = np.flatnonzero(flags & ~after) + 1
     return np.column_stack([first, last])
 
 

@@ -172,14 +172,10 @@ def _link(link: Part, of: Anchorage) -> Pull:
             found = f"{unstretched:g} m"
             raise link.refused("UnstretchedLength", found, "a tether needs a length above 0")
         stiffness = link.number("Stiffness")
-        law = (
-            _tether(stiffness, unstretched, length)
-            if kind == "tether"
-            else (
-                (0.0, round(stiffness * (length - unstretched), 6)),
-                (1.0, round(stiffness * (length - unstretched + 1.0), 6)),
-            )
-        )
+        pull = stiffness * (length - unstretched)
+        law: tuple[tuple[float, float], ...] = ((0.0, round(pull, 6)), (1.0, round(pull + stiffness, 6)))
+        if kind == "tether":
+            law = _tether(stiffness, unstretched, length)
     else:
         rows = link.figures("SpringLength", "SpringTension")
         law = tuple((round(reach - length, 6), force) for reach, force in rows)
