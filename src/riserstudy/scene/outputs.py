@@ -54,7 +54,7 @@ def range_lacks(scene: Parts, section: Section) -> list[str]:
         lacks += [] if section.contents else [f"contents of section {section.name!r}"]
         lacks += ["water.surface"] if scene.water.surface is None else []
         lacks += ["gravity"] if scene.gravity is None else []
-    return lacks
+    return lacks + (["constant contents, which drain here"] if scene.drains and section.contents else [])
 
 
 def _has_stroke(scene: Parts) -> bool:

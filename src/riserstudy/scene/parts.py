@@ -91,6 +91,11 @@ class Parts(Strict):
         return weight, mass
 
     @property
+    def drains(self) -> bool:
+        """Whether contents drain during a run."""
+        return bool(self.analysis.duration and self.disconnect and self.disconnect.drain)
+
+    @property
     def shortest_period(self) -> float | None:
         """Shortest period of platform motions and waves (s); None without them."""
         motions = self.platform.harmonics if self.platform else []
