@@ -1,5 +1,7 @@
 """A platform that is moved moves the riser, or the scene is refused."""
 
+import json
+
 import numpy as np
 import pytest
 from random_rigs import rig, written
@@ -96,3 +98,29 @@ def test_a_motion_that_nothing_follows_is_refused_with_the_line_to_change(platfo
     tree |= {"platform": platform | CENTRE, "analysis": {"duration": "10 s", "output": {"interval": "1 s"}}}
     with pytest.raises(InputError, match=f"{REFUSED}.*'{end}: platform'"):
         SceneFile("rig", tree, {}).resolved()
+
+
+@pytest.mark.parametrize("seed", range(16))
+def test_a_run_warns_of_motions_of_a_response_that_change_nothing(seed):
+    """Each motion alone is taken out of the operators, and the run is compared with the whole one."""
+    row = {"surge": "0.5 m/m", "heave": "0.2 m/m", "pitch": "0.2 deg/m"}
+    row |= {f"{name}_phase": "20 deg" for name in ("surge", "heave", "pitch")}
+    tree = written(drawn(seed)) | {"analysis": {"duration": "4 s", "step": "0.2 s", "mesh": {"elements": 12}}}
+    tree["analysis"]["output"] = {"interval": "1 s"}
+
+    def answered(**changed):
+        rows = [{"period": f"{period} s", **row, **changed} for period in (2, 30)]
+        response = RESPONSE | {"operators": rows}
+        return simulate(SceneFile("rig", tree | {"platform": {"response": response} | CENTRE}, {}))
+
+    try:
+        whole = answered()
+    except InputError as error:
+        assert REFUSED in str(error)  # noqa: PT017
+        return
+    said = [one for one in json.loads(whole.attrs["warnings"]) if REFUSED in one]
+    assert len(said) <= 1
+    for name, still in (("surge", "0 m/m"), ("heave", "0 m/m"), ("pitch", "0 deg/m")):
+        without = answered(**{name: still})
+        idle = all(whole[one].equals(without[one]) for one in ("x", "z", "effective_tension", "ufj_angle"))
+        assert idle == any(name in one.split(" of the platform")[0] for one in said), name

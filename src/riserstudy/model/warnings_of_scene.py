@@ -5,6 +5,7 @@ from __future__ import annotations
 from riserstudy.model import rao
 from riserstudy.model.steep_waves import breaking
 from riserstudy.model.unusual_loads import unusual_loads
+from riserstudy.scene.followed import not_followed
 from riserstudy.scene.limit_inputs import lacks_outputs
 from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
@@ -25,6 +26,7 @@ def warnings_of(scene: Resolved) -> list[str]:
         *breaking(scene),
         *unusual_loads(scene),
         *rao.doubts(scene),
+        *not_followed(scene),
         *_raised_stations(scene),
         *_few_outputs(scene),
     ]

@@ -214,8 +214,9 @@ def effects_of(scene: Resolved) -> dict[str, str]:
 
 def _refuse(scene: Resolved) -> None:
     """Refuse scenes that the beam cannot represent."""
-    effects_of(scene)
     top, platform = scene.top, scene.platform
+    if not top.telescopic_joint:  # which has no place on the mesh of a beam
+        effects_of(scene)
     position = platform.position if platform else None
     reasons = {
         "riser without bending stiffness": not all(stiffness(s).bending for s in scene.riser),
@@ -228,6 +229,7 @@ def _refuse(scene: Resolved) -> None:
         "bottom.hold: free": scene.bottom.hold == "free",
         "a body at an end": scene.bottom.body or top.body,
         "top.tensioners": top.tensioners,
+        "top.telescopic_joint": top.telescopic_joint,
         "top.tension_loss": top.tension_loss,
         "a top without tension": not (top.tension or top.held_at_tension),
         "top.z on a platform that heaves": top.z == "platform" and platform and platform.heave,

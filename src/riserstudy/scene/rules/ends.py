@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
-from riserstudy.scene.forcing import TILTS
+from riserstudy.scene.followed import NOTHING, followed
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -37,20 +37,13 @@ def held(scene: Parts) -> Iterator[Misfit]:
         yield Misfit("top.tensioners.mid_stroke", found, remedy, ("bottom.hold",))
 
 
-def followed(scene: Parts) -> Iterator[Misfit]:
+def moves(scene: Parts) -> Iterator[Misfit]:
     """Motions of the platform must move the upper end or the tensioners; else they have no effect."""
-    platform, top = scene.platform, scene.top
+    platform = scene.platform
     if platform is None:
         return
-    rig = top.tensioners
-    across = top.x in ("platform", "vessel") or bool(rig and rig.arrangement)
-    # the stroke of a free end is measured from the platform
-    up = top.z != "held" or rig is not None
-    response = platform.response
+    response, follows = platform.response, followed(scene)
     given = response.motions if response and response.motions else []
-    follows = dict.fromkeys(("surge", "sway", "cruise"), across) | {"heave": up}
-    follows |= dict.fromkeys(TILTS, across or up)  # they move points of the deck sideways, up and down
-    nothing = "moves nothing: neither the upper end nor a tensioner follows it"
     for name, is_followed in follows.items():
         paths = {
             f"platform.{name}": getattr(platform, name),
@@ -60,8 +53,8 @@ def followed(scene: Parts) -> Iterator[Misfit]:
         end = "z" if name == "heave" else "x"
         for path in (path for path, value in paths.items() if value and not is_followed):
             yield Misfit(
-                path, f"{name} of the platform {nothing}", f"write 'top.{end}: platform'", (f"top.{end}",)
+                path, f"{name} of the platform {NOTHING}", f"write 'top.{end}: platform'", (f"top.{end}",)
             )
     if response and not any(follows[name] for name in response.moving):
         also = ("top.x", "top.z")
-        yield Misfit("platform.response", nothing, "write 'top.x: platform' and 'top.z: platform'", also)
+        yield Misfit("platform.response", NOTHING, "write 'top.x: platform' and 'top.z: platform'", also)
