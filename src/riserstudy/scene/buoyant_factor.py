@@ -23,7 +23,7 @@ class Buoyancy(Strict):
     riser and contents per length, and L the length of the riser. In R1, the tension is (1 - b) w (e L - h),
     and the blocks carry the share b of the weight. In R2, the tension is b w (e L - h), and the blocks carry
     the share 1 - b. In R3, the tension is w (e L - b h). The blocks carry the share 1 - b, but the tension
-    ratio refers to the whole weight w L.
+    ratio refers to the whole weight w L. The top tension also carries the weight of a body at the top.
     """
 
     factor: Annotated[float, Field(ge=0, le=1)]

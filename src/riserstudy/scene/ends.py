@@ -31,12 +31,13 @@ class Body(Strict):
     """A concentrated mass, such as an LMRP or a tension ring.
 
     The submerged weight of the body is given, or follows from mass, gravity and either the displaced volume
-    or the density of the material. Weight, drag and added mass are zero if they are not given. Without
-    ``centre_below`` the body is a point at the riser's end. With ``centre_below`` the body turns rigidly with
-    the lower end, and ``centre_below`` is the distance of its centre below the end. ``rotary_inertia`` refers
-    to axes across the riser through the centre. If ``rotary_inertia`` is absent, it is zero. With
-    ``centre_below``, arclengths in results start at the body's centre of percussion, but the ``stations`` of
-    the output start at the riser's lower end.
+    or the density of the material. With displaced volume or density, a body at or above the water surface
+    has its weight in air; the end's elevation is that of the unstretched riser. Weight, drag and added mass
+    are zero if they are not given. Without ``centre_below`` the body is a point at the riser's end. With
+    ``centre_below`` the body turns rigidly with the lower end, and ``centre_below`` is the distance of its
+    centre below the end. ``rotary_inertia`` refers to axes across the riser through the centre. If
+    ``rotary_inertia`` is absent, it is zero. With ``centre_below``, arclengths in results start at the body's
+    centre of percussion, but the ``stations`` of the output start at the riser's lower end.
     """
 
     name: str
@@ -199,7 +200,9 @@ class Top(Strict):
 
     Without offset or elevation, the top is vertically above the bottom, at the height of the static
     equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given. With
-    ``held_at_tension``, the top is held at the height at which the static riser has this top tension. With a
+    ``held_at_tension``, the top is held at the height at which the pull on the static riser has this vertical
+    component, below a body at the top. The platform is then in its position in calm water, and the current
+    has its full speed. The rotation of the top follows the platform if ``x`` does. With a
     telescopic joint, the top is the upper end of the joint. Tension, tensioners, lateral force and body then
     act at the tension ring below the joint.
     """

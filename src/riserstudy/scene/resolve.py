@@ -12,6 +12,7 @@ from riserstudy.records.numerals import newtons
 from riserstudy.scene.disconnect import too_late
 from riserstudy.scene.ends import TensionLoss
 from riserstudy.scene.forcing import Translation
+from riserstudy.scene.geometry import at_level, span
 from riserstudy.scene.parts import Parts
 from riserstudy.scene.waterline import cut
 from riserstudy.scene.weight import weighed, with_attachments
@@ -27,9 +28,25 @@ def resolve(scene: Parts) -> Resolved:
     Raises Misfit if a quantity cannot be derived, or its value is impossible.
     """
     resolved = Resolved.model_construct(scene.model_fields_set, **dict(scene))
-    for step in (_loaded, _sections, _carried, _timed, _valved, _with_rigid_body):
+    for step in (_bodies, _loaded, _sections, _carried, _timed, _valved, _with_rigid_body):
         resolved = step(resolved)
     return resolved
+
+
+def _bodies(scene: Resolved) -> Resolved:
+    """The scene with the weights in air of bodies above the water surface that are given without weight."""
+    ends, surface = span(scene), scene.water.surface if scene.water else None
+    if ends is None or surface is None:
+        return scene
+    ring = ends.bottom + sum(section.total_length for section in scene.riser)
+    for name, elevation in (("bottom", ends.bottom), ("top", ring)):
+        end = getattr(scene, name)
+        body, dry = end.body, at_level(surface, elevation) >= surface
+        if body and dry and body.submerged_weight is None and not body.weightless:
+            air: dict[str, Any] = {"submerged_weight": body.weight(scene.gravity or 0.0, 0.0)}
+            body = body.model_copy(update=air | {"density": None, "displaced_volume": None})
+            scene = scene.model_copy(update={name: end.model_copy(update={"body": body})})
+    return scene
 
 
 def _loaded(scene: Resolved) -> Resolved:
@@ -50,7 +67,9 @@ def _loaded(scene: Resolved) -> Resolved:
         found, remedy = "gives the top tension", "needs 'top.z: free' without tensioners"
         raise Misfit(path, found, remedy, ("top.z", "top.tensioners"))
     riser, tension = scene.buoyancy.loads(sections, scene.gravity)
-    top = scene.top.model_copy(update={"tension": tension})
+    ring = scene.top.body
+    weight = ring.weight(scene.gravity, scene.water.density if scene.water else 0.0) if ring else 0.0
+    top = scene.top.model_copy(update={"tension": tension + weight})
     return scene.model_copy(update={"riser": riser, "top": top})
 
 
@@ -75,7 +94,12 @@ def _carried(scene: Resolved) -> Resolved:
     weight, mass = scene.hanging
     if weight <= 0.0:
         raise Misfit(path, f"{weight:g} N is the weight that they carry", "must be above 0 N", ("riser",))
-    top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass)})
+    place, joint = rig.arrangement, scene.top.telescopic_joint
+    ring = (scene.top.elevation or 0.0) - (joint.length if joint else 0.0)
+    if place and place.deck_elevation <= ring:
+        found, remedy = f"{place.deck_elevation:g} m is not above the ring", f"allowed is above {ring:g} m"
+        raise Misfit("top.tensioners.arrangement.deck_elevation", found, remedy, ("top.elevation",))
+    top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass, ring)})
     return scene.model_copy(update={"top": top})
 
 

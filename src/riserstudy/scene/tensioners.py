@@ -154,6 +154,15 @@ class Arrangement(Strict):
         first = 0.5 * spacing if isinstance(first, str) else first
         return [first + spacing * c for c in range(count)]
 
+    def inclination(self, ring: float) -> tuple[float, float]:
+        """Cosine of the angle of the cylinders to the vertical, and their length (m).
+
+        ``ring``: elevation of the ring (m), vertically below the centre of the deck.
+        """
+        up = self.deck_elevation - ring
+        length = math.hypot(self.deck_radius - self.ring_radius, up)
+        return up / length, length
+
 
 def fault_of_numbers(numbers: list[int], count: int) -> tuple[str, str] | None:
     """The value found and the allowed values, if numbers are not those of different cylinders."""
@@ -271,16 +280,22 @@ class Tensioners(Strict):
                 f"which is zero at {-pushing.volume / pushing.area:g} m"
             )
 
-    def carrying(self, weight: float, mass: float) -> Tensioners:
-        """A copy with the linear law and damping that follow from the suspended weight (N) and mass (kg)."""
+    def carrying(self, weight: float, mass: float, ring: float) -> Tensioners:
+        """A copy with the linear law and damping that follow from the suspended weight (N) and mass (kg).
+
+        ``ring``: elevation of the ring at mid-stroke (m), on which the inclination of the cylinders depends.
+        """
         if self.carried is None:
             return self
-        share = 1.0 / sum(self.working)
-        stiffness = self.carried.stiffness(weight)
-        line = Linear.model_construct(tension=share * weight, stiffness=share * stiffness)
+        share, place = 1.0 / sum(self.working), self.arrangement
+        cosine, length = place.inclination(ring) if place else (1.0, math.inf)
+        pull = weight / cosine
+        stiffness = self.carried.stiffness(pull)
+        line = Linear.model_construct(tension=share * pull, stiffness=share * stiffness)
         damping = self.damping
         if isinstance(damping, DampingRatio):
-            damping = share * damping.damping(stiffness, mass)
+            vertical = stiffness * cosine**2 + pull * (1.0 - cosine**2) / length
+            damping = share * damping.damping(vertical, mass) / cosine**2
         return self.model_copy(update={"carried": None, "linear": line, "damping": damping})
 
     @property

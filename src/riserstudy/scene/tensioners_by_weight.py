@@ -14,7 +14,7 @@ class DampingRatio(Strict):
     """Damping of cylinders as a ratio of critical damping.
 
     Critical damping is computed for a single mass on a spring: the mass of the suspended weight, on the
-    stiffness of the cylinders.
+    vertical stiffness of the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]
@@ -28,6 +28,7 @@ class Carried(Strict):
     """Linear force of the cylinders, derived from the suspended weight; it replaces the key ``linear``.
 
     At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
+    Inclined cylinders pull by more, because only the vertical part of their pull carries this weight.
     ``doubles_over`` is the extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
     This extension determines the stiffness.
     """
