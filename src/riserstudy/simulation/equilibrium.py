@@ -9,8 +9,9 @@ from riserstudy.model.build import build
 from riserstudy.model.layout import stiffness
 from riserstudy.model.mesh import Mesh, even
 from riserstudy.model.model import Model
+from riserstudy.model.platform_motion import centre
 from riserstudy.scene.at_rest import at_rest
-from riserstudy.scene.ends import Top
+from riserstudy.scene.forcing import Position
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.continuation import Lost, by_parts, search
 from riserstudy.solve.statics import Equilibrium, NoEquilibrium, unstable_directions
@@ -24,20 +25,65 @@ def settle(scene: Resolved, mesh: Mesh, d: int | None = None) -> tuple[Model, Eq
     For a dynamic run, it is the equilibrium at the start of the run; for a static scene, the state at rest.
     Raises SimulationError when no equilibrium is found.
     """
-    scene = scene if scene.analysis.duration else at_rest(scene)
+    elevation = _elevation_at_rest(scene, mesh, d)
+    return _equilibrium(scene if scene.analysis.duration else at_rest(scene), mesh, elevation, d)
+
+
+def settle_undeflected(scene: Resolved, mesh: Mesh, d: int) -> Model:
+    """Model at static equilibrium without the current, with its top at the same elevation as with it.
+
+    Raises SimulationError when no equilibrium is found.
+    """
+    elevation = _elevation_at_rest(scene, mesh, d)
+    return _equilibrium(scene.model_copy(update={"current": None}), mesh, elevation, d)[0]
+
+
+def _elevation_at_rest(scene: Resolved, mesh: Mesh, d: int | None) -> float | None:
+    """Elevation of the riser's top (m) where it follows from statics and positions depend on it; else None.
+
+    The platform is at rest and the current has its full speed, however a run itself begins.
+    """
+    if scene.top.held_at_tension is not None:
+        return _elevation_under_tension(at_rest(scene), mesh, d)
+    if _turns_about_a_rising_end(scene):
+        return _top(_equilibrium(at_rest(scene), mesh, None, d)[0], mesh)
+    return None
+
+
+def _elevation_under_tension(scene: Resolved, mesh: Mesh, d: int | None) -> float:
+    """Elevation of the riser's top (m), without the heave and tilt of the platform's position at rest.
+
+    There the riser has the tension ``held_at_tension`` at its top, below a body.
+    """
     top = scene.top
-    elevation = None
-    before = None
-    if top.held_at_tension is not None:
-        free = Top(x=top.x, z="free", rotation=top.rotation)
-        checked = {"offset": top.offset, "tension": top.held_at_tension, "body": top.body}
-        before = free.model_copy(update=checked)
-    elif _turns_about_a_rising_end(scene):
-        before = top
-    if before is not None:
-        first, _ = _equilibrium(scene.model_copy(update={"top": before}), mesh, None, d)
-        elevation = float(first.s.r[-1, mesh.ring])
-    return _equilibrium(scene, mesh, elevation, d)
+    water = scene.water.density if scene.water else 0.0
+    body = top.body.weight(scene.gravity or 0.0, water) if top.body else 0.0
+    pull = {"z": "free", "held_at_tension": None, "tension": (top.held_at_tension or 0.0) + body}
+    pulled = scene.model_copy(update={"top": top.model_copy(update=pull)})
+    first = _top(_equilibrium(pulled, mesh, None, d)[0], mesh)
+    place = scene.platform.position if scene.platform else None
+    if place is None:
+        return first
+    # tilts move the top aside by a lever arm that depends on its elevation
+    elevation = _without(place, scene, first)
+    return _without(place, scene, _top(_equilibrium(pulled, mesh, elevation, d)[0], mesh))
+
+
+def _without(place: Position, scene: Resolved, elevation: float) -> float:
+    """Elevation of the riser's top (m) without the heave and tilt of the platform's position."""
+    if scene.top.z != "platform":
+        return elevation
+    from scipy.spatial.transform import Rotation  # loaded where it is needed: it takes long
+
+    turn = Rotation.from_euler("xyz", [place.roll or 0.0, place.pitch or 0.0, place.yaw or 0.0]).as_matrix()
+    about = centre(scene.platform)
+    aside = np.array([scene.top.offset or 0.0, 0.0]) - about[:2]
+    up = elevation - (place.heave or 0.0) - about[2]
+    return float(about[2] + (up - turn[2, :2] @ aside) / turn[2, 2])
+
+
+def _top(model: Model, mesh: Mesh) -> float:
+    return float(model.s.r[-1, mesh.ring])
 
 
 def _turns_about_a_rising_end(scene: Resolved) -> bool:

@@ -30,10 +30,11 @@ from riserstudy.simulation.first_reached import first_reached
 from riserstudy.simulation.phase_of_drift import lost_phase
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.section_forces import derived, envelopes_of, section_of, shear_of
+from riserstudy.simulation.start import begin
 from riserstudy.simulation.step_peaks import peaks_of, room_for_steps, steps_of, within
 from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
-from riserstudy.solve.evaluate import energies, move_to
+from riserstudy.solve.evaluate import energies
 from riserstudy.solve.explicit import leapfrog
 from riserstudy.solve.program import Frozen
 from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
@@ -274,17 +275,6 @@ def _in_calm_water(scene: Resolved, model: Model, mesh: Mesh) -> Model:
     if not moves_at(model.s.platform[0], scene):
         return model
     return settle(unmoved(scene), mesh, len(model.s.dim))[0]
-
-
-def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
-    """Set the model to the initial state of the scene, at time zero."""
-    state, top = model.s, len(mesh.l0)
-    if scene.analysis.start == "unstretched":
-        state.r[-1, : top + 1] = state.r[-1, 0] + mesh.s
-    if scene.analysis.start == "undeflected":
-        still, _ = settle(scene.model_copy(update={"current": None}), mesh, len(state.dim))
-        state.r[:], state.moment[:] = still.s.r, still.s.moment
-    move_to(model.programs, model.state, 0.0)
 
 
 def explicitly(model: Model, step: float, limit: float, duration: float, record: Frozen, sums: Sums) -> int:

@@ -62,6 +62,14 @@ def ends(scene: Parts) -> Iterator[Misfit]:
         yield Misfit("analysis.duration", found, remedy, ("platform", "wave"))
 
 
+def starts_unstretched(scene: Parts) -> Iterator[Misfit]:
+    """A riser between two held ends cannot start unstretched: their distance is not its own length."""
+    free = scene.bottom.hold == "free" or scene.top.z == "free" or scene.top.telescopic_joint
+    if scene.analysis.start == "unstretched" and not free:
+        found = "'unstretched' needs an end that is free in z, or a telescopic joint"
+        yield Misfit("analysis.start", found, "choose another start", ("top.z", "bottom.hold"))
+
+
 def starts_gently(scene: Parts) -> Iterator[Misfit]:
     """A tolerance is refused where a release or an end's motion starts as a step, without enough damping.
 
