@@ -7,6 +7,7 @@ import pytest
 from random_rigs import rig, written
 
 from riserstudy import simulate
+from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 
 
@@ -38,6 +39,14 @@ def test_the_riser_hangs_at_mid_stroke(seed):
     scene["analysis"] = {"mesh": {"elements": 20}}
     run = simulate(SceneFile("hung", scene, {}))
     assert np.abs(run["tensioner_stroke_static"].values).max() < 1e-6
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_further_pull_is_refused_because_it_would_lift_the_riser(seed):
+    scene = hung(seed)
+    scene["top"]["tension"] = "100 kN"
+    with pytest.raises(InputError, match=r"top\.tension: 100 kN would lift the riser"):
+        SceneFile("hung", scene, {}).resolved()
 
 
 @pytest.mark.parametrize("seed", range(5))

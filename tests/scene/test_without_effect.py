@@ -137,3 +137,22 @@ def test_damage_needs_two_outputs():
     tree["analysis"] |= {"duration": end, "output": output, "step": "0.25 s"}
     with pytest.raises(Exception, match="fewer than two outputs follow"):
         run(SceneFile("rig.yaml", tree, {}).resolved(), estimated=False)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+@pytest.mark.parametrize("end", ["bottom", "top"])
+def test_the_rotation_of_a_string_is_not_held(seed, end):
+    """A string that hangs on upright tensioners: its ends turn freely, whatever would hold them."""
+    draw = np.random.default_rng((seed, 6))
+    tree, _ = rig(seed, hold=("wellhead",))
+    for part in tree["riser"]:
+        del part["young_modulus"]
+        part["axial_stiffness"] = "8000 MN"
+    tensioners = tree["top"]["tensioners"]
+    tensioners.pop("arrangement", None)
+    tree["top"] = {"x": "platform", "z": "free", "rotation": "free", "tensioners": tensioners}
+    tree["bottom"]["rotation"] = "free"
+    SceneFile("rig.yaml", tree, {}).resolved()
+    stiff = {"stiffness": f"{draw.uniform(1, 90)} kN*m/deg"}
+    tree[end]["rotation"] = "fixed" if seed % 2 else stiff
+    refused(tree, f"{end}.rotation", "bending stiffness")

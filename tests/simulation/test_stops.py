@@ -8,6 +8,7 @@ import pytest
 
 from riserstudy import load_scene, simulate
 from riserstudy.model.stops import stops_touched
+from riserstudy.scene.tensioners import Failing
 
 HEAVE = Path(__file__).parents[2] / "config/scenes/chang2020/heave.yaml"
 STOPS = {"shortest": "-2 m", "longest": "2 m", "stop_stiffness": "50 MN/m"}
@@ -44,6 +45,19 @@ def test_no_touch_no_stops_and_failed_cylinders_are_not_told_of(rig):
     assert stops_touched(rig, beyond, time)
     assert stops_touched(rig.model_copy(update={"failed": [0]}), beyond, time) == []
     assert stops_touched(rig.model_copy(update={"stroke": None}), beyond, time) == []
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_cylinder_that_fails_pushes_at_no_stop_afterwards(rig, seed):
+    """As if it had failed from the start, if it is beyond the stop only after it fails."""
+    draw = np.random.default_rng(seed)
+    time, one = np.linspace(0.0, 10.0, 101), int(draw.integers(rig.count))
+    reach = np.zeros((101, rig.count))
+    reach[:, one] = np.where(time > draw.uniform(3.0, 7.0), 2.5, 0.0)
+    first = float(time[(reach[:, one] > 2.0).argmax()])
+    for at, touches in ((first - 0.05, False), (first + 0.05, True)):
+        failing = Failing(at=f"{at} s", cylinders=[one])
+        assert bool(stops_touched(rig.model_copy(update={"failing": failing}), reach, time)) == touches
 
 
 def test_a_touch_at_rest_is_told(rig):

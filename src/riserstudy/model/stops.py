@@ -28,7 +28,10 @@ def stops_touched(
     if rig.stroke is None:
         return []
     beyond = np.maximum(reach - rig.stroke.longest, rig.stroke.shortest - reach)
-    force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * np.array(rig.working)
+    working = np.array(rig.working)
+    if rig.failing and time is not None:
+        working = np.where((time > rig.failing.at)[:, None], rig.still_working, working)
+    force = rig.stroke.stop_stiffness * np.maximum(beyond, 0.0) * working
     return _forces_in_words("stroke", force, " a cylinder", time, all_steps)
 
 

@@ -17,6 +17,8 @@ from riserstudy.scene.parts import Parts
 from riserstudy.scene.waterline import cut
 from riserstudy.scene.weight import weighed, with_attachments
 
+JOINT = "top.telescopic_joint.tension"
+
 
 class Resolved(Parts):
     """A scene with all derived quantities: sections have weights, releases have times."""
@@ -95,6 +97,10 @@ def _carried(scene: Resolved) -> Resolved:
     if weight <= 0.0:
         raise Misfit(path, f"{weight:g} N is the weight that they carry", "must be above 0 N", ("riser",))
     place, joint = rig.arrangement, scene.top.telescopic_joint
+    for other, pull in (("top.tension", scene.top.tension), (JOINT, joint and joint.tension)):
+        if pull:
+            found = f"{newtons(pull)} would lift the riser, whose weight the tensioners carry"
+            raise Misfit(other, found, "leave it out, or give the tensioners linear", (path,))
     ring = (scene.top.elevation or 0.0) - (joint.length if joint else 0.0)
     if place and place.deck_elevation <= ring:
         found, remedy = f"{place.deck_elevation:g} m is not above the ring", f"allowed is above {ring:g} m"

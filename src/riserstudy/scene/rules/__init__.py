@@ -28,6 +28,7 @@ RULES = (
     ends.held,
     ends.moves,
     pipe.bending,
+    pipe.turning,
     vessel.moored,
     vessel.coupled,
     waves.along_axes,

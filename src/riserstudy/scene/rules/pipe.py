@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.alike import alike
+from riserstudy.scene.ends import FlexJoint
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -74,6 +75,17 @@ def bending(scene: Parts) -> Iterator[Misfit]:
     if scene.top.telescopic_joint and not all(stiff):
         found, remedy = "needs bending stiffness in the riser", "give it to all sections"
         yield Misfit("top.telescopic_joint", found, remedy, ("riser",))
+
+
+def turning(scene: Parts) -> Iterator[Misfit]:
+    """The rotation of an end can be held only if the riser has bending stiffness."""
+    if any(bends(scene)):
+        return
+    for name, rotation in (("bottom", scene.bottom.rotation), ("top", scene.top.rotation)):
+        if rotation == "fixed" or (isinstance(rotation, FlexJoint) and rotation.stiffness):
+            found = "has no effect on a riser without bending stiffness"
+            remedy = "leave it out, or give bending stiffness to all sections"
+            yield Misfit(f"{name}.rotation", found, remedy, ("riser",))
 
 
 def joint(scene: Parts) -> Iterator[Misfit]:
