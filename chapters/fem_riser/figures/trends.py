@@ -71,7 +71,7 @@ def _largest(
 ) -> None:
     """Write the largest value of each case below a heading at a place (axes fractions)."""
     across, up = place
-    rows = [(f"{float(value):.2g}", c) for value, c in zip(values, colours, strict=True)]
+    rows = [(f"{float(value):.3g}", c) for value, c in zip(values, colours, strict=True)]
     for k, (text, colour) in enumerate([(head, BLACK), *rows]):
         ax.annotate(text, (across, up - 0.055 * k), xycoords="axes fraction", color=colour,
                     va="bottom" if k == 0 else "center", fontsize="x-small")  # fmt: skip
