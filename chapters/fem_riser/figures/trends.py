@@ -60,18 +60,27 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
     headline(figure, f"More top tension {_changes(tension_ratio, 'tension_ratio')}")
     found = measures(tension_ratio.sel(solver=BEAM))
     colours = (BLACK, BLUE, RED)
-    _largest(figure.axes[1], "largest\n(MPa):", 1e-6 * found["stress"], colours, (0.68, 0.6))
-    head = "vibration\n(m):"
-    _largest(figure.axes[3], head, found["vibration"], colours, (0.04, 0.36))
+    _stresses(figure.axes[1], tension_ratio, colours)
+    rows = [f"{float(value):.2g}" for value in found["vibration"]]
+    _listed(figure.axes[3], "vibration\n(m):", rows, colours, (0.04, 0.36))
     return figure
 
 
-def _largest(
-    ax: Axes, head: str, values: xr.DataArray, colours: tuple[str, ...], place: tuple[float, float]
+def _stresses(ax: Axes, runs: xr.Dataset, colours: tuple[str, ...]) -> None:
+    """Write the largest stress of each case by the paper's beam, with the estimated error of its moment."""
+    beam = runs.sel(solver=BEAM)
+    stress = 1e-6 * measures(beam)["stress"]
+    pairs = zip(stress.values, (stress * beam["error_moment"]).values, strict=True)
+    rows = [f"{value:.1f} ± {error:.1f}" for value, error in pairs]
+    _listed(ax, "largest,\nerror (MPa):", rows, colours, (0.65, 0.6))
+
+
+def _listed(
+    ax: Axes, head: str, texts: list[str], colours: tuple[str, ...], place: tuple[float, float]
 ) -> None:
-    """Write the largest value of each case below a heading at a place (axes fractions)."""
+    """Write a value of each case below a heading at a place (axes fractions)."""
     across, up = place
-    rows = [(f"{float(value):.3g}", c) for value, c in zip(values, colours, strict=True)]
+    rows = zip(texts, colours, strict=True)
     for k, (text, colour) in enumerate([(head, BLACK), *rows]):
         ax.annotate(text, (across, up - 0.055 * k), xycoords="axes fraction", color=colour,
                     va="bottom" if k == 0 else "center", fontsize="x-small")  # fmt: skip
@@ -82,8 +91,7 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
     cases = _each(buoyant_factor, "buoyant_factor", "buoyant factor")
     figure = envelopes(cases, (RED, BLUE, BLACK))
     headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
-    stress = 1e-6 * measures(buoyant_factor.sel(solver=BEAM))["stress"]
-    _largest(figure.axes[1], "largest\n(MPa):", stress, (RED, BLUE, BLACK), (0.68, 0.6))
+    _stresses(figure.axes[1], buoyant_factor, (RED, BLUE, BLACK))
     most = float(buoyant_factor["buoyant_factor"].max())
     runs = buoyant_factor.sel(buoyant_factor=most)
     near = 0.93 * float(runs["s_node"][-1])
