@@ -27,9 +27,9 @@ def cost(
 ) -> None:
     """Estimate the run time of a scene for tolerances of 5, 1, 0.2 and 0.05 %.
 
-    The command prints one row per tolerance. The row ``default`` is for a scene that sets no tolerance. The
-    tolerances are then 0.2 % of displacement, and 1 % of moment and tension. For more than 20 min of an
-    irregular sea, the command adds advice on the simulation of long records.
+    The command prints one row per tolerance. The row ``default`` is for the default tolerances: 0.2 % of
+    displacement, and 1 % of moment and tension. For an irregular sea of more than 20 min, the command adds
+    advice on long simulations.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, plot=plot)

@@ -113,9 +113,10 @@ def tension(
     """Compute the minimum top tension, and the window (allowed range) of the tension setting.
 
     The minimum tension is computed by the standard formula and by simulation. In the simulation, a constant
-    tension replaces the tensioners. The upper end of the window is --share times --dynamic-limit. The lower
-    end is the smallest setting that gives both the minimum tension and the overpull --overpull. The exit
-    status is 4 if the scene lacks an input, such as separate weights of steel and buoyancy.
+    tension replaces the tensioners. The upper end of the window is a share (--share) of the dynamic tension
+    limit (--dynamic-limit). The lower end is the smallest setting that gives both the minimum tension and the
+    required overpull (--overpull). The exit status is 4 if the scene lacks an input of the formula, such as
+    separate weights of steel and buoyancy.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)
@@ -217,10 +218,10 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
-    The riser is static at each offset. For each sea, an allowance represents the increase of an output by
-    waves (for a lower limit, the decrease). It is added to the static value, except for limits on means. The
-    allowance is the increase that nine in ten random realisations of the sea do not exceed. It is computed
-    from runs in the current and at the offset of the scene. The exit status is 4 if a limit could not be
+    At each offset, the static equilibrium is computed. To include a sea, an allowance is added to the static
+    value of each output, or subtracted for a lower limit. The allowance is the change by waves that nine in
+    ten random realisations of the sea do not exceed. It is computed from runs in the current and at the
+    offset of the scene. Limits on means have no allowance. The exit status is 4 if a limit could not be
     evaluated.
     """
     file = scene_of(scene, settings)
@@ -282,9 +283,9 @@ def viv(
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
     The screening uses the natural modes about the static equilibrium, and does not simulate over time. Each
-    mode is treated as if it vibrated alone. The amplitude is a ratio to the diameter: at this amplitude, lift
-    supplies as much power as drag removes. The Strouhal number changes neither the lock-in regions nor the
-    amplitudes.
+    mode is treated as if it vibrated alone. The printed amplitude is divided by the diameter. At this
+    amplitude, lift supplies as much power as drag removes. The Strouhal number changes neither the lock-in
+    regions nor the amplitudes.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

@@ -151,10 +151,10 @@ def downtime(
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
 
-    Prediction bands for future years are computed from the share of workable hours in each whole year of the
-    record, by Student's t-distribution. The option --persistence sets how strongly consecutive years are
-    similar. A window ends at a gap of the record. If the record has a gap during a wait, only a lower bound
-    of the waiting time is known.
+    For future years, the command predicts a range of workable hours from the hours in each whole year of the
+    record, by Student's t-distribution. The option --persistence sets how similar consecutive years are. A
+    weather window ends at a gap of the record. If the record has a gap while one waits for a window, only a
+    lower bound of the waiting time is known.
 
     With --scene, the limits of that scene must be met, too. The command then simulates sea states of the
     record, and interpolates the response between them. It adds sea states until the error of the

@@ -178,8 +178,8 @@ def statistics(
 ) -> None:
     """Compute statistics in an irregular sea: mean, standard deviation, and extremes of one or several runs.
 
-    For one run, the table also gives the most probable extremes during the time --exposure. The option
-    --over is for a study whose runs differ by the seed (random phases) of their waves. A Gumbel
+    For one run, the table also gives the most probable extremes during the time --exposure. The option --over
+    evaluates several runs of a study, which differ only by the seed (random phases) of their waves. A Gumbel
     distribution is then fitted to the extremes of all runs.
     """
     from riserstudy.dataset import statistics_tables, tables

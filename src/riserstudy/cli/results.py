@@ -58,8 +58,8 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    If the arguments are words, the command lists the points (simulations) in which every word is found. It
-    searches the key (the name in the store), study, axis values, scene, engine, effects and warnings.
+    If the arguments are other words, the command lists the points (single simulations) whose description
+    contains all these words. The description includes study, axis values, scene, effects and warnings.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, connect
@@ -174,8 +174,8 @@ def prune(
     """Remove stored points that no result needs, after confirmation; their size is shown first.
 
     A point is one stored simulation of a study. The command removes damaged points, and points of other
-    engine versions or former file formats. ``--all`` also removes points of the present engine version that
-    this folder does not need. Other folders that share the store may still need these points.
+    engine versions or former file formats. ``--all`` also removes valid points that the studies in this
+    folder do not need. Other folders that use the same store may still need these points.
     """
     from riserstudy.database.ask import NAME
     from riserstudy.database.prune import unneeded
@@ -204,7 +204,8 @@ def crate(
     """Pack a study, its results and their description into one archive (run crate), which anyone can rerun.
 
     The command refuses results that are damaged or were edited. It also refuses results of a run that was
-    interrupted, failed or made only some files. A note lists results whose inputs were edited later.
+    interrupted, failed or made only some files. The command prints a note with the results whose inputs were
+    edited later.
     """
     from riserstudy.crate.pack import pack
 

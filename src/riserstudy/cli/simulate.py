@@ -178,10 +178,10 @@ def check(
 ) -> None:
     """Check a scene against its limits.
 
-    For each limit, the table gives the value, allowable, utilisation, place and time. The governing limit
-    comes first.
+    For each limit, the table gives the computed value, the allowable value, the utilisation, the place and
+    the time. The first row is the governing limit, which has the largest utilisation.
 
-    The exit status is 1 if a limit is exceeded, else 4 if a limit could not be evaluated.
+    The exit status is 1 if a limit is exceeded. Otherwise it is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings, accuracy)
     require_limits(file)
@@ -210,9 +210,9 @@ def rerun(
 ) -> None:
     """Rerun one point from its dataset and compare the new results with the stored results.
 
-    ``-o`` writes the complete run, including outputs that the study does not keep. The exit status is 1 if
-    a variable changed by more than 1e-9 of its largest magnitude. Smaller changes are not counted, because
-    large time histories are stored with ten digits.
+    ``-o`` writes the complete run, including outputs that the study does not keep. The exit status is 1 if a
+    variable changed by more than 1e-9 of its largest magnitude. Smaller changes are ignored, because large
+    time histories are stored with only ten digits.
     """
     from riserstudy.dataset.open import open_dataset
 

@@ -34,9 +34,7 @@ def tune(
     """Find the cheapest mesh, time step and method with which all points of a study meet a tolerance.
 
     The command selects mesh, time step and time integration method at a few points of the study, and checks
-    them at other points. The points for the selection are at the corners and in the middle of the axes. On
-    an axis of samples, they have the smallest and largest values of an input. The points for the check are
-    random.
+    them at other, random points.
 
     The exit status is 3, and nothing is written, if study, scene or tables changed during the tuning.
     """
