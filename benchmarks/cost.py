@@ -26,11 +26,9 @@ KEPT = Path(__file__).with_suffix("")
 SCENES = ROOT / "config/scenes"
 ABOUT = """\
 This page shows how the computing cost of ten typical tasks changes from version to version. At each release, the tasks are measured by
-`python benchmarks/cost.py --write docs/cost.md`. The results are stored in `benchmarks/cost`. The column of a version gives a ratio: the
-CPU time of a task divided by the CPU time of a loop that is the same in all versions. Both times are measured together. This ratio hardly
-depends on the machine, or on other work that runs on the machine. The last column gives the CPU time in the newest version. Each value is
-the smallest of five repetitions in a process that has loaded all code. The values of version 1.0.0 were measured before its release, on a
-busy machine. The command `make bench` compares riserstudy with other programs."""  # noqa: E501
+`python benchmarks/cost.py --write docs/cost.md`. To compare different machines, the CPU time of a task is divided by the CPU time of a
+fixed loop, measured on the same machine. The column of a version gives this ratio. The last column gives the CPU time in the newest
+version. Each value is the smallest of five repetitions. Version 1.0.0 was measured on a busy machine."""  # noqa: E501
 TURNS, FIXED = 5, 8  # turns, and repetitions of the fixed loop
 #: how often a task is repeated in a turn, so that it takes about a second
 TIMES = {

@@ -179,7 +179,7 @@ def check(
     """Check a scene against its limits.
 
     For each limit, the table gives the computed value, the allowable value, the utilisation, the place and
-    the time. The first row is the governing limit, which has the largest utilisation.
+    the time. The first row is the governing limit, which is exceeded most or is closest to being exceeded.
 
     The exit status is 1 if a limit is exceeded. Otherwise it is 4 if a limit could not be evaluated.
     """
