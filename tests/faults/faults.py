@@ -36,7 +36,7 @@ def results_deleted_half_way(folder):
 
 
 def server_of_jobs_killed(folder):
-    """The process from which jobs are forked is killed while it starts and a job waits for it."""
+    """The process that starts the jobs is killed while a job waits for it."""
     forget(folder)
     process, servers = start(folder), []
     while process.poll() is None and not (servers := servers_of(process)):
@@ -82,7 +82,7 @@ def broken_store(folder):
 
 
 def broken_kernels(folder):
-    """Compiled kernels are truncated or overwritten, and points and datasets are deleted."""
+    """Compiled functions are truncated or overwritten, and stored points and datasets are deleted."""
     shared = folder / ".cache/numba"
     shared.unlink()
     own = shared / kernel_cache().name
@@ -129,7 +129,7 @@ def swapped_results(folder):
 
 
 def broken_records(folder):
-    """Snakemake's records of earlier runs are truncated, and every second one is deleted."""
+    """Snakemake's records of earlier runs are truncated, and half of them are deleted."""
     files = sorted(f for f in (folder / ".snakemake/metadata").rglob("*") if f.is_file())
     for k, file in enumerate(files):
         if k % 2:
@@ -140,7 +140,7 @@ def broken_records(folder):
 
 
 def clock_set_back(folder):
-    """The clock is set back by a day, so results have a future date. A value is edited, then restored."""
+    """The clock is set back by a day, so results have a future date, and then an input is edited."""
     for file in (*(folder / "results").rglob("*"), *(folder / ".cache/points").rglob("*")):
         os.utime(file, (time.time() + DAY, time.time() + DAY))
     scene = folder / "config/scenes/bench/s3.yaml"
@@ -176,7 +176,7 @@ def read_only_results(folder):
 
 
 def read_only_cache(folder):
-    """The cache with all kernels is mounted read-only, and points and datasets are missing."""
+    """The cache of compiled functions is mounted read-only, and stored points and datasets are missing."""
     cache = folder / ".cache"
     (cache / "numba").unlink()
     shutil.copytree(kernel_cache(), cache / "numba" / kernel_cache().name)
@@ -187,7 +187,7 @@ def read_only_cache(folder):
 
 
 def disk_full(folder):
-    """Results, points and records are on a disk (tmpfs) with 64 kB free; more space is freed later."""
+    """The disk for the results is full during the run; space is freed later."""
     forget(folder)
     disk = folder / "disk"
     disk.mkdir()

@@ -73,8 +73,8 @@ def kill_often(place, reference, kills, in_a_row, at_once):
             print(f"{len(moments)} kills", *(f"{m:.1f} s" for m in moment), end, flush=True)
             shutil.rmtree(folder)
     what = (
-        "The run is killed (`kill -9`), alone or with all processes that it started, "
-        f"at {kills} random moments between its start and its end."
+        f"The run is killed (`kill -9`) at one of {kills} random moments, "
+        "alone or with all processes that it started."
     )
     if in_a_row > 1:
         what += f" {in_a_row} killed runs precede each complete one."

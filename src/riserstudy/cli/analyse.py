@@ -63,7 +63,7 @@ def effects(
 ) -> None:
     """List the effects of a scene with the lines that define them, and effects that can be added.
 
-    ``advise`` estimates how much each effect changes the results and the run time.
+    The command ``advise`` estimates how much each effect changes the results and the run time.
     """
     from rich.console import Console
     from rich.table import Table

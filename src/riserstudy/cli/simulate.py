@@ -71,9 +71,9 @@ def run(
 ) -> None:
     """Simulate a scene and write its dataset.
 
-    If --patience ends before the tolerance is reached, the command writes the best result so far, with its
-    estimated error and a warning. The exit status is then 0. If no run ends in time, the command writes
-    nothing and the exit status is 3.
+    If the tolerance is not reached within the time --patience, the command writes the best result so far,
+    with its estimated error and a warning. The exit status is then 0. If no run ends in time, the command
+    writes nothing and the exit status is 3.
     """
     from riserstudy.simulation.simulate import seconds
 
@@ -210,9 +210,9 @@ def rerun(
 ) -> None:
     """Rerun one point from its dataset and compare the new results with the stored results.
 
-    ``-o`` writes the complete run, including outputs that the study does not keep. The exit status is 1 if a
-    variable changed by more than 1e-9 of its largest magnitude. Smaller changes are ignored, because large
-    time histories are stored with only ten digits.
+    The option -o writes the complete run, including outputs that the study does not keep. The exit status is
+    1 if a variable changed by more than 1e-9 of its largest magnitude. Smaller changes are ignored, because
+    large time histories are stored with only ten digits.
     """
     from riserstudy.dataset.open import open_dataset
 
