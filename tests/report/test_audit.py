@@ -91,8 +91,8 @@ def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them()
     assert of.verdicts == [("paper", "N1")]
     assert of.reasons == [("a stop is met", 1, ["paper/blow"])]
     assert (
-        "A mesh and a time step are prescribed at 3 grid points. The error was estimated at 2 of these"
-        in of.sentences
+        "Mesh and time step are prescribed, instead of a tolerance, at 3 grid points. "
+        "The error was estimated at 2 of these" in of.sentences
     )
 
 
@@ -160,9 +160,10 @@ def test_points_of_both_kinds_that_miss_are_counted_apart_and_the_largest_error_
     of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
     assert of.sentences.replace("\N{NO-BREAK SPACE}", " ") == (
         "1 of 2 grid points with a tolerance have larger errors. At 1 other grid point with a tolerance, "
-        "the error was not estimated, because its mesh and time step were tuned in advance. A mesh and a "
-        "time step are prescribed at 3 grid points. The error was estimated at 3 of these and exceeds 1 % at "
-        "2. The largest estimated error is 20 %, in the dataset paper/blow (tension)."
+        "the error was not estimated, because its mesh and time step were tuned in advance. Mesh and time "
+        "step are prescribed, instead of a tolerance, at 3 grid points. The error was estimated at 3 of "
+        "these and exceeds 1 % at 2. "
+        "The largest estimated error is 20 %, in the dataset paper/blow (tension)."
     )
 
 

@@ -49,9 +49,7 @@ def test_other_points_leave_a_verdict_as_it_is(db):
     for off in ({STUDY: [14]}, {STUDY: []}, {}):
         found = without_points(db, [CLAIM], off)
         assert (found.stand, found.turned, found.bound) == ([CLAIM], [], [])
-        assert found.turning.startswith(
-            "If the points with too large errors are left out, none of 1 verdicts"
-        )
+        assert found.turning.startswith("Without the grid points with too large errors, none of 1 verdicts")
 
 
 def test_what_rests_on_such_points_in_its_base_or_in_every_case_cannot_be_graded(db):

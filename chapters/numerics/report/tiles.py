@@ -41,7 +41,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         return None
     answer = (
         f"A run with a tolerance of {100 * found.fine:g}\u00a0% takes {found.words} times as long as a run "
-        f"with {100 * found.coarse:g}\u00a0%."
+        f"with a tolerance of {100 * found.coarse:g}\u00a0%."
     )
     if peers := others(accuracy):
         answer += (
@@ -64,12 +64,13 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
-    silent = {0: "none is", 1: "1 is"}.get(counts.silent, f"{counts.silent} are")
+    silent = {0: "no result is", 1: "1 result is"}.get(counts.silent, f"{counts.silent} results are")
+    have = "has" if counts.compared == 1 else "have"
     met = f"{counts.met} of {counts.cases}"
     answer = (
-        f"As expected, {met} hard cases, such as end stops, compression, disconnects and extreme stiffness, "
-        "end with a stable result or are refused with a reason. Of the "
-        f"{counts.compared} with a reference solution, {silent} inaccurate without a warning."
+        f"{met} difficult scenes, for example with end stops, compression or disconnects, end as expected: "
+        f"with a stable result, or with a refusal and its reason. {counts.compared} of these scenes {have} "
+        f"a reference solution; {silent} inaccurate without a warning."
     )
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return met, answer, _stack(parts) + _key(each)

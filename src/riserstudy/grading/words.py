@@ -102,9 +102,8 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     for reading in readings:
         names.setdefault(reading.answer, []).append(reading_name(reading))
     count = len(readings)
-    every = {1: "the only interpretation", 2: "both interpretations"}.get(
-        count, f"all {count} interpretations"
-    )
+    all_of_them = {1: "the only interpretation", 2: "both interpretations"}
+    every = f"{all_of_them.get(count, f'all {count} interpretations')} of the paper"
     if len(names) == 1:
         only = readings[0].answer
         if only == "depends":
@@ -118,7 +117,8 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
             for word, those in found
         )
     (word, first), *rest = ((word, len(those)) for word, those in found)
-    parts = [f"{word} with {first} of {count} interpretations", *(f"{word} with {n}" for word, n in rest)]
+    most = f"{word} with {first} of {count} interpretations of the paper"
+    parts = [most, *(f"{word} with {n}" for word, n in rest)]
     text = f"{subject} {listed(parts)}."
     if not others:
         return text
@@ -287,7 +287,7 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others = listed(together.others)
     values = "value" if len(together.others) == 1 else "values"
-    yield f"This value counts as met only in cases that also meet the published {values} {others}."
+    yield f"The same inputs must give this value and the published {values} {others}."
 
 
 def alone_in_words(together: Together) -> str:
@@ -301,10 +301,10 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
     """Inputs of the base case that were chosen to meet it."""
     if chosen is None:
         return
-    then = "Samples vary this choice."
+    then = "The samples also include other assumptions."
     if not chosen.varied:
-        then = "No sample varies this choice, so the agreement proves nothing."
-    yield f"To make the base case agree, the following was chosen: {chosen.what}. {then}"
+        then = "No sample varies this assumption, so the agreement is no evidence for the model."
+    yield f"An assumption was chosen so that the base case agrees with the paper: {chosen.what}. {then}"
 
 
 def _settled(settled: Settled | None) -> Iterator[str]:

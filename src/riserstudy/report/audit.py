@@ -110,7 +110,7 @@ class Missed(NamedTuple):
             )
         points = counted(prescribed, "grid point", spaced)
         sentence = (
-            f"A mesh and a time step are prescribed at {points}. "
+            f"Mesh and time step are prescribed, instead of a tolerance, at {points}. "
             f"The error was estimated at {spaced(self.estimated)} of these"
         )
         if not fixed:

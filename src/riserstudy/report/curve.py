@@ -98,16 +98,16 @@ def curve(cases: Cases) -> Curve:
 
 def _caption(cases: Cases, step: int) -> str:
     count, left = len(cases.margin), cases.hidden
-    every = f" Only one case in {step} is drawn." if step > 1 else ""
+    every = f" Only one in {step} of these cases is drawn." if step > 1 else ""
     more = f" Another {counted(left, 'input')} {VARY[left > 1]}." if left > 1 else ""
     if left == 1:
         more = f" Another input {VARY[0]}."
     return (
         f"The top panel plots the margins of {count} cases in ascending order.{every} "
         "Cases with a positive margin agree with the paper; the triangle marks the base case. Each row below "
-        "the top panel is one option of an input, and its marks show the cases with this option. The number "
-        "at the right is the share of these cases that agree. An input decides the outcome if this share "
-        f"is 0 % or 100 % for each of its options.{more}"
+        "the top panel stands for one option of an input; its marks show the cases with this option. The "
+        "number at the right is the percentage of these cases that agree with the paper. An input alone "
+        f"decides the outcome if this percentage is 0 % or 100 % for each of its options.{more}"
     )
 
 

@@ -66,7 +66,8 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
     return (
         f"{count} {things}, simulated again",
         f"riserstudy repeats the simulations of {count.lower()} published {plain} on deepwater drilling "
-        "risers, and checks every published value and claim. Inputs that a paper omits are varied.",
+        "risers, and checks every published value and claim. "
+        "Inputs that a paper omits are assumed and varied.",
     )
 
 
@@ -96,7 +97,7 @@ def totals(claims: list[Claim]) -> str:
         for verdict, count in sorted(counted_verdicts(claims), key=lambda of: -of[1])
     ]
     first = sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")
-    return f"{first} Of the others, {listed(parts[MOST:])}." if parts[MOST:] else first
+    return f"{first} Of the remaining ones, {listed(parts[MOST:])}." if parts[MOST:] else first
 
 
 def title_of(files: dict[str, StudyFile], paper: str) -> str:

@@ -46,11 +46,11 @@ class Isolation(Strict):
 class RecoilValve(Strict):
     """A valve in the oil between each cylinder and its gas, which closes after the release.
 
-    ``opening`` is the area of the open valve, which also throttles the oil before the release. ``discharge``
-    is the discharge coefficient of the valve. The valve closes to the fraction ``residual`` of the opening,
-    smoothly within ``over``, starting ``delay`` after the release. The valves of ``failed`` cylinders,
-    counted from 0, stay open. By default there is no delay. Without ``isolation`` no gas bottles are shut
-    off.
+    ``opening`` is the area of the open valve; the open valve throttles the oil even before the release.
+    ``discharge`` is the discharge coefficient of the valve. At the time ``delay`` after the release, the
+    valve starts to close. Within the time ``over`` it closes smoothly to the fraction ``residual`` of its
+    opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default there is no delay.
+    Without ``isolation`` no gas bottles are shut off.
     """
 
     oil_density: Annotated[u.Density, POSITIVE]
@@ -86,10 +86,10 @@ class Disconnect(Strict):
     With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
     the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic. ``over``
     is the time over which the force of the connector decreases. By default the disconnect is sudden, which
-    sends steep wave fronts along an undamped riser. Without ``valve`` a constant top tension does not change
-    at the disconnect; without ``recoil_valve`` the tensioners act as before. Without ``drain`` the contents
-    stay in the riser. Without ``stack`` there is no contact: the LMRP can move through the stack, with a
-    warning.
+    sends steep wave fronts along an undamped riser. A constant top tension remains unchanged after the
+    disconnect, unless ``valve`` is given. Tensioners act as before, unless ``recoil_valve`` is given. By
+    default, the contents stay in the riser; ``drain`` lets them flow out. Without ``stack`` the LMRP does not
+    re-contact the BOP stack but can move through it, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

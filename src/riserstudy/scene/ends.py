@@ -31,13 +31,13 @@ class Body(Strict):
     """A concentrated mass, such as an LMRP or a tension ring.
 
     The submerged weight of the body is given, or follows from mass, gravity and either the displaced volume
-    or the density of the material. With displaced volume or density, a body at or above the water surface
+    or the density of the material. If it follows from volume or density, a body at or above the water surface
     has its weight in air; the end's elevation is that of the unstretched riser. Weight, drag and added mass
-    are zero if they are not given. Without ``centre_below`` the body is a point at the riser's end. With
-    ``centre_below`` the body turns rigidly with the lower end, and ``centre_below`` is the distance of its
-    centre below the end. ``rotary_inertia`` refers to axes across the riser through the centre. If
-    ``rotary_inertia`` is absent, it is zero. With ``centre_below``, arclengths in results start at the body's
-    centre of percussion, but the ``stations`` of the output start at the riser's lower end.
+    are zero if they are not given. Without ``centre_below`` the body is a point at the riser's end.
+    ``centre_below`` is the distance from the riser's lower end down to the centre of the body, which then
+    turns rigidly with this end. ``rotary_inertia``, by default zero, refers to axes across the riser through
+    the centre. With ``centre_below``, arclengths in results start below the riser, at the body's centre of
+    percussion. The ``stations`` of the output still start at the riser's lower end.
     """
 
     name: str
@@ -145,13 +145,13 @@ class TelescopicJoint(Strict):
     ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
     The outer and the inner barrel bend as one. ``tension`` is an additional constant pull of tensioners along
     the joint. Without ``stop`` there are no stops. A run then warns if the joint becomes shorter than half of
-    its length, or longer than twice its length, which a joint of two barrels cannot do. The mass of the outer
+    its length or longer than twice its length, because a real joint cannot do so. The mass of the outer
     barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the
     joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
 
-    The stroke and the positions of the stops are extensions from ``length``. With ``mid_stroke: riser in
-    equilibrium``, they are extensions from the length of the joint after the space-out. The riser is then
-    vertical in still water, carried by its tensioners.
+    The stroke and the positions of the stops are measured from ``length``. With ``mid_stroke: riser in
+    equilibrium``, they are measured from the length that the joint has when the riser is vertical in still
+    water, carried by its tensioners.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -180,7 +180,7 @@ class TelescopicJoint(Strict):
 class TensionLoss(Strict):
     """Loss of a share of ``top.tension`` from the time ``at``, smoothly within ``over``, or suddenly.
 
-    The pulls of tensioners and of a telescopic joint remain.
+    The forces of ``tensioners`` and of a telescopic joint are not lost.
     """
 
     share: Annotated[float, Field(gt=0.0, le=1.0)]
@@ -194,17 +194,17 @@ class Top(Strict):
     ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is free.
 
     With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
-    free. An offset also moves the deck of the tensioners, which is vertically above the top. If the scene
-    also has a ``platform``, its horizontal first-order (wave-frequency) motions are added. With ``z:
-    platform``, its vertical first-order motions are added, too.
+    free. If the scene also has a ``platform``, its horizontal first-order (wave-frequency) motions are added.
+    With ``z: platform``, its vertical first-order motions are added, too. The deck of the tensioners is
+    always vertically above the top, so an offset moves both.
 
-    Without offset or elevation, the top is vertically above the bottom, at the height of the static
-    equilibrium. Tension, tension loss, force, tensioners and body are absent if they are not given. With
-    ``held_at_tension``, the top is held at the height at which the pull on the static riser has this vertical
-    component, below a body at the top. The platform is then in its position in calm water, and the current
-    has its full speed. The rotation of the top follows the platform if ``x`` does. With a
-    telescopic joint, the top is the upper end of the joint. Tension, tensioners, lateral force and body then
-    act at the tension ring below the joint.
+    By default the top is vertically above the bottom (no ``offset``), at the height of the static equilibrium
+    (no ``elevation``). Tension, tension loss, force, tensioners and body are absent if they are not given.
+    With ``held_at_tension``, the top is held at the height at which this force is the vertical component of
+    the pull on the static riser, below a body at the top. For this height, the platform is in its position in
+    calm water, and the current has its full speed. The rotation of the top follows the platform if ``x``
+    does. With a telescopic joint, the top is the upper end of the joint. Tension, tensioners, lateral force
+    and body then act at the tension ring below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

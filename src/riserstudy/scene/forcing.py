@@ -58,8 +58,8 @@ class Tilt(Harmonic):
 class Cruise(Strict):
     """Cruise of the platform at a constant speed, by default along x.
 
-    Over ``ramp`` the speed increases linearly from zero. By default the platform has this speed from the
-    start.
+    Over the time ``ramp`` the speed increases linearly from zero. Without ``ramp`` the platform has its full
+    speed from the start.
     """
 
     speed: u.Speed
@@ -151,10 +151,10 @@ class Platform(Strict):
     Roll is about x, pitch about y (the platform's vertical leans towards +x), and yaw about z.
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
-    and the centre of rotation drifts with the vessel. Phases of response amplitude operators (RAOs) apply for
-    the initial place of the vessel, even if it drifts. A run warns if the vessel drifts by more than a tenth
-    of the wavelength in the direction of the waves of the scene. With a ``vessel``, the engine refuses a
-    cruise, and a position in surge or sway. ``top.offset`` then gives the initial place of the vessel.
+    and the centre of rotation drifts with the vessel. Phases of response amplitude operators (RAOs) are
+    evaluated at the initial place of the vessel, even if it drifts. A run warns if the vessel drifts by more
+    than a tenth of the wavelength in the direction of the waves of the scene. With a ``vessel``, the engine
+    refuses a cruise, and a position in surge or sway: give the initial place of the vessel by ``top.offset``.
 
     RAOs refer to a hull along x. With RAOs, the engine refuses a rest position with a yaw, and a ``vessel``
     with another heading.
@@ -216,10 +216,10 @@ TURN = math.tau * (1.0 + 1e-9)  # rad, a full turn with room for rounding
 class Point(Strict):
     """One point of a current profile, at an elevation, or at a depth below the mean water level.
 
-    Two points at the same elevation define a jump: first the speed just below this elevation, then the speed
-    just above. Two points at the same depth also define a jump, in the order of increasing depth: first the
-    speed just above this depth, then the speed just below. The default direction is the heading of the
-    current.
+    Two points at the same elevation or depth define a jump of the speed. Points given by elevation are listed
+    upwards: the first of the two is the speed just below the jump. Points given by depth are listed
+    downwards: the first of the two is the speed just above the jump. The default direction is the heading of
+    the current.
     """
 
     elevation: u.Length | None = None
@@ -286,7 +286,7 @@ class Current(Strict):
     By default the current flows along x, and acts from the start of the run without a ramp.
 
     ``headings`` states whether headings are directions that the current flows to (towards, the default) or
-    comes from. This key also applies to the ``direction`` of the points of the profile, which is given at all
+    comes from. This key also applies to the ``direction`` of points of the profile. Give a direction at all
     points or at none. If the direction varies, the x and y components are interpolated linearly between
     points. ``beyond`` is required if the profile does not cover the whole riser. Outside the elevations of
     the profile, its end values apply (``hold``), or the water is still (``zero``).

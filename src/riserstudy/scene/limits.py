@@ -34,16 +34,17 @@ class Limit(Strict):
     ``output`` can be an output along the riser (``effective_tension``, ``bending_moment``, ``shear_force``,
     ``von_mises_stress``, ``x`` or ``y``). It can also be ``lower_end_tension``, ``ufj_angle``, ``lfj_angle``,
     ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or ``largest_stress``. In a scene
-    with a disconnect, it can also be ``overpull`` or ``lmrp_clearance``. Two usual criteria cannot be limits:
-    the range of stress (use ``fatigue`` instead), and the clearance of the riser in a moonpool.
+    with a disconnect, it can also be ``overpull`` or ``lmrp_clearance``. The range of stress cannot be a
+    limit; use ``fatigue`` instead. The clearance of the riser in a moonpool cannot be a limit either.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
     magnitude. For these outputs, the engine refuses a smallest allowed value, and a negative allowed value.
-    ``at`` names a section of the riser, ``lower end of`` or ``upper end of`` a section, or the lowest and the
-    highest of several consecutive sections (``[lowest, highest]``). By default the limit applies to the whole
-    riser. For tension and stress, the default excludes the stack and the conductor below the flex joint. A
-    disconnect opens the lower flex joint, so the limit applies to the angle of this joint only until the
-    disconnect. An allowable value can have an origin, like any other value of a scene.
+    ``at`` states where the limit applies. It names a section, an end of a section (``lower end of`` or
+    ``upper end of``), or a group of consecutive sections by its lowest and highest section (``[lowest,
+    highest]``). By default the limit applies to the whole riser. For tension and stress, the default excludes
+    the stack and the conductor below the flex joint. A disconnect opens the lower flex joint, so the limit
+    applies to the angle of this joint only until the disconnect. An allowable value can have an origin, like
+    any other value of a scene.
     """
 
     output: str

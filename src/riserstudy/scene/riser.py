@@ -149,7 +149,7 @@ class VortexInducedVibration(Strict):
 class Contents(Strict):
     """Fluid inside the riser. The weight of this fluid is added to ``submerged_weight``.
 
-    The mass of the fluid moves with the pipe only in directions across the pipe.
+    The fluid moves with the pipe across the pipe axis, but not along it.
 
     If the bore is open to the sea, give sea water as contents, or include its weight in ``submerged_weight``.
     The contents reach up to ``level``, by default to the upper end of the highest section with contents. The
@@ -192,33 +192,33 @@ class Section(Strict):
     """A length of riser with uniform properties. Sections are listed from the bottom up.
 
     The stiffness is given, or follows from modulus and diameters; a section without bending stiffness is a
-    string. The mass is given, or follows from the density of the wall; without both, it is zero. If at least
-    one section has a shear modulus, the torsion of the riser resists the yaw of a vessel; sections without a
-    shear modulus are then rigid in torsion. Drag, added mass, contents and all other parts that are not given
-    are zero or absent.
+    string. The mass is given, or follows from the density of the wall; without both, it is zero. The torsion
+    of the riser resists the yaw of a vessel if a section has a shear modulus. The sections without a shear
+    modulus are then rigid in torsion. Drag, added mass, contents and all other parts that are not given are
+    zero or absent.
 
     ``submerged_weight`` is the weight of the pipe and of everything fixed to it, minus the weight of the
     water that the *outer* surface displaces. It excludes ``contents``. An example is a bare pipe with
     diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81
     m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
-    2153.4 N/m. If the pipe is full of sea water, write 2714.1 N/m without contents, or 874.7 N/m with
-    contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass, outer diameter,
-    gravity and water; above the water surface, no displaced water is subtracted. This computation also
-    requires the inner diameter and the contents; without them, the engine refuses the scene. A section that
-    crosses the water surface is divided at the surface if ``submerged_weight`` is absent, or if the section
-    has modules or lines. The upper part is named ``<name>, above water``. Since it displaces no water, the
-    weight of the water that its outer diameter would displace is added to a given ``submerged_weight``. For a
-    section that is wholly above the water, give the weight in air.
+    2153.4 N/m. A pipe full of sea water can be described in two ways: by 2714.1 N/m without contents, or by
+    874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass,
+    diameters, gravity and water. The engine refuses the scene if this computation lacks the inner diameter or
+    the contents. Above the water surface, the weight in air applies: give it for a section that is wholly
+    above the water. A section that crosses the water surface is divided there if it has no
+    ``submerged_weight``, or has modules or lines. The upper part is named ``<name>, above water``. For this
+    part, the engine adds the weight of the water displaced by the outer diameter to a given
+    ``submerged_weight``.
 
-    ``buoyancy_lift`` is the net lift of buoyancy modules in water, which ``submerged_weight`` already
-    includes. ``buoyancy_lift`` has no effect on the simulation. Only the formula for the minimum tension
-    requires it, because this formula treats steel and modules separately. Without ``buoyancy_lift``, the
-    formula is not evaluated.
+    ``buoyancy_lift`` is the net lift of buoyancy modules in water. It has no effect on the simulation,
+    because ``submerged_weight`` already includes the lift. It is required only by the formula of the command
+    ``tension``, which treats steel and modules separately. Without ``buoyancy_lift``, the formula is not
+    evaluated.
 
     If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
-    The engine adds the mass, weight and stiffness of modules and lines. The lift of the modules becomes
-    ``buoyancy_lift``; if any section has modules, ``buoyancy_lift`` of sections without modules is zero. The
-    given diameters for drag and added mass apply to pipe, modules and lines together.
+    The engine adds the mass, weight and stiffness of modules and lines. The engine sets ``buoyancy_lift`` to
+    the lift of the modules, and to zero in sections without modules. The given diameters for drag and added
+    mass apply to pipe, modules and lines together.
     """
 
     name: str

@@ -54,10 +54,10 @@ class RegularWave(Swell, Wave):
 
     The surface elevation is amplitude cos(k x - 2 pi t / period + phase). By default the phase is 0 and the
     wave travels along x. The wave acts from t = 0 without a ramp, on a riser in static equilibrium.
-    ``above_mean_level`` states whether velocities above the mean level are zero (none), equal to the velocity
-    at the mean level (constant), or given by a stretched profile (stretched, after Wheeler). A wave that is
-    higher than 0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the wave, k its
-    wave number and d the depth of the water.
+    ``above_mean_level`` defines the velocities above the mean level: ``none`` (zero), ``constant`` (the
+    velocity at the mean level), or ``stretched`` (Wheeler's stretched profile). A wave that is higher than
+    0.142 L tanh(k d) would break, and causes a warning. Here L is the length of the wave, k its wave number
+    and d the depth of the water.
     """
 
 
@@ -87,14 +87,13 @@ class IrregularSea(Storm, Wave):
 class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
-    The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W.
-    Over the friction depth, depth_factor W / sqrt(sin latitude), the drift turns by half a turn, and its
-    speed decreases to 1/23 of the surface speed. At the surface, the direction of the drift is 45 degrees
-    from the wind, and turns further away with depth. ``component`` selects the part of the drift that acts on
-    the riser: the part along the wind, the part across the wind, the magnitude, or both parts. Integrated
-    over depth, only the part across the wind transports water; the part along the wind sums to zero. With
-    ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
-    wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
+    The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W. At
+    the surface, the direction of the drift is 45 degrees from the wind, and turns further away with depth. At
+    the friction depth, depth_factor W / sqrt(sin latitude), the drift is opposite to its surface direction,
+    with 1/23 of the surface speed. ``component`` selects the part of the drift that acts on the riser: the
+    part along the wind, the part across the wind, the magnitude, or both parts. With ``both``, the heading of
+    the current is the heading of the wind. The drift then turns to the right of the wind in the northern
+    ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

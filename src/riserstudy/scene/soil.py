@@ -104,10 +104,10 @@ class SoilDamping(DampingAtPeriod):
     """Dashpots parallel to the soil springs, which represent the hysteresis of the soil.
 
     ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a cycle
-    with the period ``at_period`` and the amplitude ``at_displacement``, a spring and its dashpot dissipate 4
-    pi ``ratio`` times the elastic energy. The elastic energy is the energy of a linear spring with the secant
-    stiffness. At longer periods, a dashpot dissipates less energy per cycle, but the hysteresis of real soil
-    does not.
+    with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi ``ratio``
+    times the elastic energy of its spring. This energy is computed with the secant stiffness of the spring.
+    Choose ``at_period`` close to the period of motion: at longer periods, dashpots dissipate less energy per
+    cycle, but real soil does not.
     """
 
     at_displacement: Annotated[u.Length, POSITIVE] | None = None

@@ -45,8 +45,8 @@ class Chamber(Strict):
 class Gas(Chamber):
     """One gas chamber per cylinder, with the pull F = A P (V / (V - A reach))^k - A outside.
 
-    Here A is the area, k the exponent, and P and V are pressure and volume at mid-stroke. ``reach`` is the
-    extension from mid-stroke, and ``outside`` is the external pressure.
+    In this formula A is the area, k the exponent, and P and V are pressure and volume at mid-stroke.
+    ``reach`` is the extension from mid-stroke, and ``outside`` is the external pressure.
     """
 
     exponent: Annotated[float, Field(gt=1)]
@@ -99,8 +99,8 @@ class TableRow(Strict):
 class Linearised(Strict):
     """Straight line that replaces the gas law: a tangent, a chord, or a least-squares line over a range.
 
-    ``at`` is the extension from mid-stroke at which the line is the tangent of the gas law, by default zero.
-    ``shortest`` and ``longest`` give the stroke range of the chord or of the least-squares line.
+    A tangent touches the gas law at the extension ``at`` from mid-stroke, by default zero. A chord or a
+    least-squares line is fitted over the stroke range from ``shortest`` to ``longest``.
     """
 
     by: Literal["tangent", "chord", "least squares"]
@@ -183,16 +183,16 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default the cylinders have no damping and no stops.
 
-    ``mid_stroke`` selects the state of the riser in which all cylinders are at mid-stroke. In this state the
-    riser is vertical in still water, at an offset of zero. The riser is either unstretched, or in equilibrium
-    with the tension that all cylinders have at mid-stroke.
+    ``mid_stroke`` states in which state of the riser all cylinders are at mid-stroke: unstretched, or in
+    equilibrium with the tension that the cylinders have at mid-stroke. In both states the riser is vertical
+    in still water, at an offset of zero.
 
     ``table`` gives any other law, as the pull of one cylinder over its reach (its extension from mid-stroke).
     The table is interpolated smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond
     the ends of the table the pull continues linearly, with a warning.
 
     Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
-    no force. Without ``failing`` no cylinder fails during the run.
+    no force. Cylinders that fail during the run are listed in ``failing``.
     """
 
     count: Annotated[int, Field(ge=1, le=1000), WHOLE]

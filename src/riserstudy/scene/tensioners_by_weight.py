@@ -13,8 +13,8 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of cylinders as a ratio of critical damping.
 
-    Critical damping is computed for a single mass on a spring: the mass of the suspended weight, on the
-    vertical stiffness of the cylinders.
+    Critical damping is computed for a single mass on a spring: the suspended mass, and the vertical stiffness
+    of the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]
@@ -28,9 +28,9 @@ class Carried(Strict):
     """Linear force of the cylinders, derived from the suspended weight; it replaces the key ``linear``.
 
     At mid-stroke the working cylinders together carry the submerged weight of riser, contents and bodies.
-    Inclined cylinders pull by more, because only the vertical part of their pull carries this weight.
-    ``doubles_over`` is the extension from mid-stroke at which the pull would be twice the pull at mid-stroke.
-    This extension determines the stiffness.
+    Inclined cylinders pull by more, because only the vertical part of their pull carries this weight. The
+    stiffness is the pull at mid-stroke divided by ``doubles_over``, the extension from mid-stroke at which
+    the pull would be twice as large.
     """
 
     doubles_over: Annotated[u.Length, POSITIVE]

@@ -26,8 +26,8 @@ STEPS_A_TURN = 4
 class Wind(Strict):
     """Wind force on the platform, C |u| u.
 
-    C is ``drag``, and u is the velocity of the wind relative to the platform. By default, the wind blows
-    towards +x.
+    In this formula C is ``drag``, and u is the velocity of the wind relative to the platform. By default, the
+    wind blows towards +x.
     """
 
     drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE]
@@ -73,10 +73,10 @@ class Thrusters(Strict):
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
     refer to the directions of the hull in its initial position. Without ``heading``, the commanded place is
     on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation`` the
-    thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions.
-    Without ``rise`` the command acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise).
-    Without ``lag`` the thrust follows immediately; with ``lag``, the thrust follows with this time constant.
-    Without ``sway`` there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
+    thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. By
+    default the command acts suddenly; with ``rise``, it increases as 1 - exp(-t / rise). By default the
+    thrust follows the command immediately; with ``lag``, it follows with this time constant. Without ``sway``
+    there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -115,7 +115,8 @@ class Coupling(Strict):
     With ``staggered``, the platform first moves over each interval under the riser's force at the start of
     the interval. Then the riser is simulated with this motion of the platform. With ``iterated``, the
     interval is repeated with the new force of the riser, until the motion of the platform changes by less
-    than ``tolerance``. The default of ``tolerance`` is the tolerance of Newton's iteration.
+    than ``tolerance``. The default of ``tolerance`` is the limit for corrections of positions in Newton's
+    iteration.
     """
 
     scheme: Literal["staggered", "iterated"]
@@ -165,8 +166,8 @@ class Vessel(Strict):
     Added mass, hull drag (from the velocity relative to the surface current), wind, wave drift and thrusters
     are zero if not given. Without ``sway`` the vessel moves only along x, and without ``yaw`` it keeps its
     heading. Without ``heading`` the hull is along x. If all loads act along x, the vessel does not sway or
-    turn, and these degrees of freedom are removed. Without ``coupling``, platform and riser are solved as one
-    system.
+    turn, and these degrees of freedom are removed. Platform and riser are solved as one system, or
+    alternately if ``coupling`` is given.
 
     A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
     motion of the vessel. The riser's top, deck and tension ring move with the sum of both motions. Hull drag,

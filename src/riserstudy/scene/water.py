@@ -14,8 +14,8 @@ from riserstudy.scene.base import POSITIVE
 class Water(Strict):
     """The sea. Without ``water`` there is no drag, added mass, current or waves.
 
-    Waves require the elevations ``surface`` and ``seabed``. Current profiles that give no elevations also
-    require them.
+    The elevations ``surface`` and ``seabed`` are required by waves, and by current profiles that give no
+    elevations.
     """
 
     density: Annotated[u.Density, POSITIVE]

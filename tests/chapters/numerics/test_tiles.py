@@ -24,9 +24,9 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     (one,) = shown({"stability": stability})
     assert one.number == "3 of 4"
     assert one.answer == (
-        "As expected, 3 of 4 hard cases, such as end stops, compression, disconnects and extreme stiffness, "
-        "end with a stable result or are refused with a reason. Of the 3 with a reference solution, 1 is "
-        "inaccurate without a warning."
+        "3 of 4 difficult scenes, for example with end stops, compression or disconnects, end as expected: "
+        "with a stable result, or with a refusal and its reason. 3 of these scenes have a reference "
+        "solution; 1 result is inaccurate without a warning."
     )
     assert one.spark.count("<rect") == 4
 
@@ -41,6 +41,7 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     (one,) = shown({"accuracy": accuracy})
     assert one.number == "2.5 to 3×"
     assert one.answer.startswith(
-        "A run with a tolerance of 0.05\u00a0% takes 2.5 to 3 times as long as a run with 1\u00a0%"
+        "A run with a tolerance of 0.05\u00a0% takes 2.5 to 3 times as long as a run with a tolerance of "
+        "1\u00a0%"
     )
     assert one.spark.count("<polyline") == 2
