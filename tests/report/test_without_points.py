@@ -41,7 +41,7 @@ def test_a_verdict_that_a_point_alone_made_turns_without_it(db):
     for point in (12, 13):  # at either speed
         found = without_points(db, [CLAIM], {STUDY: [point]})
         assert found.turned == [(CLAIM, "holds")]
-        said = "If the points with too large errors are left out, 1 of 1 verdicts changes"
+        said = "Without the grid points with too large errors, 1 of 1 verdicts changes"
         assert (found.turning, found.left) == (said, "")
 
 
