@@ -1,7 +1,5 @@
 """Shares are of samples within an interpretation; numbers of one case are judged in one case."""
 
-import re
-
 import numpy as np
 import pytest
 import xarray as xr

@@ -103,7 +103,8 @@ class TimeSeries(Strict, Generic[P]):
     """A motion at points in time, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
     Before the first point, the motion has the value of the first point, and after the last point, the value
-    of the last. A sway, roll or yaw whose values are all zero does not count as a motion out of the plane.
+    of the last. A sway, roll or yaw whose values are all zero does not require a simulation in three
+    dimensions.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
