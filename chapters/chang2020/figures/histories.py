@@ -155,7 +155,7 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
         if deeper == troughs.size
         else f"{deeper} of {troughs.size} linearised tensioners give"
     )
-    headline(figure, f"At {NAMED[1]:g} m {count} deeper troughs than the gas law")
+    headline(figure, f"At {NAMED[1]:g} m heave {count} deeper troughs than the gas law")
     key_below(figure, axes[4], 3)
     return figure
 

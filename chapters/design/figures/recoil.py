@@ -122,18 +122,19 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
     axes[0].set_yticks(range(len(pressures)), [f"{p / 10:.1f}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")
     _key(figure, recoil_failures_outcome["recoil_verdict"])
-    highest = recoil_failures_outcome["lift_max"].max("phase").max("gas_pressure")
-    closed, opened, fewer = (
-        float(highest.sel(units=count).isel(valve_left_open=k))
-        for count, k in ((max(units), 0), (max(units), -1), (min(units), 0))
-    )
-    failed = max(units) - min(units)
-    headline(
-        figure,
-        f"Open valves change the LMRP lift from {closed:.0f} to {opened:.0f} m, "
-        f"{failed:g} failed unit{'' if failed == 1 else 's'} to {fewer:.0f} m",
-    )
+    headline(figure, _with_failures(recoil_failures_outcome["recoil_verdict"]))
     return figure
+
+
+def _with_failures(verdict: xr.DataArray) -> str:
+    """Title: number of settings that keep clear of BOP and end stops with the most failed units."""
+    most, fewest = int(verdict["units"].max()), int(verdict["units"].min())
+    clear = verdict.sel(units=fewest) == 0
+    count, failed = int(clear.sum()), most - fewest
+    with_failed = f"With {failed} failed unit{'' if failed == 1 else 's'}"
+    if count == 0:
+        return f"{with_failed} no setting avoids both BOP and end stops"
+    return f"{with_failed} {100 * count / clear.size:.0f} % of the settings avoid both BOP and end stops"
 
 
 def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure:
@@ -161,8 +162,6 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
         ax.set_xlabel("time (s)")
         ax.set_ylabel("LMRP lift above the BOP (m)")
     high = float(one.max("time").max()), float(recoil_mao["lift"].max())
-    headline(
-        figure, f"After a disconnect Liu et al.'s LMRP rises {high[0]:.1f} m, Mao et al.'s {high[1]:.1f} m"
-    )
+    headline(figure, f"The LMRP rises by up to {high[0]:.0f} m (Liu et al.) and {high[1]:.0f} m (Mao et al.)")
     label_ends(liu, phases)
     return figure

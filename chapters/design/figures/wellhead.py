@@ -59,8 +59,8 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     if known:
         first = max(known, key=lambda k: float(shares[k]))
         named, share = WORDS.get(names[first], names[first]), shares[first]
-        most = ", more than others" if share >= shares.max() else ""
-        headline(figure, f"The {named} explains {share:.0f} % of damage variance{most}")
+        most = ", the largest share" if share >= shares.max() else ""
+        headline(figure, f"The {named} explains {share:.0f} % of log-damage variance{most}")
     else:
         headline(figure, "Fatigue damage of a conductor over the unknown inputs of a well")
     return figure

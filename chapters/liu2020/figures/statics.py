@@ -137,7 +137,7 @@ def dat_force(
     panel_title(close, "by surface speed; calibrated at 1 m/s")
     close.legend(fontsize="small", loc="center right")
     miss = math.floor(100.0 * float(abs(assumed - 1.0).max("surface_speed").min()))
-    headline(figure, f"Each assumed profile misses a printed force by at least {miss} %")
+    headline(figure, f"Each uncalibrated profile misses a printed force by at least {miss} %")
     return figure
 
 

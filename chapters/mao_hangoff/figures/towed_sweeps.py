@@ -268,7 +268,7 @@ def _by_profile(quantity: str, runs: xr.Dataset, axis: str, first: float, last: 
         return f"A faster {quantity} changes the displacement by −{low} or +{high} %, depending on profile"
     if min(map(abs, found)) < ALIKE:
         verb, most = ("increases", high) if sum(found) > 0.0 else ("decreases", low)
-        return f"A faster {quantity} {verb} the displacement by up to {most} %, by profile"
+        return f"A faster {quantity} {verb} the displacement by up to {most} %"
     verb, least, most = ("increases", low, high) if found[1] > 0.0 else ("decreases", high, low)
     between = f"{least} or {most}" if least != most else most
     return f"A faster {quantity} {verb} the displacement by {between} %, depending on profile"

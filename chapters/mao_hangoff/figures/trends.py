@@ -80,8 +80,8 @@ def _matters_most(inputs: set[str]) -> str:
     """Title: inputs to which results are most sensitive, in % of result per % of input."""
     names = sorted(in_words(axis) for axis in inputs)
     if len(names) == 1:
-        return f"Per per cent of change, the {names[0]} has the largest effect"
-    return f"Per per cent of change, the {' or the '.join(names)} matters most, by profile and result"
+        return f"The {names[0]} has the largest effect per 1 % of change"
+    return f"Per 1 % of change, the {' or the '.join(names)} matters most, by profile and result"
 
 
 def _at_the_stated_time(runs: xr.Dataset) -> list[xr.DataArray]:

@@ -23,12 +23,23 @@ def long_runs(long_runs: xr.Dataset) -> Figure:
     for k, (ax, case) in enumerate(zip(axes, cases, strict=True)):
         here = _of_case(long_runs, case)
         _panel(ax, here, candidates)
-        ax.set_title(f"({'abcdef'[k]}) {case}{_lowest_cost(ax, here)}", loc="left", fontsize="medium")
+        ax.set_title(
+            f"({'abcdef'[k]}) {_named(case, here)}{_lowest_cost(ax, here)}", loc="left", fontsize="medium"
+        )
         ax.set_xlabel("CPU time of a run (s)")
     _equal_ranges(axes, [_of_case(long_runs, case) for case in cases])
     key_below(figure, axes[0], 3)
     headline(figure, answer(long_runs))
     return figure
+
+
+def _named(case: str, of: xr.Dataset) -> str:
+    """Name of a case; a case is often named by the time that a paper's run took, or by the simulated time."""
+    published = float(of["published_seconds"][0])
+    if np.isfinite(published):
+        return f"a run that took the paper {published / 3600:.0f} h"
+    target = "" if np.isfinite(float(of["target_seconds"][0])) else "; no target time"
+    return f"simulated time: {case}{target}"
 
 
 def _of_case(long_runs: xr.Dataset, case: str) -> xr.Dataset:
@@ -88,7 +99,7 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
     ax.margins(x=0.08, y=0.14)
     if np.isfinite(published):
         ax.annotate(
-            f"stated by the paper:\n{published / 3600:.0f} h →", (0.99, 0.05), xycoords="axes fraction",
+            f"the paper's own run:\n{published / 3600:.0f} h →", (0.99, 0.05), xycoords="axes fraction",
             ha="right", fontsize="small",
         )  # fmt: skip
     log_ticks(ax.xaxis)
@@ -110,5 +121,5 @@ def _lowest_cost(ax: Axes, of: xr.Dataset) -> str:
         return ""
     ax.plot(time[best], max(error[best], LEAST), "o", ms=12, color="black", markerfacecolor="none")
     segments, step = int(of["elements"][best]), float(of["asked_step"][best])
-    said = f"; circled: {segments} segments, {step:g} s, in {time[best]:.2g} s"
+    said = f"\ncircled: {segments} segments, step {step:g} s, CPU time {time[best]:.2g} s"
     return said + f", error {100.0 * error[best]:.2g} %"

@@ -24,7 +24,7 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
     keys = [ax.get_legend_handles_labels() for ax in (left, right)]
     legend_below(figure, [*keys[0][0], *keys[1][0]], [*keys[0][1], *keys[1][1]], 2)
     panel_title(left, f"error at a tolerance of {100 * float(random_scenes.attrs['requested']):g} %")
-    panel_title(right, "work; right: scenes with none cheaper")
+    panel_title(right, "work; right: scenes without a cheaper run")
     headline(figure, answer(random_scenes))
     return figure
 

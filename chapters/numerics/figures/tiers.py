@@ -65,12 +65,12 @@ def answer(tiers: xr.Dataset) -> str:
         return f"No scene was simulated at both {first} and {last}"
     middle = float(ratio.median())
     times = "about as long as" if abs(middle - 1.0) <= ALIKE else f"{middle:.2g} times as long as"
-    said = f"{last.capitalize()} takes {times} {first} (median)"
+    said = f"{last.capitalize()} takes {times} {first}"
     most = 100.0 * float(tiers["error"].sel(tier=last).max())
     if not most > 0.0:
         return said
     unit = 10.0 ** np.floor(np.log10(most))
-    return f"{said}; peaks err below {unit * np.ceil(most / unit):.1g} %"
+    return f"{said}; errors of peaks below {unit * np.ceil(most / unit):.1g} %"
 
 
 def _drawable(error: xr.DataArray) -> xr.DataArray:

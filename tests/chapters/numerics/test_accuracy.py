@@ -106,7 +106,7 @@ def test_the_title_counts_the_scenes_in_which_a_method_is_quickest(surge):
     for name in errors:
         found[name].loc[{"method": "ESDIRK4"}] = 0.001
     said = draw("numerics", "accuracy", {"accuracy": found}).get_suptitle()
-    assert said == "ESDIRK4 is fastest to the dotted error in 1 of 1 scenes"
+    assert said == "ESDIRK4 is among the fastest at the dotted error in 1 of 1 scenes"
 
 
 def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):

@@ -35,10 +35,10 @@ def of_tiers(ratio):
 @pytest.mark.parametrize(
     "ratio, words",
     [
-        (0.99, "Standard takes about as long as preview (median); peaks err below 0.1 %"),
-        (1.04, "Standard takes about as long as preview (median); peaks err below 0.1 %"),
-        (2.5, "Standard takes 2.5 times as long as preview (median); peaks err below 0.1 %"),
-        (0.5, "Standard takes 0.5 times as long as preview (median); peaks err below 0.1 %"),
+        (0.99, "Standard takes about as long as preview; errors of peaks below 0.1 %"),
+        (1.04, "Standard takes about as long as preview; errors of peaks below 0.1 %"),
+        (2.5, "Standard takes 2.5 times as long as preview; errors of peaks below 0.1 %"),
+        (0.5, "Standard takes 0.5 times as long as preview; errors of peaks below 0.1 %"),
     ],
 )
 def test_equal_times_of_tiers_have_no_factor(ratio, words):
