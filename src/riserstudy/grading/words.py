@@ -193,7 +193,7 @@ def decided_by(grounds: Grounds) -> str:
 def too_few(grounds: Grounds) -> str:
     """The sentence for a claim that is true in all samples, which are too few."""
     are = "sample is" if _fewest(grounds) == 1 else "samples are"
-    return f"{_fewest(grounds)} {are} too few: the verdict “holds” requires at least {ENOUGH}."
+    return f"{_fewest(grounds)} {are} too few for the verdict “holds”, which requires at least {ENOUGH}."
 
 
 def _fewest(grounds: Grounds) -> int:

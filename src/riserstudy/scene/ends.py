@@ -14,14 +14,14 @@ from riserstudy.scene.tensioners import Tensioners
 
 
 class Areas(Strict):
-    """Drag areas C_D A of a body. In a direction whose area is not given, the body has no drag."""
+    """Drag areas C_D A of a body. Without an area, the body has no drag in this direction."""
 
     horizontal: Annotated[u.Area, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Area, NOT_NEGATIVE] | None = None
 
 
 class BodyAddedMass(Strict):
-    """Added mass of a body. In a direction whose value is not given, the body has no added mass."""
+    """Added mass of a body. Without a value, the body has no added mass in this direction."""
 
     horizontal: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     vertical: Annotated[u.Mass, NOT_NEGATIVE] | None = None

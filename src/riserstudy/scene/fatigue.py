@@ -82,7 +82,8 @@ class StandardCurve(Strict):
     """An S-N curve of DNV-RP-C203 by its class, B1 to W3, and environment.
 
     The numbers and their source are in ``scene/sn_curves.yaml`` of the package. Editions of DNV-RP-C203
-    differ: compare the curves with the edition that you must use, and give your own curve where they differ.
+    differ: compare the curves with the edition that you must use. If they differ, give your own curve
+    (``OwnCurve``).
     """
 
     detail_class: str
@@ -118,8 +119,8 @@ class Detail(Strict):
     at one end of a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided
     by the bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress
     by tension is then neglected. The computed nominal stress is multiplied by ``stress_concentration``. The
-    default thickness is the wall thickness of the section. Damage times ``safety_factor`` is the factored
-    damage.
+    default thickness is the wall thickness of the section. The factored damage is the damage times
+    ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]

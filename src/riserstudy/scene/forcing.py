@@ -132,7 +132,7 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x or y the centre is vertically above the well.
+    Without x and y the centre is vertically above the well.
     """
 
     x: u.Length | None = None

@@ -21,7 +21,8 @@ if TYPE_CHECKING:
 class Modules(Strict):
     """Buoyancy modules of one joint.
 
-    Mass and lift are values for one joint of the section. A section without ``joints`` counts as one joint.
+    Mass and lift are values for one joint of the section. In a section without ``joints``, they are the
+    values for the whole section.
 
     ``lift`` is the net lift of the modules in water, after subtraction of their own weight. Above the water,
     the weight of the modules is their mass times gravity.
@@ -38,7 +39,7 @@ class Line(Strict):
     inside, which moves with the line; without ``contents`` the line is empty. Lines with a modulus bend
     together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines share the
     tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide and the lines carry
-    no tension. The effect of the pressure in a line on the tension of the pipe is neglected.
+    no tension. The engine neglects that the pressure in a line changes the tension of the pipe.
     """
 
     name: str

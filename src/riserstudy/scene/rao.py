@@ -25,7 +25,7 @@ class Operator(Strict):
     """Response to waves of one period or frequency: motion per metre of wave amplitude, and phase.
 
     Frequencies are in Hz or rad/s. A motion that is not given is zero. The heading is the direction of the
-    waves, measured from x towards y. Without a heading, the response is the same for waves from all
+    waves, measured from x towards y. Without headings, the response is the same for waves from all
     directions.
     """
 

@@ -114,16 +114,16 @@ class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
     A lift force of C_v rho D / 2 times the squared flow speed acts across the flow relative to the pipe. The
-    phase of the lift force synchronises with the velocity of the riser. The model requires drag across the
-    pipe, which limits the amplitude. A scene with this model is solved in three dimensions.
+    phase of the lift force synchronises with the velocity of the riser. The section must also have drag
+    across the pipe, because drag limits the amplitude. A scene with this model is solved in three dimensions.
 
     ``coefficient`` is C_v, with a published value of 1.2. ``frequencies`` lists three frequencies of the lift
     force, as multiples of flow speed divided by diameter. They are the lowest frequency, the frequency at
     which force and velocity are in phase, and the highest frequency. The published values are 0.11, 0.18 and
-    0.26. The mean square of the motion is averaged while the water flows ``memory`` diameters past the pipe,
-    for example 20. ``seed`` determines the initial phases, which vary smoothly along the riser. ``ramp`` is
-    the time over which the lift increases, by default ten shedding periods in the fastest current.
-    ``in_line`` adds an excitation along the flow; by default there is none.
+    0.26. The model averages the mean square of the motion over the time in which the water flows
+    ``memory`` diameters, for example 20. ``seed`` determines the initial phases, which vary smoothly along
+    the riser. ``ramp`` is the time over which the lift increases, by default ten shedding periods in the
+    fastest current. ``in_line`` adds an excitation along the flow; by default there is none.
     """
 
     model: Literal["synchronisation"]

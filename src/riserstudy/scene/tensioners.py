@@ -65,8 +65,8 @@ class Pistons(Strict):
 class TwoChamberGas(Strict):
     """Two gas chambers per cylinder.
 
-    The gas at high pressure causes the pull of the cylinder. The gas at low pressure and the weight of the
-    pistons reduce this pull.
+    The pull of the cylinder is the force of the gas at high pressure, minus the force of the gas at low
+    pressure and the weight of the pistons.
 
     Without ``pistons``, the pistons have neither weight nor mass.
     """
