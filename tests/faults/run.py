@@ -119,7 +119,7 @@ def write(page, rows):
     heading = ["| fault | result or extent of damage | the next `make study` |", "|---|---|---|"]
     lines = {line.split(" | ")[0]: line for line in before.splitlines()[len(heading) :]}
     for row in rows:
-        cells = [cell.replace("|", "/") for cell in row]
+        cells = [cell.replace("|", "/").rstrip(".") for cell in row]
         lines[f"| {cells[0]}"] = f"| {' | '.join(cells)} |"
     table = "\n".join([*heading, *lines.values()])
     page.write_text(head + MARKS[0] + table + "\n" + MARKS[1] + tail)

@@ -27,8 +27,8 @@ def cost(
 ) -> None:
     """Estimate the run time of a scene for tolerances of 5, 1, 0.2 and 0.05 %.
 
-    The command prints one row per tolerance. The row ``default`` is for the default tolerances: 0.2 % of
-    displacement, and 1 % of moment and tension. For an irregular sea of more than 20 min, the command adds
+    The command prints one row per tolerance. The row ``default`` is for the default tolerances of 0.2 % in
+    displacement, and 1 % in moment and tension. For an irregular sea of more than 20 min, the command adds
     advice on long simulations.
     """
     file = scene_of(scene, settings)
