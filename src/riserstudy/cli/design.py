@@ -219,8 +219,8 @@ def envelope(
     """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
     At each offset, the static equilibrium is computed. To include a sea, an allowance is added to the static
-    value of each output, or subtracted for a lower limit. The allowance is the change by waves that nine in
-    ten random realisations of the sea do not exceed. It is computed from runs in the current and at the
+    value of each output, or subtracted for a lower limit. In nine of ten random realisations of the sea, the
+    change due to waves does not exceed this allowance. It is computed from runs in the current and at the
     offset of the scene. Limits on means have no allowance. The exit status is 4 if a limit could not be
     evaluated.
     """
