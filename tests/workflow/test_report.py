@@ -156,7 +156,7 @@ def test_every_claim_leads_to_its_figure(sources):
 
 def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     text = " ".join(Page(render(sources)).words)
-    assert "a <b>bold</b> number The verdict depends on “the phase”." in text
+    assert "a <b>bold</b> number The verdict depends on this input: “the phase”." in text
     assert "early 50 % late; or never 0 %" in text
     assert "0.3 m 0.5389 m 80 % 25 % depends" in text
     assert "The claim is true in all 256 samples." in text
@@ -234,7 +234,7 @@ def test_bands_options_margins_and_notes_are_told_apart(claims):
         ("Margin of the base case", "+25 %"),
     ]
     assert found["B0"].sentences == found["B0"].results == []
-    assert found["A10"].why == "The verdict depends on “the flow; U: m/s”."
+    assert found["A10"].why == "The verdict depends on this input: “the flow; U: m/s”."
     assert found["A4"].why == "No single input or pair of inputs decides the outcome."
     assert found["B0"].why == (
         "The simulation gives -3.142e+06 N; the published value is -3.142e+06 N (error 0 %)."

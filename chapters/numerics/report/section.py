@@ -80,7 +80,7 @@ def hard_cases(stability: xr.Dataset) -> list[str]:
     met, count = int(stability["as_expected"].sum()), stability.sizes["case"]
     text = listed(f"“{outcome}” ({number})" for outcome, number in outcomes.most_common())
     return [
-        f"{met} of {counted(count, 'hard case')} ended as expected of a sound engine. The outcomes, with the "
+        f"{met} of {counted(count, 'hard case')} ended with the expected outcome. The outcomes, with the "
         f"number of cases, are {text}."
     ]
 
@@ -169,9 +169,11 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            "The work of all refinements is divided by the work of the cheapest single run of equal error, "
-            f"with a uniform mesh. The median of this ratio is {middle:.2g}. In 95 % of the scenes it is at "
-            f"most {most:.2g}. In {counted(none, 'scene')} no tested single run requires less work."
+            "To meet its tolerance, a run refines mesh and time step in several runs. Their work is divided by "
+            "the work of the cheapest single run of equal error, with a uniform mesh. "
+            f"The median of this ratio is {middle:.2g}. In 95 % of the scenes it is at "
+            f"most {most:.2g}. In {counted(none, 'scene')} no tested single run of equal error requires less "
+            "work than the refinements."
         )
     return lines
 

@@ -110,7 +110,8 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
             return f"With {every}, the outcome depends on further inputs."
         return f"{subject} {words[only]} with {every}."
     others = len(names.pop("depends", []))
-    found = [(word, names[answer]) for answer, word in words.items() if answer in names]
+    order: list[ReadingAnswer] = ["true", "false", "no difference"]
+    found = [(words[answer], names[answer]) for answer in order if answer in names]
     if count <= NAMED // 2 and not others:
         return " ".join(
             f"{subject} {word} with the interpretation{'s' if len(those) > 1 else ''} {listed(those)}."
@@ -269,7 +270,12 @@ def _premise(premise: Premise | None) -> Iterator[str]:
     if premise is None:
         return
     if premise.judged:
-        yield f"Only the {premise.judged} of {premise.samples} samples that meet the premise are judged."
+        meet = "meets" if premise.judged == 1 else "meet"
+        are = "is" if premise.judged == 1 else "are"
+        yield (
+            f"{premise.judged} of {premise.samples} samples {meet} the premise of the claim; only "
+            f"{'this' if premise.judged == 1 else 'these'} {are} judged."
+        )
     else:
         yield f"None of {premise.samples} samples meets the premise, so the base case is judged."
 

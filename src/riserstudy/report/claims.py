@@ -79,8 +79,10 @@ class Claim(ItemResult):
         if self.decided_by == NOT_ONE:
             return "No single input or pair of inputs decides the outcome."
         names = [f"“{influence.name}”" for influence in self.grounds.decided_by]
-        inputs = self.grounds.because == "inputs" and names
-        return f"The verdict depends on {listed(names) if inputs else self.decided_by}."
+        if self.grounds.because != "inputs" or not names:
+            return f"The verdict depends on {self.decided_by}."
+        these = "this input" if len(names) == 1 else "these inputs"
+        return f"The verdict depends on {these}: {listed(names)}."
 
     @property
     def _by_reading(self) -> str:

@@ -26,7 +26,7 @@ SEEN = 0.02  # least share of the margin's variance that an input must explain t
 PARTS = 3  # parts of a range, with equal numbers of cases
 #: pixels: left and right end of the columns, total width, heights of the margins, of a row, of the head
 LEFT, RIGHT, WIDE, HIGH, ROW, ABOVE = 285, 585, 640, 90, 17, 18
-VARY = ("with less effect is not shown", "with less effect are not shown")
+VARY = ("with less effect is left out of the figure", "with less effect are left out of the figure")
 SCALES = (0.05, 0.1, 0.2, 0.5, 1.0)
 
 
@@ -103,7 +103,7 @@ def _caption(cases: Cases, step: int) -> str:
     if left == 1:
         more = f" Another input {VARY[0]}."
     return (
-        f"The top panel plots the margins of {count} cases in ascending order.{every} "
+        f"The top panel plots the margin of each of {count} cases, in ascending order.{every} "
         "Cases with a positive margin agree with the paper; the triangle marks the base case. Each row below "
         "the top panel stands for one option of an input; its marks show the cases with this option. The "
         "number at the right is the percentage of these cases that agree with the paper. An input alone "
