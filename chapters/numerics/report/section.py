@@ -169,8 +169,8 @@ def random_scenes(drawn: xr.Dataset) -> list[str]:
     if work.sizes["drawn"]:
         middle, most = (float(x) for x in work.quantile([0.5, 0.95]))
         lines.append(
-            "To meet its tolerance, a run refines mesh and time step in several runs. Their work is divided by "
-            "the work of the cheapest single run of equal error, with a uniform mesh. "
+            "To meet a tolerance, the engine refines mesh and time step in several runs. Their work is "
+            "divided by the work of the cheapest single run of equal error, with a uniform mesh. "
             f"The median of this ratio is {middle:.2g}. In 95 % of the scenes it is at "
             f"most {most:.2g}. In {counted(none, 'scene')} no tested single run of equal error requires less "
             "work than the refinements."
