@@ -43,12 +43,12 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
     found = written(tmp_path, rows)
     said = found.sentences
     assert said.startswith(
-        "The checks of the claims were tested with 10 deliberately false claims, of which 5 are subtle. The "
-        "checks accept 2 of the false claims. 5 fail, "
+        "The checks that judge the claims were tested with 10 deliberately false claims. 5 of these differ only "
+        "slightly from a claim of a paper. The checks accept 2 of the false claims. 5 fail, "
     )
     assert "and 3 depend on unspecified inputs. The false-positive rate is 20 %" in said
     assert said.endswith(
-        "Of the original claims, from which the false claims were made, the same checks accept 7."
+        "The same checks accept 7 of the original claims, from which the false claims were made."
     )
     assert found.rows[0].share == "3 of 128"
     assert found.rows[0].how == "one sign changed"

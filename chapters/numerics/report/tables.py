@@ -113,7 +113,7 @@ def requests(accuracy: xr.Dataset) -> Table:
             ]
         )
     about = (
-        "An error is the largest of the errors of displacement, moment and tension. The time includes the "
+        "Each error is the largest of the errors of displacement, moment and tension. The time includes the "
         "runs that find mesh and time step."
     )
     columns = [

@@ -81,9 +81,10 @@ def _summary(rows: list[dict[str, str]]) -> str:
     rest = count - accepted - failing - undecided
     others = f" {rest} cannot be graded." if rest else ""
     return (
-        f"The checks of the claims were tested with {counted(count, 'deliberately false claim')}, of which "
-        f"{subtle} are subtle. The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
+        f"The checks that judge the claims were tested with {counted(count, 'deliberately false claim')}. "
+        f"{subtle} of these differ only slightly from a claim of a paper. "
+        f"The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
         f"and {undecided} depend on unspecified inputs.{others} The false-positive rate is "
-        f"{100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). Of the original claims, from "
-        f"which the false claims were made, the same checks accept {believed}."
+        f"{100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). The same checks "
+        f"accept {believed} of the original claims, from which the false claims were made."
     )
