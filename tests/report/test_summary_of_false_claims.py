@@ -43,8 +43,8 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
     found = written(tmp_path, rows)
     said = found.sentences
     assert said.startswith(
-        "The checks that judge the claims were tested with 10 deliberately false claims. 5 of these differ only "
-        "slightly from a claim of a paper. The checks accept 2 of the false claims. 5 fail, "
+        "The checks that judge the claims were tested with 10 deliberately false claims. 5 of these differ "
+        "only slightly from a claim of a paper. The checks accept 2 of the false claims. 5 fail, "
     )
     assert "and 3 depend on unspecified inputs. The false-positive rate is 20 %" in said
     assert said.endswith(
