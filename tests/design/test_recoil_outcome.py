@@ -56,3 +56,26 @@ def test_the_riser_that_lets_go_is_the_riser_of_the_chapter():
     assert same == whole.riser
     assert along.bottom.body == whole.bottom.body
     assert along.hanging == whole.hanging
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_all_settings_between_the_limits_serve_and_those_beside_them_do_not(seed):
+    """With failures in between, the smallest and the largest setting that serves have no range in common."""
+    draw = np.random.default_rng(seed)
+    setting = np.cumsum(draw.uniform(0.1, 1.0, int(draw.integers(1, 12))))
+    down, out = draw.random((2, len(setting))) < 0.25
+    serves = ~down & ~out
+    found = limits(setting, down, out)
+    if not serves.any():
+        assert np.isnan(found).all()
+        return
+    within = (setting >= found.smallest) & (setting <= found.largest)
+    assert serves[within].all()
+    for side, beside in ((found.below, setting[setting < found.smallest]),
+                         (found.above, setting[setting > found.largest][::-1])):  # fmt: skip
+        assert np.isnan(side) if not len(beside) else side == beside[-1]
+        assert not len(beside) or not serves[setting == side].any()
+    for a in range(len(setting)):  # no other range is wider
+        for b in range(a, len(setting)):
+            if serves[a : b + 1].all():
+                assert setting[b] - setting[a] <= found.largest - found.smallest

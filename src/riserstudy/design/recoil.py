@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.study.spacing import stretches
+
 FloatArray = NDArray[np.float64]
 TOUCHING = 1e-6  # distance that counts as contact with the stack or a stop (m)
 
@@ -54,17 +56,22 @@ class Limits(NamedTuple):
     """
 
     smallest: float  # smallest allowed setting
-    below: float  # the next smaller setting, with re-contact; NaN: none was tried
+    below: float  # the next smaller setting, which is not allowed; NaN: none was tried
     largest: float  # largest allowed setting
-    above: float  # the next larger setting, with stroke-out; NaN: none was tried
+    above: float  # the next larger setting, which is not allowed; NaN: none was tried
 
 
 def limits(setting: FloatArray, recontact: NDArray[np.bool_], stroked_out: NDArray[np.bool_]) -> Limits:
-    """Smallest and largest of increasing settings (N), (settings,), without re-contact and stroke-out."""
-    serves = np.flatnonzero(~recontact & ~stroked_out)
-    if not len(serves):
+    """Smallest and largest of increasing settings (N), (settings,), without re-contact and stroke-out.
+
+    All settings between the two are allowed, too. If the allowed settings form several ranges, with settings
+    in between that are not allowed, the result is the widest range.
+    """
+    serves = ~recontact & ~stroked_out
+    ranges = stretches(serves, np.ones(len(serves) - 1, bool))
+    if not len(ranges):
         return Limits(*[float("nan")] * 4)
-    low, high = int(serves[0]), int(serves[-1])
+    low, after = ranges[np.argmax(setting[ranges[:, 1] - 1] - setting[ranges[:, 0]])]
     below = float(setting[low - 1]) if low > 0 else float("nan")
-    above = float(setting[high + 1]) if high + 1 < len(setting) else float("nan")
-    return Limits(float(setting[low]), below, float(setting[high]), above)
+    above = float(setting[after]) if after < len(setting) else float("nan")
+    return Limits(float(setting[low]), below, float(setting[after - 1]), above)
