@@ -228,6 +228,11 @@ def _warnings(scene: Resolved, begin: float, record: float, exposure: float | No
             f"ramps end at {scene.built_up:.4g} s, and the statistics include earlier "
             f"times; leave these out by --start '{scene.built_up:.4g} s'"
         )
+    if math.isfinite(scene.lower_joint_until):
+        yield (
+            f"statistics of lfj_angle end with the disconnect at {scene.lower_joint_until:.4g} s, after which "
+            "the riser's lower end is free"
+        )
 
 
 def _of_outputs(scene: Resolved, missed: tuple[str, float]) -> Iterator[str]:

@@ -18,6 +18,9 @@ from riserstudy.scene.limits import SIGNED
 if TYPE_CHECKING:
     import xarray as xr
 
+    from riserstudy.scene.resolve import Resolved
+
+LOWER_ANGLE = "lfj_angle"
 NEGLIGIBLE = 1e-4  # range of a history that counts as constant, relative to its largest value
 EVEN = 1e-6  # largest relative deviation of intervals that count as equal
 OF_A_RECORD = {
@@ -122,10 +125,15 @@ def _over_all_steps(run: xr.Dataset, name: str, s: float | None) -> tuple[float,
     return (row["smallest"], row["largest"]) if row else None
 
 
+def _first_scene(run: xr.Dataset) -> Resolved:
+    """The scene of a run, or of the first run of a study."""
+    index = {str(axis): 0 for axis in run["point_key"].dims} if "point_key" in run else {}
+    return scene_of_point(run, index)
+
+
 def _sizes(run: xr.Dataset) -> tuple[str, ...]:
     """Outputs that are magnitudes: in space, those whose sign in a plane is a convention."""
-    index = {str(axis): 0 for axis in run["point_key"].dims} if "point_key" in run else {}
-    in_space = scene_of_point(run, index).spatial
+    in_space = _first_scene(run).spatial
     return tuple(name for name in SIGNED if name not in "xy") if in_space else ()
 
 
@@ -135,7 +143,11 @@ def _least(value: float, size: bool) -> float:
 
 
 def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | None, str, xr.DataArray]]:
-    """Name, arclength (m), unit and history from a time (s) on, of all outputs that vary with time."""
+    """Name, arclength (m), unit and history from a time (s) on, of all outputs that vary with time.
+
+    The angle of a lower flex joint ends with its release by a disconnect, and is absent if fewer than two of
+    its outputs are left.
+    """
     if "time" not in run:
         raise InputError("dataset", "time", "a static run", "statistics need analysis.duration")
     time = run["time"].values
@@ -149,6 +161,10 @@ def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | Non
     for name, history in later.data_vars.items():
         if "time" not in history.dims or history.dtype.kind != "f":
             continue
+        if name == LOWER_ANGLE:
+            history = history.isel(time=history["time"].values <= _first_scene(run).lower_joint_until)
+            if history.sizes["time"] < 2:
+                continue
         unit = str(history.attrs.get("units", ""))
         across = next((dim for dim in ("s", "cylinder") if dim in history.dims), None)
         for k in range(history.sizes[across] if across else 1):
