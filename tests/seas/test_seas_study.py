@@ -143,6 +143,10 @@ def test_the_parts_simulate_all_that_the_dataset_needs(study, made, monkeypatch)
         ({"axes": {"heading": {"one": {}}}}, "axes.heading: headings give it"),
         ({"set": MODEL["set"] | {"platform.response": None}}, "no irregular sea"),
         ({"axes": {"offset": "readings"}}, "no readings 'offset'"),
+        (
+            {"set": MODEL["set"] | {"platform.cruise": {"speed": "0.5 m/s"}}},
+            "platform.cruise: moves the platform away during the runs in a sea",
+        ),
     ],
 )
 def test_what_cannot_be_meant_is_one_error_before_any_job(tmp_path, changes, told):

@@ -10,7 +10,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import demand_of, error_of, rows_of, too_coarse
-from riserstudy.errors import InputError
 from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import SIGNED, Limit
@@ -18,9 +17,11 @@ from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.study.demand_in_sea import demand
+from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
+NO_VESSEL = "Replace it by `platform`, with `top.x: platform`"
 
 
 class Allowance(NamedTuple):
@@ -42,7 +43,9 @@ def allowances(
     SimulationError when a run cannot be completed.
     """
     scene = file.resolved()
-    _refuse_departures(file.source, scene)
+    refuse_departures(file.source, scene)
+    if scene.vessel:
+        raise departure(file.source, "vessel", "moves away from its offset", NO_VESSEL)
     rest = run(static(scene)).facts
     runs = []
     for seed in range(seeds):
@@ -63,28 +66,6 @@ def _of_limit(scene: Resolved, limit: Limit, rest: RunFacts, runs: Sequence[RunF
     if why:
         return Allowance(math.nan, f"in the runs of the sea, {why}")
     return Allowance(value)
-
-
-def _refuse_departures(source: str, scene: Resolved) -> None:
-    """Refuse a scene with another event or motion, whose effect cannot be separated from that of the sea.
-
-    Raises InputError when the scene has one of them.
-    """
-    if scene.platform and scene.platform.cruise:
-        found = "moves the platform away during the runs in a sea"
-        raise InputError(source, "platform.cruise", found, "Remove it")
-    if scene.disconnect:
-        found = "releases the riser during the runs in a sea"
-        raise InputError(source, "disconnect", found, "Remove it")
-    if scene.vessel:
-        found = "moves away from its offset during the runs in a sea"
-        raise InputError(source, "vessel", found, "Replace it by `platform`, with `top.x: platform`")
-    if scene.top.tension_loss:
-        found = "changes the tension during the runs in a sea"
-        raise InputError(source, "top.tension_loss", found, "Remove it")
-    if scene.top.tensioners and scene.top.tensioners.failing:
-        found = "changes the pull during the runs in a sea"
-        raise InputError(source, "top.tensioners.failing", found, "Write `failed` instead")
 
 
 def allowance(added: FloatArray) -> float:

@@ -4,21 +4,24 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.digests import engine_digest
+from riserstudy.records.numerals import newtons
 from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle
 from riserstudy.seas.directions import FROM
 from riserstudy.seas.heading_parts import Part
 from riserstudy.seas.mesh_of_seas import has_own_mesh
+from riserstudy.seas.record import with_peak_period
 from riserstudy.seas.riser_hours import RiserHours
-from riserstudy.study.in_sea import heading_paths
+from riserstudy.seas.sea_states import with_calm_periods
+from riserstudy.study.in_sea import heading_paths, sea_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -31,9 +34,16 @@ def largest_errors(parts: Sequence[Part], middles: Sequence[Middle]) -> NDArray[
 
 
 def summarise(
-    parts: Sequence[Part], middles: Sequence[Middle], hours: RiserHours, record: xr.Dataset
+    parts: Sequence[Part],
+    middles: Sequence[Middle],
+    hours: RiserHours,
+    record: xr.Dataset,
+    used: Collection[str],
 ) -> list[str]:
-    """A summary of the simulations, as lines of text."""
+    """A summary of the simulations, as lines of text.
+
+    ``used``: quantities of the record that limits on the sea name.
+    """
     riser = parts[0].riser
     count = sum(len(part.cover.states) for part in parts)
     compared = sum(int(part.cover.held_out.sum()) for part in parts)
@@ -51,6 +61,12 @@ def summarise(
             f"runs on {' or '.join(words)}; compared with runs that meet the scene's accuracy, demands "
             f"differ by up to {off:.1%}"
         )
+    lines += [
+        f"{name}: demands are those of runs minus {newtons(mud)}, the weight of the contents above the "
+        "riser's upper end"
+        for name, mud in zip(riser.labels, riser.mud, strict=True)
+        if mud > 0.0
+    ]
     off = max(float(part.estimated.max()) for part in parts)
     if off > 0.0:
         own = has_own_mesh(riser.file) and not meshes
@@ -58,6 +74,7 @@ def summarise(
         lines.append(f"with the scene's {kind}, demands have an estimated error of up to {off:.1%}")
     if riser.seeds == 1:
         lines.append("no band includes the effect of other seeds, which is unknown")
+    lines += _of_record(riser.file, record, used)
     if FROM in record and not directed:
         why = "all seas have the heading of the scene"
         if not heading_paths(riser.file):
@@ -88,6 +105,17 @@ def summarise(
             "value of a limit on the sea, not counted"
         )
     return [*lines, *hours.modes[0].hours.notes]
+
+
+def _of_record(file: SceneFile, record: xr.Dataset, used: Collection[str]) -> list[str]:
+    """How periods of a record were found, and which of its quantities have no effect."""
+    period = with_calm_periods(with_peak_period(record, sea_of(file).peak_enhancement))["peak_period"]
+    lines = [f"peak_period: {period.attrs['comment']}"] if "comment" in period.attrs else []
+    if idle := [name for name in ("wind_speed", "current_speed") if name in record and name not in used]:
+        lines.append(
+            f"not used: {' and '.join(idle)} of the record; current and wind are those of the scene in all rows"
+        )
+    return lines
 
 
 def dataset_of(file: SceneFile, parts: Sequence[Part], middles: Sequence[Middle]) -> xr.Dataset:

@@ -104,7 +104,7 @@ def _counted(
     # a row without a quantity of a sea limit is neither workable nor not workable
     judged = found.among(there[known])
     hours = riser_hours(record, known & there, judged, riser.limits, error, sea)
-    lines = summarise(parts, middles, hours, record)
+    lines = summarise(parts, middles, hours, record, {limit.quantity.name for limit in limits})
     time, interval = record["time"].values[known], float(record.attrs["interval_hours"])
     history = Demands(time, interval, riser.seeds, riser.limits, found)
     return Downtime(hours, dataset_of(file, parts, middles), lines, history)

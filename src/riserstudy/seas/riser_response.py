@@ -14,8 +14,10 @@ from riserstudy.dataset.limits import checked, error_of, label
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
+from riserstudy.scene.pressures import not_in_demand
 from riserstudy.study import store
 from riserstudy.study.demand_in_sea import demand
+from riserstudy.study.departures import check_stays
 from riserstudy.study.in_sea import Sea, phases_of, values_of
 from riserstudy.study.simulate_points import attempt
 from riserstudy.study.study import Study
@@ -38,7 +40,8 @@ class RiserResponse:
     Raises
     ------
     InputError
-        When the scene has no limits, no irregular sea or no duration, or its duration is too long.
+        When the scene has no limits, no irregular sea or no duration, or its duration is too long. When a
+        limit lacks inputs, or the riser does not stay in its place and state during a run.
     """
 
     file: SceneFile
@@ -53,6 +56,7 @@ class RiserResponse:
         if not self.limits:
             raise InputError(self.file.source, "limits", "none", "give the limits of the riser")
         phases_of(self.file, 1)  # refuses a scene without a sea, or a static scene
+        check_stays(self.file)
         if not 0.0 < self.exposure <= self.interval:
             found = f"{self.exposure:g} s after the ramps, the record has a row each {self.interval:g} s"
             raise InputError(self.file.source, "analysis.duration", found, "allowed is up to that")
@@ -78,6 +82,12 @@ class RiserResponse:
         return np.array([limit.allowable for limit in self.limits])
 
     @cached_property
+    def mud(self) -> list[float]:
+        """For each limit, what mud above the riser takes from a smallest tension (N); 0 for other limits."""
+        scene = self.file.resolved()
+        return [not_in_demand(scene, limit) for limit in self.limits]
+
+    @cached_property
     def exposure(self) -> float:
         """Duration of a run after its ramps (s)."""
         scene = self.file.resolved()
@@ -95,7 +105,10 @@ class RiserResponse:
         return min((float(one["facts"]["wall_seconds"]) for one in held if one is not None), default=math.nan)
 
     def __call__(self, states: FloatArray) -> FloatArray:
-        """Demand of each limit, (m, limits), at sea states (m, 2); NaN where a run fails."""
+        """Demand of each limit, (m, limits), at sea states (m, 2); NaN where a run fails.
+
+        Mud above the riser, whose weight the tension of a run does not include, decreases smallest tensions.
+        """
         found = np.full((len(states), len(self.limits)), math.nan)
         kept = self._demands(states)
         for k, state in enumerate(states.tolist()):
@@ -149,7 +162,10 @@ class RiserResponse:
                 continue
             file = study.grid.file(point.index)
             rows = checked(file, file.resolved(), held["facts"])
-            found[point.index] = [math.nan if one.demand is None else one.demand for one in rows]
+            found[point.index] = [
+                math.nan if one.demand is None else one.demand - mud
+                for one, mud in zip(rows, self.mud, strict=True)
+            ]
         return found
 
     def _study(self, states: FloatArray) -> Study:

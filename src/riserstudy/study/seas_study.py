@@ -13,6 +13,7 @@ from riserstudy.errors import InputError
 from riserstudy.inputs.check import check
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Labels, Tier
+from riserstudy.study.departures import check_stays
 from riserstudy.study.in_sea import heading_values, phases_of
 from riserstudy.study.models import StudyModel
 from riserstudy.study.seas_model import HEADING, SeasModel
@@ -90,6 +91,7 @@ class SeasStudy:
             phases_of(file, 1)  # refuses a scene without a sea, or a static scene
             if not file.resolved().limits:
                 raise InputError(self.settings.where, "limits", "none", "give the limits of the riser")
+            check_stays(file)
 
     @cached_property
     def digest(self) -> str:

@@ -1,0 +1,63 @@
+"""Checks of a scene for runs in a sea: no event or motion apart from the sea, and limits with their inputs."""
+
+from __future__ import annotations
+
+from riserstudy.dataset.limits import label
+from riserstudy.errors import InputError
+from riserstudy.scene.limit_inputs import lacks, lacks_outputs
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.resolve import Resolved
+
+
+def check_stays(file: SceneFile) -> None:
+    """Check that runs of a scene in a sea show whether each limit is met in this sea.
+
+    Raises InputError when a limit lacks inputs, a vessel drifts, or an event or a motion away changes the
+    state of the riser during a run.
+    """
+    scene = file.resolved()
+    refuse_departures(file.source, scene)
+    refuse_drifts(file.source, scene)
+    for k, limit in enumerate(scene.limits or []):
+        few = lacks_outputs(scene) if limit.side == "mean" else ""
+        if missing := lacks(scene, limit) or [few] * bool(few):
+            found = f"{label(limit)} cannot be evaluated"
+            raise InputError(file.source, f"limits[{k}]", found, f"give {', '.join(missing)}")
+
+
+def departure(source: str, field: str, what: str, remedy: str) -> InputError:
+    """The error for a part of a scene that changes its state during the runs in a sea."""
+    return InputError(source, field, f"{what} during the runs in a sea", remedy)
+
+
+def refuse_departures(source: str, scene: Resolved) -> None:
+    """Refuse a scene with an event or a motion away, whose effect would count as that of the sea.
+
+    Raises InputError when the scene has one of them.
+    """
+    if scene.platform and scene.platform.cruise:
+        raise departure(source, "platform.cruise", "moves the platform away", "Remove it")
+    if scene.disconnect:
+        raise departure(source, "disconnect", "releases the riser", "Remove it")
+    if scene.top.tension_loss:
+        raise departure(source, "top.tension_loss", "changes the tension", "Remove it")
+    if scene.top.tensioners and scene.top.tensioners.failing:
+        remedy = "Write `failed` instead"
+        raise departure(source, "top.tensioners.failing", "changes the pull", remedy)
+
+
+def refuse_drifts(source: str, scene: Resolved) -> None:
+    """Refuse a scene whose vessel drifts, because no thrust returns it to its place.
+
+    Raises InputError when it does.
+    """
+    vessel = scene.vessel
+    if vessel is None:
+        return
+    thrusters = vessel.thrusters
+    across = thrusters and thrusters.sway
+    held = thrusters and thrusters.gain > 0.0
+    held = held and (vessel.sway is None or not scene.spatial or (across and across.gain > 0.0))
+    if not held:
+        remedy = "Give it `thrusters` with a gain, or replace it by `platform`, with `top.x: platform`"
+        raise departure(source, "vessel", "drifts away", remedy)
