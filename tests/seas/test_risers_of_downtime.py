@@ -86,7 +86,7 @@ def test_a_limit_whose_inputs_are_missing_is_not_met_in_silence(seed, spatial):
     tree["riser"][-1]["length"] *= 0.5
     tree["riser"] = [section, *tree["riser"]]
     file = file_of(tree, [ANGLE, limit])
-    with pytest.raises(InputError, match="limits.1.*von_mises_stress.*contents of section 'bare'"):
+    with pytest.raises(InputError, match=r"limits\[1\].*von_mises_stress.*contents of section 'bare'"):
         RiserResponse(file, 1, 3600.0, 1)
 
 

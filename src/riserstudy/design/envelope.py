@@ -102,7 +102,7 @@ def _each(scene: Resolved, reach: float, added: list[list[Allowance]]) -> list[l
         [
             Offsets(math.nan, math.nan, more.missing)
             if more.missing
-            else offsets_at(at, [limit], reach, {limit.output: more.value})[0]
+            else offsets_at(at, [limit], reach, {limit.output: more.by_place or more.value})[0]
             for limit, more in zip(limits, of_sea, strict=True)
         ]
         for of_sea in added

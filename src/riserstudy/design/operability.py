@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from riserstudy.dataset.limits import Error, demand_of, error_of, taken_by, too_coarse
+from riserstudy.dataset.limits import Error, demand_of, error_of, rows_of, taken_by, too_coarse
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.facts import RunFacts
@@ -36,6 +36,8 @@ from riserstudy.study.processes import each
 
 NODES = 9  # number of initial offsets of a search, the same for all limits
 CLOSE = 0.05  # m, tolerance of an offset
+#: dynamic allowance of an output, in the SI unit of its limit: at all places, or by place
+Added = float | Mapping[str, float]
 
 
 class Offsets(NamedTuple):
@@ -52,14 +54,15 @@ class Offsets(NamedTuple):
     also: float = math.nan
 
 
-def offsets(scene: Resolved, reach: float, allowances: Mapping[str, float]) -> list[Offsets]:
+def offsets(scene: Resolved, reach: float, allowances: Mapping[str, Added]) -> list[Offsets]:
     """The offsets between which each limit of a scene is met.
 
     Parameters
     ----------
     scene : a scene with limits, whose top is held, on a platform or on a vessel.
     reach : largest offset of the search to both sides (m).
-    allowances : dynamic allowances by output, in the SI unit of its limit; absent: none.
+    allowances : dynamic allowances by output, in the SI unit of its limit, at all places of the output or by
+        place as in extremes; absent: none.
     """
     limits = scene.limits or []
     moved(scene, 0.0)  # refuses a scene without an offset that can be changed
@@ -72,14 +75,14 @@ def offsets(scene: Resolved, reach: float, allowances: Mapping[str, float]) -> l
 
 
 def offsets_at(
-    at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, float]
+    at: AtRest, limits: Sequence[Limit], reach: float, allowances: Mapping[str, Added]
 ) -> list[Offsets]:
     """The same for some limits, with static solutions that are shared with other limits."""
     return [_between(at, limit, reach, allowances) for limit in limits]
 
 
 def chart(
-    scenes: Sequence[Resolved], reach: float, allowances: Mapping[str, float], processes: int = 1
+    scenes: Sequence[Resolved], reach: float, allowances: Mapping[str, Added], processes: int = 1
 ) -> list[list[Offsets]]:
     """The same for several scenes, such as different currents and mud densities, in several processes."""
     task = partial(offsets, reach=reach, allowances=allowances)
@@ -170,7 +173,7 @@ def _fine_enough(scene: Resolved, reach: float) -> Mesh:
     return max(meshes, key=lambda mesh: len(mesh.l0))
 
 
-def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, float]) -> Offsets:
+def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, Added]) -> Offsets:
     """The offsets between which one limit is met."""
     if missing := lacks(at.scene, limit):
         return Offsets(math.nan, math.nan, ", ".join(missing))
@@ -208,19 +211,28 @@ def _if_sure(at: AtRest, limit: Limit, found: Offsets) -> Offsets:
     return Offsets(math.nan, math.nan, missing) if missing else found
 
 
-def excess(at: AtRest, limit: Limit, allowance: float, offset: float) -> float:
+def excess(at: AtRest, limit: Limit, allowance: Added, offset: float) -> float:
     """Amount by which a limit is exceeded at an offset (m), in the SI unit of its output; below 0: met.
 
     Raises SimulationError when no equilibrium is found at the offset.
     """
-    found = demand_of(at.scene, limit, at.extremes(offset))
-    if found is None:
+    over = []
+    for row in rows_of(at.scene, limit, at.extremes(offset)):
+        if found := demand_of(at.scene, limit, [row]):
+            added = allowance[row["where"]] if isinstance(allowance, Mapping) else allowance
+            over.append(_excess_of(at.scene, limit, found[0], added))
+    if not over:
         raise SimulationError(f"no {limit.output} at an offset of {offset:g} m")
+    return max(over)
+
+
+def _excess_of(scene: Resolved, limit: Limit, demand: float, allowance: float) -> float:
+    """Excess of a demand at rest, with an allowance except for means; all in one unit."""
     if limit.side == "mean":
-        return found[0] - limit.allowable
+        return demand - limit.allowable
     if limit.side == "smallest":
-        return limit.allowable + allowance + not_in_demand(at.scene, limit) - found[0]
-    return found[0] + allowance - limit.allowable
+        return limit.allowable + allowance + not_in_demand(scene, limit) - demand
+    return demand + allowance - limit.allowable
 
 
 def _least(over: Callable[[float], float], near: float, tried: list[float]) -> float:

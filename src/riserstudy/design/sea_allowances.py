@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import demand_of, error_of, rows_of, too_coarse
+from riserstudy.dataset.limits import error_of, rows_of, too_coarse
 from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import SIGNED, Limit
@@ -27,8 +27,10 @@ NO_VESSEL = "Replace it by `platform`, with `top.x: platform`"
 class Allowance(NamedTuple):
     """The addition of a sea to the demand of a limit."""
 
-    value: float  # in the SI unit of the limit's output; NaN if it is not known
+    value: float  # in the SI unit of the limit's output, the largest of all places; NaN if it is not known
     missing: str = ""  # why it is not known
+    # by place, named as in extremes; absent: the value everywhere
+    by_place: Mapping[str, float] | None = None
 
 
 def allowances(
@@ -36,11 +38,12 @@ def allowances(
 ) -> list[Allowance]:
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
-    Runs have the current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution.
-    Limits on means have no allowance. On a prescribed mesh and step that are too coarse for an output, its
-    allowance is not known. ``notify``: function that receives a description of the next run.
-    Raises InputError when the scene has no irregular sea, or the riser leaves its offset. Raises
-    SimulationError when a run cannot be completed.
+    Each section has an addition of its own, since other sections govern at other offsets. Runs have the
+    current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution. Limits on means
+    have no allowance. On a prescribed mesh and step that are too coarse for an output, its allowance is not
+    known. ``notify``: function that receives a description of the next run. Raises InputError when the scene
+    has no irregular sea, or the riser leaves its offset. Raises SimulationError when a run cannot be
+    completed.
     """
     scene = file.resolved()
     refuse_departures(file.source, scene)
@@ -56,16 +59,20 @@ def allowances(
 
 def _of_limit(scene: Resolved, limit: Limit, rest: RunFacts, runs: Sequence[RunFacts]) -> Allowance:
     """The allowance of a limit, from the facts of the scene at rest and of the runs in the sea."""
-    value = allowance(np.array([_added(scene, limit, rest["extremes"], one["extremes"]) for one in runs]))
+    if limit.side == "mean":
+        return Allowance(0.0)
+    each = [_added(scene, limit, rest["extremes"], one["extremes"]) for one in runs]
+    places = {where: allowance(np.array([one[where] for one in each])) for where in each[0]}
+    value = max(places.values(), default=math.nan)
     if math.isnan(value):
         return Allowance(value, f"{limit.output} in the runs of the sea")
-    if limit.side == "mean" or scene.analysis.mesh is None:
-        return Allowance(value)
+    if scene.analysis.mesh is None:
+        return Allowance(value, "", places)
     errors = [error_of(limit.output, one, own_mesh=True) for one in runs]
     why = too_coarse(limit, max(errors, key=lambda one: one.size))
     if why:
         return Allowance(math.nan, f"in the runs of the sea, {why}")
-    return Allowance(value)
+    return Allowance(value, "", places)
 
 
 def allowance(added: FloatArray) -> float:
@@ -73,21 +80,20 @@ def allowance(added: FloatArray) -> float:
     return max(demand(added, "largest", 1.0).value, 0.0)
 
 
-def _added(scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]) -> float:
-    """The demand of a run minus the demand at rest; NaN if one of them is missing.
+def _added(
+    scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
+) -> dict[str, float]:
+    """By place, the demand of a run minus the demand at rest; empty if it is not known.
 
     For outputs with a sign it is the largest motion to either side of the value at rest. The motion against
     the sign at rest adds to the demand at offsets where the value at rest has the other sign.
     """
-    still, moving = demand_of(scene, limit, rest), demand_of(scene, limit, rows)
-    if limit.side == "mean":
-        return 0.0
-    if still is None or moving is None:
-        return float("nan")
-    if limit.output in SIGNED:
-        of = {row["where"]: row for row in rows_of(scene, limit, rest)}
-        pairs = [(of[row["where"]], row) for row in rows_of(scene, limit, rows) if row["where"] in of]
-        above = (run["largest"] - at_rest["largest"] for at_rest, run in pairs)
-        below = (at_rest["smallest"] - run["smallest"] for at_rest, run in pairs)
-        return float(max([*above, *below]))
-    return still[0] - moving[0] if limit.side == "smallest" else moving[0] - still[0]
+    at_rest = {row["where"]: row for row in rows_of(scene, limit, rest)}
+    added = {}
+    for row in rows_of(scene, limit, rows):
+        if (still := at_rest.get(row["where"])) is None:
+            return {}
+        above, below = row["largest"] - still["largest"], still["smallest"] - row["smallest"]
+        sided = below if limit.side == "smallest" else above
+        added[row["where"]] = float(max(above, below) if limit.output in SIGNED else sided)
+    return added

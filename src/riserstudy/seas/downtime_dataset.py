@@ -113,7 +113,7 @@ def _of_record(file: SceneFile, record: xr.Dataset, used: Collection[str]) -> li
     lines = [f"peak_period: {period.attrs['comment']}"] if "comment" in period.attrs else []
     if idle := [name for name in ("wind_speed", "current_speed") if name in record and name not in used]:
         lines.append(
-            f"not used: {' and '.join(idle)} of the record; current and wind are those of the scene in all rows"
+            f"not used: {' and '.join(idle)} of the record; all rows have the current and wind of the scene"
         )
     return lines
 

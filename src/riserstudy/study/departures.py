@@ -1,4 +1,4 @@
-"""Checks of a scene for runs in a sea: no event or motion apart from the sea, and limits with their inputs."""
+"""Checks of a scene for runs in a sea: no event or motion apart from it, and limits with all inputs."""
 
 from __future__ import annotations
 
@@ -55,9 +55,9 @@ def refuse_drifts(source: str, scene: Resolved) -> None:
     if vessel is None:
         return
     thrusters = vessel.thrusters
-    across = thrusters and thrusters.sway
-    held = thrusters and thrusters.gain > 0.0
-    held = held and (vessel.sway is None or not scene.spatial or (across and across.gain > 0.0))
-    if not held:
+    gains = [thrusters.gain if thrusters else 0.0]
+    if vessel.sway and scene.spatial:
+        gains.append(thrusters.sway.gain if thrusters and thrusters.sway else 0.0)
+    if not all(gain > 0.0 for gain in gains):
         remedy = "Give it `thrusters` with a gain, or replace it by `platform`, with `top.x: platform`"
         raise departure(source, "vessel", "drifts away", remedy)
