@@ -31,6 +31,14 @@ def rows(command, *arguments):
     return json.loads(out)
 
 
+@pytest.mark.parametrize("asked", [["results"], ["results", "quick"], ["sql", "select 1"]])
+def test_json_that_a_file_would_replace_is_refused(command, tmp_path, asked):
+    code, out, err = command(*asked, "--json", "--csv", tmp_path / "made.csv")
+    assert (code, out) == (2, "")
+    assert "--json" in err
+    assert not (tmp_path / "made.csv").exists()
+
+
 WRITES = [
     "insert into papers values ('x')",
     "update points set wall_seconds = 0",

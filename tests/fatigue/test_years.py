@@ -325,6 +325,22 @@ def test_the_command_prints_tables_and_writes_files(tmp_path, commands, monkeypa
     assert "--scatter" in fault
 
 
+@pytest.mark.parametrize(
+    "first, second", [("--csv", "--along"), ("--csv", "--by-sea"), ("--along", "--by-sea")]
+)
+def test_two_tables_of_one_name_are_refused(tmp_path, commands, monkeypatch, first, second):
+    """The second would replace the first."""
+    monkeypatch.chdir(tmp_path)
+    study().to_netcdf("study.nc")
+    table(tmp_path, "hs (m),tp (s),share (%)\n1,8,60\n3,9.5,30\n6,11,10\n")
+    words = [first, "a.csv", second, tmp_path / "a.csv"]
+    code, said, fault = commands("fatigue", "study.nc", "--scatter", "scatter.csv", *words)
+    assert (code, said) == (2, "")
+    assert first in fault
+    assert second in fault
+    assert not (tmp_path / "a.csv").exists()
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_an_unknown_error_of_runs_is_stated(tmp_path, commands, monkeypatch, seed):
     """Some runs or all lack an estimate: a line gives the number of sea states that have one, or none."""

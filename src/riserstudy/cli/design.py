@@ -35,6 +35,8 @@ if TYPE_CHECKING:
     from riserstudy.design.operability import Offsets
     from riserstudy.scene.limits import Limit
 
+SEEDS = 5  # default number of runs of a sea
+
 TensionRatioOption = Annotated[
     float,
     typer.Option(
@@ -210,8 +212,11 @@ def envelope(
         ),
     ] = None,
     seeds: Annotated[
-        int, typer.Option(min=5, help="number of runs of each sea, with different random phases")
-    ] = 5,
+        int | None,
+        typer.Option(
+            min=5, help="number of runs of each sea, with different random phases; requires --sea; default: 5"
+        ),
+    ] = None,
     settings: SetOption = None,
     csv: CsvOption = None,
     force: ForceOption = False,
@@ -230,6 +235,8 @@ def envelope(
     far = positive("--reach", reach, "m")
     speeds = [quantity("--current", one, "m/s") for one in current]
     pairs = [_sea(one) for one in sea or []]
+    if seeds is not None and not pairs:
+        raise InputError("envelope", "--seeds", str(seeds), "allowed only with --sea")
     _once("--current", current, [(speed,) for speed in speeds])
     _once("--sea", sea or [], pairs)
     compile_as_needed()
@@ -239,7 +246,7 @@ def envelope(
     seas = [Sea(*pair) for pair in pairs]
     for one in seas:
         in_sea(file, one, 1).resolved()  # refuses a scene without a sea before any run
-    found = computed(file, far, speeds, seas, seeds, notify)
+    found = computed(file, far, speeds, seas, seeds or SEEDS, notify)
     show(found.table, csv)
     for name, why in found.missing.items():
         print(f"{name}: not evaluated: {why}; rows with this note leave this limit out")
@@ -319,10 +326,12 @@ def _show_modes(found: xr.Dataset, csv: Path | None) -> None:
         [str(mode), *(float(f"{float(found[name][k]):.4g}") for name in ABOUT)]
         for k, mode in enumerate(found["mode"].values)
     ]
+    table = Table(["mode", *ABOUT], ["", *units], rows)
     if rows:
-        show(Table(["mode", *ABOUT], ["", *units], rows), csv)
+        show(table, csv)
     else:
         print("no mode may lock in")
+        write_table(table, csv)  # which replaces the table of another current
 
 
 def _sea(text: str) -> tuple[float, float]:

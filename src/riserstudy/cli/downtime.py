@@ -15,7 +15,6 @@ from riserstudy.cli.shared import (
     PlotOption,
     ReturnOption,
     SetOption,
-    UnitsOption,
     check_targets,
     compile_kernels,
     notify,
@@ -117,6 +116,10 @@ MostOption = Annotated[
     int | None, typer.Option(min=20, help="largest number of sea states to simulate; default: 400")
 ]
 CoresOption = Annotated[int | None, typer.Option(min=1, help="number of processes; default: number of cores")]
+LimitUnitsOption = Annotated[
+    UnitSystem | None,
+    typer.Option(help="units of limits of the scene: SI (si), kN and MPa (field: default), or us"),
+]
 ResponsesOption = Annotated[
     Path | None,
     typer.Option(
@@ -146,7 +149,7 @@ def downtime(
     output: ResponsesOption = None,
     csv: CsvOption = None,
     plot: PlotOption = None,
-    units: UnitsOption = UnitSystem.FIELD,
+    units: LimitUnitsOption = None,
     force: ForceOption = False,
 ) -> None:
     """Compute workable hours of a record of sea states under limits, with weather windows and waiting times.
@@ -167,12 +170,14 @@ def downtime(
     with_scene = {
         "-o": output, "--sectors": sectors, "--x-towards": x_towards, "--vary": vary,
         "--return-period": period, "--set": settings, "--seeds": seeds,
-        "--error": error, "--most": most, "--cores": cores,
+        "--error": error, "--most": most, "--cores": cores, "--units": units and units.value,
     }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
     if vary and (output or plot or period or window):
         allowed = "leave out --output, --plot, --return-period and --window; --csv is possible"
         raise InputError("downtime", "--vary", vary[0], allowed)
+    if vary and units:
+        raise InputError("downtime", "--units", units.value, "has no effect on the table of --vary; omit it")
     limits = [sea_limit(text) for text in limit or []]
     lengths = [positive("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
@@ -197,9 +202,9 @@ def downtime(
     if vary:
         return show(varied(scene, settings or [], vary, simulated, years), csv)
     made = simulated(scene_of(scene, settings))
-    show_riser(made, lengths, years, csv, units)
+    show_riser(made, lengths, years, csv, units or UnitSystem.FIELD)
     if period:
-        _show_returns(made, period, units)
+        _show_returns(made, period, units or UnitSystem.FIELD)
     _write(made, output, plot)
 
 

@@ -98,6 +98,7 @@ def fatigue(
     for path, option in ((along, "--along"), (by_sea, "--by-sea")):
         if path is not None:
             check_output(path, ("table",), reads, force, option)
+    _check_apart({"--csv": csv, "--along": along, "--by-sea": by_sea})
     if scatter and seas:
         raise InputError("--seas", str(seas), "with --scatter", "give only one of the two")
     if gamma and not seas:
@@ -133,6 +134,17 @@ def fatigue(
         from riserstudy.figures.fatigue import fatigue as drawn
 
         save_figure(drawn(years), plot)
+
+
+def _check_apart(tables: dict[str, Path | None]) -> None:
+    """Refuse two tables of one name, of which the second would replace the first."""
+    named: dict[Path, str] = {}
+    for option, path in tables.items():
+        if path is None:
+            continue
+        if other := named.get(path.resolve()):
+            raise InputError(option, str(path), f"the file of {other}, too", "name another file")
+        named[path.resolve()] = option
 
 
 def _summed(

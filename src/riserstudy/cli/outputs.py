@@ -230,8 +230,8 @@ def _warnings(scene: Resolved, begin: float, record: float, exposure: float | No
         )
     if math.isfinite(scene.lower_joint_until):
         yield (
-            f"statistics of lfj_angle end with the disconnect at {scene.lower_joint_until:.4g} s, after which "
-            "the riser's lower end is free"
+            f"statistics of lfj_angle end with the disconnect at {scene.lower_joint_until:.4g} s, because "
+            "the riser's lower end is then free"
         )
 
 

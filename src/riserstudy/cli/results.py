@@ -66,7 +66,7 @@ def results(
 
     words = names or []
     with connect(folder / NAME) as db:
-        _check_csv(csv, db, folder, force)
+        _check_csv(csv, db, folder, force, as_json)
         _note_changes(db, folder)
         table = listing.table_of(db, words[0]) if len(words) == 1 else None
         if table is None and (where or columns or sort):
@@ -93,17 +93,19 @@ def sql(
     from riserstudy.database.ask import NAME, ask, connect
 
     with connect(folder / NAME) as db:
-        _check_csv(csv, db, folder, force)
+        _check_csv(csv, db, folder, force, as_json)
         _note_changes(db, folder)
         answer = ask(db, statement)
     _show(answer, csv, as_json)
 
 
-def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bool) -> None:
-    """Refuse an output that would replace the database, or a file that it describes."""
+def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bool, as_json: bool) -> None:
+    """Refuse an output that would replace the database, or a file that it describes, or printed JSON."""
     from riserstudy.database.ask import NAME, ask
 
     if csv is not None:
+        if as_json:
+            raise InputError("--json", "", "changes nothing with --csv", "give only one of the two")
         files = [folder / str(path) for (path,) in ask(db, "select path from files").rows]
         check_output(csv, ("table",), [folder / NAME, *files], force, "--csv")
 

@@ -84,6 +84,8 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
         name, equals, text = setting.partition("=")
         if not equals or not name.strip():
             raise InputError("--set", setting, "not PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
+        if name.strip() in overrides:
+            raise InputError("--set", setting, f"{name.strip()} is given twice", "give each path once")
         overrides[name.strip()] = plain_yaml(text, f"--set {name.strip()}")
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
