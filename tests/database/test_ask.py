@@ -39,6 +39,20 @@ def test_json_that_a_file_would_replace_is_refused(command, tmp_path, asked):
     assert not (tmp_path / "made.csv").exists()
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_objects_hold_each_column_or_none_is_printed(command, seed):
+    """Two columns of one name would be one value of an object."""
+    draw = random.Random(seed)
+    names = [draw.choice("abc") for _ in range(draw.randint(1, 4))]
+    statement = f"select {', '.join(f'{k} as {name}' for k, name in enumerate(names))}"
+    code, out, err = command("sql", statement, "--json")
+    if len(set(names)) == len(names):
+        assert json.loads(out) == [{name: k for k, name in enumerate(names)}]
+    else:
+        assert (code, out) == (2, "")
+        assert "two columns have this name" in err
+
+
 WRITES = [
     "insert into papers values ('x')",
     "update points set wall_seconds = 0",

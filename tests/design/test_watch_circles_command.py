@@ -238,6 +238,10 @@ def test_limits_that_are_not_reached_and_means_are_named(commands, tmp_path):
         (["--disconnect", "-3 s", "--prepare", "1 s"], "--disconnect"),
         (["--disconnect", "3 s", "--prepare", "1 m"], "--prepare"),
         (["--disconnect", "3 s", "--prepare", "1 s", "--mode", "drilling"], "--mode"),
+        (
+            ["--disconnect", "3 s", "--prepare", "1 s", "--mode", "disconnect", "--mode", "connected"],
+            "--mode: connected: no limit",
+        ),
     ],
 )
 def test_what_cannot_be_meant_is_refused_before_a_run(commands, tmp_path, words, said):

@@ -105,12 +105,11 @@ def watch_circles(
 
     of = file.resolved()
     moves_off(of)
-    modes = [one.value for one in mode or Mode]
-    modes = [one for one in modes if any(limit.mode == one for limit in of.limits or [])]
-    if not modes:
-        raise InputError(
-            "--mode", ", ".join(mode or []), "no limit of the scene has this mode", "Add such a limit"
-        )
+    limited = {limit.mode for limit in of.limits or []}
+    for one in mode or []:
+        if one.value not in limited:
+            raise InputError("--mode", one.value, "no limit of the scene has this mode", "Add such a limit")
+    modes = [one.value for one in Mode if one.value in limited and (not mode or one in mode)]
     compile_kernels(of)
     from riserstudy.simulation.simulate import simulate
 

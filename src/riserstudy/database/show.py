@@ -9,7 +9,7 @@ from typing import Any
 
 from riserstudy.database.ask import Answer
 from riserstudy.dataset.table import aligned
-from riserstudy.errors import printable
+from riserstudy.errors import InputError, printable
 
 WIDEST = 60  # most characters of a text on a screen
 
@@ -34,7 +34,12 @@ def _cell(value: Any) -> str:
 
 
 def as_json(answer: Answer) -> str:
-    """Return a JSON list of objects; a value that JSON has no number for becomes null or text."""
+    """Return a JSON list of objects; a value that JSON has no number for becomes null or text.
+
+    Raises InputError when two columns have one name, of which an object has only the second.
+    """
+    if twice := next((name for name in answer.columns if answer.columns.count(name) > 1), None):
+        raise InputError("--json", twice, "two columns have this name", "rename one of them by 'as'")
     rows = [dict(zip(answer.columns, map(_plain, row), strict=True)) for row in answer.rows]
     return json.dumps(rows, indent=1, ensure_ascii=False, allow_nan=False)
 
