@@ -19,7 +19,7 @@ from riserstudy.advice.changes import fitting
 from riserstudy.dataset.result import Result
 from riserstudy.effects.registry import Change
 from riserstudy.errors import RiserStudyError
-from riserstudy.model.mesh import Mesh, even
+from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.model.vortices import shedding
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -233,9 +233,10 @@ def fixed(file: SceneFile, budget: float) -> tuple[SceneFile, Mesh]:
     scene = file.resolved()
     a = scene.analysis
     segments = len(scene.riser) if massless(scene) else SEGMENTS
-    mesh = even(scene, a.mesh.elements if a.mesh else segments)
+    mesh = prescribed(scene, a.mesh.elements if a.mesh else segments)
     values: dict[str, Any] = {"analysis.accuracy": None, "fatigue": None}  # peaks are compared
-    values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}
+    if not (a.mesh and a.mesh.layers):
+        values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}
     if a.duration:
         step = a.step or period(scene) / STEPS_A_PERIOD
         values["analysis.step"] = f"{step!r} s"
