@@ -126,3 +126,14 @@ def test_what_a_record_has_without_effect_and_how_its_periods_were_found_is_told
     made = riser_downtime(file, record, [sea_limit(one) for one in limits], seeds=1, error=0.5, cores=1)
     assert [line for line in made.lines if line.startswith(f"not used: {idle} of the record")]
     assert [line for line in made.lines if "JONSWAP with gamma 2" in line]
+
+
+@pytest.mark.parametrize("start", [0.0, 3.0, 9.0, 14.0])
+@pytest.mark.parametrize("seed, spatial", CASES[:2])
+def test_extremes_are_those_of_the_time_in_which_they_are_counted(seed, spatial, start):
+    """Else the extremes of a short record would be those of a longer one, and too small for an hour."""
+    late = {"analysis.output.start": f"{start} s"}
+    file = file_of(tree_of(seed, spatial), [ANGLE]).with_values(late, "test")
+    time = run(in_sea(file, SEA, 1).resolved(), estimated=False).arrays["time"]
+    first = max(time[0], file.resolved().built_up)
+    assert RiserResponse(file, 1, 3600.0, 1).exposure == pytest.approx(time[-1] - first, abs=1e-9)

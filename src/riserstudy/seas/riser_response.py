@@ -58,7 +58,10 @@ class RiserResponse:
         phases_of(self.file, 1)  # refuses a scene without a sea, or a static scene
         check_stays(self.file)
         if not 0.0 < self.exposure <= self.interval:
-            found = f"{self.exposure:g} s after the ramps, the record has a row each {self.interval:g} s"
+            found = (
+                f"{self.exposure:g} s after ramps and analysis.output.start, the record has a row each "
+                f"{self.interval:g} s"
+            )
             raise InputError(self.file.source, "analysis.duration", found, "allowed is up to that")
 
     @cached_property
@@ -89,9 +92,11 @@ class RiserResponse:
 
     @cached_property
     def exposure(self) -> float:
-        """Duration of a run after its ramps (s)."""
+        """Duration of a run after its ramps and the start of its outputs (s), in which extremes count."""
         scene = self.file.resolved()
-        return float(scene.analysis.duration or 0.0) - scene.built_up
+        output = scene.analysis.output
+        start = (output.start if output else None) or 0.0
+        return float(scene.analysis.duration or 0.0) - max(scene.built_up, start)
 
     def seconds(self, states: FloatArray) -> float:
         """Elapsed time of a run (s), the smallest over sea states (m, 2), since the first also loads kernels.
