@@ -17,7 +17,7 @@ from riserstudy.seas.synthetic import synthetic
 
 LIMITS = [
     {"output": "ufj_angle", "largest": "0.6 deg", "mode": "drilling"},
-    {"output": "effective_tension", "smallest": "2285 kN", "mode": "connected"},
+    {"output": "effective_tension", "smallest": "2250.5 kN", "mode": "connected"},
 ]
 SEA = in_a_sea(LIMITS, (1, 6, 12, 60), components=20, duration="60 s")
 BY_ACCURACY = {"analysis.mesh": None, "analysis.step": None, "analysis.accuracy": "5 %"}

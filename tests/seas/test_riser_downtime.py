@@ -9,7 +9,9 @@ import xarray as xr
 from platform_in_a_sea import RISER, in_a_sea, words
 
 from riserstudy import load_scene, simulate
+from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.errors import InputError
+from riserstudy.scene.pressures import not_in_tension
 from riserstudy.seas.hours import sea_limit
 from riserstudy.seas.record import write_record
 from riserstudy.seas.riser_downtime import riser_downtime
@@ -20,7 +22,7 @@ from riserstudy.study.in_sea import Sea, in_sea
 LIMITS = [
     {"output": "ufj_angle", "largest": "0.6 deg", "mode": "drilling"},
     {"output": "lfj_angle", "mean": "9 deg", "mode": "drilling"},
-    {"output": "effective_tension", "smallest": "2285 kN", "mode": "connected"},
+    {"output": "effective_tension", "smallest": "2250.5 kN", "mode": "connected"},
 ]
 SEA = in_a_sea(LIMITS, (1, 6, 12, 60), components=30, duration="80 s")
 
@@ -44,8 +46,10 @@ def found(file, record):
 
 
 def demands(run):
-    """Value of each limit, in SI."""
-    return [row["demand"] for row in json.loads(run.attrs["limits"])]
+    """Value of each limit, in SI; a smallest tension without the weight of the mud above the ring."""
+    mud = not_in_tension(scene_of_point(run, {}))
+    rows = json.loads(run.attrs["limits"])
+    return [row["demand"] - (mud if row["side"] == "smallest" else 0.0) for row in rows]
 
 
 def test_demands_are_those_of_runs_in_these_seas(file, record, found):
@@ -62,7 +66,7 @@ def test_hours_are_those_of_a_run_of_every_row(file, record, found):
     rows = np.column_stack([record[n].values for n in ("significant_wave_height", "peak_period")])
     runs = [demands(simulate(in_sea(file, Sea(*row), 1), progress=False)) for row in rows.tolist()]
     angle, mean, tension = np.array(runs).T
-    connected = tension >= 2285e3
+    connected = tension >= 2250.5e3
     drilling = connected & (np.degrees(angle) <= 0.6) & (np.degrees(mean) <= 9.0)
     assert 0.2 < drilling.mean() < 0.98
     for one, true in zip(found.hours.modes, (drilling, connected), strict=True):

@@ -20,7 +20,7 @@ from riserstudy.seas.seas_hours import record_of, seas_hours, simulate_part
 
 LIMITS = [
     {"output": "ufj_angle", "largest": "0.6 deg", "mode": "drilling"},
-    {"output": "effective_tension", "smallest": "2285 kN", "mode": "connected"},
+    {"output": "effective_tension", "smallest": "2250.5 kN", "mode": "connected"},
 ]
 SEA = in_a_sea(LIMITS, (1, 6, 12, 60), components=30, duration="80 s")
 ROWS = 120  # of the record, that are a few days apart
