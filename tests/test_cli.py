@@ -93,7 +93,7 @@ def test_a_terminal_shows_what_is_run(tmp_path):
     pty = pytest.importorskip("pty")
     mine, its = pty.openpty()
     longer = ["--set", "analysis.duration=200 s"]
-    words = ["run", SURGE, "-o", tmp_path / "out.nc", *QUICK, *longer, "--accuracy", "0.03 %"]
+    words = ["run", SURGE, "-o", tmp_path / "out.nc", *longer, "--accuracy", "0.03 %"]
     with subprocess.Popen(
         [Path(sys.executable).with_name("riserstudy"), *words], stdout=its, stderr=its
     ) as command:
