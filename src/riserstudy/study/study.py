@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from itertools import combinations, product
@@ -15,7 +16,8 @@ from riserstudy.digests import dependencies, digest, engine_digest
 from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.scene.origin import Origin
+from riserstudy.scene.origin import Origin, unwrap
+from riserstudy.scene.paths import last_name
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
@@ -174,7 +176,7 @@ class Study:
     @property
     def tables(self) -> dict[str, str]:
         """Texts of the tables that its scenes refer to, by name."""
-        return texts_of_tables([self.base.tree, self._sets], Path(self.base.source).parent)
+        return texts_of_tables([self.base.tree, *self._set_trees], Path(self.base.source).parent)
 
     @property
     def plan_digest(self) -> str:
@@ -187,8 +189,18 @@ class Study:
     def _contents_of_tables(self) -> dict[str, str]:
         """Digests of the tables that its scenes refer to, by name."""
         folder = Path(self.base.source).parent
-        names = sorted({*names_of_tables([self.base.tree, self._sets])})
+        names = sorted({*names_of_tables([self.base.tree, *self._set_trees])})
         return {name: _content(folder, name) for name in names}
+
+    @property
+    def _set_trees(self) -> Iterator[dict[str, Any]]:
+        """Values that values of axes set, without their origins, each below the last name of its path.
+
+        The last name may be ``file``, as in ``current.profile.file``.
+        """
+        for axis in self._sets:
+            for sets in axis:
+                yield from ({last_name(path): unwrap(value)[0]} for path, value in sets.items())
 
     def shard(self, number: int, shards: int) -> list[Point]:
         """Points of one of several jobs, spread over the grid; a job does not plan the points of others."""
