@@ -127,7 +127,8 @@ def a_study_of(lengths, seed, tier="standard"):
     keys = (hashlib.sha256(bytes([seed, *index])).hexdigest() for index in np.ndindex(*lengths))
     points = [Point(index, key) for index, key in zip(np.ndindex(*lengths), keys, strict=True)]
     model = SimpleNamespace(modes=None)
-    return SimpleNamespace(grid=grid, model=model, estimates=True, tier=tier), points
+    ends = {points[0].key, points[-1].key}
+    return SimpleNamespace(grid=grid, model=model, estimates=True, tier=tier, end_keys=ends), points
 
 
 def test_errors_are_estimated_at_few_points_all_and_of_others_at_some_whatever_their_keys():

@@ -39,6 +39,26 @@ studies:
     modes: 3
     axes:
       sample: {count: {preview: 8, standard: 16, reference: 16}, seed: 3}
+  allowed:
+    scene: scenes/riser.yaml
+    caption: against one allowable after the other
+    set: {analysis: {mesh: {elements: 6}}, platform: null, top.x: held}
+    limits:
+      - {output: lfj_angle, largest: 2 deg, mode: drilling}
+      - {output: bending_moment, largest: 2 MN*m, mode: connected}
+    axes:
+      largest: {path: "limits[0].largest", unit: deg, values: {start: 0.5, stop: 4.5, step: 0.25}}
+      tension: {path: top.tension, unit: kN, values: {start: 1000, stop: 2500, step: 500}}
+  governed:
+    scene: scenes/riser.yaml
+    caption: many tensions against limits that errors decide
+    set: {analysis: {mesh: {elements: 5}}, platform: null, top.x: held}
+    limits:
+      - {output: lfj_angle, largest: 1.6 deg, mode: drilling}
+      - {output: lfj_angle, largest: 1.7 deg, mode: connected}
+      - {output: lfj_angle, largest: 1.8 deg, mode: disconnect}
+    axes:
+      tension: {path: top.tension, unit: kN, values: {start: 1500, stop: 2500, step: 20}}
   meshes:
     scene: scenes/riser.yaml
     caption: points with several meshes
@@ -59,7 +79,8 @@ def study_of(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "name, at_once, parts", [("rest", 9, 6), ("moving", 5, 4), ("sampled", 5, 4), ("rest", 43, 2)]
+    "name, at_once, parts",
+    [("rest", 9, 6), ("moving", 5, 4), ("sampled", 5, 4), ("rest", 43, 2), ("governed", 4, 13)],
 )
 def test_a_study_in_parts_has_the_dataset_of_one_that_is_joined_at_once(
     study_of, tmp_path, monkeypatch, name, at_once, parts
@@ -81,12 +102,15 @@ def test_a_study_in_parts_has_the_dataset_of_one_that_is_joined_at_once(
     assert not [*tmp_path.glob(".*.nc*")]
 
 
-def test_points_on_several_meshes_are_joined_at_once(study_of, tmp_path, monkeypatch):
+@pytest.mark.parametrize("name, at_once", [("meshes", 2), ("allowed", 4), ("allowed", 9)])
+def test_points_on_several_meshes_or_with_several_allowables_are_joined_at_once(
+    study_of, tmp_path, monkeypatch, name, at_once
+):
     told = []
-    join.write_study(study_of("meshes"), tmp_path / "whole.nc", 1, told.append)
-    monkeypatch.setattr(join, "AT_ONCE", 2)
-    join.write_study(study_of("meshes"), tmp_path / "parts.nc", 1, told.append)
-    assert any("different meshes" in line for line in told)
+    join.write_study(study_of(name), tmp_path / "whole.nc", 1, told.append)
+    monkeypatch.setattr(join, "AT_ONCE", at_once)
+    join.write_study(study_of(name), tmp_path / "parts.nc", 1, told.append)
+    assert any("different meshes or allowables" in line for line in told)
     with (
         xr.open_dataset(tmp_path / "whole.nc", engine="netcdf4") as whole,
         xr.open_dataset(tmp_path / "parts.nc", engine="netcdf4") as in_parts,

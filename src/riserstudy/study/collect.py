@@ -27,7 +27,7 @@ from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
 from riserstudy.study.common_nodes import NODE_DIGITS, common_nodes
 from riserstudy.study.grid import Point
-from riserstudy.study.limits import add_limits, limited
+from riserstudy.study.limits import add_limits, largest_errors, limited
 from riserstudy.study.modes import add_modes
 from riserstudy.study.needed import with_envelopes
 from riserstudy.study.simulate_points import Count, fill, has_error_estimate, lacks
@@ -290,24 +290,26 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
 
 
 class Known(NamedTuple):
-    """Summary of points: their number, the number with an estimated error, and all their effects."""
+    """Summary of points: their number, the number with an estimated error, all effects, largest errors."""
 
     points: int
     estimated: int
     effects: dict[str, str]
+    errors: dict[str, float]  # relative (1), by quantity
 
 
 def known_of(results: list[Result]) -> Known:
     """Summary of points from their results."""
     estimated = sum(bool(result.facts.get("error_estimate")) for result in results)
     effects = {name: why for r in results for name, why in r.facts["effects"].items()}
-    return Known(len(results), estimated, effects)
+    return Known(len(results), estimated, effects, largest_errors(results))
 
 
 def joined(parts: list[Known]) -> Known:
     """Joint summary of the points of several parts."""
     effects = {name: why for part in parts for name, why in part.effects.items()}
-    return Known(sum(p.points for p in parts), sum(p.estimated for p in parts), effects)
+    errors = {name: max(p.errors.get(name, 0.0) for p in parts) for p in parts for name in p.errors}
+    return Known(sum(p.points for p in parts), sum(p.estimated for p in parts), effects, errors)
 
 
 def attributes_of_points(known: Known) -> dict[str, str]:

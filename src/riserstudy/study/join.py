@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from copy import copy
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -28,6 +28,7 @@ from riserstudy.study.collect import (
     results_of,
     write_dataset,
 )
+from riserstudy.study.limits import limited
 from riserstudy.study.settings import Settings, dataset_tuned, with_setting
 from riserstudy.study.simulate_points import Count
 from riserstudy.study.study import Study
@@ -70,36 +71,56 @@ def write_study(
     """
     tuned = with_setting(study, settings.setting) if settings and settings.setting else None
 
-    before = 0
+    def made(of: Study, as_tuned: Study | None, before: int | None) -> tuple[xr.Dataset, list[Result]]:
+        def counted(done: int, _: int) -> None:
+            if count and before is not None:
+                count(before + done, len(study.grid))
 
-    def counted(done: int, _: int) -> None:
-        if count:
-            count(before + done, len(study.grid))
-
-    def made(of: Study, as_tuned: Study | None) -> tuple[xr.Dataset, list[Result]]:
-        nonlocal before
+        tell = _say_nothing if before is None else notify
         if settings:
-            dataset, results = dataset_tuned(of, settings, as_tuned, processes, notify, counted)
-        else:
-            results, _ = results_of(of, processes, notify, counted)
-            dataset = dataset_of(of, results)
-        before += len(results)
-        return dataset, results
+            return dataset_tuned(of, settings, as_tuned, processes, tell, counted)
+        results, _ = results_of(of, processes, tell, counted)
+        return dataset_of(of, results), results
 
     if len(study.grid) > AT_ONCE:
-        parts = [*_parts(study, tuned, target, made)]
-        try:
-            if _alike(parts):
-                axis = _longest(study)
-                with written_whole(target) as partial:
-                    _take_in(parts, axis, len(study.axes[axis]), partial)
-                return
-        finally:
-            for part in parts:
-                part.path.unlink(missing_ok=True)
-        before = 0
-        notify(f"{study.paper}/{study.name}: points have different meshes and are joined in one step")
-    write_dataset(made(study, tuned)[0], target)
+        if _join_in_parts(study, tuned, target, made):
+            return
+        notify(
+            f"{study.paper}/{study.name}: points have different meshes or allowables and are joined in one step"
+        )
+    write_dataset(made(study, tuned, 0)[0], target)
+
+
+#: function that returns the dataset of a study (of this study as tuned), and its results; it receives the
+#: number of points that are already complete; None: all are, and nothing is reported
+Made = Callable[[Study, Study | None, int | None], tuple["xr.Dataset", list["Result"]]]
+
+
+def _say_nothing(_: str) -> None:
+    """Receive a sentence about points that was already reported."""
+
+
+def _join_in_parts(study: Study, tuned: Study | None, target: Path, made: Made) -> bool:
+    """Write the dataset of a study from parts of it; False if they differ in more than their values.
+
+    Verdicts depend on the largest errors of all points. If these are not known to each part, the parts are
+    written again.
+    """
+    parts: list[Part] = []
+    try:
+        parts += _parts(study, tuned, target, made)
+        errors = joined([part.known for part in parts]).errors
+        if limited(study) and any(part.known.errors != errors for part in parts):
+            parts = [*_parts(study, tuned, target, made, errors)]
+        if not _alike(parts):
+            return False
+        axis = _longest(study)
+        with written_whole(target) as partial:
+            _take_in(parts, axis, len(study.axes[axis]), partial)
+        return True
+    finally:
+        for part in parts:
+            part.path.unlink(missing_ok=True)
 
 
 def _longest(study: Study) -> str:
@@ -107,46 +128,49 @@ def _longest(study: Study) -> str:
 
 
 def _parts(
-    study: Study,
-    tuned: Study | None,
-    target: Path,
-    made: Callable[[Study, Study | None], tuple[xr.Dataset, list[Result]]],
+    study: Study, tuned: Study | None, target: Path, made: Made, errors: Mapping[str, float] | None = None
 ) -> Iterator[Part]:
-    """Write the parts of a study next to its dataset."""
+    """Write the parts of a study next to its dataset; ``errors``: the largest of the study, if known."""
     axis = _longest(study)
     length = len(study.axes[axis])
     many = max(1, AT_ONCE * length // len(study.grid))
+    before = 0
     for first in range(0, length, many):
         last = min(first + many, length)
-        part = _part_of(study, axis, first, last)
-        dataset, results = made(part, _part_of(tuned, axis, first, last) if tuned else None)
+        part = _part_of(study, axis, first, last, errors)
+        as_tuned = _part_of(tuned, axis, first, last, errors) if tuned else None
+        dataset, results = made(part, as_tuned, before if errors is None else None)
+        before += len(results)
         path = target.with_name(f".{target.name}.{os.getpid()}.{first}")
         write_dataset(dataset, path)
         yield Part(path, first, last, known_of(results))
 
 
-def _part_of(study: Study, axis: str, first: int, last: int) -> Study:
+def _part_of(study: Study, axis: str, first: int, last: int, errors: Mapping[str, float] | None) -> Study:
     """A study with some values of one axis, whose points are points of the whole study."""
-    part, number = copy(study), list(study.axes).index(axis)
-    held = vars(part)  # cached properties
+    number = list(study.axes).index(axis)
+    plan = [point for point in study.plan if first <= point.index[number] < last]
+    of_whole = {"grid": study.grid, "end_keys": study.end_keys, "digest": study.digest}
+    part = copy(study)
+    held = vars(part)  # cached properties, and a field
+    held.update(of_whole, plan=plan, largest_errors=errors)
     held["axes"] = study.axes | {axis: study.axes[axis][first:last]}
-    held["plan"] = [point for point in study.plan if first <= point.index[number] < last]
-    held["digest"] = study.digest
     return part
 
 
 def _alike(parts: list[Part]) -> bool:
-    """Whether all parts have the same variables over the same coordinates, except for the divided axis."""
+    """Whether all parts have the same variables over the same coordinates, except for the divided axis.
+
+    Limits in the attributes, with allowables that are equal at all points of a part, must be the same.
+    """
     shapes = set()
     for part in parts:
         with netCDF4.Dataset(part.path) as file:
             file.set_auto_maskandscale(False)
-            shapes.add(
-                tuple(
-                    (name, of.dimensions, str(of.dtype), _over(file, name))
-                    for name, of in file.variables.items()
-                )
+            variables = (
+                (name, of.dimensions, str(of.dtype), _over(file, name)) for name, of in file.variables.items()
             )
+            shapes.add((*variables, file.getncattr("limits") if "limits" in file.ncattrs() else ""))
     return len(shapes) == 1
 
 

@@ -41,13 +41,15 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
     """Add utilisation, demand and verdict of each limit over the axes and ``limit``, if the study has limits.
 
     Points of one mesh and step have similar errors, of which only some are estimated. A point without an
-    estimate therefore has the largest errors of the study, by quantity.
+    estimate therefore has the largest errors of the study, by quantity. For a part of a study, these are
+    ``study.largest_errors``, of the whole study.
     Allowables that differ between points are a variable, and are not in the attribute. Raises InputError when
     points have different limits; only allowables may differ.
     """
     if not limited(study):
         return
-    errors = _largest_errors(results)
+    known = study.largest_errors
+    errors = dict(known) if known is not None else largest_errors(results)
     rows = [
         _checked(file, result, errors)
         for file, result in zip(
@@ -89,7 +91,7 @@ def uses(file: SceneFile, result: Result, dataset: xr.Dataset) -> dict[str, NDAr
     }
 
 
-def _largest_errors(results: list[Result]) -> dict[str, float]:
+def largest_errors(results: list[Result]) -> dict[str, float]:
     """Largest estimated relative error among runs (1), by quantity; empty if none has an estimate."""
     estimates = [result.facts.get("error_estimate", {}) for result in results]
     return {

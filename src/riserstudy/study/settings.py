@@ -99,7 +99,7 @@ def from_plain(held: dict[str, Any]) -> Settings:
 def with_setting(study: Study, setting: Setting) -> Study:
     """A study whose points have a mesh, a step and a method, and no tolerance; its digest does not change."""
     made = copy(study)
-    for name in ("grid", "plan", "kernel_groups"):
+    for name in ("grid", "plan", "end_keys", "kernel_groups"):
         vars(made).pop(name, None)
     vars(made)["base"] = study.base.with_values(setting.values, study.where)
     vars(made)["digest"] = study.digest

@@ -28,13 +28,13 @@ def has_error_estimate(study: Study, point: Point) -> bool:
     An estimate takes as long as the run itself. In a study whose points have the same mesh and step, errors
     are similar, so only one in `ONE_IN` points has an estimate. The first and the last point of the grid
     always have one, because the selection by keys is random, and might select none of some twenty points. In
-    a preview, which should be fast, the same applies to small studies.
+    a preview, which should be fast, the same applies to small studies. Points with the same key, which differ
+    only in their limits, are one run, and all or none of them have an estimate.
     """
-    grid = study.grid
     if not study.estimates:
         return False
-    all_of_them = len(grid) <= FEW and study.tier != "preview"
-    return all_of_them or point.index in grid.ends or int(point.key[:4], 16) % ONE_IN == 0
+    all_of_them = len(study.grid) <= FEW and study.tier != "preview"
+    return all_of_them or int(point.key[:4], 16) % ONE_IN == 0 or point.key in study.end_keys
 
 
 def lacks(study: Study, point: Point, stored: Result | None) -> bool:

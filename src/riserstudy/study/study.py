@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cache, cached_property
 from itertools import combinations, product
@@ -23,7 +23,7 @@ from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
 from riserstudy.study.grid import Grid, Index, Point
 from riserstudy.study.models import StudyModel, TuneAt, meets
-from riserstudy.study.store import canonical
+from riserstudy.study.store import canonical, key_of
 
 # number of points for tuning; number of points of a study below which one point is used
 TUNED_AT, FEW = 12, 1000
@@ -56,6 +56,8 @@ class Study:
     accuracy: str | None = None
     readings: dict[str, Labels] = field(default_factory=dict)
     estimates: bool = True  # whether runs on a prescribed mesh estimate their errors
+    # largest errors (1) by quantity, of all points of the study that this is a part of; None: of its points
+    largest_errors: Mapping[str, float] | None = None
 
     @cached_property
     def base(self) -> SceneFile:
@@ -82,6 +84,7 @@ class Study:
             if isinstance(axis, Numbers):
                 axes[name] = [(x, axis.overrides(x)) for x in axis.numbers(self.tier)]
             elif isinstance(axis, Samples):
+                self._refuse_unknown(axis.leave, name)
                 axes[name] = list(enumerate(self._samples(axis)))
             elif axis == "readings":
                 axes[name] = list(self.readings[name].items())
@@ -113,6 +116,13 @@ class Study:
             labels = tuple(self.readings[name])
             open_values[name] = Origin("assumed", labels[0], options=labels)
         return sample(open_values, axis.count[self.tier], axis.seed)
+
+    def _refuse_unknown(self, leave: list[str], axis: str) -> None:
+        """Refuse assumptions to leave out that the scene does not have, since all would be varied."""
+        assumed = {*self.base.assumed, *self.model.preview}
+        if unknown := [path for path in leave if path not in assumed]:
+            allowed = f"allowed are {', '.join(sorted(self.open_assumptions))}"
+            raise InputError(self.where, f"axes.{axis}.leave", f"no assumption {unknown[0]!r}", allowed)
 
     def _samples(self, axis: Samples) -> list[dict[str, Any]]:
         """Values that each sample sets."""
@@ -150,6 +160,11 @@ class Study:
         keys = remembered(f"plans/{self.plan_digest}", lambda: [p.key for p in self.grid.points()])
         every = product(*(range(len(axis)) for axis in self.grid.axes))
         return [Point(index, key) for index, key in zip(every, keys, strict=True)]
+
+    @cached_property
+    def end_keys(self) -> frozenset[str]:
+        """Keys of the first and the last point. Points that differ only in limits have equal keys."""
+        return frozenset(key_of(self.grid.file(index).resolved()) for index in self.grid.ends)
 
     @cached_property
     def kernel_groups(self) -> list[str]:
