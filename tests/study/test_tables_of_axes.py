@@ -15,7 +15,9 @@ SAMPLES = {"count": dict.fromkeys(("preview", "standard", "reference"), 4)}
 AXES = {
     "path of the file": {name[:-4]: {"current.profile.file": name} for name in NAMES},
     "path of the profile": {name[:-4]: {"current.profile": {"file": name}} for name in NAMES},
-    "path of the current": {name[:-4]: {"current": {"profile": {"file": name}, "beyond": "hold"}} for name in NAMES},
+    "path of the current": {
+        name[:-4]: {"current": {"profile": {"file": name}, "beyond": "hold"}} for name in NAMES
+    },
     "with an origin": {
         name[:-4]: {"current.profile.file": {"assumed": name, "because": "a test"}} for name in NAMES
     },
@@ -72,7 +74,5 @@ def test_an_edit_of_a_table_that_samples_choose_is_seen(spatial, tmp_path):
     draw = np.random.default_rng(7)
     lay_out(tmp_path, 7, spatial, draw)
     check_edits(
-        tmp_path,
-        draw,
-        lambda: study_of(tmp_path, SAMPLES | {"seed": 1}, **{"current.profile.file": ASSUMED}),
+        tmp_path, draw, lambda: study_of(tmp_path, SAMPLES | {"seed": 1}, **{"current.profile.file": ASSUMED})
     )

@@ -25,8 +25,8 @@ from riserstudy.jobs.plan_checks import (
 )
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Tier
-from riserstudy.study.config import RULES, Config
-from riserstudy.study.models import StudyFile
+from riserstudy.study.config import GRADED, RULES, Config
+from riserstudy.study.models import RENAME, StudyFile
 from riserstudy.study.read import read_studies
 from riserstudy.study.seas_study import SeasStudy
 from riserstudy.study.study import Study, scene_file
@@ -93,19 +93,20 @@ class Configuration:
         return cls(config, settings | overrides, only)
 
     def _refuse_equal_names(self) -> None:
-        """Refuse names that give two rules one name: figure ``b_c`` of ``a`` and figure ``c`` of ``a_b``."""
+        """Refuse names that give two rules one name: figure ``b_c`` of ``a`` and figure ``c`` of ``a_b``.
+
+        The table of a figure must not have the name of a table of verdicts either.
+        """
         taken: dict[str, str] = {paper: f"paper {paper}" for paper in self.papers}
         for paper, name in self.figures():
             rule, label = f"{paper}_{name}", f"figure {name} of {paper}"
+            section = "figures" if name in self.files[paper].figures else "schematics"
+            where = self.config / "studies" / f"{paper}.yaml", f"{section}.{name}"
+            if name in GRADED:
+                raise InputError(*where, f"its table {name}.csv is that of verdicts, too", RENAME)
             if rule in RULES or rule in taken:
                 other = taken.get(rule, f"a rule named {rule}")
-                path = self.config / "studies" / f"{paper}.yaml"
-                raise InputError(
-                    path,
-                    f"figures.{name}",
-                    f"as a target {rule!r} it is {other}, too",
-                    "give one of them another name",
-                )
+                raise InputError(*where, f"as a target {rule!r} it is {other}, too", RENAME)
             taken[rule] = label
 
     @cached_property

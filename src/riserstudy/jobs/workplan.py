@@ -25,6 +25,7 @@ from riserstudy.grading.words_file import words_path
 from riserstudy.jobs.configuration import Configuration
 from riserstudy.simulation.compile import marker
 from riserstudy.simulation.kernel_groups import GROUPS
+from riserstudy.study.config import GRADED
 from riserstudy.study.grid import Point
 from riserstudy.study.measured import MeasuredModel, Setting
 from riserstudy.study.store import canonical, key_of
@@ -36,8 +37,6 @@ MEASURE = "riserstudy.chapters.measure"
 SETTINGS = "riserstudy.study.settings"
 SEAS = "riserstudy.seas.seas_hours"
 GRADE = "riserstudy.grading.falsify"  # it imports the grading itself
-# tables of each paper, and of all papers
-GRADED = ("reproduction", "errata", "margins", "false_claims")
 REPORT = "riserstudy.report"
 DATABASE = "riserstudy.database.build"
 SIDE_BY_SIDE = 8  # threads that the jobs of one study of a record share
@@ -191,7 +190,8 @@ class Workplan(Configuration):
         if figure is None:
             model = self.files[paper].schematics[name]
             scene = self.schematic(paper, name)
-            drawn = json.dumps(canonical(scene.resolved())) + json.dumps(sorted(scene.assumed))
+            marked = [sorted(scene.assumed), sorted(scene.calibrated)]
+            drawn = json.dumps(canonical(scene.resolved())) + json.dumps(marked)
             drawn += model.cylinders + json.dumps(model.remarks, sort_keys=True)
         else:
             drawn = " ".join((figure.plot or "", *(figure.of or [])))

@@ -70,14 +70,18 @@ class Numbers(Strict):
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
             raise Misfit("values", "is empty or repeats a value", "give one or more different values")
-        if self.preview and not set(self.preview) <= set(numbers):
-            raise Misfit("preview", "has a value that is not in values", "give some of the values")
+        if self.preview is not None:
+            some = set(self.preview)
+            if not some <= set(numbers):
+                raise Misfit("preview", "has a value that is not in values", "give some of the values")
+            if not some or len(some) != len(self.preview):
+                raise Misfit("preview", "is empty or repeats a value", "give some of the values, each once")
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
         """Values for a tier, in the axis's unit."""
         every = self.values.values if isinstance(self.values, Steps) else self.values
-        return self.preview if tier == "preview" and self.preview else every
+        return self.preview if tier == "preview" and self.preview is not None else every
 
     @property
     def paths(self) -> list[str]:

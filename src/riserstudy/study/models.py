@@ -24,6 +24,7 @@ from riserstudy.study.seas_model import SeasModel
 MOST_MODES = 1000
 #: settings of the analysis that may be coarser in a preview
 SETTINGS = ("analysis.accuracy", "analysis.mesh", "analysis.method", "analysis.step")
+RENAME = "give one of them another name"
 #: names of papers, datasets and figures, which become names of files
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
 
@@ -269,7 +270,12 @@ class StudyFile(Strict):
         for name in sorted(set(self.schematics) & set(self.figures)):
             yield Misfit(f"schematics.{name}", "a figure of that name", "give it another name")
         for name in sorted(n for n in set(self.datasets) if self.datasets.count(n) > 1):
-            yield Misfit(name, "the name of two datasets", "give one of them another name")
+            yield Misfit(name, "the name of two datasets", RENAME)
+        for names in (self.datasets, [*self.schematics, *self.figures]):
+            if alike := in_another_case(names):
+                yield Misfit(
+                    alike[1], f"differs from {alike[0]!r} in case only: one file on some systems", RENAME
+                )
         known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):
@@ -294,6 +300,15 @@ class StudyFile(Strict):
                 if figure.plot and count < least:
                     found = f"{study!r} has {count} axes"
                     yield Misfit(f"figures.{name}.plot", found, f"allowed are {least} or more")
+
+
+def in_another_case(names: Iterable[str]) -> tuple[str, str] | None:
+    """Two names that differ only in upper and lower case; None without such names."""
+    known: dict[str, str] = {}
+    for name in names:
+        if known.setdefault(name.lower(), name) != name:
+            return known[name.lower()], name
+    return None
 
 
 def _among(names: Iterable[str]) -> str:
