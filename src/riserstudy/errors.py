@@ -8,7 +8,11 @@ LONGEST = 400  # most characters of a part of a message
 def printable(value: object) -> str:
     """Return a value as text for a message: of bounded length, on one line, without control characters."""
     text = str(value)
-    text = text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ..."
+    return on_one_line(text if len(text) <= LONGEST else f"{text[: LONGEST - 4]} ...")
+
+
+def on_one_line(text: str) -> str:
+    """Return a text with escapes in place of line breaks and other control characters."""
     return "".join(c if c.isprintable() else c.encode("unicode_escape").decode("ascii") for c in text)
 
 

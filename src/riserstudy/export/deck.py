@@ -8,7 +8,7 @@ import re
 from dataclasses import dataclass, field
 from typing import Any
 
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, on_one_line
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, leaves, parent, within, without_indices
@@ -56,7 +56,8 @@ class Deck:
 
     def text(self) -> str:
         """Return the deck as a text data file."""
-        head = ["%YAML 1.1", "# Type: Model", f"# Made from {self.file.source.rpartition('/')[2]}"]
+        source = self.file.source.rpartition("/")[2]
+        head = ["%YAML 1.1", "# Type: Model", f"# Made from {on_one_line(source)}"]
         return "\n".join([*head, "---", *_lines(self.objects, 0), ""])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any, NamedTuple
 
+from riserstudy.errors import on_one_line
 from riserstudy.importers.orcaflex.deck import EMPTY, Part
 
 MOST_LISTED = 40  # most characters of a listed value
@@ -26,7 +27,10 @@ class Entry(NamedTuple):
 
 
 def left_out(deck: Part) -> list[str]:
-    """Return lines that name everything that the scene lacks, the most important first."""
+    """Return lines that name everything that the scene lacks, the most important first.
+
+    Names in a deck may have line breaks; a line has escapes in their place.
+    """
     apart, otherwise, entries = _gathered(deck)
     drawn = [entry for entry in entries if DRAWN.search(entry.key)]
     off = [entry for entry in entries if entry not in drawn and _is_off(entry.value)]
@@ -41,7 +45,7 @@ def left_out(deck: Part) -> list[str]:
     for label, some in (("values that are 0 or none", off), ("values that affect only drawings", drawn)):
         keys = dict.fromkeys(f"{entry.of}.{entry.key}".lstrip(".") for entry in some)
         plain += [f"{label}: {', '.join(keys)}"] if keys else []
-    return [*apart, *otherwise, *plain]
+    return [on_one_line(line) for line in (*apart, *otherwise, *plain)]
 
 
 def _is_off(value: str) -> bool:

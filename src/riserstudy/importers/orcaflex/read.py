@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 
-from riserstudy.errors import InputError, InputErrors
+from riserstudy.errors import InputError, InputErrors, on_one_line
 from riserstudy.importers.orcaflex.chain import Bearings, Roles, roles, write_point_counts
 from riserstudy.importers.orcaflex.constraints import turns_in
 from riserstudy.importers.orcaflex.deck import Part, q
@@ -169,6 +169,6 @@ def as_text(found: Imported, deck: Path) -> str:
     writer = YAML()
     writer.width = 120
     writer.dump(found.tree, out)
-    head = [f"# Made from {deck.name} by `riserstudy import`. Of the deck is not in it:"]
+    head = [f"# Made from {on_one_line(deck.name)} by `riserstudy import`. Of the deck is not in it:"]
     head += [f"#   {line}" for line in found.left_out] or ["#   nothing"]
     return "\n".join([*head, out.getvalue()])
