@@ -21,15 +21,13 @@ def test_values_of_a_preview_are_some_of_the_values_each_once_or_refused(seed):
     draw = random.Random(seed)
     values = draw.sample(range(-20, 20), draw.randint(1, 6))
     preview = draw.choices(values, k=draw.randint(0, len(values)))
-    try:
-        axis = Numbers(path="top.tension", unit="kN", values=values, preview=preview)
-    except ValidationError as error:
-        assert "preview" in str(error)
-        assert not preview or any(preview.count(one) > 1 for one in preview)
+    given = {"path": "top.tension", "unit": "kN", "values": values, "preview": preview}
+    if not preview or any(preview.count(one) > 1 for one in preview):
+        with pytest.raises(ValidationError, match="preview"):
+            Numbers(**given)
         return
+    axis = Numbers(**given)
     assert axis.numbers("preview") == preview
-    assert sorted({*preview}) == sorted(preview)
-    assert preview
     assert axis.numbers("standard") == values
 
 
@@ -58,5 +56,5 @@ def test_samples_leave_the_named_assumptions_and_refuse_a_name_that_is_none(seed
         assert {path for sets in samples([left]) for path in sets} == {*assumed} - {left}
     assert {path for sets in samples([]) for path in sets} == {*assumed}
     for wrong in (draw.choice(others), left[:-1], left.rpartition(".")[0]):
-        with pytest.raises(InputError, match="axes.sample.leave: no assumption"):
+        with pytest.raises(InputError, match=r"axes\.sample\.leave: no assumption"):
             samples([left, wrong])

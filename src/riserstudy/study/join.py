@@ -85,9 +85,8 @@ def write_study(
     if len(study.grid) > AT_ONCE:
         if _join_in_parts(study, tuned, target, made):
             return
-        notify(
-            f"{study.paper}/{study.name}: points have different meshes or allowables and are joined in one step"
-        )
+        differ = "points have different meshes or allowables"
+        notify(f"{study.paper}/{study.name}: {differ} and are joined in one step")
     write_dataset(made(study, tuned, 0)[0], target)
 
 

@@ -78,7 +78,10 @@ class Study:
 
     @cached_property
     def axes(self) -> dict[str, list[tuple[Any, dict[str, Any]]]]:
-        """For each axis, its coordinate values, each with the values that it sets."""
+        """For each axis, its coordinate values, each with the values that it sets.
+
+        Raises InputError when samples leave an assumption that the scene does not have.
+        """
         axes: dict[str, list[tuple[Any, dict[str, Any]]]] = {}
         for name, axis in self.model.axes.items():
             if isinstance(axis, Numbers):
