@@ -1,4 +1,4 @@
-"""Names in a deck are text: whatever characters they have, the scene that is written is the scene imported."""
+"""Names in a deck are text: whatever characters they have, the scene written is the scene imported."""
 
 import json
 import random
