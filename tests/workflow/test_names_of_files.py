@@ -1,5 +1,6 @@
 """Names of studies and figures become names of files: two that would be one file are refused."""
 
+import os
 import random
 from pathlib import Path
 
@@ -7,6 +8,7 @@ import pytest
 
 from riserstudy.errors import InputError
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.jobs import configuration
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.new import new_study
 
@@ -39,18 +41,38 @@ def in_other_case(name, draw):
     "section, one, other",
     [("figures", "moment_over_heave", "surge_and_current"), ("studies", "heave", "heave_and_current")],
 )
-def test_names_that_differ_in_case_only_are_refused(section, one, other, seed):
+def test_names_in_another_case_are_refused_where_they_are_one_file(section, one, other, seed, monkeypatch):
     name = in_other_case(one, random.Random(seed))
     rename(other, name)
     if section == "studies":
         STUDY.write_text(STUDY.read_text().replace(f"reads: [{other}]", f"reads: [{name}]"))
-    with pytest.raises(InputError, match=f"{name}: differs from '{one}' in case only"):
+    monkeypatch.setattr(configuration, "ignores_case", lambda file: True)
+    with pytest.raises(InputError, match=f"{section}: '{one}' and '{name}' are one file"):
         Workplan.read(Path("config"), {})
+    monkeypatch.setattr(configuration, "ignores_case", lambda file: False)
+    Workplan.read(Path("config"), {})
 
 
-def test_papers_that_differ_in_case_only_are_refused():
-    with pytest.raises(InputError, match="papers: 'example' and 'Example' are one folder"):
-        Workplan.read(Path("config"), {"papers": ["example", "Example"]})
+def test_papers_in_another_case_are_refused_where_they_are_one_folder(monkeypatch):
+    (STUDY.parent / "Example.yaml").write_text("paper: Example\nstudies: {}\n")
+    papers = {"papers": ["example", "Example"]}
+    Workplan.read(Path("config"), papers)
+    monkeypatch.setattr(configuration, "ignores_case", lambda file: True)
+    with pytest.raises(InputError, match="papers: 'example' and 'Example' are one file"):
+        Workplan.read(Path("config"), papers)
+
+
+def test_a_system_ignores_case_if_another_case_is_the_same_file():
+    file, other = Path("config/config.yaml"), Path("config/CONFIG.YAML")
+    if other.exists():
+        assert configuration.ignores_case(file)
+        return
+    assert not configuration.ignores_case(file)
+    other.write_text("another")
+    assert not configuration.ignores_case(file)
+    other.unlink()
+    os.link(file, other)  # what such a system shows
+    assert configuration.ignores_case(file)
 
 
 def test_no_two_rules_write_one_file():

@@ -54,6 +54,8 @@ class Configuration:
         self.papers = self.settings.papers
         self.files: dict[str, StudyFile] = {p: read_studies(config, p) for p in self.papers}
         self._refuse_equal_names()
+        if ignores_case(config / "config.yaml"):
+            self._refuse_names_in_another_case()
         if only is None:
             # these files, too, are checked before any job
             for paper, printed in self.published.items():
@@ -108,6 +110,20 @@ class Configuration:
                 other = taken.get(rule, f"a rule named {rule}")
                 raise InputError(*where, f"as a target {rule!r} it is {other}, too", RENAME)
             taken[rule] = label
+
+    def _refuse_names_in_another_case(self) -> None:
+        """Refuse names that differ only in upper and lower case, where the system makes them one file."""
+        groups = [(self.config / "config.yaml", "papers", self.papers)]
+        for paper, file in self.files.items():
+            where = self.config / "studies" / f"{paper}.yaml"
+            groups += [(where, "studies", file.datasets)]
+            groups += [(where, "figures", [*file.schematics, *file.figures])]
+        for where, field, names in groups:
+            known: dict[str, str] = {}
+            for name in names:
+                if (other := known.setdefault(name.lower(), name)) != name:
+                    found = f"{other!r} and {name!r} are one file on this system"
+                    raise InputError(where, field, found, RENAME)
 
     @cached_property
     def published(self) -> dict[str, PublishedFile]:
@@ -176,3 +192,9 @@ class Configuration:
         return [
             (paper, name) for paper, file in self.files.items() for name in (*file.schematics, *file.figures)
         ]
+
+
+def ignores_case(file: Path) -> bool:
+    """Whether the folder of an existing file has no other file with its name in another case."""
+    other = file.with_name(file.name.swapcase())
+    return other.exists() and other.samefile(file)

@@ -9,7 +9,7 @@ from pydantic import Field, model_validator
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.study.axes import Tier
-from riserstudy.study.models import RENAME, Name, in_another_case
+from riserstudy.study.models import Name
 
 
 class TierModel(Strict):
@@ -50,8 +50,6 @@ class Config(Strict):
             raise Misfit("tiers", f"lacks the tier {self.tier!r}", "add the tier that is to run")
         if len(set(self.papers)) != len(self.papers):
             raise Misfit("papers", "names a paper twice", "name each once")
-        if alike := in_another_case(self.papers):
-            raise Misfit("papers", f"{alike[0]!r} and {alike[1]!r} are one folder on some systems", RENAME)
         if taken := RULES.intersection(self.papers):
             raise Misfit(
                 "papers", f"{taken.pop()!r} is the name of a rule of the workflow", "use another name"

@@ -271,11 +271,6 @@ class StudyFile(Strict):
             yield Misfit(f"schematics.{name}", "a figure of that name", "give it another name")
         for name in sorted(n for n in set(self.datasets) if self.datasets.count(n) > 1):
             yield Misfit(name, "the name of two datasets", RENAME)
-        for names in (self.datasets, [*self.schematics, *self.figures]):
-            if alike := in_another_case(names):
-                yield Misfit(
-                    alike[1], f"differs from {alike[0]!r} in case only: one file on some systems", RENAME
-                )
         known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):
@@ -300,15 +295,6 @@ class StudyFile(Strict):
                 if figure.plot and count < least:
                     found = f"{study!r} has {count} axes"
                     yield Misfit(f"figures.{name}.plot", found, f"allowed are {least} or more")
-
-
-def in_another_case(names: Iterable[str]) -> tuple[str, str] | None:
-    """Two names that differ only in upper and lower case; None without such names."""
-    known: dict[str, str] = {}
-    for name in names:
-        if known.setdefault(name.lower(), name) != name:
-            return known[name.lower()], name
-    return None
 
 
 def _among(names: Iterable[str]) -> str:
