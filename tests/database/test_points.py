@@ -1,11 +1,13 @@
 """From points of the database back to arrays."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 import workspace
 import xarray as xr
+from ruamel.yaml import YAML
 
 from riserstudy import dataset_of, open_point, query, simulate
 from riserstudy.errors import InputError
@@ -53,6 +55,41 @@ def test_points_of_different_grids_stand_over_all_their_nodes_and_times(here):
     foreign = ~np.isin(found["s_node"].values, dataset("plain/surge")["s_node"].values)
     assert foreign.any()
     assert np.isnan(found["x_max"].isel(point=1).values[foreign]).all()
+
+
+def add_study(name, axes):
+    """Add a study of surge to a paper, with its dataset, and build the database again."""
+    path = Path("config/studies/plain.yaml")
+    yaml = YAML()
+    tree = yaml.load(path)
+    about = {"scene": "scenes/surge.yaml", "set": workspace.PRESCRIBED, "caption": name, "axes": axes}
+    tree["studies"][name] = json.loads(json.dumps(about))
+    yaml.dump(tree, path)
+    workspace.simulate("plain", name)
+    workspace.built()
+
+
+@pytest.mark.parametrize("unit, size", [("mm", 1e-3), ("ft", 0.3048), ("km", 1e3), ("m", 1.0)])
+@pytest.mark.parametrize("first", ["plain/surge", "plain/other"])
+def test_axes_in_several_units_have_the_unit_of_the_first(mine, unit, size, first):
+    values = [round(metres / size, 9) for metres in (1.25, 2.0)]
+    add_study("other", {"amplitude": {**workspace.AMPLITUDES, "unit": unit, "values": values}})
+    chosen = [int(p) for study in ("plain/surge", "plain/other") for p in keys(study)["point"]]
+    chosen = chosen if first == "plain/surge" else chosen[::-1]
+    found = dataset_of(chosen)["amplitude"]
+    in_metres = found.values * (1.0 if first == "plain/surge" else size)
+    for metres, point in zip(in_metres, chosen, strict=True):
+        asked = "select value from parameters where point = ? and path = 'platform.surge.amplitude'"
+        assert metres == pytest.approx(query(asked, [point])["value"].item(), rel=1e-9)
+    assert found.attrs["units"] == ("m" if first == "plain/surge" else unit)
+
+
+def test_axes_of_one_name_and_several_dimensions_are_refused(mine):
+    path = "platform.surge.period"
+    add_study("other", {"amplitude": {"path": path, "unit": "s", "values": [9.5, 11.0]}})
+    chosen = [int(keys(study)["point"][0]) for study in ("plain/surge", "plain/other")]
+    with pytest.raises(InputError, match="plain/other: amplitude: is in 's', and in another study in 'm'"):
+        dataset_of(chosen)
 
 
 def test_every_variable_of_selected_points_has_a_name_and_a_unit(here):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from riserstudy.database.ask import DATABASE, ask, connect
 from riserstudy.dataset.netcdf import refuse_damaged
 from riserstudy.dataset.other_files import refuse_other_files
+from riserstudy.dataset.unit_names import factor_between
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
@@ -84,7 +86,8 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     """Join the stored variables of selected points into one dataset, along the dimension ``point``.
 
     If the studies of the points have different nodes or times, the dataset contains the nodes and times of
-    all these studies. Where a study has no value, the dataset contains NaN. Nothing is interpolated.
+    all these studies. Where a study has no value, the dataset contains NaN. Nothing is interpolated. Values
+    that studies have in different units, such as axes in kN and MN, are converted to the unit of the first.
 
     Parameters
     ----------
@@ -101,7 +104,8 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     Raises
     ------
     InputError
-        When a point does not exist, or the dataset file that the database names is missing.
+        When a point does not exist, the dataset file that the database names is missing, or two studies have
+        a value in units of different dimensions.
     """
     import xarray as xr
 
@@ -115,10 +119,11 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     if not wanted or (missing := [point for point in wanted if point not in places]):
         missing_text = f"no point {missing[0]}" if wanted else "no points"
         raise InputError(database, "points", missing_text, "allowed are numbers of table points")
-    parts = []
+    parts: list[xr.Dataset] = []
     for study, path in dict.fromkeys((places[point][0], places[point][1]) for point in wanted):
         mine = [point for point in places if places[point][0] == study]
-        parts.append(_part(Path(database).parent / path, mine, [places[p][2] for p in mine], study))
+        part = _part(Path(database).parent / path, mine, [places[p][2] for p in mine], study)
+        parts.append(_in_units_of(parts, part, study))
     if len(parts) == 1:
         return parts[0].sel(point=wanted)
     # an axis that is missing in some studies is a variable while the studies are joined
@@ -132,6 +137,21 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
         combine_attrs="drop_conflicts",
     )
     return joined.set_coords(axes).sel(point=wanted)
+
+
+def _in_units_of(others: list[xr.Dataset], part: xr.Dataset, study: str) -> xr.Dataset:
+    """Points of a study, with the units of the studies before it."""
+    for name in map(str, part.variables):
+        before = next((other[name] for other in others if name in other.variables), part[name])
+        units = [str(values.attrs.get("units", "")) for values in (part[name], before)]
+        if units[0] == units[1] or {part[name].dtype.kind, before.dtype.kind} - {*"fiu"}:
+            continue
+        ratio = factor_between(units[0], units[1])
+        if math.isnan(ratio):
+            found = f"is in {units[0]!r}, and in another study in {units[1]!r}"
+            raise InputError(study, name, found, "select points of one of these studies")
+        part[name] = (part[name].dims, ratio * part[name].values, before.attrs)
+    return part
 
 
 def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr.Dataset:
