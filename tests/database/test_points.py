@@ -155,6 +155,25 @@ def test_a_point_says_what_its_study_left_out_and_the_rest_is_simulated_again(mi
     assert open_point(key).identical(found)
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_a_point_with_another_table_than_its_scene_has_now_is_refused(mine, seed):
+    """Else its dataset would hold a table that it was not simulated with."""
+    table = Path("config/scenes/current.csv")
+    draw = np.random.default_rng(seed)
+    speeds = draw.uniform(0.1, 0.9, (2, 2)).round(3).tolist()
+    texts = [f"elevation (m), speed (m/s)\n-9000, {low}\n9000, {high}\n" for high, low in speeds]
+    table.write_text(texts[0])
+    add_study("other", {"flow": {"measured": {"current": {"profile": {"file": "current.csv"}}}}})
+    key = keys("plain/other")["key"][0]
+    before = open_point(key)
+    assert json.loads(before.attrs["provenance"])["tables"] == {"current.csv": texts[0]}
+    table.write_text(texts[1])
+    with pytest.raises(InputError, match="was simulated with other tables than those beside"):
+        open_point(key)
+    table.write_text(texts[0])
+    assert open_point(key).identical(before)
+
+
 def test_another_engine_does_not_tell_the_rest_of_a_point(mine, monkeypatch):
     key = keys("plain/sampled")["key"][2]
     monkeypatch.setattr(store, "engine_digest", lambda: "another engine")

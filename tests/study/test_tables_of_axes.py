@@ -1,13 +1,16 @@
 """Tables that axes name, in any notation: an edit of one is seen, and datasets hold the texts of all."""
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from random_rigs import rig, written
 
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
+from riserstudy.study.sweep import as_study
 
 NAMES = ("first.csv", "second.csv")
 SAMPLES = {"count": dict.fromkeys(("preview", "standard", "reference"), 4)}
@@ -76,3 +79,28 @@ def test_an_edit_of_a_table_that_samples_choose_is_seen(spatial, tmp_path):
     check_edits(
         tmp_path, draw, lambda: study_of(tmp_path, SAMPLES | {"seed": 1}, **{"current.profile.file": ASSUMED})
     )
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(4))
+def test_a_scene_of_a_dataset_is_planned_with_the_tables_of_the_dataset(seed, spatial, tmp_path):
+    """Whatever files of their names are beside it."""
+    draw = np.random.default_rng(seed)
+    lay_out(tmp_path, seed, spatial, draw)
+    file = read_scene(tmp_path / "rig.yaml")
+    axes = {"water.density": [1020.0 + seed, 1030.0]}
+    planned = as_study(file, axes, None)
+    elsewhere = tmp_path / "elsewhere"
+    for foreign in (False, True):
+        elsewhere.mkdir(exist_ok=True)
+        held = {"base.csv": (tmp_path / "base.csv").read_text()}
+        if foreign:
+            write_current(elsewhere, "base.csv", draw.uniform(0.05, 0.8, 3).tolist())
+        alone = SceneFile(str(elsewhere / "run.nc"), file.tree, file.origins, held=held)
+        study = as_study(alone, axes, None)
+        assert [p.key for p in study.plan] == [p.key for p in planned.plan]
+        assert study.tables == planned.tables
+        other = as_study(
+            replace(alone, held={"base.csv": held["base.csv"].replace("400", "500")}), axes, None
+        )
+        assert {p.key for p in other.plan}.isdisjoint(p.key for p in planned.plan)

@@ -42,13 +42,15 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
     Raises
     ------
     InputError
-        When the store does not contain the point, or its stored file is damaged; with ``whole``, also when
-        the engine or a table of the scene has changed since the point was simulated.
+        When the store does not contain the point, its stored file is damaged, or a table of the scene has
+        changed since the point was simulated; with ``whole``, also when the engine has changed.
     """
     from riserstudy.dataset.label import to_dataset
+    from riserstudy.digests import engine_digest
     from riserstudy.model.absent_effects import absent
     from riserstudy.scene.load import SceneFile
     from riserstudy.scene.origin import Origin
+    from riserstudy.scene.tables import names_of_tables
     from riserstudy.study import store
 
     held = store.all_of(key)
@@ -61,12 +63,23 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
     file = SceneFile(about["source"], about["scene"], origins)
     if whole and left_out:
         result, left_out = _anew(key, file, result), []
+    elif about["engine"] == engine_digest() and [*names_of_tables(about["scene"])]:
+        _refuse_other_tables(key, file)
     dataset = to_dataset(result, file, absent(set(result.facts["effects"])))
     provenance = json.loads(dataset.attrs["provenance"]) | {"engine": about["engine"]}
     del provenance["riserstudy"]  # the engine digest identifies the code that simulated the point
     dataset.attrs["provenance"] = json.dumps(provenance)
     dataset.attrs["left_out"] = json.dumps(left_out)
     return dataset
+
+
+def _refuse_other_tables(key: str, file: SceneFile) -> None:
+    """Refuse a point whose tables have changed: the dataset would state tables that it was not run with."""
+    from riserstudy.study import store
+
+    if store.key_of(file.resolved()) != key:
+        found = f"point {key!r} was simulated with other tables than those beside {file.source} now"
+        raise InputError("store", "", found, "restore them, or use dataset_of")
 
 
 def _anew(key: str, file: SceneFile, stored: Result) -> Result:

@@ -131,7 +131,7 @@ class Grid:
         tree = SceneFile(self.base.source, alone).with_values(sets, self.layer).tree
         if name not in tree and not _FIELDS[name].is_required():
             return Part(None, "null")
-        value = getattr(_ALONE[name].model_validate(fill_in_tables(tree, self._folder)), name)
+        value = getattr(_ALONE[name].model_validate(fill_in_tables(tree, self._folder, self.base.held)), name)
         return Part(value, text_of(value))
 
 

@@ -194,7 +194,8 @@ class Study:
     @property
     def tables(self) -> dict[str, str]:
         """Texts of the tables that its scenes refer to, by name."""
-        return texts_of_tables([self.base.tree, *self._set_trees], Path(self.base.source).parent)
+        folder, held = Path(self.base.source).parent, self.base.held
+        return texts_of_tables([self.base.tree, *self._set_trees], folder, held)
 
     @property
     def plan_digest(self) -> str:
@@ -206,9 +207,9 @@ class Study:
     @property
     def _contents_of_tables(self) -> dict[str, str]:
         """Digests of the tables that its scenes refer to, by name."""
-        folder = Path(self.base.source).parent
+        folder, held = Path(self.base.source).parent, self.base.held
         names = sorted({*names_of_tables([self.base.tree, *self._set_trees])})
-        return {name: _content(folder, name) for name in names}
+        return {name: _content(folder, name, held) for name in names}
 
     @property
     def _set_trees(self) -> Iterator[dict[str, Any]]:
@@ -256,10 +257,10 @@ def _in_order(sets: dict[str, Any]) -> Any:
     return [*sets.items()] if any(meets(*two) for two in combinations(sets, 2)) else sets
 
 
-def _content(folder: Path, name: str) -> str:
+def _content(folder: Path, name: str, held: Mapping[str, str] | None) -> str:
     """Digest of a table; "" if it cannot be read as one, which planning reports."""
     try:
-        (text,) = texts_of_tables({"file": name}, folder).values()
+        (text,) = texts_of_tables({"file": name}, folder, held).values()
     except InputError:
         return ""
     return hashlib.sha256(text.encode()).hexdigest()
