@@ -157,6 +157,21 @@ def test_the_size_of_what_goes_is_told_before_anything_is_asked(command, monkeyp
     assert gone > 0
 
 
+@pytest.mark.parametrize("seas", [False, True])
+def test_runs_in_sea_states_are_said_to_be_among_points_of_no_study(command, seas):
+    """Their keys are not known before the hours of the record are counted."""
+    leftovers()
+    path = workspace.Path("config/studies/plain.yaml")
+    yaml = YAML()
+    tree = yaml.load(path)
+    if seas:
+        about = {"scene": "scenes/surge.yaml", "caption": "hours", "record": "sea.csv"}
+        tree["seas"] = {"years": about}
+        yaml.dump(tree, path)
+    out = command("prune", "--yes")[1]
+    assert ("these may be runs in sea states of plain/years; without them" in out) == seas
+
+
 def test_points_of_old_engines_go_and_all_that_studies_need_stays(command):
     needed = leftovers()
     before = sum(held.bytes for held in store.everything())

@@ -11,6 +11,7 @@ from riserstudy.errors import InputError
 from riserstudy.scene.paths import leaves, value_at
 from riserstudy.study.axes import TIERS, Numbers
 from riserstudy.study.models import StudyModel
+from riserstudy.study.seas_model import SeasModel
 from riserstudy.study.study import Study
 
 COUNT = dict.fromkeys(TIERS, 4)
@@ -58,3 +59,19 @@ def test_samples_leave_the_named_assumptions_and_refuse_a_name_that_is_none(seed
     for wrong in (draw.choice(others), left[:-1], left.rpartition(".")[0]):
         with pytest.raises(InputError, match=r"axes\.sample\.leave: no assumption"):
             samples([left, wrong])
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_windows_and_return_periods_of_a_record_are_different_or_refused(seed):
+    draw = random.Random(seed)
+    hours = draw.choices([6, 12, 24, 48], k=draw.randint(1, 4))
+    windows = [draw.choice([f"{h} h", f"{60 * h} min", f"{h / 24} d"]) for h in hours]
+    years = draw.choices([2, 10, 50, 100], k=draw.randint(1, 4))
+    about = {"scene": "rig.yaml", "caption": "c", "record": "sea.csv"}
+    repeated = [name for name, of in (("windows", hours), ("return_periods", years)) if len({*of}) < len(of)]
+    given = about | {"windows": windows, "return_periods": years}
+    if not repeated:
+        assert len(SeasModel(**given).windows) == len({*hours})
+        return
+    with pytest.raises(ValidationError, match=f"{repeated[0]}: repeats"):
+        SeasModel(**given)

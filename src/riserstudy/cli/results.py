@@ -189,6 +189,9 @@ def prune(
     old, strange = (counted(len(found), "file") for found in (superfluous.old, superfluous.strange))
     print(f"damaged, or of another engine version or file format: {old}, {size['old']:.1f} MB")
     print(f"of this engine version, but not used by a study here: {strange}, {size['strange']:.1f} MB")
+    if superfluous.strange and superfluous.seas:
+        of = ", ".join(superfluous.seas)
+        print(f"these may be runs in sea states of {of}; without them, the next change of it repeats them")
     going = [*superfluous.old, *(superfluous.strange if every else [])]
     if not going:
         print("nothing to remove")

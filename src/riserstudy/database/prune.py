@@ -23,12 +23,14 @@ class Unneeded:
     """Points that can be removed.
 
     ``old``: of other engines or formats, or damaged. ``strange``: of this engine, but of no study here.
-    ``needed``: number of points that must stay.
+    ``needed``: number of points that must stay. ``seas``: datasets of seas here (paper/name), whose runs are
+    found only when their hours are counted, and are among ``strange``.
     """
 
     old: list[store.Held] = field(default_factory=list)
     strange: list[store.Held] = field(default_factory=list)
     needed: int = 0
+    seas: list[str] = field(default_factory=list)
 
 
 def unneeded(database: Path, config: Path) -> Unneeded:
@@ -38,7 +40,7 @@ def unneeded(database: Path, config: Path) -> Unneeded:
     database, if it exists, lists. Raises InputError when the configuration is invalid.
     """
     keys = planned(config) | _spoken_of(database)
-    superfluous = Unneeded()
+    superfluous = Unneeded(seas=_seas(config))
     for held in store.everything():
         if held.key in keys:
             superfluous.needed += 1
@@ -66,11 +68,7 @@ def planned(config: Path) -> Set[str]:
 
     Raises InputError when a file of the configuration cannot be read.
     """
-    path = config / "config.yaml"
-    tree = read_yaml(path, keep=True)
-    if not isinstance(tree, dict):
-        raise InputError(path, "", "not a mapping", "it starts with names such as 'papers:'")
-    settings = check(Config, tree, path)
+    settings = _settings(config)
     keys: set[str] = set()
     for paper in settings.papers:
         file = read_studies(config, paper)
@@ -82,3 +80,16 @@ def planned(config: Path) -> Set[str]:
                 if model.modes:
                     keys.update(key_of_modes(point.key, model.modes) for point in study.plan)
     return keys
+
+
+def _seas(config: Path) -> list[str]:
+    papers = _settings(config).papers
+    return [f"{paper}/{name}" for paper in papers for name in read_studies(config, paper).seas]
+
+
+def _settings(config: Path) -> Config:
+    path = config / "config.yaml"
+    tree = read_yaml(path, keep=True)
+    if not isinstance(tree, dict):
+        raise InputError(path, "", "not a mapping", "it starts with names such as 'papers:'")
+    return check(Config, tree, path)

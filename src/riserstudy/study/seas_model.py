@@ -77,6 +77,8 @@ class SeasModel(Strict):
                 raise Misfit(
                     "record", "lies in another folder", "must lie below the folder of the configuration"
                 )
-        for text in self.windows:
-            to_si(text, "s")
+        if len({to_si(text, "s") for text in self.windows}) < len(self.windows):
+            raise Misfit("windows", "repeats a length", "give each once, in any unit")
+        if len({*self.return_periods}) < len(self.return_periods):
+            raise Misfit("return_periods", "repeats a period", "give each once")
         return self
