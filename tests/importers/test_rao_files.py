@@ -252,3 +252,29 @@ def test_a_dataset_with_missing_values_is_refused(tmp_path, seed):
     dataset.to_netcdf(tmp_path / "gap.nc")
     with pytest.raises(InputError, match="RAO: no value at"):
         from_capytaine(tmp_path / "gap.nc")
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize("code", ["wamit", "capytaine"])
+@pytest.mark.parametrize("share", [1e-4, 0.05])
+def test_two_responses_to_one_heading_agree_in_each_motion_or_are_refused(
+    tmp_path, monkeypatch, capsys, code, motion, share
+):
+    """Rotations, in rad/m, are small numbers beside displacements: they have a measure of their own."""
+    made = made_up
+    monkeypatch.setattr(sys.modules[__name__], "HEADINGS", (0.0, 90.0, 360.0))
+
+    def response(name, period, heading):
+        factor = 1.0 + share if heading == 360.0 and name == motion else 1.0
+        return factor * made(name, period, heading % 360.0)
+
+    monkeypatch.setattr(sys.modules[__name__], "made_up", response)
+    source = wamit(tmp_path / "a.4") if code == "wamit" else capytaine(tmp_path / "a.nc")
+    words = ["--length", "1 m"] if code == "wamit" else []
+    if share < 1e-3:
+        imported(source, *words)
+        assert "heading 360 deg: that of 0 deg" in capsys.readouterr().out
+        return
+    with pytest.raises(SystemExit):
+        imported(source, *words)
+    assert "a response that differs from that at 0 deg, the same heading" in capsys.readouterr().err

@@ -276,7 +276,7 @@ def _once_a_turn(path: Path, found: Operators) -> Operators:
         twin = next((k for k in kept if abs(math.remainder(k - heading, 360.0)) < SAME), None)
         if twin is None:
             kept[heading] = rows
-        elif _same(kept[twin], rows):
+        elif _same(found.columns, kept[twin], rows):
             found.left_out.append(f"heading {heading:g} deg: that of {twin:g} deg")
         else:
             at = f"a response that differs from that at {twin:g} deg, the same heading"
@@ -284,16 +284,22 @@ def _once_a_turn(path: Path, found: Operators) -> Operators:
     return found._replace(rows=[row for rows in kept.values() for row in rows])
 
 
-def _same(one: list[list[float]], other: list[list[float]]) -> bool:
-    """Return whether printed responses at two headings agree; rows of period, heading, sizes and phases."""
-    if len(one) != len(other):
+def _same(columns: list[str], one: list[list[float]], other: list[list[float]]) -> bool:
+    """Return whether printed responses at two headings agree; rows of period, heading, sizes and phases.
+
+    ``columns``: headings of the table. Displacements and rotations have different units, so each are compared
+    with the largest of their kind.
+    """
+    if len(one) != len(other) or [row[0] for row in one] != [row[0] for row in other]:
         return False
     values = []
     for rows in (one, other):
         table = np.array(rows)
         values.append(table[:, 2::2] * np.exp(1j * np.radians(table[:, 3::2])))
-    same = np.allclose(values[0], values[1], rtol=0.0, atol=ROUNDED * np.abs(values[0]).max())
-    return bool(same) and [row[0] for row in one] == [row[0] for row in other]
+    off, size = np.abs(values[0] - values[1]), np.abs(values[0])
+    turns = np.array(["rad/m" in name for name in columns[2::2]])
+    kinds = [kind for kind in (turns, ~turns) if kind.any()]
+    return all(off[:, kind].max() <= ROUNDED * size[:, kind].max() for kind in kinds)
 
 
 def _columns(motions: list[str]) -> list[str]:
