@@ -3,13 +3,16 @@
 import json
 import random
 
+import numpy as np
 import pytest
 from pydantic import ValidationError
-from random_rigs import moving, written
+from random_rigs import moving, rig, written
 
+from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError
 from riserstudy.scene.paths import leaves, value_at
 from riserstudy.study.axes import TIERS, Numbers
+from riserstudy.study.collect import dataset_of
 from riserstudy.study.models import StudyModel
 from riserstudy.study.seas_model import SeasModel
 from riserstudy.study.study import Study
@@ -75,3 +78,44 @@ def test_windows_and_return_periods_of_a_record_are_different_or_refused(seed):
         return
     with pytest.raises(ValidationError, match=f"{repeated[0]}: repeats"):
         SeasModel(**given)
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(6))
+def test_what_a_dataset_says_that_a_sample_assumes_is_an_input_of_its_points(seed, spatial, tmp_path):
+    """Other axes may replace an assumption at all points, at some, or none."""
+    tree, draw = written(rig(seed, spatial=spatial)), random.Random(seed)
+    (tmp_path / "rig.yaml").write_text(json.dumps(tree))
+    paths = ["water.density", "riser[0].mass", "gravity"]
+    values = {path: value_at(tree, path) for path in paths}
+    values = {path: value for path, value in values.items() if value}
+    assumed = {
+        path: {"assumed": value, "options": [value, _more(value, 1.01)], "because": "t"}
+        for path, value in values.items()
+    }
+    path, other = draw.sample(sorted(values), 2) if len(values) > 1 else [*values] * 2
+    axes = {
+        "sample": {"count": COUNT, "seed": seed},
+        "all": {f"{k}": {path: _more(values[path], k)} for k in (1.02, 1.03)},
+        "some": {"own": {}, "another": {other: _more(values[other], 1.04)}},
+    }
+    axes = {name: axes[name] for name in draw.sample(sorted(axes), 3)}
+    model = {"scene": "rig.yaml", "caption": "c", "set": assumed, "axes": axes, "keep": []}
+    study = Study("own", "any", StudyModel.model_validate(model), tmp_path, "standard")
+    results = [Result({"s_node": np.array([0.0, 1.0])}, {"effects": {}, "warnings": []})] * len(study.plan)
+    dataset = dataset_of(study, results)
+    told = {of.attrs["long_name"]: of for name, of in dataset.items() if str(name).startswith("assumed_")}
+    assert {*assumed} - {*told} <= {path}
+    for point in study.plan:
+        index = dict(zip(study.axes, point.index, strict=True))
+        scene = study.grid.file(point.index).tree
+        for name, of in told.items():
+            some = dataset["some"].values[index["some"]]
+            if name != other or some == "own":
+                assert str(value_at(scene, name)) == of.isel(sample=index["sample"]).item()
+
+
+def _more(value, factor):
+    """A quantity in its unit, times a factor."""
+    number, unit = str(value).split(" ", 1)
+    return f"{float(number) * factor!r} {unit}"

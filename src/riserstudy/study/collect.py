@@ -21,7 +21,7 @@ from riserstudy.dataset.variables import attributes, cf_unit
 from riserstudy.errors import SimulationError
 from riserstudy.records.facts import point_columns
 from riserstudy.records.words import counted
-from riserstudy.scene.paths import as_name
+from riserstudy.scene.paths import as_name, within
 from riserstudy.simulation.curve import at_stations, between_nodes, curve_of
 from riserstudy.study import store
 from riserstudy.study.axes import Numbers, Samples
@@ -274,7 +274,10 @@ def laid_on(result: Result, nodes: NDArray[np.float64]) -> Result:
 
 
 def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
-    """Add the inputs that each sample assumes, as variables named assumed_..."""
+    """Add the inputs that each sample assumes, as variables named assumed_...
+
+    An assumption that every value of a later axis replaces is an input of no point, and is left out.
+    """
     import xarray as xr
 
     for name, axis in study.model.axes.items():
@@ -282,11 +285,20 @@ def _add_sampled(dataset: xr.Dataset, study: Study) -> None:
             continue
         every = study.assumed(axis)
         samples = [every[number] for number, _ in study.axes[name]]
+        axes = [*study.axes]
+        later = [study.axes[other] for other in axes[axes.index(name) + 1 :]]
         for path in samples[0]:
+            if path not in axis.readings and any(_replaces(steps, path) for steps in later):
+                continue
             values = [assumed[path] for assumed in samples]
             plain = [v if isinstance(v, int | float) else str(v) for v in values]
             label = "assumed_" + as_name(path)  # riser[0].mass: riser_0_mass
             dataset[label] = xr.DataArray(plain, dims=name, attrs={"long_name": path})
+
+
+def _replaces(steps: list[tuple[Any, dict[str, Any]]], path: str) -> bool:
+    """Whether every value of an axis sets a path, or a part of the scene that contains it."""
+    return all(any(within(path, own) for own in sets) for _, sets in steps)
 
 
 class Known(NamedTuple):
