@@ -115,6 +115,27 @@ def test_what_a_dataset_says_that_a_sample_assumes_is_an_input_of_its_points(see
                 assert str(value_at(scene, name)) == of.isel(sample=index["sample"]).item()
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_an_interpretation_with_the_name_of_an_assumption_is_refused(seed, tmp_path):
+    """Both would be one variable of the dataset."""
+    tree, draw = written(rig(seed)), random.Random(seed)
+    (tmp_path / "rig.yaml").write_text(json.dumps(tree))
+    path = draw.choice([path for path in ("water.density", "riser[0].mass") if value_at(tree, path)])
+    value = value_at(tree, path)
+    assumed = {path: {"assumed": value, "options": [value, _more(value, 1.01)], "because": "t"}}
+    name = path.replace("[0]", "_0").replace(".", "_")
+    for reading in (name, f"{name}_too"):
+        axes = {"sample": {"count": COUNT, "seed": seed, "readings": [reading]}}
+        model = {"scene": "rig.yaml", "caption": "c", "set": assumed, "axes": axes}
+        readings = {reading: {"one": {"note": "one"}, "two": {"note": "two"}}}
+        study = Study("own", "any", StudyModel.model_validate(model), tmp_path, "standard", readings=readings)
+        if reading == name:
+            with pytest.raises(InputError, match=f"would be one variable, assumed_{name}"):
+                study.plan  # noqa: B018
+        else:
+            assert len(study.axes["sample"]) == 4
+
+
 def _more(value, factor):
     """A quantity in its unit, times a factor."""
     number, unit = str(value).split(" ", 1)

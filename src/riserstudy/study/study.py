@@ -17,7 +17,7 @@ from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin, unwrap
-from riserstudy.scene.paths import last_name
+from riserstudy.scene.paths import as_name, last_name
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
@@ -111,13 +111,21 @@ class Study:
         return ", ".join(words)
 
     def assumed(self, axis: Samples) -> list[dict[str, Any]]:
-        """The assumptions of each sample: values by path of the scene, and interpretations by name."""
+        """The assumptions of each sample: values by path of the scene, and interpretations by name.
+
+        Raises InputError when an interpretation has the name of the variable of another assumption.
+        """
         from riserstudy.study.sampling import sample
 
         open_values = {p: o for p, o in self.open_assumptions.items() if p not in axis.leave}
         for name in axis.readings:
             labels = tuple(self.readings[name])
             open_values[name] = Origin("assumed", labels[0], options=labels)
+        names: dict[str, str] = {}
+        for path in open_values:
+            if (other := names.setdefault(as_name(path), path)) != path:
+                found = f"{other!r} and {path!r} would be one variable, assumed_{as_name(path)}"
+                raise InputError(self.where, "axes", found, "give the interpretation another name")
         return sample(open_values, axis.count[self.tier], axis.seed)
 
     def _refuse_unknown(self, leave: list[str], axis: str) -> None:
