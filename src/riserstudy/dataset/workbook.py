@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from riserstudy.dataset.table import Cell, Table, heads
-from riserstudy.errors import InputError
+from riserstudy.errors import InputError, on_one_line
 from riserstudy.folders import whole_file
 
 ENDING = ".xlsx"
@@ -25,7 +25,9 @@ def lacks_library(target: Path) -> InputError | None:
 
 
 def _cell(value: Cell) -> Cell:
-    """A cell that a workbook can hold: NaN and infinity become words."""
+    """A cell that a workbook can hold: NaN and infinity become words, control characters escapes."""
+    if isinstance(value, str):
+        return on_one_line(value)
     return str(value) if isinstance(value, float) and not math.isfinite(value) else value
 
 
@@ -48,7 +50,7 @@ def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
             allowed = f"allowed in a workbook are {LONGEST}; write this table as .csv"
             raise InputError("--output", str(target), f"{len(table.rows)} rows of {name}", allowed)
         sheet = book.create_sheet(name)
-        sheet.append(heads(table))
+        sheet.append([_cell(head) for head in heads(table)])
         for row in table.rows:
             sheet.append([_cell(cell) for cell in row])
             for cell in sheet[sheet.max_row]:
