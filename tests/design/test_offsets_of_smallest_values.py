@@ -68,3 +68,18 @@ def test_offsets_on_the_other_side_of_the_well_are_not_left_out_in_silence(seed,
     (row,) = envelope(file, reach, [1.2], [], 5).table.rows
     assert f"smallest {output} is met at other offsets, too" in row[-1]
     assert math.isinf(found.low) != math.isinf(found.high)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_worst_of_several_values_below_an_allowable_of_zero_governs(seed):
+    """All have an infinite utilisation; value and place are those of the largest compression."""
+    draw = np.random.default_rng(seed)
+    scene = file_of(in_a_current(seed)[0], "effective_tension", 0.0).resolved()
+    names = [section.name for section in scene.riser]
+    values = draw.uniform(-5e5, 1e5 if seed % 3 == 0 else -1e3, len(names))
+    rows = [
+        {"output": "effective_tension", "where": name, "smallest": float(value), "smallest_s": float(k)}
+        for k, (name, value) in enumerate(zip(names, values, strict=True))
+    ]
+    value, place, _ = demand_of(scene, scene.limits[0], rows)
+    assert (value, place) == (values.min(), int(values.argmin()))

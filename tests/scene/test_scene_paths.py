@@ -66,7 +66,7 @@ def test_a_length_more_or_a_name_less_is_another_path():
     assert paths.as_name("riser[0].drag.coefficient") == "riser_0_drag_coefficient"
 
 
-NO_PATHS = ["", "a..b", "a[x]", "[0]", "a[0", "0a", "a b"]
+NO_PATHS = ["", "a..b", "a[x]", "[0]", "a[0", "0a", "a b", "a[00]", "a[01]"]
 
 
 @pytest.mark.parametrize("path", NO_PATHS)
@@ -95,3 +95,14 @@ def test_nothing_is_put_where_nothing_leads():
         assert tree == before
     paths.put(tree, "riser[0].mass", None)
     assert tree == {"riser": [{}], "top": "held"}
+
+
+@pytest.mark.parametrize("file", SCENES, ids=lambda file: file.stem)
+def test_a_replaced_value_has_no_origin_of_what_it_replaces(file):
+    """Each key and list of a scene with assumptions below it, written anew as plain values."""
+    scene = read_scene(file)
+    places = {place for path in scene.origins for place in paths.and_above(path)}
+    for place in sorted(places):
+        anew = scene.with_values({place: copy.deepcopy(paths.value_at(scene.tree, place))}, "set")
+        assert not [path for path in anew.origins if paths.within(path, place)]
+        assert {path for path in scene.origins if not paths.within(path, place)} == set(anew.origins)

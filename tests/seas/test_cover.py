@@ -225,3 +225,21 @@ def test_means_and_single_seeds_count_as_they_are():
     check_seeds(1)
     with pytest.raises(InputError, match="allowed are 1"):
         check_seeds(3)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_an_interpolation_whose_checks_all_fail_is_not_accepted(seed):
+    """Runs that fail wherever the interpolation gives a value leave it unchecked."""
+    draw = np.random.default_rng(seed)
+    of, done = board(lambda height, _: draw.integers(1, 50, len(height))), []
+
+    def run(states):
+        done.append(len(states))
+        return resonant()(states) if len(done) == 1 else np.full((len(states), len(ALLOWED)), np.nan)
+
+    try:
+        found = cover(of, run, ALLOWED, 1e3, len(of.states), seed)
+    except SimulationError:
+        return
+    held = found.states[found.held_out]
+    assert np.isnan(found.surface.at(held)).all()

@@ -243,7 +243,10 @@ def demand_of(
     """
     there = rows_of(scene, limit, rows)
     demands = [_demand(limit, row) for row in there if limit.side in row]  # few outputs have no mean
-    return max(demands, key=lambda one: use(limit.side, one[0], limit.allowable), default=None)
+    sign = -1.0 if limit.side == "smallest" else 1.0  # of two with infinite utilisation, the worse governs
+    return max(
+        demands, key=lambda one: (use(limit.side, one[0], limit.allowable), sign * one[0]), default=None
+    )
 
 
 def rows_of(scene: Resolved, limit: Limit, rows: list[dict[str, Any]]) -> list[dict[str, Any]]:

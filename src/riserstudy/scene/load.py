@@ -58,7 +58,7 @@ class SceneFile:
             except LookupError as error:
                 found, allowed = f"no {error.args[0]!r} there", "allowed are paths of the scene"
                 raise InputError(layer, path, found, allowed) from None
-            origins = {k: v for k, v in origins.items() if not (k + ".").startswith(path + ".")}
+            origins = {k: v for k, v in origins.items() if not paths.within(k, path)}
             origins |= statuses
         layers = self.layers | dict.fromkeys(overrides, layer)
         return SceneFile(self.source, tree, origins, layers, self.held)

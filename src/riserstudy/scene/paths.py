@@ -8,7 +8,7 @@ from functools import lru_cache
 from typing import Any
 
 Step = str | int
-_STEP = re.compile(r"[A-Za-z_]\w*(\[\d{1,6}\])*")
+_STEP = re.compile(r"[A-Za-z_]\w*(\[(0|[1-9]\d{0,5})\])*")
 _INDEX = re.compile(r"\[\d+\]")
 
 

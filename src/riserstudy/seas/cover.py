@@ -81,11 +81,12 @@ def cover(
             held = _drawn(of, surface, allowed, scale, known, draw)
             notify(f"{counted(len(held), 'sea state')} to check the interpolation between {len(known)}")
             came = run(of.states[held]) if held else responses[:0]
-            off = off_by(surface.at(of.states[held]), came, scale)
-            failed = np.isnan(came).any() and not np.isnan(off).all()
-            if not failed and np.nanmax(off, initial=0.0) <= error:
+            predicted = surface.at(of.states[held])
+            off = off_by(predicted, came, scale)
+            failed = (np.isnan(came) & ~np.isnan(predicted)).any()
+            worst = float(np.nanmax(off, initial=0.0))
+            if not failed and worst <= error:
                 return _whole(of, known, responses, held, came, off)
-            worst = float(np.nanmax(off))
             more, found = held, came
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
