@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from itertools import pairwise
+
 import numpy as np
 import xarray as xr
 
@@ -13,6 +16,8 @@ from riserstudy.scene.units import to_si
 
 PAPER = "design"
 MODE = "drilling"
+NEAR = 1e-6  # m
+Places = Mapping[str, tuple[float, float]]  # ends of parts of the riser (m), by name
 
 
 def allowances(seas: xr.Dataset) -> xr.Dataset:
@@ -35,7 +40,10 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     """
     from riserstudy.design.operability import AtRest, offsets_at  # loads kernels
 
-    added = {name: _fractile(each) for name, each in _added(seas).items()}
+    _, scene = next(scenes_of(seas))
+    ends = np.cumsum([0.0, *(section.total_length for section in scene.riser)]).tolist()
+    places = {s.name: span for s, span in zip(scene.riser, pairwise(ends), strict=True)}
+    added = {name: _fractile(each) for name, each in _added(seas, places).items()}
     heights = seas["significant_height"]
     far = to_si(reach, "m")
     found, labels = [], []
@@ -44,7 +52,7 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
         labels = [label(limit) for limit in limits]
         at = AtRest(scene, far)  # common to all seas
         for height in heights.values:
-            own = {name: float(each.sel(significant_height=height)) for name, each in added.items()}
+            own = {name: _by_place(each.sel(significant_height=height)) for name, each in added.items()}
             found.append([one[:2] for one in offsets_at(at, limits, far, own)])
     over = [str(dim) for dim in rests["point_key"].dims]
     shape = (*rests["point_key"].shape, len(heights), len(labels), len(SIDES))
@@ -59,19 +67,32 @@ def operability_in_seas(rests: xr.Dataset, seas: xr.Dataset, reach: str) -> xr.D
     return made.assign_attrs(reach=to_si(reach, "m"))
 
 
-def _added(seas: xr.Dataset) -> dict[str, xr.DataArray]:
+def _by_place(each: xr.DataArray) -> float | dict[str, float]:
+    """The allowance of an output: one value, or one for each place."""
+    if not each.dims:
+        return float(each)
+    return dict(zip(each["place"].values.tolist(), each.values.tolist(), strict=True))
+
+
+def _added(seas: xr.Dataset, places: Places | None = None) -> dict[str, xr.DataArray]:
     """Increase of each run's outputs over their values at rest, in the unit of the output.
 
     For angles it is the largest motion to either side, because the angle at rest has both signs over the
-    range of offsets.
+    range of offsets. Each of the ``places`` has its own increases of stress and tension, since other parts
+    govern at other offsets; without places, they are those of the whole riser.
     """
     added = {}
     for name in ("lfj_angle", "ufj_angle"):
         added[name] = abs(seas[name] - seas[name].isel(time=0)).max("time")
     added["joint_stroke"] = seas["stroke"].max("time")  # from the static state
     stress, tension = "von_mises_stress", "effective_tension"
-    added[stress] = seas[f"{stress}_max"].max("s_node") - seas[f"{stress}_static"].max("s_node")
-    added[tension] = seas[f"{tension}_static"].min("s_node") - seas[f"{tension}_min"].min("s_node")
+    parts = [seas.sel(s_node=slice(low - NEAR, up + NEAR)) for low, up in (places or {}).values()] or [seas]
+    increases = {
+        stress: [of[f"{stress}_max"].max("s_node") - of[f"{stress}_static"].max("s_node") for of in parts],
+        tension: [of[f"{tension}_static"].min("s_node") - of[f"{tension}_min"].min("s_node") for of in parts],
+    }
+    for name, each in increases.items():
+        added[name] = xr.concat(each, "place").assign_coords(place=list(places)) if places else each[0]
     return added
 
 

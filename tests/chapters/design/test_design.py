@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from chapters.design.derived.seas import allowances
+from chapters.design.derived.seas import _added, allowances
 from chapters.design.figures.operability import operability_drilling
 from chapters.design.figures.recoil import recoil_failures
 from chapters.design.figures.tension import heaviest
@@ -105,6 +105,30 @@ def test_an_allowance_is_what_the_sea_adds_to_the_state_at_rest():
     }
     for name, value in expected.items():
         assert float(found[f"{name}_allowance"]) == pytest.approx(value, rel=1e-4)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_what_a_sea_adds_to_the_whole_riser_is_never_more_than_to_one_of_its_sections(seed):
+    draw = np.random.default_rng(seed)
+    s = np.linspace(0.0, 1000.0, 41)
+    still = draw.uniform(50.0, 300.0, 41)
+    runs = xr.Dataset(
+        {
+            **{name: ("time", np.zeros(3)) for name in ("lfj_angle", "ufj_angle", "stroke")},
+            "von_mises_stress_static": ("s_node", still),
+            "von_mises_stress_max": ("s_node", still + draw.uniform(0.0, 90.0, 41)),
+            "effective_tension_static": ("s_node", still),
+            "effective_tension_min": ("s_node", still - draw.uniform(0.0, 90.0, 41)),
+        },
+        {"s_node": s, "time": np.arange(3.0)},
+    )
+    cut = float(draw.choice(s[1:-1]))
+    whole, parts = _added(runs), _added(runs, {"low": (0.0, cut), "up": (cut, 1000.0)})
+    for name in ("von_mises_stress", "effective_tension"):
+        assert parts[name].dims == ("place",)
+        assert float(parts[name].max()) >= float(whole[name])
+    one = _added(runs, {"riser": (0.0, 1000.0)})["von_mises_stress"]
+    assert float(one.squeeze()) == float(whole["von_mises_stress"])
 
 
 def outcomes(verdicts):
