@@ -276,6 +276,7 @@ def test_magnitudes_in_space_are_not_below_zero(tmp_path, monkeypatch, seed):
         ["--over", "height"],
         ["--over", "time"],
         ["--over", "seed", "--exposure", "3 h"],
+        ["--over", "seed", "--at", "seed=1"],
         ["--at", "seed=3", "--exposure", "3 m"],
         ["--at", "seed=3", "--exposure", "0 s"],
         ["--at", "seed=3", "--exposure", "-3 h"],

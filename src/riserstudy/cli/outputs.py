@@ -192,6 +192,8 @@ def statistics(
     if over and exposure:
         allowed = "with --over, extremes are taken over the whole duration: leave --exposure out"
         raise InputError("--exposure", exposure, "given with --over", allowed)
+    if over in place_of(at):
+        raise InputError("--at", over, "is the axis of --over, over which all runs are taken", "leave it out")
     begin = quantity("--start", start, "s", SUCH_AS)
     within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)
     if exposure and not (within or 0.0) > 0.0:
