@@ -77,14 +77,15 @@ class Output(Strict):
 class Analysis(Strict):
     """Settings of the computation.
 
-    Without ``duration`` only the static equilibrium is computed, with the platform at its position and the
-    whole current. A warning then lists the parts of the scene that have no effect, such as motions, waves and
-    thrusters. By default the run starts from equilibrium; ``undeflected`` starts from the equilibrium without
-    current. If mesh and time step are not given, they are chosen for the tolerance ``accuracy``, by default
-    0.2 % of displacement and 1 % of moment. The default method is generalised-alpha with a spectral radius of
-    0.8. The default solver uses lumped masses; ``hermite`` is a beam with small slopes. Newton's iteration
-    ends when the correction of positions is smaller than ``newton_tolerance`` times the length of the riser,
-    by default 1e-9. A smaller value also reduces the limit for corrections of moments, by the same factor.
+    Without ``duration`` only the static equilibrium is computed, with the platform at its ``position`` and
+    the current at its full speed. A warning then lists the parts of the scene that have no effect, such as
+    motions, waves and thrusters. By default the run starts from equilibrium; ``undeflected`` starts from the
+    equilibrium without current. If mesh and time step are not given, they are chosen for the tolerance
+    ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is generalised-alpha
+    with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a beam with small
+    slopes. Newton's iteration ends when the correction of positions is smaller than ``newton_tolerance``
+    times the length of the riser, by default 1e-9. A smaller value also reduces the limit for corrections of
+    moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None
