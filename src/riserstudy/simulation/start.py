@@ -9,6 +9,7 @@ from riserstudy.model.layout import per_segment, stiffness
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.resolve import Resolved
+from riserstudy.scene.riser import Section
 from riserstudy.simulation.equilibrium import settle_undeflected
 from riserstudy.solve.evaluate import move_to
 
@@ -30,13 +31,24 @@ def begin(scene: Resolved, model: Model, mesh: Mesh) -> None:
 def _unstretched(scene: Resolved, model: Model, mesh: Mesh) -> NDArray[np.float64]:
     """Positions of the nodes, (d, n + 1), m, if each segment keeps its direction and curvature at rest.
 
-    A hung-off riser keeps the place of its upper end, any other riser that of its lower end.
+    A hung-off riser keeps the place of its upper end, any other riser that of its lower end. A telescopic
+    joint slides, so it keeps its length. The chord of a bent segment is shorter than its arc: theory, (1).
     """
     s = model.s
     r = s.r[:, : len(mesh.s)]
-    tension = np.einsum("ke,ke->e", s.segment, s.tangent)
-    flexibility = per_segment(scene, mesh, lambda k: 1.0 / stiffness(scene.riser[k]).axial)
+    chord = np.diff(r, axis=1)
+    length = np.hypot.reduce(chord, axis=0, initial=0.0)  # exact for an upright riser
+    low, up = s.moment[:, : len(mesh.l0)], s.moment[:, 1 : len(mesh.s)]
+    turn = mesh.l0 * per_segment(scene, mesh, lambda k: _flexibility(scene.riser[k]))
+    own = mesh.l0 * (1.0 - turn**2 / 72.0 * (low * low + low * up + up * up).sum(axis=0))
+    own = np.where(mesh.section < len(scene.riser), own, length)
     laid = np.zeros_like(r)
-    laid[:, 1:] = np.cumsum(np.diff(r, axis=1) - tension * flexibility * mesh.l0 * s.tangent, axis=1)
+    laid[:, 1:] = np.cumsum(own * (chord / length), axis=1)
     kept = mesh.ring if scene.bottom.hold == "free" else 0
     return np.asarray(laid + (r - laid)[:, [kept]])
+
+
+def _flexibility(section: Section) -> float:
+    """1 / EI of a section (1/(N m2)), 0 for a string."""
+    bending = stiffness(section).bending
+    return 1.0 / bending if bending else 0.0
