@@ -41,7 +41,7 @@ def test_a_verdict_that_a_point_alone_made_turns_without_it(db):
     for point in (12, 13):  # at either speed
         found = without_points(db, [CLAIM], {STUDY: [point]})
         assert found.turned == [(CLAIM, "holds")]
-        said = "Without the grid points with too large errors, 1 of 1 verdicts changes"
+        said = "If runs with too large errors are left out, 1 of 1 verdicts changes"
         assert (found.turning, found.left) == (said, "")
 
 
@@ -49,7 +49,7 @@ def test_other_points_leave_a_verdict_as_it_is(db):
     for off in ({STUDY: [14]}, {STUDY: []}, {}):
         found = without_points(db, [CLAIM], off)
         assert (found.stand, found.turned, found.bound) == ([CLAIM], [], [])
-        assert found.turning.startswith("Without the grid points with too large errors, none of 1 verdicts")
+        assert found.turning.startswith("If runs with too large errors are left out, none of 1 verdicts")
 
 
 def test_what_rests_on_such_points_in_its_base_or_in_every_case_cannot_be_graded(db):

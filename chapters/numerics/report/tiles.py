@@ -45,8 +45,8 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     )
     if peers := others(accuracy):
         answer += (
-            f" At an error of {100 * peers.error:g}\u00a0%, {peers.codes} other codes take "
-            f"{peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
+            f" For comparison, {peers.codes} other codes need {peers.low:.2g} to {peers.high:.3g} times the "
+            f"run time of riserstudy for an error of {100 * peers.error:g}\u00a0%."
         )
     scene = accuracy["request_scene"].values
     requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
@@ -64,16 +64,17 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
-    silent = {0: "no result is", 1: "1 result is"}.get(counts.silent, f"{counts.silent} results are")
-    have = "has" if counts.compared == 1 else "have"
-    met = f"{counts.met} of {counts.cases}"
+    silent, other = counts.silent, counts.cases - counts.met
+    number = "no silent error" if not silent else f"{silent} silent error{'' if silent == 1 else 's'}"
     answer = (
-        f"{met} difficult scenes, for example with end stops, compression or disconnects, end as expected: "
-        f"with a stable result, or with a refusal and its reason. {counts.compared} of these scenes {have} "
-        f"a reference solution; {silent} inaccurate without a warning."
+        f"{counts.cases} difficult scenes, for example with end stops, compression or disconnects, were "
+        f"tried. Of {counts.compared} with a reference solution, {silent or 'none'} "
+        f"{'is' if silent < 2 else 'are'} inaccurate without a warning. "
     )
+    ending = {0: "All scenes end", 1: "1 scene does not end"}.get(other, f"{other} scenes do not end")
+    answer += f"{ending} as expected."
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
-    return met, answer, _stack(parts) + _key(each)
+    return number, answer, _stack(parts) + _key(each)
 
 
 def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:

@@ -103,7 +103,8 @@ def _caption(cases: Cases, step: int) -> str:
     if left == 1:
         more = f" Another input {VARY[0]}."
     return (
-        f"The top panel plots the margin of each of {count} cases, in ascending order.{every} "
+        "A case is one choice of all inputs. Its margin is the distance of its result from the bound of "
+        f"agreement. The top panel plots the margins of {count} cases, in ascending order.{every} "
         "Cases with a positive margin agree with the paper; the triangle marks the base case. Each row below "
         "the top panel stands for one option of an input; its marks show the cases with this option. The "
         "number at the right is the percentage of these cases that agree with the paper. An input alone "

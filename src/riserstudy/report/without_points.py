@@ -27,7 +27,7 @@ class WithoutPoints(NamedTuple):
         """Number of verdicts that change, in words."""
         many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
         graded = len(self.turned) + len(self.stand)
-        return f"Without the grid points with too large errors, {many} of {graded} verdicts change{ends}"
+        return f"If runs with too large errors are left out, {many} of {graded} verdicts change{ends}"
 
     @property
     def left(self) -> str:

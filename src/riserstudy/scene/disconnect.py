@@ -49,7 +49,7 @@ class RecoilValve(Strict):
     ``opening`` is the area of the open valve; the open valve throttles the oil even before the release.
     ``discharge`` is the discharge coefficient of the valve. At the time ``delay`` after the release, the
     valve starts to close. Within the time ``over`` it closes smoothly to the fraction ``residual`` of its
-    opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default there is no delay.
+    opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default ``delay`` is 0 s.
     Without ``isolation`` no gas bottles are shut off.
     """
 

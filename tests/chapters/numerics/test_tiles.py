@@ -22,11 +22,10 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     }
     stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
     (one,) = shown({"stability": stability})
-    assert one.number == "3 of 4"
+    assert one.number == "1 silent error"
     assert one.answer == (
-        "3 of 4 difficult scenes, for example with end stops, compression or disconnects, end as expected: "
-        "with a stable result, or with a refusal and its reason. 3 of these scenes have a reference "
-        "solution; 1 result is inaccurate without a warning."
+        "4 difficult scenes, for example with end stops, compression or disconnects, were tried. Of 3 with a "
+        "reference solution, 1 is inaccurate without a warning. 1 scene does not end as expected."
     )
     assert one.spark.count("<rect") == 4
 
