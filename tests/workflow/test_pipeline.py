@@ -230,8 +230,8 @@ def test_damaged_kernels_are_compiled_anew(checkout, finished):
         (STUDY, "path: platform.position.heave", "path: platform.nothing", "platform.nothing"),
         (
             STUDY,
-            "scene: scenes/chang2020/heave.yaml\n    caption: steady state",
-            "scene: absent\n    caption: steady state",
+            "scene: scenes/chang2020/heave.yaml\n    caption: the last period",
+            "scene: absent\n    caption: the last period",
             "absent",
         ),
         (STUDY, "reads: [asymmetry]", "reads: [symmetry]", "figures.fig14.reads"),

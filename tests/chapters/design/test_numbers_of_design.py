@@ -153,9 +153,9 @@ def test_each_sea_narrows_the_offsets_by_its_own_addition(monkeypatch):
     for name in ("von_mises_stress_max", "von_mises_stress_static", "effective_tension_min",
                  "effective_tension_static"):  # fmt: skip
         data[name] = ((*over_all[:2], "s_node"), rows + noise * (1.0 if name.endswith("max") else -1.0))
-    runs = xr.Dataset(data, {"significant_height": [3.0, 6.0], "time": time})
+    runs = xr.Dataset(data, {"significant_height": [3.0, 6.0], "time": time, "s_node": np.arange(3.0)})
     limit = SimpleNamespace(mode="drilling", output="lfj_angle", at=None, place="", side="largest")
-    scene = SimpleNamespace(limits=[limit])
+    scene = SimpleNamespace(limits=[limit], riser=[SimpleNamespace(name="riser", total_length=2.0)])
     monkeypatch.setattr(seas, "scenes_of", lambda _: iter([({}, scene)]))
     monkeypatch.setattr(seas, "label", lambda limit: f"{limit.mode}: largest {limit.output}")
     monkeypatch.setattr(operability, "AtRest", lambda scene, reach: reach)

@@ -215,7 +215,7 @@ def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():
         {"varied_input": ["cement", "damping", "platform"]},
     )
     said = headline(wellhead_fatigue(of))
-    assert said.startswith("The structural damping explains 20 % of damage variance")
+    assert said.startswith("The structural damping explains 20 % of log-damage variance")
 
 
 def test_the_title_on_alarms_states_its_disconnect_time():

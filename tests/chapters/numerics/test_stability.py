@@ -193,7 +193,7 @@ def test_the_explicit_limit_is_a_tick_where_a_stable_step_was_predicted(few):
 def test_the_report_tells_what_is_not_as_it_should_be(few):
     chapter = section({"stability": few})
     assert chapter.sentences[0].startswith(
-        f"{int(few['as_expected'].sum())} of {len(FEW)} hard cases ended as expected"
+        f"{int(few['as_expected'].sum())} of {len(FEW)} hard cases ended with the expected outcome"
     )
     shown = [table for table in chapter.tables if not table.folded]
     named = [row[0].text for table in shown for row in table.rows]
