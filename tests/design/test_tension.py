@@ -87,7 +87,7 @@ def test_the_minimum_tension_is_that_of_steel_modules_mud_and_sea_summed_by_hand
         }
         in_water = (7850.0 - sea) * g * steel * tolerances.weight - lift * tolerances.buoyancy
         expected += length * (in_water + (mud - sea) * g * bore)
-    ring = tension.weight_of_ring(scene(**changed)) * tolerances.weight
+    ring = scene(**changed).ring_weight * tolerances.weight
     assert tension.needed(scene(**changed), tolerances)[0] == pytest.approx(expected + ring, rel=1e-9)
 
 

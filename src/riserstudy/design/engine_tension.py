@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.design import tension as formula
-from riserstudy.design.tension import Tolerances, carrying_tension, columns_above, weight_of_ring
+from riserstudy.design.tension import Tolerances, carrying_tension, columns_above
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import prescribed
 from riserstudy.records.numerals import newtons
@@ -101,7 +101,7 @@ def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
     ]
     changed: dict[str, Any] = {"riser": sections}
     if body := scene.top.body:
-        weight = tolerances.weight * weight_of_ring(scene)
+        weight = tolerances.weight * scene.ring_weight
         heavy = {"submerged_weight": weight, "density": None, "displaced_volume": None}
         top = {"body": body.model_copy(update=heavy)}
         changed["top"] = scene.top.model_copy(update=top)

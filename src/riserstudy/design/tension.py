@@ -113,18 +113,11 @@ def columns_above(scene: Resolved) -> Columns:
     return Columns(
         elevation,
         # a given submerged weight includes the buoyancy of the bore
-        _from_above(net + lift + water) + weight_of_ring(scene),
+        _from_above(net + lift + water) + scene.ring_weight,
         _from_above(lift),
         _from_above(mud) + above,
         _from_above(water),
     )
-
-
-def weight_of_ring(scene: Resolved) -> float:
-    """Submerged weight (N) of the body at the riser's upper end, such as a tension ring; 0 without one."""
-    if scene.top.body is None:
-        return 0.0
-    return scene.top.body.weight(scene.gravity or 0.0, scene.water.density if scene.water else 0.0)
 
 
 def needed(scene: Resolved, tolerances: Tolerances) -> FloatArray:

@@ -81,9 +81,7 @@ def _unstretched(scene: Resolved) -> float:
 def _stretched_by(scene: Resolved, pull: float) -> float:
     """Stretch (m) of a vertical riser under a constant vertical pull at its ring (N)."""
     gravity = scene.gravity or 0.0
-    water = scene.water.density if scene.water else 0.0
-    body = scene.top.body
-    tension = pull - (body.weight(gravity, water) if body else 0.0)
+    tension = pull - scene.ring_weight
     total = 0.0
     for section in reversed(scene.riser):
         length = section.total_length

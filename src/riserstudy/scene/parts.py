@@ -78,6 +78,12 @@ class Parts(Strict):
         return [end.body for end in (self.bottom, self.top) if end.body]
 
     @property
+    def ring_weight(self) -> float:
+        """Submerged weight (N) of the body at the riser's upper end, such as a tension ring; 0 without."""
+        body, water = self.top.body, self.water.density if self.water else 0.0
+        return body.weight(self.gravity or 0.0, water) if body else 0.0
+
+    @property
     def hanging(self) -> tuple[float, float]:
         """Submerged weight (N) and mass (kg) of riser, contents and bodies together."""
         gravity, water = self.gravity or 0.0, self.water.density if self.water else 0.0

@@ -69,9 +69,7 @@ def _loaded(scene: Resolved) -> Resolved:
         found, remedy = "gives the top tension", "needs 'top.z: free' without tensioners"
         raise Misfit(path, found, remedy, ("top.z", "top.tensioners"))
     riser, tension = scene.buoyancy.loads(sections, scene.gravity)
-    ring = scene.top.body
-    weight = ring.weight(scene.gravity, scene.water.density if scene.water else 0.0) if ring else 0.0
-    top = scene.top.model_copy(update={"tension": tension + weight})
+    top = scene.top.model_copy(update={"tension": tension + scene.ring_weight})
     return scene.model_copy(update={"riser": riser, "top": top})
 
 

@@ -56,9 +56,8 @@ def _elevation_under_tension(scene: Resolved, mesh: Mesh, d: int | None) -> floa
     There the riser has the tension ``held_at_tension`` at its top, below a body.
     """
     top = scene.top
-    water = scene.water.density if scene.water else 0.0
-    body = top.body.weight(scene.gravity or 0.0, water) if top.body else 0.0
-    pull = {"z": "free", "held_at_tension": None, "tension": (top.held_at_tension or 0.0) + body}
+    tension = (top.held_at_tension or 0.0) + scene.ring_weight
+    pull = {"z": "free", "held_at_tension": None, "tension": tension}
     pulled = scene.model_copy(update={"top": top.model_copy(update=pull)})
     first = _top(_equilibrium(pulled, mesh, None, d)[0], mesh)
     place = scene.platform.position if scene.platform else None

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.model.layout import per_segment, stiffness
+from riserstudy.model.bending import flexibility
+from riserstudy.model.layout import layout_of
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Model
 from riserstudy.scene.resolve import Resolved
-from riserstudy.scene.riser import Section
 from riserstudy.simulation.equilibrium import settle_undeflected
 from riserstudy.solve.evaluate import move_to
 
@@ -39,16 +39,12 @@ def _unstretched(scene: Resolved, model: Model, mesh: Mesh) -> NDArray[np.float6
     chord = np.diff(r, axis=1)
     length = np.hypot.reduce(chord, axis=0, initial=0.0)  # exact for an upright riser
     low, up = s.moment[:, : len(mesh.l0)], s.moment[:, 1 : len(mesh.s)]
-    turn = mesh.l0 * per_segment(scene, mesh, lambda k: _flexibility(scene.riser[k]))
-    own = mesh.l0 * (1.0 - turn**2 / 72.0 * (low * low + low * up + up * up).sum(axis=0))
+    own = mesh.l0
+    if len(s.moment):
+        turn = flexibility(layout_of(scene, mesh, None, len(s.dim)))
+        own = own * (1.0 - turn**2 / 72.0 * (low * low + low * up + up * up).sum(axis=0))
     own = np.where(mesh.section < len(scene.riser), own, length)
     laid = np.zeros_like(r)
     laid[:, 1:] = np.cumsum(own * (chord / length), axis=1)
     kept = mesh.ring if scene.bottom.hold == "free" else 0
     return np.asarray(laid + (r - laid)[:, [kept]])
-
-
-def _flexibility(section: Section) -> float:
-    """1 / EI of a section (1/(N m2)), 0 for a string."""
-    bending = stiffness(section).bending
-    return 1.0 / bending if bending else 0.0
