@@ -4,7 +4,7 @@ import random
 
 import pytest
 
-from riserstudy.records.numerals import at_most, newtons, percent, plain
+from riserstudy.records.numerals import at_most, newtons, percent, plain, rounded_up
 
 
 @pytest.mark.parametrize("seed", range(200))
@@ -26,6 +26,16 @@ def test_a_limit_in_a_message_is_not_exceeded_by_rounding(seed):
         assert "e" not in text.lower()
         assert value * (1.0 - 10.0 ** (1 - digits)) < float(text) <= value
     assert at_most(0.5) == "0.5"
+
+
+@pytest.mark.parametrize("seed", range(50))
+def test_a_bound_in_a_title_is_not_below_what_it_bounds(seed):
+    value = 10.0 ** random.Random(seed).uniform(-6, 3)
+    for digits in (1, 2):
+        text = rounded_up(value, digits)
+        assert "e" not in text.lower()
+        assert value * (1.0 - 1e-8) <= float(text) < value * (1.0 + 10.0 ** (1 - digits))
+    assert rounded_up(100 * 0.03 / 100) == "0.03"
 
 
 @pytest.mark.parametrize(

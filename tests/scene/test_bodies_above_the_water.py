@@ -7,8 +7,6 @@ from random_rigs import rig, written
 from riserstudy import simulate
 from riserstudy.scene.load import SceneFile
 
-UNITS = {"submerged_weight": "N"}
-
 
 def ringed(seed, body):
     """Tensions at rest (N) of a rig with a tension ring, at an elevation above or below the surface."""

@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator
 
 from riserstudy.figures.style import COLOURS, headline, key_below
+from riserstudy.records.numerals import rounded_up
 
-ROUNDED = 1e-9  # by which a number may exceed a digit without being rounded up
 ROUNDING = 1e-14  # share of energy below which only rounding errors remain
 TICKS = (1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0)  # shares of energy
 PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
@@ -45,10 +45,8 @@ def answer(energy: xr.Dataset) -> str:
     most = largest(energy)
     by = most["numerical"].max("case")
     worst = str(by["method"].values[int(np.nanargmax(by.values))])
-    residual = 100 * float(most["unexplained"].max())
-    unit = 10.0 ** np.floor(np.log10(residual)) if residual > 0.0 else 1.0
     return (
-        f"Energy residuals are at most {unit * np.ceil(residual / unit - ROUNDED):.1g} %; "
+        f"Energy residuals are at most {rounded_up(100 * float(most['unexplained'].max()))} %; "
         f"{worst.split()[0]} dissipates up to {100 * float(by.max()):.2g} %"
     )
 

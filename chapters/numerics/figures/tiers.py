@@ -9,6 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter
 
 from riserstudy.figures.style import COLOURS, headline, legend_below, log_ticks, panel_title, panels
+from riserstudy.records.numerals import rounded_up
 
 LEAST = 1e-7  # smallest error that is drawn
 ROW, FRAME = 0.3, 1.7  # inches: height of a row, and of the rest
@@ -69,8 +70,7 @@ def answer(tiers: xr.Dataset) -> str:
     most = 100.0 * float(tiers["error"].sel(tier=last).max())
     if not most > 0.0:
         return said
-    unit = 10.0 ** np.floor(np.log10(most))
-    return f"{said}; errors of peaks below {unit * np.ceil(most / unit):.1g} %"
+    return f"{said}; errors of peaks below {rounded_up(most)} %"
 
 
 def _drawable(error: xr.DataArray) -> xr.DataArray:

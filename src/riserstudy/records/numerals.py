@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from decimal import ROUND_FLOOR, Context, Decimal
+from decimal import ROUND_CEILING, ROUND_FLOOR, Context, Decimal
 
 
 def plain(value: float, digits: int = 3) -> str:
@@ -16,6 +16,11 @@ def plain(value: float, digits: int = 3) -> str:
 def at_most(value: float, digits: int = 3) -> str:
     """Return a positive upper limit, rounded down: a value that a user copies from a message is allowed."""
     return f"{Context(prec=digits, rounding=ROUND_FLOOR).create_decimal_from_float(value):f}"
+
+
+def rounded_up(value: float, digits: int = 1) -> str:
+    """Return a positive bound on results, rounded up unless only a rounding error exceeds its digits."""
+    return f"{Context(prec=digits, rounding=ROUND_CEILING).create_decimal(f'{value:.9g}'):f}"
 
 
 def percent(share: float) -> str:
