@@ -12,9 +12,11 @@ from riserstudy.export.deck import Deck
 from riserstudy.export.pipes import BENDING, ENDS, GRAVITY, stiffness
 from riserstudy.model.tensioner_law import gas_force, linear_law, table_law
 from riserstudy.scene.ends import Body, TelescopicJoint
+from riserstudy.scene.forcing import TILTS
 from riserstudy.scene.tensioners import Tensioners
 
-VESSEL, RING, SLIDE = "Platform", "Tension ring", "Slide"
+VESSEL, RING, SLIDE, BARREL = "Platform", "Tension ring", "Slide", "Inner barrel"
+UNEVEN = 1e-3  # relative difference of weight and mass that another gravity makes
 LIGHT = 1e-3  # mass of a ring without a body (t): a buoy needs some mass
 ABOVE = 20.0  # length from the ring to the deck ends of upright cylinders (m)
 POINTS = 101  # of a curved law
@@ -33,6 +35,31 @@ class Rest(NamedTuple):
 def held(deck: Deck) -> str:
     """Return the name of the object with which the upper end moves: the vessel of the deck, or none."""
     return VESSEL if "platform" in (deck.scene.top.x, deck.scene.top.z) else "Fixed"
+
+
+def _moves_as_one(deck: Deck) -> None:
+    """Refuse an upper end that an object of a deck, which moves as a whole, would hold otherwise."""
+    of, platform = deck.scene.top, deck.scene.platform
+    if of.x == "free":
+        allowed = "OrcaFlex would hold the end in x and y, too. Hold it in the scene"
+        raise deck.refused("top.x", f"free below a z that is {_in_words(of.z)}", allowed)
+    if platform is None or (of.x == "platform") == (of.z == "platform"):
+        return
+    way, others = ("x", ("surge", "sway")) if of.z == "platform" else ("z", ("heave",))
+    place, response = platform.position, platform.response
+    moved = [f"platform.position.{name}" for name in others if getattr(place, name, None)]
+    if response and {*others, *TILTS} & {*response.moving}:
+        moved.append("platform.response")
+    if platform.cruise and way == "x":
+        moved.append("platform.cruise")
+    if moved:
+        found = f"{_in_words(getattr(of, way))}, but the OrcaFlex vessel would move the end by {moved[0]}"
+        allowed = f"write 'top.{way}: platform', or leave {moved[0]} out"
+        raise deck.refused(f"top.{way}", found, allowed)
+
+
+def _in_words(hold: str | None) -> str:
+    return {"platform": "on the platform", None: "absent"}.get(hold, str(hold))
 
 
 def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
@@ -54,6 +81,8 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
             "Write top.elevation instead"
         )
         raise deck.refused("top.held_at_tension", f"{of.held_at_tension:g} N", allowed)
+    if of.z != "free":
+        _moves_as_one(deck)
     if of.telescopic_joint:
         _joint(deck, of.telescopic_joint, offset, rest)
         pulls(deck, RING, rest, along=of.elevation or 0.0)
@@ -103,8 +132,11 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
     deck.carried |= {"top.telescopic_joint.length", "top.telescopic_joint.bending_stiffness"}
     _body(deck, of.body, "Free", rest.unstretched)
     deck.add("Constraints", {"Name": SLIDE, "InFrameConnection": RING, **_sliding()})
+    barrel, taken = BARREL, {section.name.lower() for section in deck.scene.riser}
+    while barrel.lower() in taken:
+        barrel += " of the joint"
     deck.add("LineTypes", {
-        "Name": "Inner barrel", "Category": "General", "OD": 0.5, "ID": 0.4, "MassPerUnitLength": 0.1,
+        "Name": barrel, "Category": "General", "OD": 0.5, "ID": 0.4, "MassPerUnitLength": 0.1,
         "EI": [1e-3 * joint.bending_stiffness, None], "EA": 1e6, "PoissonRatio": 0.3, "GJ": 80.0,
         "Ca": [0, None, 0], "Cd": [0, None, 0],
     })  # fmt: skip
@@ -117,7 +149,7 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
             [held(deck), offset, 0, of.elevation, 0, 180, 0, None], [SLIDE, 0, 0, 0, 0, 180, 0, None],
         ],
         BENDING: [[stiffness(of.rotation), None], [math.inf, None]],
-        "LineType, Length, TargetSegmentLength": [["Inner barrel", joint.length, joint.length / 4.0]],
+        "LineType, Length, TargetSegmentLength": [[barrel, joint.length, joint.length / 4.0]],
         "IncludedInStatics": True, "StaticsStep1": "Catenary", "StaticsStep2": "Full statics",
     })  # fmt: skip
     if joint.length > (of.elevation or 0.0) - rest.unstretched + 1e-6:
@@ -126,19 +158,11 @@ def _joint(deck: Deck, joint: TelescopicJoint, offset: float, rest: Rest) -> Non
 
 def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
     """Write a lumped buoy as the ring, with mass, volume and drag of the body at the ring."""
-    water = deck.scene.water
-    density = water.density if water else 0.0
     mass, volume, name = LIGHT, 0.0, RING
     areas, added = [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]
     if body:
         mass = max(1e-3 * body.mass, LIGHT)
-        weight = body.weight(deck.scene.gravity or GRAVITY, density)
-        surface = (water.surface if water else None) or 0.0
-        above = height >= surface and on == "Free"
-        volume = (1e3 * mass - weight / GRAVITY) / density if density and not above else 0.0
-        if above and abs(weight - 1e3 * mass * GRAVITY) > 1.0:
-            more = 1e-3 * (1e3 * mass * GRAVITY - weight)
-            deck.otherwise["top.body"] = f"above the water the deck weighs its mass: {more:+.4g} kN"
+        volume = _volume(deck, body, 1e3 * mass, height if on == "Free" else -math.inf)
         if body.drag_area:
             across, along = body.drag_area.horizontal or 0.0, body.drag_area.vertical or 0.0
             areas = [across, across, along]
@@ -155,6 +179,22 @@ def _body(deck: Deck, body: Body | None, on: str, height: float) -> None:
         "DragArea": areas, "DragForceCoefficient": [1.0 if area else 0.0 for area in areas],
         "HydrodynamicMass": added, "AddedMassCoefficient": [1.0 if one else 0.0 for one in added],
     })  # fmt: skip
+
+
+def _volume(deck: Deck, body: Body, mass: float, height: float) -> float:
+    """Return the volume (m3) of a lumped buoy with a body's weight, at an elevation (m); mass in kg."""
+    water = deck.scene.water
+    density = water.density if water else 0.0
+    weight = body.weight(deck.scene.gravity or GRAVITY, density)
+    dry = height >= ((water.surface if water else None) or 0.0)
+    lost = mass - weight / GRAVITY  # kg, by buoyancy
+    if lost < -UNEVEN * mass and not dry:
+        allowed = "it may not exceed the weight in air. Correct mass or submerged weight"
+        raise deck.refused("top.body.submerged_weight", "more than the mass weighs", allowed)
+    if (dry or lost < 0.0) and abs(lost) * GRAVITY > 1.0:
+        where = "above the water" if dry else "without volume"
+        deck.otherwise["top.body"] = f"{where} the deck weighs its mass: {1e-3 * GRAVITY * lost:+.4g} kN"
+    return lost / density if density and lost > 0.0 and not dry else 0.0
 
 
 def pulls(deck: Deck, ring: str, rest: Rest, along: float | None) -> None:
