@@ -4,6 +4,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.interpolate import PchipInterpolator
 
 from riserstudy import load_scene
 from riserstudy.design.recoil import limits, outcome
@@ -14,7 +15,7 @@ TIME = np.linspace(0.0, 40.0, 401)
 def test_a_riser_that_swings_clear_has_the_depth_of_its_trough_as_clearance():
     lift = np.where(TIME > 5.0, 3.0 - 3.0 * np.cos(TIME - 5.0) + 0.1 * (TIME - 5.0), 0.0)
     reach = -lift
-    judged = outcome(lift[None], reach[None], (-7.0, 7.0))
+    judged = outcome(TIME, lift[None], reach[None], (-7.0, 7.0))
     troughs = lift[(TIME > 6.0) & (5.0 + 2.0 * np.pi + 1.0 > TIME)]
     assert judged.clearance[0] == pytest.approx(troughs[30:].min(), abs=1e-12)
     assert judged.lift[0] == lift.max()
@@ -26,17 +27,37 @@ def test_a_riser_that_swings_clear_has_the_depth_of_its_trough_as_clearance():
 @pytest.mark.parametrize(
     "lift, clearance, down",
     [
-        (np.where(TIME > 5.0, TIME - 5.0, 0.0), np.nan, False),  # rises to the end
         (np.where(TIME > 5.0, np.abs(np.sin(TIME)), 0.0), 0.0, True),
         (np.zeros_like(TIME), np.nan, True),  # never leaves the stack
     ],
 )
-def test_what_rises_for_ever_what_touches_and_what_stays(lift, clearance, down):
-    judged = outcome(lift[None], 0.0 * lift[None], (-7.0, 7.0))
+def test_what_touches_and_what_stays(lift, clearance, down):
+    judged = outcome(TIME, lift[None], 0.0 * lift[None], (-7.0, 7.0))
     np.testing.assert_allclose(judged.clearance, clearance, atol=5e-3)
     if np.isfinite(clearance):  # between two outputs it may not show
-        judged = outcome((lift - 5e-3)[None], 0.0 * lift[None], (-7.0, 7.0))
+        judged = outcome(TIME, (lift - 5e-3)[None], 0.0 * lift[None], (-7.0, 7.0))
     assert judged.recontact[0] == down
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_run_that_ends_on_the_way_up_or_down_is_not_judged(seed):
+    """A lower end that comes down again is judged so wherever the run ends, or not at all."""
+    draw = np.random.default_rng(seed)
+    highest, down = 5.0 + draw.uniform(3.0, 15.0), 5.0 + draw.uniform(20.0, 33.0)
+    steps = np.array([5.0, highest, down]), np.array([0.0, draw.uniform(1.0, 9.0), 0.0])
+    whole = np.where(TIME < down, PchipInterpolator(*steps)(np.clip(TIME, 5.0, down)), 0.0)  # the stack stops it
+    judged = 0
+    for end in draw.integers(60, len(TIME), 60):
+        lift = np.stack([np.zeros(end), whole[:end]])  # the first one never leaves the stack
+        try:
+            found = outcome(TIME[:end], lift, 0.0 * lift, (-7.0, 7.0))
+        except ValueError as refused:
+            assert "1 of 2 runs the lower end still rises or falls" in str(refused)
+            assert TIME[end - 1] < down
+        else:
+            assert found.recontact.all()
+            judged += 1
+    assert 0 < judged < 60
 
 
 def test_settings_that_serve_lie_between_those_that_were_tried_and_do_not():

@@ -64,7 +64,7 @@ def _judged(of: xr.Dataset) -> xr.Dataset:
     far = reach.isel(cylinder=0)  # all cylinders move equally
     lift = of["lift"].transpose(*axes, "time")
     lifts, reaches = (array.values.reshape(-1, array.sizes["time"]) for array in (lift, far))
-    judged = outcome(lifts, reaches, (stroke.shortest, stroke.longest))
+    judged = outcome(of["time"].values, lifts, reaches, (stroke.shortest, stroke.longest))
     made = xr.Dataset(coords={axis: of[axis] for axis in axes})
     for name, values in (
         ("lift_max", judged.lift),

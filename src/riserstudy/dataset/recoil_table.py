@@ -62,20 +62,23 @@ def _seat(overpull: float, mud: float) -> str:
 
 def _clearance(of: dict[str, Any]) -> list[Cell]:
     if "clearance_min" not in of:
-        return [
-            "smallest clearance",
-            None,
-            "m",
-            None,
-            "not evaluated: the LMRP is still rising at the end of the run",
-        ]
+        return ["smallest clearance", None, "m", None, f"not evaluated: {_why_unknown(of)}"]
     aside = _aside(of.get("clearance_aside"))
     return ["smallest clearance", of["clearance_min"], "m", of["clearance_time"], aside]
 
 
 def _contact(of: dict[str, Any]) -> str:
-    aside = _aside(of.get("recontact_aside"))
-    return "no" if "recontact_time" not in of else "yes" + (f", up to {aside}" if aside else "")
+    if "recontact_time" in of:
+        aside = _aside(of.get("recontact_aside"))
+        return "yes" + (f", up to {aside}" if aside else "")
+    return "no" if "clearance_min" in of else f"not within the run: {_why_unknown(of)}"
+
+
+def _why_unknown(of: dict[str, Any]) -> str:
+    """Why a run without re-contact has no clearance."""
+    if of["lift_max"] < TOUCHING:
+        return "the LMRP does not lift off"
+    return "the LMRP is still rising or falling at the end of the run"
 
 
 def _aside(distance: float | None) -> str:

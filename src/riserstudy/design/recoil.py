@@ -7,46 +7,58 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.simulation.disconnect import TOUCHING, lowest_after_rise
 from riserstudy.study.spacing import stretches
 
 FloatArray = NDArray[np.float64]
-TOUCHING = 1e-6  # distance that counts as contact with the stack or a stop (m)
 
 
 class Outcome(NamedTuple):
     """Results after the release, (points,) each."""
 
     lift: FloatArray  # largest (m)
-    clearance: FloatArray  # smallest lift after its first maximum (m); NaN: it increases to the end
+    clearance: FloatArray  # smallest lift after its first maximum (m); NaN: the lower end never lifts off
     recontact: NDArray[np.bool_]  # whether the lower end re-contacts the stack, or never leaves it
     shortest: FloatArray  # smallest reach of the cylinders from mid-stroke (m)
     stroked_out: NDArray[np.bool_]  # whether a cylinder reaches an end of its stroke
 
 
-def outcome(lift: FloatArray, reach: FloatArray, ends: tuple[float, float]) -> Outcome:
+def outcome(time: FloatArray, lift: FloatArray, reach: FloatArray, ends: tuple[float, float]) -> Outcome:
     """Evaluate histories.
 
     Parameters
     ----------
+    time : times (s), (times,).
     lift : height of the lower end above the stack (m), (points, times); zero until the release.
     reach : reach of the cylinder with the largest motion, from mid-stroke (m), (points, times).
     ends : ends of the stroke (m), shortest and longest.
+
+    Raises
+    ------
+    ValueError : a lower end still rises or falls at the end, so that a later re-contact is not excluded.
     """
-    highest = np.array([_first_height(row) for row in lift])
-    after = np.arange(lift.shape[1]) >= highest[:, None]
-    clearance = np.where(after, lift, np.inf).min(axis=1)
-    clearance[highest >= lift.shape[1] - 1] = np.nan
+    clearance = np.array([_clearance(time, row) for row in lift])
     most = lift.max(axis=1)
+    unknown = np.flatnonzero(np.isnan(clearance) & (most > TOUCHING))
+    if len(unknown):
+        raise ValueError(
+            f"recoil: in {len(unknown)} of {len(lift)} runs the lower end still rises or falls at the end, so a "
+            f"later re-contact is not excluded (the first is run {unknown[0]}); increase analysis.duration"
+        )
     recontact = (clearance < TOUCHING) | (most < TOUCHING)
     shortest, longest = reach.min(axis=1), reach.max(axis=1)
     out = (shortest < ends[0] - TOUCHING) | (longest > ends[1] + TOUCHING)
     return Outcome(most, clearance, recontact, shortest, out)
 
 
-def _first_height(lift: FloatArray) -> int:
-    """Index at which the lift first decreases after it has begun; the end if it never does."""
-    falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
-    return int(falls[0]) if len(falls) else len(lift) - 1
+def _clearance(time: FloatArray, lift: FloatArray) -> float:
+    """Smallest lift (m) of one run after its first maximum; NaN if it is not known."""
+    after = lift > 0.0
+    if not after.any():
+        return float("nan")
+    start = max(int(after.argmax()) - 1, 0)
+    lowest = lowest_after_rise(time[start:], lift[start:])
+    return float("nan") if lowest is None else float(lift[start + lowest])
 
 
 class Limits(NamedTuple):

@@ -24,6 +24,7 @@ FloatArray = NDArray[np.float64]
 
 STILL = 1e-6  # share of the largest tension that counts as rounding
 TOUCHING = 1e-6  # lift below which the lower end touches the stack (m)
+SETTLED = 1e-3  # share of its lift within which a lower end at rest may move
 # horizontal distance (m) from the well within which a lower end counts as above the stack
 ABOVE = 1.0
 
@@ -80,9 +81,8 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
     time, aside = arrays["time"][after], arrays["lift_aside"][after]
     facts["lift_max"] = float(lift.max())
     facts["lift_rate_max"] = float(arrays["lift_rate"][after].max())
-    falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
-    if len(falls):
-        lowest = falls[0] + int(lift[falls[0] :].argmin())
+    lowest = lowest_after_rise(time, lift)
+    if lowest is not None:
         facts["clearance_min"] = float(lift[lowest])
         facts["clearance_time"] = float(time[lowest])
         facts["clearance_aside"] = float(aside[lowest])
@@ -102,6 +102,28 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
     if column := flow_of(scene):
         facts["contents_speed_max"] = float(abs(column.speed).max())
         facts["contents_top_min"] = float(column.top.min())
+
+
+def lowest_after_rise(time: FloatArray, lift: FloatArray) -> int | None:
+    """Index of the smallest lift after its first maximum; None if it is not known.
+
+    It is not known if the lower end never lifts off, or still rises or falls at the end. It counts as at rest
+    there if, in the second half of the times, the lift is constant within ``SETTLED`` of it.
+
+    Parameters
+    ----------
+    time : times after the release (s), (times,).
+    lift : height of the lower end above the stack (m), (times,).
+    """
+    falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
+    if not len(falls):
+        return None
+    lowest = int(falls[0]) + int(lift[falls[0] :].argmin())
+    if lowest == len(lift) - 1 and lift[lowest] > TOUCHING:
+        late = lift[time >= 0.5 * (time[0] + time[-1])]
+        if np.ptp(late) > SETTLED * lift[lowest]:
+            return None
+    return lowest
 
 
 def _contact_aside(time: FloatArray, aside: FloatArray) -> str:
