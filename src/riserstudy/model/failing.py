@@ -17,6 +17,7 @@ from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.effects.two_chamber_gas import TwoChamberGas
 from riserstudy.errors import SimulationError
 from riserstudy.model.model import Effect, Model
+from riserstudy.model.tensioners import PISTONS
 from riserstudy.solve.evaluate import shape_of
 
 #: fields of a tensioner record to set to zero for a failed cylinder
@@ -31,16 +32,22 @@ STRENGTH: dict[type, tuple[str, ...]] = {
 }
 
 
-def without_cylinders(model: Model, cylinders: list[int]) -> Model:
-    """The model in the same state, in which some cylinders exert no force."""
+def without_cylinders(model: Model, cylinders: list[int], pistons: float) -> Model:
+    """The model in the same state, in which some cylinders exert no force.
 
-    def changed(record: Any) -> Any:
+    ``pistons``: share (1) of the pistons' mass that still moves with the ring.
+    """
+
+    def changed(effect: Effect) -> Effect:
+        record = effect.record
+        if effect.because == PISTONS:
+            return effect._replace(record=record._replace(mass=pistons * record.mass))
         values = {name: getattr(record, name).copy() for name in STRENGTH.get(type(record), ())}
         for value in values.values():
             value[cylinders] = 0.0
-        return record._replace(**values)
+        return effect._replace(record=record._replace(**values))
 
-    return _changed(model, changed)
+    return model.changed([changed(effect) for effect in model.effects], model.pairs)
 
 
 def without_tension(model: Model, share: float) -> Model:

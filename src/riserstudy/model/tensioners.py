@@ -29,6 +29,7 @@ from riserstudy.scene.disconnect import RecoilValve
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Arrangement, Tensioners
 
+PISTONS = "top.tensioners.two_chamber_gas.pistons"
 GAS_FIELDS = ("area", "pressure", "volume")
 
 
@@ -126,7 +127,7 @@ def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:
         mass = np.zeros(directions)
         mass[-1] = sum(rig.working) * rig.piston_mass
         record = EndMass(ring, 0.0, mass, np.zeros(2))
-        yield Effect("piston mass", record, "top.tensioners.two_chamber_gas.pistons")
+        yield Effect("piston mass", record, PISTONS)
 
 
 def upright(of: Layout, rig: Tensioners, elevation: float) -> Effect:

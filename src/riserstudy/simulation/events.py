@@ -37,7 +37,8 @@ def events_of(scene: Resolved, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
     if loss and loss.over is None:
         yield Event(loss.at, partial(without_tension, share=loss.share))
     if rig and rig.failing:
-        yield Event(rig.failing.at, partial(without_cylinders, cylinders=rig.failing.cylinders))
+        left = sum(rig.still_working) / sum(rig.working)
+        yield Event(rig.failing.at, partial(without_cylinders, cylinders=rig.failing.cylinders, pistons=left))
 
 
 def march_through(
@@ -45,8 +46,8 @@ def march_through(
 ) -> tuple[Model, int, float]:
     """March by steps of ``step`` (s), from event to event.
 
-    Returns the model at the end, DONE or the reason why the march stopped, and the stored energy that the
-    events removed (J). Raises SimulationError when an event is not possible in the present state.
+    Returns the model at the end, DONE or the reason why the march stopped, and the energy that the events
+    removed (J). Raises SimulationError when an event is not possible in the present state.
     """
     taken, since = 0.0, 0.0
     for event in sorted(events_of(scene, mesh, facts), key=lambda event: event.at):
@@ -54,8 +55,9 @@ def march_through(
             outcome = march_on(scene, model, mesh, step, record, sums, since, event.at)
             if outcome != DONE:
                 return model, outcome, taken
-        before = energies(model.programs, model.state)[0]
+        potential, kinetic = energies(model.programs, model.state)
         model = event.change(model)
-        taken += float(before - energies(model.programs, model.state)[0])
+        still_potential, still_kinetic = energies(model.programs, model.state)
+        taken += float(potential - still_potential) + float(kinetic - still_kinetic)
         since = event.at
     return model, march_on(scene, model, mesh, step, record, sums, since), taken
