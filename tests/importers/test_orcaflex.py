@@ -211,3 +211,29 @@ def test_a_ring_in_the_water_displaces_it_and_drags():
     assert body["drag_area"] == {"horizontal": "3.6 m^2", "vertical": "12 m^2"}
     with pytest.raises(InputError, match="same along x and y"):
         ring_of(Part(buoy | {"DragArea": [3, 4, 8]}, "6DBuoys[Ring]", DECK), CALM)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_ring_is_given_by_three_numbers_or_refused(seed):
+    """A list that is cut, extended or missing never leaves out drag or added mass without a word."""
+    draw = np.random.default_rng(seed)
+    across, along = draw.uniform(1.0, 9.0, (2, 4)).round(2)
+    lists = {
+        key: [float(across[k]), float(across[k]), float(along[k])]
+        for k, key in enumerate(
+            ("DragArea", "DragForceCoefficient", "HydrodynamicMass", "AddedMassCoefficient")
+        )
+    }
+    buoy = {"Name": "Ring", "BuoyType": "Lumped buoy", "Connection": "Free", "Mass": 15.0, "Volume": 2.0}
+    buoy["InitialPosition"] = [0, 0, -4]
+    body = ring_of(Part(buoy | lists, "6DBuoys[Ring]", DECK), CALM)
+    assert float(body["drag_area"]["horizontal"].split()[0]) == pytest.approx(across[0] * across[1], rel=1e-5)
+    assert float(body["added_mass"]["vertical"].split()[0]) == pytest.approx(along[2] * along[3], rel=1e-5)
+    for key, values in lists.items():
+        for length in (1, 2, 4):
+            with pytest.raises(InputError, match=f"{key}: {length} values"):
+                ring_of(Part(buoy | lists | {key: [*values, 1.0][:length]}, "6DBuoys[Ring]", DECK), CALM)
+    for key in ("DragForceCoefficient", "AddedMassCoefficient"):
+        without = {name: values for name, values in lists.items() if name != key}
+        with pytest.raises(InputError, match=key):
+            ring_of(Part(buoy | without, "6DBuoys[Ring]", DECK), CALM)

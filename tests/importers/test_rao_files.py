@@ -10,7 +10,7 @@ import xarray as xr
 
 from riserstudy.cli import main
 from riserstudy.errors import InputError
-from riserstudy.importers.rao_files import from_capytaine
+from riserstudy.importers.rao_files import from_capytaine, from_wamit
 from riserstudy.model.rao import harmonics
 from riserstudy.scene.load import SceneFile
 
@@ -120,6 +120,22 @@ def test_capytaine_moves_as_the_real_part_with_time_backward(tmp_path, case, by,
     np.testing.assert_allclose(motion, exact, atol=1e-8)
 
 
+@pytest.mark.parametrize("seed", range(10))
+def test_a_file_by_frequency_gives_the_table_of_the_file_by_period_or_is_refused(tmp_path, monkeypatch, seed):
+    """WAMIT's IPEROUT decides what the first column is; the file does not say it."""
+    draw = np.random.default_rng(seed)
+    periods = np.sort(draw.uniform(5.0, 25.0, 4))
+    monkeypatch.setattr(sys.modules[__name__], "PERIODS", tuple(periods))
+    by_period = from_wamit(wamit(tmp_path / "p.4"), 1.0)
+    other = wamit(tmp_path / "f.4", change=lambda row: [2.0 * np.pi / row[0], *row[1:]])
+    with pytest.raises(InputError, match=r"first column.*may be frequencies"):
+        from_wamit(other, 1.0)
+    by_frequency = from_wamit(other, 1.0, "frequency")
+    np.testing.assert_allclose(by_frequency.rows, by_period.rows, rtol=1e-5)
+    assert by_frequency.columns == by_period.columns
+    assert from_wamit(tmp_path / "p.4", 1.0, "period") == by_period
+
+
 def test_what_is_left_out_is_named_with_what_the_scene_says_beside(tmp_path, capsys):
     imported(wamit(tmp_path / "semi.4"), "--length", "1 m")
     said = capsys.readouterr().out
@@ -151,15 +167,11 @@ def test_motions_that_a_file_does_not_have_are_not_in_the_table(tmp_path):
 def test_a_file_that_contradicts_itself_is_refused(tmp_path, change, why):
     with pytest.raises(SystemExit):
         imported(wamit(tmp_path / "semi.4", change=change), "--length", "1 m")
-    from riserstudy.importers.rao_files import from_wamit
-
     with pytest.raises(InputError, match=why):
         from_wamit(tmp_path / "semi.4", 1.0)
 
 
 def test_a_file_without_all_modes_everywhere_is_refused(tmp_path):
-    from riserstudy.importers.rao_files import from_wamit
-
     source = wamit(tmp_path / "semi.4")
     source.write_text("\n".join(source.read_text().splitlines()[:3] + source.read_text().splitlines()[4:]))
     with pytest.raises(InputError, match="no mode 3 at 0 deg and 8 s"):
@@ -179,6 +191,9 @@ def test_a_length_that_only_wamit_needs_is_refused_elsewhere(tmp_path, capsys):
         with pytest.raises(SystemExit):
             imported(source, "--length", "1 m")
         assert "--length: 1 m: changes nothing" in capsys.readouterr().err
+        with pytest.raises(SystemExit):
+            imported(source, "--first-column", "frequency")
+        assert "--first-column: frequency: changes nothing" in capsys.readouterr().err
         assert not source.with_suffix(".csv").exists()
 
 

@@ -1,4 +1,4 @@
-"""A rig whose cylinders have failed during the run, and one whose cylinders had failed before: the same model.
+"""A rig whose cylinders fail during the run has from then on the model of one whose cylinders had failed.
 
 In the same state both have the same energies, masses and forces.
 """
@@ -21,9 +21,8 @@ LAWS = ("linear", "gas", "table", "two_chamber_gas")
 def rig(seed, law, spatial):
     """A rig whose law has pistons if it is of two chambers, with the cylinders that fail."""
     draw = np.random.default_rng((seed, 17))
-    tree = on_cylinders(
-        seed, "arrangement", *(["gas"] if law == "two_chamber_gas" else [law]), spatial=spatial, conductor=False
-    )
+    drawn = "gas" if law == "two_chamber_gas" else law
+    tree = on_cylinders(seed, "arrangement", drawn, spatial=spatial, conductor=False)
     rig = tree["top"]["tensioners"]
     rig["mid_stroke"] = "riser unstretched"  # else it depends on which cylinders pull
     if law == "two_chamber_gas":

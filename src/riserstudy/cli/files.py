@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shlex
+from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
 
@@ -13,6 +14,14 @@ from riserstudy.cli.shared import SceneArgument, SetOption, quantity, scene_of, 
 from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.errors import InputError
 from riserstudy.folders import whole_file
+
+
+class FirstColumn(StrEnum):
+    """First column of a .4 file of WAMIT."""
+
+    PERIOD = "period"
+    FREQUENCY = "frequency"
+
 
 ONLY_WAMIT = "allowed only with a .4 file of WAMIT; omit it"
 
@@ -60,6 +69,10 @@ def import_deck(
             help="length ULEN of the WAMIT body, such as '1 m'; required for a .4 file", metavar="LENGTH"
         ),
     ] = None,
+    first_column: Annotated[
+        FirstColumn | None,
+        typer.Option(help="first column of a .4 file of WAMIT: period (s) or frequency (rad/s)"),
+    ] = None,
     force: ForceOption = False,
 ) -> None:
     """Convert an OrcaFlex text model of a vertical riser to a scene, or platform RAOs to a table.
@@ -68,10 +81,9 @@ def import_deck(
     cannot represent.
     """
     if deck.suffix in (".4", ".nc"):
-        _import_operators(deck, output, length, force)
+        _import_operators(deck, output, length, first_column, force)
         return
-    if length is not None:
-        raise InputError("--length", length, "changes nothing", ONLY_WAMIT)
+    _refuse_wamit_options(length, first_column)
     from riserstudy.importers.orcaflex import as_text, read_deck
 
     deck_scene = read_deck(deck)
@@ -114,7 +126,16 @@ def export_deck(
     )
 
 
-def _import_operators(source: Path, output: Path, length: str | None, force: bool) -> None:
+def _refuse_wamit_options(length: str | None, first_column: FirstColumn | None) -> None:
+    """Refuse options that change nothing for a file that is not WAMIT's."""
+    for option, value in (("--length", length), ("--first-column", first_column)):
+        if value is not None:
+            raise InputError(option, value, "changes nothing", ONLY_WAMIT)
+
+
+def _import_operators(
+    source: Path, output: Path, length: str | None, first_column: FirstColumn | None, force: bool
+) -> None:
     """Write the table of RAOs from a file of WAMIT or Capytaine."""
     from riserstudy.importers import rao_files
 
@@ -122,8 +143,7 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
         raise InputError(source, "", "no such file", "allowed is a file that exists")
     check_output(output, ("table of operators",), [source], force)
     if source.suffix == ".nc":
-        if length is not None:
-            raise InputError("--length", length, "changes nothing", ONLY_WAMIT)
+        _refuse_wamit_options(length, first_column)
         operators = rao_files.from_capytaine(source)
     elif length is None:
         allowed = "give ULEN of the .gdf file, for example --length '1 m'"
@@ -133,7 +153,7 @@ def _import_operators(source: Path, output: Path, length: str | None, force: boo
         ulen = quantity("--length", length, "m", allowed)
         if not ulen > 0.0:
             raise InputError("--length", length, "not above 0", allowed)
-        operators = rao_files.from_wamit(source, ulen)
+        operators = rao_files.from_wamit(source, ulen, first_column.value if first_column else None)
     rao_files.write_table(operators, output)
     for line in operators.left_out:
         print(f"left out: {line}")

@@ -1,9 +1,9 @@
 """Convert response amplitude operators (RAOs) from files of diffraction codes to the table of a scene.
 
-It reads WAMIT's ``.4`` file (columns period, heading, mode, modulus, phase, real and imaginary part) and a
-netCDF file of a Capytaine dataset. Headings in both are directions towards which waves travel. WAMIT's phases
-lead the crest at the origin; Capytaine's phases lag it, as its time factor is exp(-i w t). The axes are those
-of scenes: x, y to port of it, z up.
+It reads WAMIT's ``.4`` file (columns period or frequency, heading, mode, modulus, phase, real and imaginary
+part) and a netCDF file of a Capytaine dataset. Headings in both are directions towards which waves travel.
+WAMIT's phases lead the crest at the origin; Capytaine's phases lag it, as its time factor is exp(-i w t). The
+axes are those of scenes: x, y to port of it, z up.
 
 References
 ----------
@@ -17,7 +17,7 @@ from __future__ import annotations
 import cmath
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -33,7 +33,9 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 # share by which modulus and phase may differ from real and imaginary part, as printed
 ROUNDED = 2e-3
+HEAVE = 3  # its mode
 SAME = 1e-4  # largest difference of headings that count as equal (deg)
+SHORTEST = 4.0  # s: a file whose periods are all shorter probably has frequencies instead
 HEADING = "heading (deg)"
 FREQUENCIES = {"omega": ("frequency", "rad/s"), "freq": ("frequency", "Hz"), "period": ("period", "s")}
 
@@ -67,12 +69,16 @@ class Row(NamedTuple):
     value: complex  # a positive angle is a lead
 
 
-def from_wamit(path: Path, length: float) -> Operators:
+def from_wamit(path: Path, length: float, first: Literal["period", "frequency"] | None = None) -> Operators:
     """Read the RAOs of a ``.4`` file; ``length`` is the length ULEN of its body (m).
 
-    Raises InputError when it is not such a file, contradicts itself, or is incomplete.
+    ``first``: whether the first column is the period (s) or the circular frequency (rad/s), WAMIT's input
+    IPEROUT; None: the period, unless the numbers contradict it. Raises InputError when it is not such a file,
+    contradicts itself, is incomplete, or when its first column is probably not the period.
     """
     rows = [*_rows_of_wamit(path)]
+    if first == "frequency":
+        rows = [row._replace(period=2.0 * math.pi / row.period if row.period else math.inf) for row in rows]
     waves = [row for row in rows if math.isfinite(row.period) and row.period > 0.0]
     left_out = [
         f"period {p:g}: no wave" for p in sorted({r.period for r in rows} - {r.period for r in waves})
@@ -84,6 +90,9 @@ def from_wamit(path: Path, length: float) -> Operators:
         raise InputError(path, "", "no RAOs of a platform motion", allowed)
     if len(values) < sum(row.mode <= 6 for row in waves):
         raise InputError(path, "", "two lines for one wave and mode", "delete one of them")
+    if first is None and (why := _no_periods(values)):
+        allowed = "state what it is: --first-column period or --first-column frequency"
+        raise InputError(path, "the first column", why, allowed)
     headings = sorted({heading for heading, _, _ in values})
     periods = sorted({period for _, period, _ in values})
     modes = sorted({mode for *_, mode in values})
@@ -101,6 +110,27 @@ def from_wamit(path: Path, length: float) -> Operators:
     names = [MOTIONS[mode - 1] for mode in modes]
     columns = ["period (s)", HEADING, *_columns(names)]
     return _once_a_turn(path, Operators(columns, table, "lead", left_out))
+
+
+def _no_periods(values: dict[tuple[float, float, int], complex]) -> str:
+    """Why numbers by heading, period (s) and mode are probably not by period; empty if they can be.
+
+    A floating body follows long waves, and short waves hardly move it.
+    """
+    periods = sorted({period for _, period, _ in values})
+    if periods[-1] < SHORTEST:
+        return f"as periods, all are shorter than {SHORTEST:g} s: they may be frequencies"
+    heave = dict.fromkeys(periods, 0.0)
+    for (_, period, mode), value in values.items():
+        if mode == HEAVE:
+            heave[period] = max(heave[period], abs(value))
+    shortest, longest = heave[periods[0]], heave[periods[-1]]
+    if shortest > 2.0 * longest:
+        return (
+            f"as periods, heave is {shortest:.3g} m/m at {periods[0]:g} s but {longest:.3g} m/m at "
+            f"{periods[-1]:g} s: they may be frequencies"
+        )
+    return ""
 
 
 def _rows_of_wamit(path: Path) -> list[Row]:

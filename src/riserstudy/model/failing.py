@@ -9,6 +9,7 @@ import numpy as np
 
 from riserstudy.effects.cylinder_damping import CylinderDamping
 from riserstudy.effects.dead_load import DeadLoad
+from riserstudy.effects.end_mass import EndMass
 from riserstudy.effects.end_stop import EndStop
 from riserstudy.effects.gas_spring import GasSpring
 from riserstudy.effects.linear_spring import LinearSpring
@@ -39,8 +40,8 @@ def without_cylinders(model: Model, cylinders: list[int], pistons: float) -> Mod
     """
 
     def changed(effect: Effect) -> Effect:
-        record = effect.record
-        if effect.because == PISTONS:
+        record: Any = effect.record
+        if isinstance(record, EndMass) and effect.because == PISTONS:
             return effect._replace(record=record._replace(mass=pistons * record.mass))
         values = {name: getattr(record, name).copy() for name in STRENGTH.get(type(record), ())}
         for value in values.values():

@@ -87,13 +87,18 @@ class Part:
             raise self.refused(key, repr(entry), "allowed is a list of numbers")
         return [self._number(key, 0.0 if one in EMPTY else one) for one in entry]
 
+    def components(self, key: str) -> list[float]:
+        """Return numbers for x, y and z in the unit of the deck, 0 for empty ones and without the list."""
+        numbers = self.numbers(key) or [0.0] * 3
+        if len(numbers) != 3:
+            raise self.refused(key, f"{len(numbers)} values", "allowed are 3 values, for x, y and z")
+        return numbers
+
     def vector(self, key: str) -> tuple[float, float, float]:
         """Return three numbers in the unit of the deck, 0 for empty ones."""
         self.value(key)
-        numbers = self.numbers(key)
-        if len(numbers) != 3:
-            raise self.refused(key, f"{len(numbers)} values", "allowed are 3 values, for x, y and z")
-        return numbers[0], numbers[1], numbers[2]
+        x, y, z = self.components(key)
+        return x, y, z
 
     def _number(self, key: str, entry: Any) -> float:
         value = math.inf if entry == "Infinity" else entry

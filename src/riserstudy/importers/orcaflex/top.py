@@ -222,6 +222,18 @@ def _plain(value: Any) -> str:
     return str(value["derived"] if isinstance(value, dict) else value)
 
 
+def _products(buoy: Part, key: str, coefficient: str) -> list[float]:
+    """A size times its coefficient along x, y and z, equal along x and y."""
+    size = buoy.components(key)
+    if not any(size):
+        return size
+    factor = buoy.vector(coefficient)
+    products = [s * c for s, c in zip(size, factor, strict=True)]
+    if products[0] != products[1]:
+        raise buoy.refused(key, f"{size}", ALIKE)
+    return products
+
+
 def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
     """Return the tension ring as a body at the riser's end, from a lumped buoy with mass, volume and drag.
 
@@ -238,17 +250,10 @@ def ring_of(buoy: Part, sea: Sea, on: str = "Free") -> dict[str, Any]:
         body["submerged_weight"] = {"derived": weight, "from": "its mass: it is above the water"}
         return body
     body["displaced_volume"] = q(volume, "m^3")
-    area = buoy.numbers("DragArea")
-    factor = buoy.numbers("DragForceCoefficient")
-    drag = [a * c for a, c in zip(area, factor, strict=False)]
+    drag = _products(buoy, "DragArea", "DragForceCoefficient")
     if any(drag):
-        if drag[0] != drag[1]:
-            raise buoy.refused("DragArea", f"{area}", ALIKE)
         body["drag_area"] = {"horizontal": q(drag[0], "m^2"), "vertical": q(drag[2], "m^2")}
-    mass_ = buoy.numbers("HydrodynamicMass")
-    added = [m * c for m, c in zip(mass_, buoy.numbers("AddedMassCoefficient"), strict=False)]
+    added = _products(buoy, "HydrodynamicMass", "AddedMassCoefficient")
     if any(added):
-        if added[0] != added[1]:
-            raise buoy.refused("HydrodynamicMass", f"{mass_}", ALIKE)
         body["added_mass"] = {"horizontal": q(added[0], "t"), "vertical": q(added[2], "t")}
     return body
