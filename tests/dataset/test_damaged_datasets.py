@@ -8,7 +8,7 @@ from random_rigs import moving, written
 
 from riserstudy.dataset.label import to_dataset
 from riserstudy.dataset.netcdf import LINE, MARK
-from riserstudy.dataset.open import open_dataset
+from riserstudy.dataset.open import open_dataset, open_results
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
@@ -40,6 +40,22 @@ def test_a_flipped_bit_is_refused_or_of_no_account(dataset, tmp_path):
         except InputError:
             refused += 1
     assert refused >= BITS - 5  # a bit of the mark itself changes no number
+
+
+def test_a_tree_of_results_has_no_damaged_dataset(dataset, tmp_path):
+    seed, path = dataset
+    draw, whole = random.Random(seed), path.read_bytes()
+    copy = tmp_path / "rig" / "copy.nc"
+    copy.parent.mkdir()
+    copy.write_bytes(whole)
+    with open_results(tmp_path) as tree:
+        assert tree["rig/copy"].to_dataset().load().sizes == open_dataset(path).sizes
+    for place in draw.sample(range(len(whole) - LINE), 20):
+        spoilt = bytearray(whole)
+        spoilt[place] ^= 1 << draw.randrange(8)
+        copy.write_bytes(spoilt)
+        with pytest.raises(InputError, match=r"copy\.nc: damaged"):
+            open_results(tmp_path)
 
 
 @pytest.mark.parametrize("words", [("statistics", "-o", "x.csv"), ("table", "-o", "x.csv")])

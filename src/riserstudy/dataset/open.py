@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from riserstudy.dataset.netcdf import load
+from riserstudy.dataset.netcdf import load, refuse_damaged
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
 
@@ -29,7 +29,7 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
     Raises
     ------
     InputError
-        When the folder contains no dataset, or a dataset refers to other files.
+        When the folder contains no dataset, or a dataset is damaged or refers to other files.
     """
     import xarray as xr
 
@@ -37,6 +37,7 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
     if not files:
         raise InputError(folder, "", "no datasets", "run `make study` first")
     for file in files:
+        refuse_damaged(file)
         refuse_other_files(file)
     nodes = {f"/{file.parent.name}/{file.stem}": xr.open_dataset(file, engine="netcdf4") for file in files}
     return xr.DataTree.from_dict(nodes)
