@@ -3,10 +3,11 @@
 import json
 import os
 import random
+import re
 import sqlite3
 import sys
 from contextlib import closing
-from csv import DictReader
+from csv import DictReader, reader
 from pathlib import Path
 
 import pytest
@@ -195,8 +196,13 @@ def test_a_table_shows_units_and_csv_holds_all_digits(command, tmp_path):
     written = f"written: {tmp_path / 'a.csv'}\n"
     assert command(*asked, "--csv", tmp_path / "a.csv")[:2] == (0, written)
     with (tmp_path / "a.csv").open(newline="") as file:
-        written = [float(row["x_max"]) for row in DictReader(file)]
+        written = [float(row["x_max (m)"]) for row in DictReader(file)]
     assert written == [row["x_max"] for row in rows(command, *asked)]
+    command("results", "plain/surge", "--csv", tmp_path / "all.csv")
+    with (tmp_path / "all.csv").open(newline="") as file:
+        written = next(reader(file))
+    assert written == re.split(r" {2,}", command("results", "plain/surge")[1].splitlines()[0].strip())
+    assert "period (s)" in written
     code, _, err = command(*asked, "--csv", tmp_path / "no/such/folder.csv")
     assert (code, "folder.csv" in err) == (2, True)
 

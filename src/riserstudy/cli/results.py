@@ -127,7 +127,7 @@ def _show(answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | 
     if csv is not None:
         from riserstudy.csv_files import write_csv
 
-        write_csv(csv, answer.columns, answer.rows)
+        write_csv(csv, show.headings(answer, units or {}), answer.rows)
         wrote(csv)
         return
     lines = [show.as_json(answer)] if as_json else show.as_table(answer, units)

@@ -14,14 +14,18 @@ from riserstudy.errors import InputError, printable
 WIDEST = 60  # most characters of a text on a screen
 
 
+def headings(answer: Answer, units: Mapping[str, str]) -> list[str]:
+    """Return the headings of the columns, with their units as in ``x_max (m)``."""
+    return [f"{name} ({units[name]})" if name in units else name or "" for name in answer.columns]
+
+
 def as_table(answer: Answer, units: Mapping[str, str] | None = None) -> list[str]:
     """Return the lines of a table with aligned columns; numbers have six digits."""
-    heads = [f"{name} ({units[name]})" if units and name in units else name or "" for name in answer.columns]
     right = [
         all(value is None or isinstance(value, int | float) for value in values)
         for values in zip(*answer.rows, strict=True)
     ]
-    return aligned([heads, *([*map(_cell, row)] for row in answer.rows)], right)
+    return aligned([headings(answer, units or {}), *([*map(_cell, row)] for row in answer.rows)], right)
 
 
 def _cell(value: Any) -> str:
