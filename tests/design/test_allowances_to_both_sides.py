@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+from random_rigs import written
 from rigs_in_waves import in_waves, limited
 
 from riserstudy import simulate
 from riserstudy.design.sea_allowances import allowances
 from riserstudy.errors import InputError
 from riserstudy.scene.at_rest import static
+from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.study.in_sea import Sea, in_sea
 
@@ -41,6 +43,36 @@ def test_an_allowance_covers_every_output_of_the_run(seed, spatial, side):
         swing = np.abs(moving[name].values - still).max()
         assert one.value >= swing * (1.0 - 1e-6), name
         assert one.value > 0.0
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(6))
+def test_an_allowance_covers_the_motion_at_every_node_of_a_section(seed, spatial):
+    """Where a section is largest at rest it can move little; at other offsets its other nodes govern."""
+    tree = in_waves(seed, spatial, 19, "4 m", 20, 30.0, [0.1], [240])
+    of_stress = {"output": "von_mises_stress", "largest": "1e6 MPa", "mode": "drilling"}
+    of_moment = {"output": "bending_moment", "largest": "1e6 MN*m", "mode": "drilling"}
+    of_tension = {"output": "effective_tension", "smallest": "-1e6 MN", "mode": "drilling"}
+    file = SceneFile("rig.yaml", written(tree) | {"limits": [of_stress, of_moment, of_tension]})
+    none = dict.fromkeys(("analysis.duration", "analysis.output", "analysis.step"))
+    still, moving = simulate(file.with_values(none, "test")), simulate(in_sea(file, SEA, 1))
+    ends = np.cumsum([0.0, *(section.total_length for section in file.resolved().riser)])
+    tried = 0
+    for limit, one in zip(file.resolved().limits, allowances(file, SEA, 1), strict=True):
+        if one.missing:
+            continue
+        rest = still[f"{limit.output}_static"]
+        for section, low, up in zip(file.resolved().riser, ends, ends[1:], strict=False):
+            of = slice(low - 1e-6, up + 1e-6)
+            above, below = (
+                float((sign * (moving[f"{limit.output}_{end}"] - rest)).sel(s_node=of).max())
+                for sign, end in ((1.0, "max"), (-1.0, "min"))
+            )
+            sided = {"von_mises_stress": above, "effective_tension": below}
+            motion = sided.get(limit.output, max(above, below))
+            assert one.by_place[section.name] >= motion * (1.0 - 1e-6), (limit.output, section.name)
+            tried += 1
+    assert tried
 
 
 VESSEL = {"mass": "6e7 kg", "hull_drag": "6e5 N*s^2/m^2", "wave_drift": {"force": "1 MN", "heading": "0 deg"}}

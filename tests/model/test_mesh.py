@@ -4,9 +4,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from random_rigs import rig, written
 
+from riserstudy.model.mesh import mesh_of as mesh_again
 from riserstudy.model.mesh import prescribed
-from riserstudy.scene.load import read_scene
+from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.simulation.starting_mesh import coarsest_mesh
 
 SCENES = Path(__file__).parents[2] / "config" / "scenes"
 LAYERS = {"top": "7 m", "bottom": "14 m"}
@@ -60,3 +63,13 @@ SECTIONS = [
     | {"drag": {"coefficient": 1.0, "diameter": "0.5334 m"}}
     for name, length in (("lower", "300 m"), ("upper", "1500 m"))
 ]
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(20))
+def test_a_mesh_is_found_again_from_the_lengths_of_its_segments(seed, spatial):
+    scene = SceneFile("rig.yaml", written(rig(seed, spatial=spatial))).resolved()
+    mesh = coarsest_mesh(scene)
+    found = mesh_again(scene, mesh.l0)
+    np.testing.assert_array_equal(found.section, mesh.section)
+    assert (found.joint, found.body) == (mesh.joint, mesh.body)

@@ -78,8 +78,8 @@ def _added(seas: xr.Dataset, places: Places | None = None) -> dict[str, xr.DataA
     """Increase of each run's outputs over their values at rest, in the unit of the output.
 
     For angles it is the largest motion to either side, because the angle at rest has both signs over the
-    range of offsets. Each of the ``places`` has its own increases of stress and tension, since other parts
-    govern at other offsets; without places, they are those of the whole riser.
+    range of offsets. Each of the ``places`` has its own increases of stress and tension, the largest of its
+    nodes, since other parts govern at other offsets; without places, they are those of the whole riser.
     """
     added = {}
     for name in ("lfj_angle", "ufj_angle"):
@@ -88,8 +88,8 @@ def _added(seas: xr.Dataset, places: Places | None = None) -> dict[str, xr.DataA
     stress, tension = "von_mises_stress", "effective_tension"
     parts = [seas.sel(s_node=slice(low - NEAR, up + NEAR)) for low, up in (places or {}).values()] or [seas]
     increases = {
-        stress: [of[f"{stress}_max"].max("s_node") - of[f"{stress}_static"].max("s_node") for of in parts],
-        tension: [of[f"{tension}_static"].min("s_node") - of[f"{tension}_min"].min("s_node") for of in parts],
+        stress: [(of[f"{stress}_max"] - of[f"{stress}_static"]).max("s_node") for of in parts],
+        tension: [(of[f"{tension}_static"] - of[f"{tension}_min"]).max("s_node") for of in parts],
     }
     for name, each in increases.items():
         added[name] = xr.concat(each, "place").assign_coords(place=list(places)) if places else each[0]

@@ -10,12 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import error_of, rows_of, too_coarse
-from riserstudy.records.facts import RunFacts
+from riserstudy.dataset.result import Result
+from riserstudy.model.mesh import Mesh, mesh_of
 from riserstudy.scene.at_rest import static
-from riserstudy.scene.limits import SIGNED, Limit
+from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
+from riserstudy.simulation.extremes import places
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.run import single
 from riserstudy.study.demand_in_sea import demand
 from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
@@ -38,7 +41,8 @@ def allowances(
 ) -> list[Allowance]:
     """The addition of a sea to the demand of each limit, which nine seas in ten do not exceed.
 
-    Each section has an addition of its own, since other sections govern at other offsets. Runs have the
+    Each section has an addition of its own, the largest of its nodes, since other sections and nodes govern
+    at other offsets. Runs have the
     current and the offset of the scene. Extremes of the seeds follow a Gumbel distribution. Limits on means
     have no allowance. On a prescribed mesh and step that are too coarse for an output, its allowance is not
     known. ``notify``: function that receives a description of the next run. Raises InputError when the scene
@@ -49,26 +53,40 @@ def allowances(
     refuse_departures(file.source, scene)
     if scene.vessel:
         raise departure(file.source, "vessel", "moves away from its offset", NO_VESSEL)
-    rest = run(static(scene)).facts
     runs = []
     for seed in range(seeds):
         notify(f"sea of {sea.height:g} m, {sea.period:g} s: seed {seed + 1} of {seeds}")
-        runs.append(run(in_sea(file, sea, seed + 1).resolved()).facts)
-    return [_of_limit(scene, limit, rest, runs) for limit in scene.limits or []]
+        runs.append(_run(scene, in_sea(file, sea, seed + 1).resolved()))
+    return [_of_limit(scene, limit, runs) for limit in scene.limits or []]
 
 
-def _of_limit(scene: Resolved, limit: Limit, rest: RunFacts, runs: Sequence[RunFacts]) -> Allowance:
-    """The allowance of a limit, from the facts of the scene at rest and of the runs in the sea."""
+class Run(NamedTuple):
+    """A run in the sea, and the scene at rest on the same mesh."""
+
+    mesh: Mesh
+    moving: Result
+    rest: Result
+
+
+def _run(scene: Resolved, there: Resolved) -> Run:
+    """Run a scene ``there``, in the sea; ``scene`` is itself."""
+    moving = run(there)
+    mesh = mesh_of(scene, moving.arrays["l0"])
+    return Run(mesh, moving, single(static(scene), mesh, None))
+
+
+def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run]) -> Allowance:
+    """The allowance of a limit, from the runs in the sea."""
     if limit.side == "mean":
         return Allowance(0.0)
-    each = [_added(scene, limit, rest["extremes"], one["extremes"]) for one in runs]
+    each = [_added(scene, limit, one) for one in runs]
     places = {where: allowance(np.array([one[where] for one in each])) for where in each[0]}
     value = max(places.values(), default=math.nan)
     if math.isnan(value):
         return Allowance(value, f"{limit.output} in the runs of the sea")
     if scene.analysis.mesh is None:
         return Allowance(value, "", places)
-    errors = [error_of(limit.output, one, own_mesh=True) for one in runs]
+    errors = [error_of(limit.output, one.moving.facts, own_mesh=True) for one in runs]
     why = too_coarse(limit, max(errors, key=lambda one: one.size))
     if why:
         return Allowance(math.nan, f"in the runs of the sea, {why}")
@@ -80,20 +98,33 @@ def allowance(added: FloatArray) -> float:
     return max(demand(added, "largest", 1.0).value, 0.0)
 
 
-def _added(
-    scene: Resolved, limit: Limit, rest: list[dict[str, Any]], rows: list[dict[str, Any]]
-) -> dict[str, float]:
-    """By place, the demand of a run minus the demand at rest; empty if it is not known.
+def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
+    """By place, the largest motion of an output from its value at rest; empty if it is not known.
 
-    For outputs with a sign it is the largest motion to either side of the value at rest. The motion against
-    the sign at rest adds to the demand at offsets where the value at rest has the other sign.
+    Along the riser it is the largest of the nodes of the place. For outputs with a sign it is the motion to
+    either side. The motion against the sign at rest adds to the demand at offsets where the value at rest has
+    the other sign.
     """
-    at_rest = {row["where"]: row for row in rows_of(scene, limit, rest)}
+    at_rest = {row["where"]: row for row in rows_of(scene, limit, of.rest.facts["extremes"])}
+    nodes = dict(places(scene, of.mesh, limit.output)) if limit.output in ALONG else {}
     added = {}
-    for row in rows_of(scene, limit, rows):
-        if (still := at_rest.get(row["where"])) is None:
+    for row in rows_of(scene, limit, of.moving.facts["extremes"]):
+        where = row["where"]
+        if where not in at_rest:
             return {}
-        above, below = row["largest"] - still["largest"], still["smallest"] - row["smallest"]
+        above = _motion(of, limit.output, "largest", nodes.get(where), row, at_rest[where])
+        below = -_motion(of, limit.output, "smallest", nodes.get(where), row, at_rest[where])
         sided = below if limit.side == "smallest" else above
-        added[row["where"]] = float(max(above, below) if limit.output in SIGNED else sided)
+        added[where] = max(above, below) if limit.output in SIGNED else sided
     return added
+
+
+def _motion(
+    of: Run, output: str, side: str, nodes: slice | None, row: Mapping[str, Any], still: Mapping[str, Any]
+) -> float:
+    """Change of an output in a sea from rest to a side: at the node where it is largest, or of its extreme."""
+    if nodes is None:
+        return float(row[side] - still[side])
+    envelope = of.moving.arrays[output + ("_max" if side == "largest" else "_min")][nodes]
+    change = envelope - of.rest.arrays[f"{output}_static"][nodes]
+    return float(change.max() if side == "largest" else change.min())
