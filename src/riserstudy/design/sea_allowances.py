@@ -122,7 +122,7 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
 def _motion(
     of: Run, output: str, side: str, nodes: slice | None, row: Mapping[str, Any], still: Mapping[str, Any]
 ) -> float:
-    """Change of an output in a sea from rest to a side: at the node where it is largest, or of its extreme."""
+    """Largest change of an output from rest to a side, of any node or of a value without nodes."""
     if nodes is None:
         return float(row[side] - still[side])
     envelope = of.moving.arrays[output + ("_max" if side == "largest" else "_min")][nodes]
