@@ -54,9 +54,7 @@ def write_deck(file: SceneFile) -> Exported:
     top, upper = topside.top(deck, _rest(scene))
     foot = ["Fixed", 0, 0, scene.bottom.elevation]
     deck.carried |= {"bottom.hold", "bottom.elevation", "bottom.rotation"}
-    pipes.lines(deck, top, upper, foot, pipes.stiffness(scene.bottom.rotation))
-    if clay:
-        deck.objects["Lines"][-1]["PyModel"] = clay
+    pipes.lines(deck, top, upper, foot, pipes.stiffness(scene.bottom.rotation), clay)
     return Exported(deck.text(), deck.left_out())
 
 

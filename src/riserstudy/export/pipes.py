@@ -170,19 +170,23 @@ def _mean(deck: Deck, table: tuple[tuple[float, float], ...], k: int) -> float:
     return mean
 
 
-def lines(deck: Deck, top: list[Any], upper: float, foot: list[Any], lower: float) -> None:
+def lines(
+    deck: Deck, top: list[Any], upper: float, foot: list[Any], lower: float, clay: str | None = None
+) -> None:
     """Write the riser's lines, joined end to end.
 
     Parameters
     ----------
     top, foot : connections of the highest and the lowest end: name, x, y, z (m).
     upper, lower : bending stiffness of these ends (kN m/deg).
+    clay : name of the model of the soil around the lines that reach below the seabed, if there is soil.
     """
     found = runs(deck)
     names = ["Riser"] if len(found) == 1 else [f"Riser {k + 1}" for k in range(len(found))]
     mesh = deck.scene.analysis.mesh
     total = sum(section.total_length for section in deck.scene.riser)
     most = total / (mesh.elements if mesh else FINE)
+    seabed = (deck.scene.water and deck.scene.water.seabed) or 0.0
     for n, run in enumerate(found):
         riser = deck.scene.riser
         last = n == len(found) - 1
@@ -205,6 +209,8 @@ def lines(deck: Deck, top: list[Any], upper: float, foot: list[Any], lower: floa
             "ContentsMethod": "Uniform", "ContentsDensity": 1e-3 * (inside or 0.0),
             "IncludedInStatics": True, "StaticsStep1": "Catenary", "StaticsStep2": "Full statics",
         }  # fmt: skip
+        if clay and _levels(deck, run[-1])[0] < seabed:
+            entry["PyModel"] = clay
         deck.add("Lines", entry)
 
 

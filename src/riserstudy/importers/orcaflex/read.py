@@ -20,7 +20,7 @@ from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import GROUND, PLACE, rotation, upright
 from riserstudy.importers.orcaflex.left_out import left_out
 from riserstudy.importers.orcaflex.sea import Sea, current_of, sea_of, wave_of
-from riserstudy.importers.orcaflex.soil import soil_of
+from riserstudy.importers.orcaflex.soil import same_soil, soil_of
 from riserstudy.importers.orcaflex.string import sections
 from riserstudy.importers.orcaflex.tensioners import fastened
 from riserstudy.importers.orcaflex.top import top_of
@@ -105,6 +105,7 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
         "riser": sections(deck, cast, foot.elevation, sea),
         "bottom": bottom | {"rotation": foot.rotation},
     }
+    same_soil([line.part for line in reversed(cast.riser)], foot.elevation, sea.seabed)
     if ground := soil_of(deck, cast.riser[-1].part, sea.seabed, GRAVITY):
         tree["bottom"]["hold"] = "foot"
         tree["soil"] = ground

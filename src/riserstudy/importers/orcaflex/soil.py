@@ -5,14 +5,17 @@ In OrcaFlex strain is in per cent, and soil has an effective density in place of
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Any
 
 from riserstudy.importers.orcaflex.deck import Part, q
+from riserstudy.importers.orcaflex.pipe import lengths_of
 
 MODELS, CURVES = "P-yModels", "PyCurves"
 SOFT_CLAY = "API RP 2A soft clay"
 # of the displacement at half the resistance: Matlock's curve begins infinitely stiff
 STRAIGHT = 0.1
+CLOSE = 1e-3  # m, of an end and the seabed
 
 
 def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, Any] | None:
@@ -20,8 +23,8 @@ def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, 
 
     Raises InputError when a scene cannot describe it: sand, tables, several ranges of depth, a missing model.
     """
-    name = line.optional("PyModel")
-    if name in (None, "(none)"):
+    name = _model(line)
+    if name is None:
         return None
     models = {model.text("Name"): model for model in deck.parts(MODELS)}
     if name not in models:
@@ -36,6 +39,25 @@ def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, 
         )
         raise models[name].refused(CURVES, f"{len(curves)} ranges of depth", allowed)
     return {"mudline": q(seabed, "m"), "resistance": _soft_clay(curves[0], gravity)}
+
+
+def same_soil(lines: list[Part], foot: float, seabed: float) -> None:
+    """Check that all lines of a riser, from the lowest up, have one model of the soil where they are in it.
+
+    ``foot``: elevation of the lower end (m). Raises InputError when a line has another one, or none.
+    """
+    lowest, level = _model(lines[0]), foot
+    for line, above in pairwise(lines):
+        level += sum(length for _, length in lengths_of(line))
+        if level < seabed - CLOSE and _model(above) != lowest:
+            found = f"{_model(above) or 'none'}, and the line below it has {lowest or 'none'}"
+            allowed = "allowed is one model for all of the riser below the seabed: that is the soil of a scene"
+            raise above.refused("PyModel", found, allowed)
+
+
+def _model(line: Part) -> str | None:
+    name = line.optional("PyModel")
+    return None if name in (None, "(none)") else str(name)
 
 
 def _soft_clay(curve: Part, gravity: float) -> dict[str, Any]:
