@@ -92,6 +92,7 @@ class Measured:
     """Peaks of a run, and the times of its repeats."""
 
     peaks: Peaks | None = None
+    least: float = math.nan  # smallest effective tension of the riser (N)
     unbalanced: bool = False  # energy is not balanced: the peaks may come from the step
     times: list[float] = field(default_factory=list)  # s
 
@@ -221,6 +222,7 @@ def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> No
     """Run a scene once; store its peaks and its time."""
     result = single(scene, mesh, step)
     of.peaks, of.unbalanced = peaks(result), not balanced(result)
+    of.least = float(result.facts["smallest_tension"])
     of.times.append(float(result.facts["solve_seconds"]))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from riserstudy.advice.ablation import Ablation, Changed, Notify, ablate
+from riserstudy.advice.ablation import Ablation, Changed, Notify, Peaks, ablate
 from riserstudy.errors import SimulationError
 from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
@@ -137,7 +137,7 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
     label, because = changed.change.label, changed.because
     if changed.peaks is None or base.peaks is None or changed.message:
         return Row(label, f"cannot be run: {changed.message}", [""] * 4, "cannot be run", False)
-    sizes = base.peaks.change_to(changed.peaks)
+    sizes = _sizes(base, changed, base.peaks, changed.peaks)
     lost = math.isnan(changed.peaks.moment) and base.peaks.moment > 0.0
     small = not lost and all(
         math.isnan(size) or abs(size) <= limit for size, limit in zip(sizes, limits, strict=True)
@@ -148,6 +148,19 @@ def row(base: Ablation, changed: Changed, limits: tuple[float, float, float]) ->
         verdict = NOT_MISSED if small else MISSING
     displayed = [*map(percent, sizes), longer(base, changed)]
     return Row(label, because, displayed, verdict, verdict in (COULD_GO, MISSING))
+
+
+def _sizes(base: Ablation, changed: Changed, before: Peaks, after: Peaks) -> list[float]:
+    """Return the relative changes (1) of displacement, moment and tension.
+
+    That of the tension is the larger one of its changes at the top, and where it is smallest; both are shares
+    of the tension at the top. With tensioners, the top may not notice a change of all the tension below.
+    """
+    sizes = [*before.change_to(after)]
+    below = (changed.least - base.least) / before.tension if before.tension > 0.0 else math.nan
+    if abs(below) > abs(sizes[-1]):
+        sizes[-1] = below
+    return sizes
 
 
 def _effect(row: Row) -> str:

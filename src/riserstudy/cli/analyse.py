@@ -105,7 +105,10 @@ def _needs(missing: str) -> str:
 
 
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:
-    """Recommend effects to remove or add, within the tolerance of a scene."""
+    """Recommend effects to remove or add, within the tolerance of a scene.
+
+    The tension is compared at the upper end, and at the place where it is smallest.
+    """
     from rich.console import Console
     from rich.table import Table
 
