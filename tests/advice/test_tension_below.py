@@ -1,4 +1,4 @@
-"""An effect that changes the tension below the tensioners is needed, also if the upper end does not notice."""
+"""An effect that changes the tension below the tensioners is needed, also if the top does not notice it."""
 
 import pytest
 from random_rigs import rig, written

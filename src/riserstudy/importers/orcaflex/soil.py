@@ -51,7 +51,7 @@ def same_soil(lines: list[Part], foot: float, seabed: float) -> None:
         level += sum(length for _, length in lengths_of(line))
         if level < seabed - CLOSE and _model(above) != lowest:
             found = f"{_model(above) or 'none'}, and the line below it has {lowest or 'none'}"
-            allowed = "allowed is one model for all of the riser below the seabed: that is the soil of a scene"
+            allowed = "allowed is one model for all lines below the seabed: that is the soil of a scene"
             raise above.refused("PyModel", found, allowed)
 
 
