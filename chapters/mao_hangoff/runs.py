@@ -49,6 +49,21 @@ def at_nodes_of_paper(values: xr.DataArray) -> xr.DataArray:
     return values.interp(s=np.linspace(float(s[0]), float(s[-1]), ELEMENTS + 1))
 
 
+def mean_over(values: xr.DataArray, low: float, high: float) -> xr.DataArray:
+    """Mean over a range of s (m), by length, because nodes are closer together near the ends of a riser."""
+    s = values["s"].values
+    places = [low, *s[(s > low) & (s < high)], high]
+    mean: xr.DataArray = values.interp(s=places).integrate("s") / (high - low)
+    return mean
+
+
+def halves(values: xr.DataArray) -> tuple[xr.DataArray, xr.DataArray]:
+    """Means over the lower and the upper half of a riser."""
+    low, high = float(values["s"][0]), float(values["s"][-1])
+    middle = 0.5 * (low + high)
+    return mean_over(values, low, middle), mean_over(values, middle, high)
+
+
 def with_printed_lmrp(values: xr.DataArray) -> xr.DataArray:
     """Values with the printed LMRP mass; unchanged if the mass is not varied."""
     return values.sel(lmrp_mass=140.0, drop=True) if "lmrp_mass" in values.dims else values

@@ -5,7 +5,7 @@ from __future__ import annotations
 import xarray as xr
 
 from chapters.mao_hangoff.claims.towed import TIMES
-from chapters.mao_hangoff.runs import distance, moments_over_time, with_printed_lmrp
+from chapters.mao_hangoff.runs import distance, halves, moments_over_time, with_printed_lmrp
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, everywhere
 from riserstudy.grading.word import Word
@@ -33,9 +33,7 @@ def tension_range_grows_with_length(limits: xr.Dataset, larger: Word) -> Found:
 def upper_half_moves_faster(runs: xr.Dataset, faster: Word) -> Found:
     """The upper half moves faster than the lower between times of Fig 9c; value: ratio of distances moved."""
     x = with_printed_lmrp(runs["x"]).sel(time=TIMES)
-    middle = 0.5 * (float(x["s"][0]) + float(x["s"][-1]))
-    way = abs(x.diff("time"))
-    upper, lower = (way.where(part).mean("s") for part in (x["s"] >= middle, x["s"] <= middle))
+    lower, upper = halves(abs(x.diff("time")))
     ratio = upper.sum("time") / lower.sum("time")
     return judged(ratio, more_on_the_whole(upper, lower, faster, "time"))
 

@@ -6,7 +6,6 @@ the amplitude of axial motion at the period of the heave.
 
 from __future__ import annotations
 
-import numpy as np
 import xarray as xr
 
 from chapters.mao_hangoff.claims.heave import lmrp_motion
@@ -16,6 +15,7 @@ from chapters.mao_hangoff.runs import (
     STATED,
     at_angle,
     distance,
+    halves,
     largest,
     last_over_first,
     misses_of_print,
@@ -31,7 +31,6 @@ from riserstudy.grading.yardstick import all_of, growing, less, more
 SURFACE_ZONE = 150.0  # m below the joint, where C_D is large
 TIMES = [10.0, 40.0, 70.0, 100.0, 130.0]  # s, of Fig 9c
 NEARLY = 0.99  # share of the largest value that counts as the largest
-PLACES = 200  # number of equally spaced positions along the riser, for means
 
 
 # printed numbers
@@ -97,10 +96,9 @@ def grows_in_time(runs: xr.Dataset, at_most: float) -> Found:
 def lower_half_moves_more(runs: xr.Dataset) -> Found:
     """The LMRP is farthest at all times, the lower half farther than the upper; value: ratio at 130 s."""
     away = abs(with_printed_lmrp(displacement(runs))).sel(time=TIMES)
-    middle = 0.5 * (float(away["s"][0]) + float(away["s"][-1]))
-    lower, upper = away.where(away["s"] <= middle), away.where(away["s"] >= middle)
+    lower, upper = halves(away)
     farthest = above(away.isel(s=0, drop=True), NEARLY * away.max("s"))
-    ratio = lower.mean("s") / upper.mean("s")
+    ratio = lower / upper
     margin = everywhere(least(farthest, above(ratio, 1.0)), "time")
     return judged(ratio.isel(time=-1, drop=True), margin)
 
@@ -150,10 +148,8 @@ def change_near_the_lmrp(runs: xr.Dataset) -> Found:
     """
     away = abs(displacement(runs)).sel(time=STATED, drop=True)
     change = away.sel(lmrp_mass=120.0, drop=True) - away.sel(lmrp_mass=140.0, drop=True)
-    places = np.linspace(float(change["s"][0]), float(change["s"][-1]), PLACES)
-    even = change.interp(s=places)
-    lower, upper = even.isel(s=slice(0, PLACES // 2)), even.isel(s=slice(PLACES // 2, None))
-    ratio = lower.mean("s") / upper.mean("s")
+    lower, upper = halves(change)
+    ratio = lower / upper
     at_lmrp = change.isel(s=0, drop=True)
     margin = least(
         above(at_lmrp, NEARLY * change.max("s")),

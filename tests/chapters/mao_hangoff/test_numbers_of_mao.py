@@ -147,7 +147,7 @@ def test_fifty_elements_of_the_paper_have_fifty_one_nodes_from_end_to_end():
 
 def test_the_upper_half_that_moves_twice_as_far_is_faster():
     time = np.arange(0.0, 201.0, 10.0)
-    s = np.array([0.0, 300.0, 900.0, 1200.0])
+    s = np.array([0.0, 300.0, 600.0 - 1e-6, 600.0 + 1e-6, 900.0, 1200.0])
     share = np.where(s > 600.0, 2.0, 1.0)
     runs = xr.Dataset({"x": (("time", "s"), np.outer(time, share))}, {"time": time, "s": s})
     found = upper_half_moves_faster(runs, WORD("faster"))

@@ -8,7 +8,11 @@ import xarray as xr
 
 from chapters.mao_hangoff.claims.errata import parts_of_samples
 from chapters.mao_hangoff.claims.further import upper_half_moves_faster
-from chapters.mao_hangoff.claims.towed import steep_near_the_surface
+from chapters.mao_hangoff.claims.towed import (
+    change_near_the_lmrp,
+    lower_half_moves_more,
+    steep_near_the_surface,
+)
 from riserstudy.grading.words_file import read_words
 
 CONFIG = Path(__file__).parents[3] / "config"
@@ -79,3 +83,26 @@ def test_halves_travel_between_the_times_of_fig_9c_however_often_a_record_has_ou
     found = [upper_half_moves_faster(one, WORD("faster")) for one in (often, often.sel(time=TIMES))]
     assert float(found[0].value) == pytest.approx(float(found[1].value), rel=1e-12)
     assert all(bool(one.true) for one in found)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_halves_are_means_over_the_length_however_the_nodes_are_graded(seed):
+    """The mesh is finer near the ends; nodes that change no shape change no value."""
+    draw = np.random.default_rng(seed)
+    knots = np.linspace(0.0, LENGTH, 9)
+    rises = draw.uniform(0.1, 1.0, (2, len(TIMES), 8))  # each node trails the one above
+    shape = np.concatenate([np.zeros((2, len(TIMES), 1)), rises[:, :, ::-1].cumsum(-1)], axis=-1)[:, :, ::-1]
+    x = np.array([TIMES])[..., None] * draw.uniform(1.0, 2.0) - np.sort(shape, axis=1)
+    even = xr.Dataset(
+        {"x": (("lmrp_mass", "time", "s"), x)}, {"lmrp_mass": [120.0, 140.0], "time": TIMES, "s": knots}
+    )
+    fine = LENGTH * draw.beta(0.4, draw.uniform(0.2, 2.0), 200)
+    graded = even.interp(s=np.unique(np.concatenate([knots, fine])))
+    checks = (
+        lower_half_moves_more,
+        change_near_the_lmrp,
+        lambda runs: upper_half_moves_faster(runs, WORD("faster")),
+    )
+    for check in checks:
+        np.testing.assert_allclose(check(graded).value, check(even).value, rtol=1e-9)
+        np.testing.assert_allclose(check(graded).margin, check(even).margin, rtol=1e-9, atol=1e-12)
