@@ -109,8 +109,9 @@ def _source_in_study(module: str) -> Path | None:
 @cache
 def _source_of(root: Path, *steps: str) -> Path | None:
     place = root.joinpath(*steps)
-    file = place / "__init__.py" if place.is_dir() else place.with_suffix(".py")
-    return file if file.exists() else None
+    # as Python: a folder is a package only with this file, else a file of the same name is the module
+    files = (place / "__init__.py", place.with_suffix(".py"))
+    return next((file for file in files if file.is_file()), None)
 
 
 def defining(modules: Iterable[str], function: str) -> str | None:

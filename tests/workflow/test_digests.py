@@ -181,6 +181,25 @@ def test_an_edit_of_what_a_chapter_imports_from_where_one_works_changes_its_dige
     assert digest(dependencies("chapters.mine.figures")) != before
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_the_file_that_python_imports_counts_beside_a_folder_with_its_name(seed, chapter, tmp_path):
+    """A package that became a module leaves a folder of compiled files; figures may have a folder of data."""
+    draw = random.Random(seed)
+    where = draw.choice([tmp_path, tmp_path / "chapters", chapter])
+    name = ".".join([*where.relative_to(tmp_path).parts, "tools"])
+    (chapter / "claims.py").write_text(f"from {name} import FACTOR\n\n\ndef check():\n    return FACTOR\n")
+    file, beside = where / "tools.py", draw.choice(["__pycache__/tools.pyc", "notes.csv", "part.py"])
+    file.write_text("FACTOR = 1\n")
+    (where / "tools" / beside).parent.mkdir(parents=True)
+    (where / "tools" / beside).write_text("")
+    if draw.random() < 0.5:
+        (where / "tools/__init__.py").write_text("FACTOR = 2\n")
+    command = [sys.executable, "-c", f"import sys; sys.path[0] = ''; import {name} as m; print(m.__file__)"]
+    imported = Path(subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip())
+    forget()
+    assert [path for path in dependencies("chapters.mine.claims") if path.name != "claims.py"] == [imported]
+
+
 def test_a_file_where_one_works_is_behind_nothing_of_the_package(chapter, tmp_path):
     forget()
     before = dependencies(ENGINE), dependencies(DERIVE)
