@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import xarray as xr
+import yaml
 
 from riserstudy.errors import InputError
 from riserstudy.grading.false_claims import SUBTLE, Falsified, read_false_claims
@@ -129,6 +130,22 @@ def test_a_claim_that_only_seems_false_is_counted_as_accepted():
 def test_what_no_dataset_has_is_refused(change, found):
     with pytest.raises(InputError, match=found):
         rows({"id": "false", "of": "C1", "how": "cases", **change})
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_pairs_that_are_none_are_refused_with_their_place(seed, tmp_path):
+    draw = np.random.default_rng(seed)
+    odd = [None, 5, 1.5, True, "ab", "", {}, {"a": 1}, ["ab"], [5], [None], [["a"]], [["a", "b", "c"]], [{}]]
+    field = ("exchanged", "relabelled")[int(draw.integers(2))]
+    found = odd[int(draw.integers(len(odd)))]
+    if field == "relabelled" and draw.random() < 0.7:
+        found = {"model": odd[int(draw.integers(len(odd)))]}
+    one = {"id": "F1", "of": "C1", "how": "opposite", "statement": "it falls", field: found}
+    file = tmp_path / "false_claims/small.yaml"
+    file.parent.mkdir()
+    file.write_text(yaml.safe_dump({"paper": "small", "claims": [one]}))
+    with pytest.raises(InputError, match=r"small\.yaml: claims\[0\]"):
+        read_false_claims(tmp_path, "small", FILE)
 
 
 def test_a_false_claim_that_changes_nothing_is_refused():

@@ -57,11 +57,12 @@ class Falsified(Strict):
         """Convert pairs in files, which are lists of two."""
         if not isinstance(tree, dict):
             return tree
-        pairs = {
-            "exchanged": [tuple(pair) for pair in tree.get("exchanged", [])],
-            "relabelled": {name: tuple(pair) for name, pair in tree.get("relabelled", {}).items()},
-        }
-        return tree | {name: value for name, value in pairs.items() if name in tree}
+        pairs: dict[str, Any] = {}
+        if isinstance(swapped := tree.get("exchanged"), list):
+            pairs["exchanged"] = [_pair(one) for one in swapped]
+        if isinstance(swapped := tree.get("relabelled"), dict):
+            pairs["relabelled"] = {axis: _pair(one) for axis, one in swapped.items()}
+        return tree | pairs
 
     @model_validator(mode="after")
     def _changes_something(self) -> Self:
@@ -91,6 +92,11 @@ class Falsified(Strict):
         if self.published is not None:
             changed["published"] = self.published
         return printed.model_copy(update=changed)
+
+
+def _pair(value: object) -> object:
+    """A list as a pair; anything else unchanged, so that it is refused."""
+    return tuple(value) if isinstance(value, list) else value
 
 
 class FalseClaims(Strict):
