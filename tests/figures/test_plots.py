@@ -122,6 +122,27 @@ def test_utilisation_is_the_largest_of_all_limits_and_names_the_one_that_governs
     }  # fmt: skip
 
 
+@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("axes", [("tug",), ("heave_amplitude", "tug")], ids="-".join)
+def test_utilisation_counts_the_points_of_which_nobody_knows_whether_they_exceed_a_limit(axes, seed):
+    """A limit whose error is larger than its margin has a utilisation below 1, and is not evaluated."""
+    draw, found = np.random.default_rng(seed), grid(*axes)
+    shape = found["use_of_limit"].shape
+    use, unknown = draw.uniform(0.0, 1.3, shape), draw.random(shape) < draw.choice([0.0, 0.2, 0.6])
+    use[unknown & (draw.random(shape) < 0.5)] = np.nan
+    found["use_of_limit"].values[:] = use
+    words = np.where(use > 1.0, "exceeded", np.where(unknown, "not evaluated", "within"))
+    found["verdict_of_limit"] = (found["use_of_limit"].dims, words)
+    points = [[str(word) for word in row] for row in words.reshape(-1, shape[-1])]
+    open_points = [row for row in points if "not evaluated" in row and "exceeded" not in row]
+    title = drawn("utilisation", found).get_suptitle().replace("\n", " ")
+    if not np.isnan(use).all():
+        assert title.startswith(f"{sum('exceeded' in row for row in points)} of {len(points)} points exceed")
+        told = f"; at {len(open_points)}, a limit is not evaluated; "
+        assert (told in title) == bool(open_points)
+        assert ("not evaluated" in title) == bool(open_points)
+
+
 def test_utilisation_tells_of_what_is_exceeded_and_of_what_nobody_evaluated():
     beyond = grid("heave_amplitude", "tug")
     beyond["use_of_limit"] = 4.0 * beyond["use_of_limit"]

@@ -80,6 +80,19 @@ def test_the_report_tells_the_point_that_uses_most(tmp_path):
     assert (stroke.use, stroke.verdict) == ("–", "not evaluated")
 
 
+@pytest.mark.parametrize("seed", range(12))
+def test_no_limit_that_is_not_evaluated_somewhere_passes_for_one_that_is_met(seed, tmp_path):
+    draw, found = np.random.default_rng(seed), dataset(tmp_path)
+    words = draw.choice(["within", "exceeded", "not evaluated"], (3, 3), p=draw.dirichlet([1.0, 1.0, 1.0]))
+    found["verdict_of_limit"].values[:] = words
+    found["use_of_limit"].values[:] = np.where(words == "exceeded", 1.2, 0.5)
+    (table,) = limit_tables({"pull": found})
+    exceeded, unknown = ({k for k in range(3) if w in words[:, k]} for w in ("exceeded", "not evaluated"))
+    assert table.sentences.startswith(f"{len(exceeded) or 'None'} of 3 limits ")
+    assert (f"; {len(unknown)} " in table.sentences) == bool(unknown)
+    assert ("not evaluated at some point" in table.sentences) == bool(unknown)
+
+
 def test_the_report_tells_it_in_the_units_of_the_configuration(tmp_path):
     with reading_in(UnitSystem.US):
         (table,) = limit_tables({"pull": dataset(tmp_path)})

@@ -9,6 +9,7 @@ from matplotlib.colors import ListedColormap
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
+from riserstudy.dataset.limits import UNKNOWN
 from riserstudy.errors import InputError
 from riserstudy.figures.grid import (
     along,
@@ -40,8 +41,9 @@ def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
         title = str(dataset.attrs.get("title", "dataset"))
         raise InputError(title, "plot", "no use of limits", "allowed is a study with limits")
     uses = dataset[["use_of_limit", "point_key"]]
+    verdicts = dataset.get("verdict_of_limit")
     figure = _lines(uses) if len(axes_of(dataset)) == 1 else _maps(uses)
-    headline(figure, _use_in_words(uses["use_of_limit"]))
+    headline(figure, _use_in_words(uses["use_of_limit"], verdicts))
     return figure
 
 
@@ -136,8 +138,11 @@ def _which(use: xr.DataArray) -> NDArray[np.int64]:
     return np.where(np.isneginf(values.max(axis=place)), -1, values.argmax(axis=place))
 
 
-def _use_in_words(use: xr.DataArray) -> str:
-    """The number of points that exceed a limit, and the limit that governs most of them."""
+def _use_in_words(use: xr.DataArray, verdicts: xr.DataArray | None) -> str:
+    """The number of points that exceed a limit, and the limit that governs most of them.
+
+    The number of other points at which a limit is not evaluated is stated, because nothing is known there.
+    """
     largest, which = use.max("limit"), _which(use)
     beyond, all_points = int((largest > 1.0).sum()), largest.size
     if not (which >= 0).any():
@@ -146,7 +151,10 @@ def _use_in_words(use: xr.DataArray) -> str:
     first = int(numbers[counts.argmax()])
     name = in_words(str(use["limit"].values[first]))
     many = "all" if counts.max() == all_points else f"{counts.max()}"
-    return f"{beyond} of {all_points} points exceed a limit; at {many}, {name} governs"
+    unknown = use.isnull() if verdicts is None else use.isnull() | (verdicts == UNKNOWN)
+    left = int((unknown.any("limit") & ~(largest > 1.0)).sum())
+    known = f"; at {left}, a limit is {UNKNOWN}" if left else ""
+    return f"{beyond} of {all_points} points exceed a limit{known}; at {many}, {name} governs"
 
 
 def _colour(k: int) -> str:

@@ -39,12 +39,13 @@ class LimitTable(NamedTuple):
 
     @property
     def sentences(self) -> str:
-        """Number of limits that are exceeded at some point, in words."""
-        exceeded = sum(row.verdict.startswith(EXCEEDED) for row in self.rows)
+        """Number of limits that are exceeded, or not evaluated, at some point, in words."""
+        exceeded, unknown = (sum(word in row.verdict for row in self.rows) for word in (EXCEEDED, UNKNOWN))
         many = counted(len(self.rows), "limit")
+        left = f"; {unknown} {'is' if unknown == 1 else 'are'} {UNKNOWN} at some point" if unknown else ""
         if not exceeded:
-            return f"None of {many} is exceeded"
-        return f"{exceeded} of {many} {'is' if exceeded == 1 else 'are'} exceeded at some point"
+            return f"None of {many} is exceeded{left}"
+        return f"{exceeded} of {many} {'is' if exceeded == 1 else 'are'} exceeded at some point{left}"
 
 
 def limit_tables(datasets: Mapping[str, xr.Dataset]) -> list[LimitTable]:
