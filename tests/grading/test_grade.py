@@ -222,7 +222,7 @@ def test_the_table_has_the_columns_of_the_contract():
         (120.0, "True in 80 of 80 samples (100 %). 80 of 200 samples meet the premise", "holds"),
         (150.0, "too few samples (50; at least 59 are needed)", "depends"),
         (40.0, "true in 100 of 160 samples (62 %", "depends"),
-        (999.0, "None of 200 samples meets the premise, so the base case is judged", "holds"),
+        (999.0, "None of 200 samples meets the premise of the claim, so none is judged", "depends"),
     ],
 )
 def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, told, verdict):
@@ -234,6 +234,22 @@ def test_a_claim_is_judged_only_where_what_it_takes_for_granted_is_so(premise, t
     found = row(datasets, **about)
     assert found.verdict == verdict
     assert told in f"{found.depends_on} {found.note}"
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_a_claim_does_not_hold_with_fewer_samples_than_enough_however_few_meet_its_premise(seed):
+    """All samples are true; a stricter premise is evidence of less."""
+    draw = np.random.default_rng(seed)
+    count = int(draw.integers(2, 150))
+    datasets = {"base": dataset(draw.uniform(0.0, 200.0)), "open": dataset(draw.uniform(0.0, 100.0, count))}
+    datasets["open"]["assumed_a"] = ("sample", draw.random(count), {"long_name": "a"})
+    about = {"kind": "claim", "check": "premised", "over": {"runs": "open"}}
+    for premise in (0.0, *draw.uniform(0.0, 110.0, 4), 300.0):
+        found = row(datasets, **about, **{"with": {"least": -1.0, "premise": premise}})
+        judged = int((datasets["open"]["quantity"] >= premise).sum())
+        assert (found.verdict == "holds") == (judged >= 59)
+        if judged < 59:
+            assert found.depends_on.startswith(f"too few samples ({judged}; at least 59")
 
 
 @pytest.mark.parametrize(

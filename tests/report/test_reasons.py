@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from riserstudy.grading.words import summary_by_reading
-from riserstudy.records.graded import Grounds, Reading, Share
+from riserstudy.records.graded import Grounds, Premise, Reading, Share
 from riserstudy.report.claims import Claim
 
 PLAIN = dict.fromkeys(field.name for field in fields(Claim)) | {
@@ -27,6 +27,12 @@ def claim(**about):
 @pytest.mark.parametrize("verdict", ["holds", "fails", "calibrated"])
 def test_a_claim_without_samples_has_a_reason(verdict):
     assert claim(verdict=verdict).why.endswith(".")
+
+
+def test_a_premise_that_no_sample_meets_is_the_reason():
+    grounds = Grounds(because="too few samples", premise=Premise(0, 200))
+    found = claim(verdict="depends", kind="claim", decided_by="too few samples", grounds=grounds)
+    assert found.why == "0 samples are too few for the verdict “holds”, which requires at least 59."
 
 
 def test_interpretations_are_the_reason_where_they_answer_differently():

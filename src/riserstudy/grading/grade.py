@@ -31,6 +31,7 @@ from riserstudy.records.graded import (
     Outcome,
     Premise,
     Together,
+    Verdict,
 )
 
 __all__ = ["Found", "answers", "errata", "grade", "graded", "judged"]
@@ -81,14 +82,18 @@ def graded(
     if not math.isfinite(simulated) or bool(at_base.isnull().any()):
         found_text = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds {found_text}")
-    cases = [*_cases(task, base, space)]
-    verdict = regrade(item.kind, cases)
+    # of a claim whose premise no sample meets, the base case alone shows nothing
+    unjudged = item.kind == "claim" and not every.granted().value.size
+    cases = [replace(case, judged=case.judged and not unjudged) for case in _cases(task, base, space)]
+    verdict: Verdict | None = "depends" if unjudged else regrade(item.kind, cases)
     if verdict is None:
         raise SimulationError(f"{paper}/{item.id}: {item.check} finds no case to judge")
     found = _answers(item, space)
     off = None if item.published is None else error(simulated, item.published)
     grounds = _grounds(task, base, every, found)
-    if found.ndim:
+    if unjudged:
+        grounds = replace(grounds, because="too few samples")
+    elif found.ndim:
         known = regrade(item.kind, [case for case in cases if case.met is not None])
         hit = bool((at_base > 0.0).all())
         about = task.about if space is every else task.about.sel(sample=found["sample"])

@@ -80,7 +80,8 @@ def depends_on(kind: Kind, grounds: Grounds) -> str:
         return ""
     if grounds.readings:
         return f"{decided_by(grounds)}: {by_reading(kind, grounds.readings)}"
-    return f"{decided_by(grounds)}; {_share(grounds.share, _HIT[kind][0])}" if grounds.share else ""
+    share = f"; {_share(grounds.share, _HIT[kind][0])}" if grounds.share else ""
+    return f"{decided_by(grounds)}{share}"
 
 
 def by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
@@ -277,7 +278,7 @@ def _premise(premise: Premise | None) -> Iterator[str]:
             f"{'this' if premise.judged == 1 else 'these'} {are} judged."
         )
     else:
-        yield f"None of {premise.samples} samples meets the premise, so the base case is judged."
+        yield f"None of {premise.samples} samples meets the premise of the claim, so none is judged."
 
 
 def _missing(missing: Missing | None) -> Iterator[str]:

@@ -110,7 +110,8 @@ class Claim(ItemResult):
             return self._by_reading
         if self.verdict == "depends":
             if self.grounds.because == "too few samples":
-                return f"The claim is true in {self._of_samples}. {too_few(self.grounds)}"
+                true = f"The claim is true in {self._of_samples}. " if self.samples else ""
+                return f"{true}{too_few(self.grounds)}"
             return self._depends
         if self.published is not None:
             simulated, published = (f"{number(v)}{unit(self.unit)}" for v in (self.simulated, self.published))
