@@ -132,7 +132,7 @@ def test_advice_names_what_it_does_not_compare_and_what_its_step_is_too_long_for
     ]
     file = SceneFile("rig.yaml", written(moving(0) | {"limits": limits}))
     base = Ablation(file, fixed(file, 1e3)[1], None, [changed], peaks=Peaks(1.0, 1.0, 1.0))
-    monkeypatch.setattr("riserstudy.advice.recommendations.ablate", lambda *_: base)
+    monkeypatch.setattr("riserstudy.advice.recommendations.ablate", lambda *_, **__: base)
     told = advice(file).sentences
     (line,) = [text for text in told if text.startswith("Not compared: ")]
     assert line.startswith("Not compared: lfj_angle. ")

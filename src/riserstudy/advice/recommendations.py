@@ -11,11 +11,13 @@ from riserstudy.scene.limits import Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.starting_mesh import period
 from riserstudy.simulation.tolerance import DISPLACEMENT, MOMENT, in_words
 
 REPEATS = 5  # rounds of timed runs; the median counts
 BUDGET = 5e5  # node-steps of a run; longer scenes are cut
 COULD_GO, NEEDED, NO_GAIN = "removable", "needed", "removable, no time saved"
+AFTER_RAMPS = 3  # periods
 DAMAGE = (
     "Fatigue damage is not compared. An effect that does not change the peaks may still change the damage."
 )
@@ -46,7 +48,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     ``notify``: receives the name of the next run. Raises SimulationError when the scene itself cannot be run.
     """
     limits = accuracy_of(file.resolved())
-    base = ablate(file, REPEATS, BUDGET, notify)
+    base = ablate(file, REPEATS, BUDGET, notify, least=_least(file.resolved()))
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
@@ -71,6 +73,16 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
             *_in_doubt(base),
         ],
     )
+
+
+def _least(scene: Resolved) -> float:
+    """Return the time (s) below which runs are not cut: all of a drift, and some periods after all ramps.
+
+    Earlier, an effect that is still small would seem removable.
+    """
+    if scene.vessel or (scene.platform and scene.platform.cruise):
+        return math.inf
+    return scene.built_up + AFTER_RAMPS * period(scene) if scene.analysis.duration else 0.0
 
 
 def _not_compared(scene: Resolved) -> list[str]:
