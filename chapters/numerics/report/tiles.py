@@ -8,7 +8,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from chapters.numerics.answers import Ranked, hard, never, others, price, ranking
-from chapters.numerics.figures.stability import ENDS, ended
+from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
 from riserstudy.records.page import Tile
 from riserstudy.records.words import listed
 from riserstudy.report.wording import sentence
@@ -39,17 +39,19 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     found = price(accuracy)
     if found is None:
         return None
+    scene = accuracy["request_scene"].values
+    requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
+    usual = seconds[(requested == found.coarse) & (seconds > 0.0)]
     answer = (
-        f"A run with a tolerance of {100 * found.fine:g}\u00a0% takes {found.words} times as long as a run "
-        f"with a tolerance of {100 * found.coarse:g}\u00a0%."
+        f"A simulation with a tolerance of {100 * found.coarse:g}\u00a0% takes {1e3 * usual.min():.2g} "
+        f"to {1e3 * usual.max():.2g}\u00a0ms. With {100 * found.fine:g}\u00a0%, it takes {found.words} times "
+        "as long."
     )
     if peers := others(accuracy):
         answer += (
-            f" For comparison, {peers.codes} other codes need {peers.low:.2g} to {peers.high:.3g} times the "
-            f"run time of riserstudy for an error of {100 * peers.error:g}\u00a0%."
+            f" For an error of {100 * peers.error:g}\u00a0%, {peers.codes} other codes need "
+            f"{peers.low:.2g} to {peers.high:.3g} times the run time of riserstudy."
         )
-    scene = accuracy["request_scene"].values
-    requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
     lines = []
     for name in dict.fromkeys(scene):
         of = (scene == name) & (seconds > 0.0)
@@ -57,22 +59,25 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
     drawn = _lines([line for line in lines if len(line) > 1])
     between = f"{100 * found.coarse:g} to {100 * found.fine:g} %"
-    under = f"run time for tolerances from {between}; one line per scene"
-    return f"{found.words}×", answer, drawn + (_under(under) if drawn else "")
+    under = f"run time (log scale) for tolerances from {between}; one line per scene"
+    return f"{found.words}× the run time", answer, drawn + (_under(under) if drawn else "")
 
 
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
-    silent, other = counts.silent, counts.cases - counts.met
+    silent = counts.silent
     number = "no silent error" if not silent else f"{silent} silent error{'' if silent == 1 else 's'}"
+    refused, other = ends.count(REFUSED), ends.count(WRONG)
     answer = (
-        f"{counts.cases} difficult scenes, for example with end stops, compression or disconnects, were "
-        f"tried. Of {counts.compared} with a reference solution, {silent or 'none'} "
-        f"{'is' if silent < 2 else 'are'} inaccurate without a warning. "
+        f"Of {counts.cases} difficult scenes, for example with compression or disconnects, "
+        f"{counts.cases - refused - other} run to their end and {refused} "
+        f"{'is' if refused == 1 else 'are'} refused with a reason. "
+        f"Of {counts.compared} results with a reference solution, {silent or 'none'} "
+        f"{'is' if silent < 2 else 'are'} inaccurate without a warning."
     )
-    ending = {0: "All scenes end", 1: "1 scene does not end"}.get(other, f"{other} scenes do not end")
-    answer += f"{ending} as expected."
+    if other:
+        answer += f" {other} {'scene does' if other == 1 else 'scenes do'} not end as expected."
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return number, answer, _stack(parts) + _key(each)
 
@@ -94,7 +99,9 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     if none:
         answers.append(f"{_named(none)} no result by more than 1 %")
     rows = [*ranked[: ROWS - len(none)], *none]
-    drawn = [(one.name, one.changed / one.scenes) for one in rows]
+    drawn = sorted(((one.name, one.changed / one.scenes) for one in rows), key=lambda row: -row[1])
+    if len(ranked) > len(top) + len(none) and len(never(ranked)) == len(none) > 0:
+        answers.append("the other effects lie in between")
     return (
         number,
         " ".join(map(sentence, answers)),

@@ -24,11 +24,11 @@ from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
-    "calibrated": "met, but an input was fitted to a published number",
-    "holds": "true in the base case and in at least 95 % of the samples (59 or more) of the unspecified "
-    "inputs, with every interpretation",
+    "holds": "true with the assumed inputs, in at least 95 % of the samples of these inputs, and with every "
+    "interpretation of the text",
     "depends": "true or false, depending on an input that the paper omits or on an interpretation",
-    "fails": "no sample meets the number, or at most 5 % of the samples support the claim",
+    "fails": "no sample gives the published value, or at most 5 % of the samples support the claim",
+    "calibrated": "the published value is met, but an input was fitted to a published value",
     "not comparable": "the paper defines the quantity differently",
     "not reproducible": "the paper gives too little information",
 }

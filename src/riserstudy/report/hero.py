@@ -80,8 +80,8 @@ def _drawn(motion: Motion) -> Hero:
 <polyline class="rest" points="{shapes[0]}"/>
 <polyline class="riser" points="{shapes[-1]}">{moving}</polyline>
 <g transform="translate({rig[-1]})">{carried}
-<path class="rig" d="M-24-14H24V-6H18V4H10V-6H-10V4H-18V-6H-24ZM-5-14L-2-34H2L5-14Z"/></g>
-<text x="6" y="{SKY - 8:g}">platform</text>
+<path class="rig" d="M-24-14H24V-6H18V4H10V-6H-10V4H-18V-6H-24ZM-5-14L-2-34H2L5-14Z"/>
+<text x="30" y="-8">platform</text></g>
 <text x="{WIDTH - 6:g}" y="{0.5 * (HEIGHT + SKY - BED):g}" text-anchor="end" class="named">riser</text>
 <text x="{WIDTH - 6:g}" y="{HEIGHT - 7:g}" text-anchor="end">seabed, {level:.0f} m deep</text>
 </svg>"""

@@ -65,8 +65,8 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
     plain = "paper" if len(papers) == 1 else "papers"
     return (
         f"{count} {things}, simulated again",
-        f"riserstudy repeats the simulations of {count.lower()} published {plain} on deepwater drilling "
-        "risers, and checks every published value and claim. "
+        "riserstudy is a simulation program for drilling risers. Here it repeats the simulations of "
+        f"{count.lower()} published {plain}, and checks every published value and claim. "
         "Inputs that a paper omits are assumed and varied.",
     )
 

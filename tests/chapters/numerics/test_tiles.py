@@ -24,8 +24,9 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     (one,) = shown({"stability": stability})
     assert one.number == "1 silent error"
     assert one.answer == (
-        "4 difficult scenes, for example with end stops, compression or disconnects, were tried. Of 3 with a "
-        "reference solution, 1 is inaccurate without a warning. 1 scene does not end as expected."
+        "Of 4 difficult scenes, for example with compression or disconnects, 2 run to their end and 1 is "
+        "refused with a reason. Of 3 results with a reference solution, 1 is inaccurate without a warning. "
+        "1 scene does not end as expected."
     )
     assert one.spark.count("<rect") == 4
 
@@ -34,13 +35,13 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     rows = {
         "request_scene": ["a", "a", "b", "b"],
         "requested": [0.01, 0.0005, 0.01, 0.0005],
-        "request_seconds": [1.0, 3.0, 2.0, 5.0],
+        "request_seconds": [1e-3, 3e-3, 2e-3, 5e-3],
     }
     accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
     (one,) = shown({"accuracy": accuracy})
-    assert one.number == "2.5 to 3×"
-    assert one.answer.startswith(
-        "A run with a tolerance of 0.05\u00a0% takes 2.5 to 3 times as long as a run with a tolerance of "
-        "1\u00a0%"
+    assert one.number == "2.5 to 3× the run time"
+    assert one.answer == (
+        "A simulation with a tolerance of 1\u00a0% takes 1 to 2\u00a0ms. With 0.05\u00a0%, it takes 2.5 to 3 "
+        "times as long."
     )
     assert one.spark.count("<polyline") == 2
