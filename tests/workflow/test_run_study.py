@@ -108,6 +108,27 @@ def test_a_failing_step_is_named_with_the_end_of_its_log(folder):
     assert "logs/dataset.log ends:\n    the pipe is gone" in complained
 
 
+def test_a_lock_that_cannot_be_written_is_told_in_one_line(folder):
+    (folder / ".cache/study.lock").mkdir(parents=True)
+    status, _, complained = finish(start(folder))
+    assert (status, complained.count("\n")) == (1, 1)
+    assert complained.startswith("riserstudy: .cache/study.lock: ")
+
+
+@pytest.mark.parametrize("left", [0, 4096, 65536])
+def test_a_disk_that_is_full_is_told_in_one_line(folder, left):
+    """Snakemake itself ends in a traceback there."""
+    script = f"""import runpy, shutil, sys
+shutil.disk_usage = lambda path: shutil._ntuple_diskusage(10**9, 10**9 - {left}, {left})
+sys.argv = ["workflow/scripts/run_study.py"]
+sys.path[0] = "workflow/scripts"
+runpy.run_path(sys.argv[0], run_name="__main__")
+"""
+    ran = subprocess.run([sys.executable, "-c", script], cwd=folder, capture_output=True, text=True)
+    assert ran.returncode == 2
+    assert ran.stderr == "riserstudy: results: the disk is full; free some space\n"
+
+
 def test_a_workflow_that_cannot_start_says_why(folder):
     status, _, complained = finish(start(folder, "no_such_target"))
     assert status == 1

@@ -200,6 +200,16 @@ def test_a_damaged_memory_is_none(run, tmp_path, damaged):
     assert new().seconds_left() > 0.0  # as in a first run
 
 
+def test_a_memory_that_cannot_be_written_ends_no_run(run, tmp_path):
+    _, clock = run
+    (tmp_path / "steps").write_text("a file, not a folder")
+    progress = Progress("preview", tmp_path / "steps/steps.json", clock, tmp_path / "points.json")
+    progress.begin(3, "simulate paper/one")
+    progress.end(3, "simulate")
+    progress.remember()
+    assert not (tmp_path / "steps/steps.json").exists()
+
+
 def test_a_failed_step_is_no_longer_at_work(run):
     new, _ = run
     progress = new()

@@ -1,6 +1,7 @@
 """What the workflow has to do, without Snakemake."""
 
 import ast
+import json
 import shutil
 import subprocess
 import sys
@@ -189,3 +190,13 @@ def test_early_results_come_first_then_kernels_then_what_takes_long():
             assert not early or plan.study(paper, study).kernel_groups == [FIRST]
         for name in file.measured:
             assert (plan.measure_priority(paper, name) > STUDIES) != plan.measured(paper, name).timed
+
+
+def test_counts_that_cannot_be_written_end_no_plan(tmp_path):
+    """They serve the time left alone."""
+    PLAN.write_point_counts(tmp_path / "new/points.json")
+    assert set(json.loads((tmp_path / "new/points.json").read_text())) == {
+        f"{study.paper}/{study.name}" for study in PLAN.studies
+    }
+    (tmp_path / "full").write_text("a file, not a folder")
+    PLAN.write_point_counts(tmp_path / "full/points.json")

@@ -2,15 +2,17 @@
 
 import argparse
 import os
+import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
-from one_run import ROOT, SNAKEMAKE, Occupied, one_run
+from one_run import LOCK, ROOT, SNAKEMAKE, Occupied, one_run
 from study_summary import summarise
 
 BAD_INPUT, INTERRUPTED = 2, 130  # exit statuses
+LEAST_FREE = 1_000_000  # bytes; with less, Snakemake cannot write its own records
 
 
 def main(arguments: list[str]) -> int:
@@ -25,6 +27,8 @@ def main(arguments: list[str]) -> int:
             status = run_snakemake(options, environment)
     except Occupied as reason:
         return refuse(str(reason))
+    except OSError as error:  # such as a full disk
+        return refuse(f"{error.filename or LOCK}: {error.strerror}; see whether the disk is full")
     except KeyboardInterrupt:
         print("\nriserstudy: stopped; the next run goes on from here.", file=sys.stderr)
         return INTERRUPTED
@@ -52,12 +56,14 @@ def refuse(reason: str, status: int = 1) -> int:
 
 
 def unwritable() -> str | None:
-    """Return a folder that the run needs and cannot write to, if there is one."""
+    """Return a folder that the run needs and cannot write to, if there is one, and the reason."""
     cache = Path(os.environ.get("RISERSTUDY_CACHE") or ".cache")
     for folder in (Path("results"), *Path("results").glob("*/"), Path("logs"), cache):
         there = next(path for path in (folder, *folder.absolute().parents) if path.exists())
         if not there.is_dir() or not os.access(there, os.W_OK | os.X_OK):
             return f"{folder}: cannot be written; make the folder writable, or move it away"
+        if shutil.disk_usage(there).free < LEAST_FREE:
+            return f"{folder}: the disk is full; free some space"
     return None
 
 

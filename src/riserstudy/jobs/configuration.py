@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from functools import cached_property
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError
+from riserstudy.folders import write_whole
 from riserstudy.grading.false_claims import read_false_claims
 from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import published_path, read_published
@@ -162,13 +164,17 @@ class Configuration:
         return list(self._studies.values())
 
     def write_point_counts(self, where: Path) -> None:
-        """Write the numbers of points and of jobs of each study; the time left is estimated from them."""
+        """Write the numbers of points and of jobs of each study; the time left is estimated from them.
+
+        On a full disk or in a folder that is read-only there is no such file, and the estimate is rougher.
+        """
         counts = {
             f"{paper}/{name}": (len(study.plan), self.shards(paper, name))
             for (paper, name), study in self._studies.items()
         }
-        where.parent.mkdir(exist_ok=True)
-        where.write_text(json.dumps(counts))
+        with suppress(OSError):
+            where.parent.mkdir(exist_ok=True)
+            write_whole(where, json.dumps(counts).encode())
 
     def shards(self, paper: str, study: str) -> int:
         """Number of jobs that share the points of a study; 1: the job that writes it simulates all."""

@@ -12,9 +12,12 @@ import re
 import time
 from collections import Counter, defaultdict
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from riserstudy.folders import write_whole
 
 MEMORY = Path(".cache/steps.json")
 PLANNED = Path(".cache/points.json")  # planned points and shards of each study
@@ -274,11 +277,12 @@ class Progress:
         return min(step.seconds, given * pace) if step.message in self.known else 0.0
 
     def remember(self) -> None:
-        """Store the times of this run for the next one."""
+        """Store the times of this run for the next one, unless the disk is full or the folder read-only."""
         if self.took:
             kept = self.before | {self.tier: self.before.get(self.tier, {}) | self.took}
-            self.memory.parent.mkdir(mode=0o700, exist_ok=True)
-            self.memory.write_text(json.dumps(kept))
+            with suppress(OSError):
+                self.memory.parent.mkdir(mode=0o700, exist_ok=True)
+                write_whole(self.memory, json.dumps(kept).encode())
 
 
 def _remembered(memory: Path) -> dict[str, dict[str, Taken]]:
