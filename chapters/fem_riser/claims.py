@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below
 from riserstudy.grading.word import Word
-from riserstudy.grading.yardstick import Condition, all_along, all_of, growing
+from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, more
 
 FloatArray = NDArray[np.float64]
 LUMPED, BEAM = "lumped masses", "Hermite beam"
@@ -143,6 +143,18 @@ def trend(trends: xr.Dataset, measures: list[str], axis: str, grows: float, chan
     return judged(value, all_of(*(growing(measure, dim, change, grows) for measure in along)))
 
 
+def larger_at_the_shortest(trends: xr.Dataset, measures: list[str], larger: Word) -> Found:
+    """All measures are larger at the first length than at each other length, whose order does not count.
+
+    Value: largest value at another length / value at the first, of the first measure.
+    """
+    shortest, others = {"length": 0}, {"length": slice(1, None)}
+    along = [solved(trends[f"{name}_by_length"]) for name in measures]
+    value = along[0].isel(others).max("length") / along[0].isel(shortest, drop=True)
+    each = (all_along(more(v.isel(shortest, drop=True), v.isel(others), larger), "length") for v in along)
+    return judged(value, all_of(*each))
+
+
 def solved(values: xr.DataArray) -> xr.DataArray:
     """Values by the paper's beam if there are both solvers; else unchanged."""
     return values.sel(solver=BEAM, drop=True) if "solver" in values.dims else values
@@ -171,8 +183,8 @@ def claims(trends: xr.Dataset, change: float, mid: float = 0.1, near: float = 0.
 def each_of_them(trends: xr.Dataset, mid: float, near: float, change: Word) -> Condition:
     """Conditions of B5 to B10 over ``claim`` and the dimensions of the measures."""
     checks = [deflects_at_mid_length(trends, mid), bends_near_the_ends(trends, near)]
-    for name, grows in (("vibration", -1.0), ("stress", -1.0), ("deflection", 1.0), ("angle", 1.0)):
-        checks.append(trend(trends, [name], "length", grows, change))
+    checks += [larger_at_the_shortest(trends, [name], change) for name in ("vibration", "stress")]
+    checks += [trend(trends, [name], "length", 1.0, change) for name in ("deflection", "angle")]
     names = xr.DataArray(list(TOGETHER), dims="claim", name="claim")
     margins = [check.margin for check in checks if check.margin is not None]
     same = [check.same for check in checks if check.same is not None]

@@ -53,8 +53,8 @@ READINGS = {
 STATED = (
     "B5: deflection is largest mid-riser",
     "B6: stress and angle peak near the ends",
-    "B7: vibration decreases with length",
-    "B8: stress decreases with length",
+    "B7: vibration is largest at 500 m",
+    "B8: stress is largest at 500 m",
     "B9: deflection increases with length",
     "B10: angle increases with length",
 )

@@ -174,6 +174,21 @@ def test_a_trend_needs_a_difference_and_together_every_claim():
         assert float(found.value) == 5.0
 
 
+@pytest.mark.parametrize("seed", range(20))
+def test_larger_at_500_m_is_larger_than_at_each_other_length_in_any_order_of_these(seed):
+    draw = np.random.default_rng(seed)
+    short, *others = draw.uniform(1.0, 1.1, 3) * [draw.choice([1.0, 1.1]), 1.0, 1.0]
+    met = all((short - other) / max(short, other) > CHANGE.bound for other in others)
+    found = [
+        checks.larger_at_the_shortest(measured(stress=[short, *order], vibration=[3.0, 1.0, 2.0]), of, CHANGE)
+        for order in (others, others[::-1])
+        for of in (["stress"], ["vibration", "stress"])
+    ]
+    assert {bool(one.true) for one in found} == {met}
+    assert float(found[0].value) == pytest.approx(max(others) / short)
+    assert not checks.larger_at_the_shortest(measured(stress=[1.0, 0.99, 0.5]), ["stress"], CHANGE).true
+
+
 def test_the_papers_beam_is_judged_where_lumped_masses_stand_beside_it():
     t = np.arange(301.0)
     x = xr.DataArray(
