@@ -15,7 +15,7 @@ create table studies (study, paper, name, caption, axes, table_name);
 create table columns (table_name, column_name, role, position);
 create table wide (point);
 create table points (point integer primary key, study, place, error_displacement, error_moment,
-    error_tension, warnings, wall_seconds, unexplained_energy);
+    error_tension, error_angle, warnings, wall_seconds, unexplained_energy);
 create table rests_on (paper, id, study);
 create table simulated_behind (study, source);
 create table numbers_and_claims (paper, id, kind, verdict, margin);
@@ -28,8 +28,9 @@ insert into numbers_and_claims values
 @pytest.mark.parametrize(
     "keep, errors",
     [
-        (None, ["displacement", "moment", "tension"]),
-        (["x", "ufj_angle"], ["displacement"]),
+        (None, ["displacement", "moment", "tension", "angle"]),
+        (["x", "ufj_angle"], ["displacement", "angle"]),
+        (["lfj_angle_max"], ["angle"]),
         (["bending_moment_max"], ["moment"]),
         (["x", "effective_tension"], ["displacement", "tension"]),
         (["largest_stress"], ["moment", "tension"]),
@@ -42,13 +43,14 @@ def test_an_error_counts_where_what_it_tells_of_is_kept(keep, errors):
 
 
 def database(rows):
-    """Studies with one point each: name, mesh prescribed, accuracy, errors."""
+    """Studies with one point each: name, mesh prescribed, accuracy, errors, of which the last may lack."""
     db = sqlite3.connect(":memory:")
     db.executescript(TABLES)
     for point, (name, fixed, accuracy, *errors) in enumerate(rows):
         db.execute("insert into studies values (?, 'paper', ?, '', '{}', 'wide')", (f"paper/{name}", name))
         db.execute(
-            "insert into points values (?, ?, '', ?, ?, ?, '', 1, 0)", (point, f"paper/{name}", *errors)
+            "insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0)",
+            (point, f"paper/{name}", *errors, *[None] * (4 - len(errors))),
         )
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
@@ -74,6 +76,22 @@ def test_an_error_of_what_nobody_stores_is_no_miss():
     off = missed(db, kept(shape=(["x", "bending_moment"], None)))
     assert (off.off, off.verdicts) == (1, [("paper", "N1")])
     assert off.reasons == [(NO_REASON, 1, ["paper/shape"])]
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_an_error_of_a_stored_angle_counts_where_nothing_but_the_mesh_limits_it(seed):
+    draw = random.Random(seed)
+    rows, keeps = [], {}
+    for k in range(draw.randint(1, 8)):
+        fixed = draw.random() < 0.6
+        keeps[f"s{k}"] = (draw.choice([None, ["x"], ["ufj_angle"], ["x", "lfj_angle_max"]]), None)
+        rows.append(
+            (f"s{k}", fixed, None if fixed else 0.05, 0.001, 0.001, 0.001, draw.choice([None, 0.002, 0.3]))
+        )
+    of = missed(database(rows), kept(**keeps))
+    told = [row for row in rows if row[1] and row[-1] == 0.3 and keeps[row[0]][0] != ["x"]]
+    assert (of.off, of.worst) == (len(told), 0.3 if told else 0.0)
+    assert of.where.endswith("(angle)") == bool(told)
 
 
 def test_points_that_miss_are_counted_with_their_reason_and_what_rests_on_them():
@@ -175,17 +193,17 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
     db.execute("insert into studies values ('paper/runs', 'paper', 'runs', 'a caption', '{}', 'wide')")
     points = []
     for point in range(draw.randint(3, 12)):
-        errors = [draw.choice([None, draw.uniform(0.0, 0.02)]) for _ in range(3)]
+        errors = [draw.choice([None, draw.uniform(0.0, 0.02)]) for _ in range(4)]
         spent, lost = draw.choice([None, draw.uniform(1.0, 9.0)]), draw.uniform(0.0, 1e-3)
         text, fixed = draw.choice(["", "a warning"]), draw.random() < 0.5
         points.append((errors, spent, lost, text, fixed))
         row = (point, "paper/runs", "", *errors, text, spent, lost)
-        db.execute("insert into points values (?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
+        db.execute("insert into points values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", row)
         if fixed:
             db.execute("insert into parameters values (?, 'analysis.mesh.elements', 9)", (point,))
     (row,) = audit(db, kept(runs=(None, None)))
     assert (row.points, row.about) == (len(points), "a caption")
-    for k, name in enumerate(("displacement", "moment", "tension")):
+    for k, name in enumerate(("displacement", "moment", "tension", "angle")):
         assert row.errors[name] == max([0.0, *(p[0][k] for p in points if p[0][k] is not None)])
     assert row.energy == max(p[2] for p in points)
     seconds = [p[1] for p in points if p[1] is not None]
@@ -193,7 +211,8 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
     assert row.longest == max(seconds, default=0.0)
     assert row.warned == sum(p[3] != "" for p in points)
     assert row.mesh == ("fixed" if all(p[4] for p in points) else "refined")
-    assert row.off == sum(any(error is not None and error > 0.01 for error in p[0]) for p in points)
+    limited = [p[0] if p[4] else p[0][:3] for p in points]  # a tolerance does not limit the error of angles
+    assert row.off == sum(any(error is not None and error > 0.01 for error in p) for p in limited)
 
 
 def test_the_most_frequent_warning_is_told_first_with_its_datasets():

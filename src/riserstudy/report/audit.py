@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from riserstudy.records.words import counted, listed
 from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, share, spaced
+from riserstudy.scene.limits import ANGLES
 from riserstudy.study.models import StudyFile, StudyModel
 
 TOLERANCE = 0.01  # largest accepted estimated error of a point without a requested accuracy
@@ -23,8 +24,11 @@ ROUNDING = 1e-9  # excess over a tolerance that is rounding
 RELEVANT_ERRORS = {
     "moment": ("bending_moment", "largest_stress"),
     "tension": ("effective_tension", "largest_stress", "tensioner_force", "riser_reaction"),
+    "angle": ANGLES,
 }
 ERRORS = ("displacement", *RELEVANT_ERRORS)
+#: errors that a requested tolerance does not limit; they count where mesh and time step are prescribed
+NOT_LIMITED = ("angle",)
 LARGEST = ("unexplained_energy", "wall_seconds", *(f"error_{name}" for name in ERRORS))
 NO_REASON = "one mesh and one time step are used for all points of the study"
 #: points, whether their mesh is prescribed, and their requested accuracy, which an axis may set
@@ -154,6 +158,8 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dic
             tuned = bool(study and study.settings)
             of_study[point["study"]] = {"counts": counts, "because": because, "tuned": tuned}
         point |= of_study[point["study"]]
+        if not point["fixed"]:
+            point["counts"] = [name for name in point["counts"] if name not in NOT_LIMITED]
         errors = [point[f"error_{name}"] for name in point["counts"]]
         point["has_estimate"] = any(point[f"error_{name}"] is not None for name in ERRORS)
         point["error"] = max((error or 0.0 for error in errors), default=0.0)
