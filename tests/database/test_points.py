@@ -156,7 +156,7 @@ def test_a_point_says_what_its_study_left_out_and_the_rest_is_simulated_again(mi
 
 
 @pytest.mark.parametrize("seed", range(3))
-def test_a_point_with_another_table_than_its_scene_has_now_is_refused(mine, seed):
+def test_a_point_with_another_table_than_its_scene_has_now_is_refused(mine, monkeypatch, seed):
     """Else its dataset would hold a table that it was not simulated with."""
     table = Path("config/scenes/current.csv")
     draw = np.random.default_rng(seed)
@@ -172,6 +172,13 @@ def test_a_point_with_another_table_than_its_scene_has_now_is_refused(mine, seed
         open_point(key)
     table.write_text(texts[0])
     assert open_point(key).identical(before)
+    with monkeypatch.context() as edited:  # an engine that came later reads the points of the former one
+        edited.setattr(store, "engine_digest", lambda: "another engine")
+        edited.setattr("riserstudy.digests.engine_digest", lambda: "another engine")
+        assert open_point(key).identical(before)
+        table.write_text(texts[1])
+        with pytest.raises(InputError, match=r"other tables than those beside .*, or by an engine that"):
+            open_point(key)
 
 
 def test_another_engine_does_not_tell_the_rest_of_a_point(mine, monkeypatch):

@@ -32,8 +32,10 @@ AT_EASE = 100
 LONGEST = 60.0  # longest time of a statement (s)
 MOST_CELLS = 50_000_000  # most cells of an answer
 MOST_TEXT = 1_000_000_000  # most characters and bytes of an answer
-#: a text in single quotes, a comment, or a name in double quotes, which is the group
-QUOTED = re.compile(r"""'(?:[^']|'')*'|--[^\n]*|/\*.*?\*/|"([^"\]]+)"(?!")""", re.DOTALL)
+#: a text in single quotes, a comment, a name in backticks or brackets, or one in double quotes: the group
+QUOTED = re.compile(
+    r"""'(?:[^']|'')*'|--[^\n]*|/\*.*?\*/|`(?:[^`]|``)*`|\[[^\]]*\]|"((?:[^"]|"")*)\"""", re.DOTALL
+)
 #: limits of operations that need much time or memory within one step, where nothing can interrupt them
 LIMITS = {
     sqlite3.SQLITE_LIMIT_LENGTH: 1_000_000,  # bytes of a text or a row
@@ -123,12 +125,18 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
 
 
 def _with_names(sql: str) -> str:
-    """A statement whose names in double quotes are names.
+    """The statement with its names in backticks instead of double quotes.
 
     Where there is no such column SQLite takes ``"name"`` for a text, and a condition on a misspelt column is
-    then true everywhere, or nowhere. It never does so with ``[name]``.
+    then true everywhere, or nowhere. It never does so with a name in backticks.
     """
-    return QUOTED.sub(lambda found: f"[{found[1]}]" if found[1] else found[0], sql)
+
+    def in_backticks(found: re.Match[str]) -> str:
+        if found[1] is None:
+            return found[0]
+        return "`" + found[1].replace('""', '"').replace("`", "``") + "`"
+
+    return QUOTED.sub(in_backticks, sql)
 
 
 def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:

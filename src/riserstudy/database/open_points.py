@@ -46,7 +46,6 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
         changed since the point was simulated; with ``whole``, also when the engine has changed.
     """
     from riserstudy.dataset.label import to_dataset
-    from riserstudy.digests import engine_digest
     from riserstudy.model.absent_effects import absent
     from riserstudy.scene.load import SceneFile
     from riserstudy.scene.origin import Origin
@@ -63,8 +62,8 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
     file = SceneFile(about["source"], about["scene"], origins)
     if whole and left_out:
         result, left_out = _anew(key, file, result), []
-    elif about["engine"] == engine_digest() and [*names_of_tables(about["scene"])]:
-        _refuse_other_tables(key, file)
+    elif [*names_of_tables(about["scene"])]:
+        _refuse_other_tables(key, file, about["engine"])
     dataset = to_dataset(result, file, absent(set(result.facts["effects"])))
     provenance = json.loads(dataset.attrs["provenance"]) | {"engine": about["engine"]}
     del provenance["riserstudy"]  # the engine digest identifies the code that simulated the point
@@ -73,12 +72,17 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
     return dataset
 
 
-def _refuse_other_tables(key: str, file: SceneFile) -> None:
-    """Refuse a point whose tables have changed: the dataset would state tables that it was not run with."""
+def _refuse_other_tables(key: str, file: SceneFile, engine: str) -> None:
+    """Refuse a point whose tables have changed: the dataset would state tables that it was not run with.
+
+    ``engine``: digest of the engine that simulated it.
+    """
+    from riserstudy.digests import engine_digest
     from riserstudy.study import store
 
-    if store.key_of(file.resolved()) != key:
-        found = f"point {key!r} was simulated with other tables than those beside {file.source} now"
+    if store.key_of(file.resolved(), engine) != key:
+        other = "" if engine == engine_digest() else ", or by an engine that read scenes otherwise"
+        found = f"point {key!r} was simulated with other tables than those beside {file.source} now{other}"
         raise InputError("store", "", found, "restore them, or use dataset_of")
 
 

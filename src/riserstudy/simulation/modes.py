@@ -44,7 +44,7 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
         With the dimension ``mode``: ``frequency`` (Hz), ``natural_period`` (s) and ``motion``, the direction
         of the largest motion: lateral, axial, or yaw of the vessel. For an unstable direction, the frequency
         is negative and the period is NaN. With the dimensions ``mode`` and ``s`` (m, unstretched arclength
-        from the lower end): the mode shapes ``x``, ``y``, ``z``, scaled to a largest displacement of 1. Only
+        from the lower end): the mode shapes ``x``, ``y``, ``z``, scaled to a largest component of 1. Only
         the directions of the model are included.
 
     Raises

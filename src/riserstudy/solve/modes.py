@@ -128,7 +128,7 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
     Returns
     -------
     frequency : (k,) array; an imaginary frequency (unstable direction) is returned as a negative number.
-    shape : (k, d, n+1) array, largest displacement 1.
+    shape : (k, d, n+1) array, largest component 1.
     """
     stiff, _, mass, free = matrices(programs, state, fixed)
     square, vectors = eigh(stiff, mass)

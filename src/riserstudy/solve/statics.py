@@ -30,8 +30,8 @@ class NoEquilibrium(Exception):
 class Equilibrium(NamedTuple):
     """Facts about the search for an equilibrium."""
 
-    iterations: int
-    residual: float  # largest unbalanced force (N)
+    iterations: int  # of the searches that found it, by parts of the current
+    residual: float  # largest unbalanced force before the last correction (N)
     unstable: int  # number of directions with negative stiffness
 
 
@@ -39,7 +39,8 @@ class Equilibrium(NamedTuple):
 def _newton(p, s, fixed, out, work, pseudo, limit):
     """One damped iteration; returns residual force, its node, the correction, and negative pivots.
 
-    A correction that is not finite, due to a singular tangent, is returned but not applied.
+    The residual is the largest, or the first that is not a number. A correction that is not finite, due to a
+    singular tangent, is returned but not applied.
     """
     d = len(s.dim)
     m = len(s.dof) - d
@@ -58,7 +59,7 @@ def _newton(p, s, fixed, out, work, pseudo, limit):
     residual, node = 0.0, 0
     for i in range(n + 1):
         for c in range(d):
-            if not abs(out[i, m + c]) <= residual:
+            if residual == residual and not abs(out[i, m + c]) <= residual:
                 residual, node = abs(out[i, m + c]), i
     negative = solve(s, out, work, fixed)
     square = 0.0
@@ -97,25 +98,22 @@ def find_equilibrium(
     s.carried[1:] = 0.0
     s.v[:] = 0.0
     s.a[:] = 0.0
-    total = 0
-    shares = [0.0, 1.0] if current else [1.0]
     reached, part = 0.0, 1.0
-    s.clock[1] = shares[0]
+    s.clock[1] = 0.0 if current else 1.0  # share of the current
     result = _search(programs, state, fixed, tolerance)
-    total += result.iterations
+    total = result.iterations
     while current and reached < 1.0:
         before = s.r.copy(), s.moment.copy()
         s.clock[1] = min(1.0, reached + part)
         try:
             result = _search(programs, state, fixed, tolerance)
-            reached, part = s.clock[1], 2.0 * part
+            reached, part, total = s.clock[1], 2.0 * part, total + result.iterations
         except NoEquilibrium:
             s.r[:], s.moment[:] = before
             part *= 0.5
             if part < 1e-3:
                 s.clock[1] = 1.0
                 raise
-        total += result.iterations
     return result._replace(iterations=total)
 
 

@@ -70,16 +70,16 @@ def text_of(part: Any) -> str:
     return _to_json(canonical(part))
 
 
-def key_of_texts(texts: dict[str, str]) -> str:
-    """Hash of the canonical texts of a scene's parts, and of the engine."""
+def key_of_texts(texts: dict[str, str], engine: str | None = None) -> str:
+    """Hash of the canonical texts of a scene's parts, and of the engine: its digest; None: this one's."""
     parts = ", ".join([f'"{name}": {texts[name]}' for name in COUNTS])
-    text = f'["{engine_digest()}", {{{parts}}}]'
+    text = f'["{engine or engine_digest()}", {{{parts}}}]'
     return hashlib.sha256(text.encode()).hexdigest()[:32]
 
 
-def key_of(scene: Parts) -> str:
-    """Hash of a checked scene and the engine; titles and notes have no effect."""
-    return key_of_texts({name: text_of(getattr(scene, name)) for name in COUNTS})
+def key_of(scene: Parts, engine: str | None = None) -> str:
+    """Hash of a checked scene and the engine; titles and notes have no effect. ``engine`` as above."""
+    return key_of_texts({name: text_of(getattr(scene, name)) for name in COUNTS}, engine)
 
 
 def _file(key: str) -> Path:
