@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 import xarray as xr
 
-from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import Study
 

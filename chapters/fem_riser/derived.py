@@ -9,7 +9,7 @@ import xarray as xr
 
 from chapters.fem_riser.along import measures
 from riserstudy.dataset.variables import attributes
-from riserstudy.inputs.check import check
+from riserstudy.inputs.validate import check
 from riserstudy.model.sea import current_table, wave_number
 from riserstudy.scene.models import Scene
 from riserstudy.scene.sea import RegularWave

@@ -11,7 +11,7 @@ from riserstudy.database.build import schema
 from riserstudy.dataset.result import Result
 from riserstudy.dataset.variables import attributes, of_points
 from riserstudy.errors import InputError
-from riserstudy.inputs.check import check
+from riserstudy.inputs.validate import check
 from riserstudy.records import facts
 from riserstudy.records.facts import Column, RunFacts, point_columns
 from riserstudy.study.axes import Numbers

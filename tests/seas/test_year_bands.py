@@ -151,7 +151,7 @@ def test_the_command_prints_bands_and_what_persistence_is_worth(commands, tmp_pa
 
 
 def test_a_study_refuses_an_exponent_that_no_noise_has():
-    from riserstudy.inputs.check import check
+    from riserstudy.inputs.validate import check
     from riserstudy.study.seas_model import SeasModel
 
     fields = {"scene": "a.yaml", "caption": "b", "record": {"years": 5, "seed": 1}}

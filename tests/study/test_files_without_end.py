@@ -7,7 +7,7 @@ from test_edits_of_a_study import SCENE
 from without_end import KINDS, soon
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.check import check
+from riserstudy.inputs.validate import check
 from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
 

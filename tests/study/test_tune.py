@@ -6,8 +6,8 @@ from datetime import date
 import pytest
 import short_study
 
-from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check
 from riserstudy.model.mesh import prescribed
 from riserstudy.simulation.error_estimate import controlled, difference
 from riserstudy.simulation.run import single

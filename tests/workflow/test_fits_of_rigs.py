@@ -7,7 +7,7 @@ from ruamel.yaml import YAML
 
 from riserstudy.errors import InputError
 from riserstudy.grading.models import Item
-from riserstudy.inputs.check import check
+from riserstudy.inputs.validate import check
 from riserstudy.jobs import calibrate
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import Study

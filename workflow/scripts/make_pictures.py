@@ -16,8 +16,8 @@ from PIL import Image
 import peer_ratios
 from riserstudy import load_scene
 from riserstudy.figures.style import COLOURS, GREY
-from riserstudy.report.hero import hero
 from riserstudy.report.motion import motion_of
+from riserstudy.report.moving_riser import moving_riser
 from riserstudy.schematic import COLUMNS, FLOOR, HEIGHT, WIDTH, schematic
 from riserstudy.study.read import read_studies
 from theory_drawings import drawings
@@ -59,7 +59,7 @@ def drive_off() -> str:
     if displayed is None:
         raise LookupError("liu2017 shows no run in motion")
     with xr.open_dataset(ROOT / f"results/liu2017/{displayed.study}.nc") as data:
-        found = hero([("liu2017", motion_of(displayed, data))])
+        found = moving_riser([("liu2017", motion_of(displayed, data))])
     if found is None:
         raise LookupError(f"liu2017/{displayed.study}: its top does not travel over a foot that stands")
     head, _, rest = found[1].svg.partition(">")

@@ -28,9 +28,9 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field
 
-from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.validate import check
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE, Coefficient
 

@@ -2,4 +2,6 @@
 
 x is the height of the ring above its position on the unstretched riser, a is the upward displacement of the
 platform, and X = x - a is the displacement of the piston.
+
+Files: `cylinder` (Figs 5, 6 and 9), `histories` (8, 10 to 12) and `sweeps` (13 and 14).
 """

@@ -62,8 +62,8 @@ def tune(
 
 def _study(path: Path, name: str | None) -> Study:
     """A study of a file in a folder of its configuration."""
-    from riserstudy.inputs.check import check
     from riserstudy.inputs.plain_yaml import read_yaml
+    from riserstudy.inputs.validate import check
     from riserstudy.study.models import StudyFile
     from riserstudy.study.study import Study
 

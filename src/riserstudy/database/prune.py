@@ -9,8 +9,8 @@ from pathlib import Path
 from riserstudy.database.ask import ask, connect
 from riserstudy.digests import engine_digest
 from riserstudy.errors import InputError
-from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check
 from riserstudy.study import store
 from riserstudy.study.config import Config
 from riserstudy.study.modes import key_of_modes

@@ -11,9 +11,9 @@ from pydantic import Field, RootModel
 from riserstudy.dataset.unit_names import UnitName
 from riserstudy.errors import InputError
 from riserstudy.folders import variables_of_chapter
-from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.validate import check
 
 Text = Annotated[str, Field(min_length=1)]
 Table = dict[str, dict[str, str]]

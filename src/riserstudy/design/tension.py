@@ -1,4 +1,4 @@
-r"""Minimum tension of a drilling riser at all of its points, by the usual formula of the industry.
+r"""Minimum tension of a drilling riser at all of its points, by the formula of API RP 16Q.
 
 .. math:: T_{SRmin} = W_s f_{wt} - B_n f_{bt} + A_i (d_m H_m - d_w H_w),\quad
           T_{min} = \frac{T_{SRmin} N}{R_f \cos\varphi\,(N - n)}

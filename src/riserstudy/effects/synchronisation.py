@@ -1,4 +1,4 @@
-r"""Phase of a vortex force; the phase synchronises with the riser's motion in the direction of the force.
+r"""Lock-in: the phase of a vortex force synchronises with the riser's motion in the direction of the force.
 
 The phase advances with a frequency that is :math:`\hat f` times the flow speed divided by the diameter of
 the pipe. If force and velocity are in phase, :math:`\hat f` is that of a pipe at rest. Otherwise it

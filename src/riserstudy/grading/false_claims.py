@@ -16,10 +16,10 @@ from riserstudy.errors import InputError
 from riserstudy.grading.models import InWords, Item, Option, PublishedFile
 from riserstudy.grading.published import looked_up, refuse_check
 from riserstudy.grading.words_file import read_words
-from riserstudy.inputs.check import check, refuse_other_paper
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.validate import check, refuse_other_paper
 
 #: kind of falsification; with the last four, form and content are nearly those of the published claim
 How = Literal["opposite", "magnitude", "sign", "factor", "limit", "cases"]

@@ -14,8 +14,9 @@ import xarray as xr
 from riserstudy.dataset.unit_names import factor_between
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.grading.cases import Sources, places_of, regrade
+from riserstudy.grading.confidence import MANY, share_with_interval
 from riserstudy.grading.found import FALSE, NO_DIFFERENCE, TRUE, Found, answers, at_cell, consistent, judged
-from riserstudy.grading.grounds import MANY, explained, outcome_of, settled, share_with_interval
+from riserstudy.grading.grounds import explained, outcome_of, settled
 from riserstudy.grading.margin import below
 from riserstudy.grading.models import Checked, Erratum, Item, PublishedFile
 from riserstudy.grading.readings import axes_of_readings, base_share, readings_of

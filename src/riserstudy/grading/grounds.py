@@ -8,17 +8,15 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.stats import binomtest
 
 from riserstudy.errors import SimulationError
+from riserstudy.grading.confidence import share_with_interval
 from riserstudy.grading.found import NO_DIFFERENCE
 from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding, shares_by_option
 from riserstudy.grading.sequential import SURE, decided_after
 from riserstudy.grading.verdict import ALMOST_ALWAYS, few
-from riserstudy.records.graded import Grounds, Influence, Kind, Outcome, Reading, Settled, Share, Verdict
-
-MANY = 100  # smallest number of samples for an interval of a share
+from riserstudy.records.graded import Grounds, Influence, Kind, Outcome, Reading, Settled, Verdict
 
 Called = Mapping[str, str] | None  # names of inputs, as in ``riserstudy.grading.names.input_name``
 
@@ -86,24 +84,6 @@ def outcome_of(
         return Outcome(name, low, high, every, readings=[*readings])
     names = [input_name(path, called) for path in deciding(found, about).names]
     return Outcome(name, low, high, every, share_with_interval(found), names)
-
-
-def share_with_interval(found: xr.DataArray) -> Share:
-    """Number of hits among the samples with a result, with the 95 % interval for many samples.
-
-    The interval is Wilson's, which is too wide for evenly spread samples. All cells of a sample count as one
-    draw.
-    """
-    known = found.notnull()
-    others = [dim for dim in found.dims if dim != "sample"]
-    draws = int(known.any(others).sum()) if "sample" in found.dims else None
-    same = int((found == NO_DIFFERENCE).sum())
-    share = Share(int((found > 0.0).sum()), int(known.sum()), draws, same=same)
-    if draws is None or draws < MANY:
-        return share
-    true = round(share.met / share.samples * draws)
-    band = binomtest(true, draws).proportion_ci(method="wilson")
-    return replace(share, low=float(band.low), high=float(band.high))
 
 
 def settled(hits: NDArray[np.bool_], kind: Kind, base: bool) -> Settled:

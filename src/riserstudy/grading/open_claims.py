@@ -14,11 +14,11 @@ from pydantic.json_schema import GenerateJsonSchema
 from riserstudy.grading.models import ChosenBy, InWords, Item, WordName
 from riserstudy.grading.word import Word
 from riserstudy.grading.words_file import WordsFile
-from riserstudy.inputs.check import check
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.validate import check
 
 Value = float | str
 MOST_SAMPLES = 100_000

@@ -12,8 +12,8 @@ from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
 from riserstudy.grading.models import Checked, Option, PrintedNumber, PublishedFile, WordName
 from riserstudy.grading.words_file import WordsFile, read_words
-from riserstudy.inputs.check import check, refuse_other_paper
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check, refuse_other_paper
 from riserstudy.study.arguments import refuse_arguments
 
 

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 
 from riserstudy.grading.cases import places_of
-from riserstudy.grading.grounds import share_with_interval
+from riserstudy.grading.confidence import share_with_interval
 from riserstudy.grading.names import input_name
 from riserstudy.grading.sensitivity import deciding
 from riserstudy.grading.verdict import ALMOST_ALWAYS, ALMOST_NEVER

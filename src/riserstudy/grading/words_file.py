@@ -9,10 +9,10 @@ from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.grading.word import Word
-from riserstudy.inputs.check import check
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.validate import check
 
 NAME = "words.yaml"
 

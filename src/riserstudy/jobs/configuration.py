@@ -16,8 +16,8 @@ from riserstudy.folders import write_whole
 from riserstudy.grading.false_claims import read_false_claims
 from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import published_path, read_published
-from riserstudy.inputs.check import check
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check
 from riserstudy.jobs.plan_checks import (
     refuse_seas,
     refuse_settings,

@@ -16,10 +16,10 @@ from riserstudy.report.animation import animation
 from riserstudy.report.claims import VERDICTS, Claim, read_claims
 from riserstudy.report.curves import curves
 from riserstudy.report.false_claims import false_claims
-from riserstudy.report.hero import hero
 from riserstudy.report.limits import LimitTable, limit_tables
 from riserstudy.report.machine import made_on
 from riserstudy.report.motion import Motion, motion_of
+from riserstudy.report.moving_riser import moving_riser
 from riserstudy.report.of_chapters import section_of, tiles_of
 from riserstudy.report.overview import amounts, bars, findings, short_of, subject, title_of, totals
 from riserstudy.report.pictures import Figure, Picture, claims_by_figure, heading, labels, picture_of
@@ -112,7 +112,7 @@ def contents(sources: Sources) -> dict[str, Any]:
     }
     return {
         "totals": totals(claims),
-        "hero": hero(motions.items()),
+        "moving_riser": moving_riser(motions.items()),
         "subject": subject(files, claims),
         "bars": bars(claims, files),
         "findings": findings(claims, files, figures),

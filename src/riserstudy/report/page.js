@@ -129,7 +129,7 @@ const unfoldForPrint = () => {
 
 // The riser of the first screen plays once, again at a click, and not for those who want no motion.
 const playOnce = () => {
-  const svg = document.querySelector("svg.hero");
+  const svg = document.querySelector("svg.moving-riser");
   if (!svg) return;
   const replay = document.querySelector(".replay");
   replay.hidden = false;

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.check import check
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check
 from riserstudy.scene import paths
 from riserstudy.scene.error_source import attribute_error, is_known
 from riserstudy.scene.models import Scene

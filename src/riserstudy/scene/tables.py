@@ -14,9 +14,9 @@ from pathlib import Path, PureWindowsPath
 from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.check import check
 from riserstudy.inputs.strict import Strict
 from riserstudy.inputs.text import read_text
+from riserstudy.inputs.validate import check
 from riserstudy.scene.forcing import Moved, Point, Tilted
 from riserstudy.scene.rao import MOTIONS, SHIFTS, Operator
 from riserstudy.scene.soil import ResistanceAt

@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules, import_of_chapter
-from riserstudy.inputs.check import check
 from riserstudy.inputs.strict import Strict
+from riserstudy.inputs.validate import check
 from riserstudy.study.axes import Tier
 
 if TYPE_CHECKING:

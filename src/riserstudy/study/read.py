@@ -9,8 +9,8 @@ from typing import Any
 from riserstudy.digests import defining
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_modules
-from riserstudy.inputs.check import check, refuse_other_paper
 from riserstudy.inputs.plain_yaml import read_yaml
+from riserstudy.inputs.validate import check, refuse_other_paper
 from riserstudy.study.arguments import refuse_arguments
 from riserstudy.study.axes import Tier
 from riserstudy.study.figures import NEEDS, FigureModel, Plot

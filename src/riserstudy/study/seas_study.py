@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
-from riserstudy.inputs.check import check
+from riserstudy.inputs.validate import check
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Labels, Tier
 from riserstudy.study.departures import check_stays

@@ -19,7 +19,7 @@ import numpy as np
 
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.inputs.check import check
+from riserstudy.inputs.validate import check
 from riserstudy.records.numerals import duration
 from riserstudy.records.words import counted
 from riserstudy.scene.fields import in_si

@@ -7,7 +7,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from riserstudy.report.hero import HEIGHT, WIDTH, hero
+from riserstudy.report.moving_riser import HEIGHT, WIDTH, moving_riser
 from riserstudy.scene.load import read_scene
 
 CONFIG = Path(__file__).parents[2] / "config"
@@ -25,19 +25,21 @@ def motion(top, foot, title="a <run>"):
 
 
 def test_the_run_whose_top_travels_farthest_over_a_foot_that_stands_is_shown():
-    paper, shown = hero([("a", motion(20.0, 0.0)), ("b", motion(90.0, 0.0)), ("c", motion(500.0, 400.0))])
+    paper, shown = moving_riser(
+        [("a", motion(20.0, 0.0)), ("b", motion(90.0, 0.0)), ("c", motion(500.0, 400.0))]
+    )
     assert paper == "b"
     assert shown.seconds == 60.0
     assert "a &lt;run&gt;" in shown.svg
 
 
 def test_without_such_a_run_nothing_is_shown():
-    assert hero([("towed", motion(500.0, 500.0))]) is None
+    assert moving_riser([("towed", motion(500.0, 500.0))]) is None
 
 
 @pytest.mark.parametrize("top", [-300.0, 0.5, 40.0])
 def test_every_frame_lies_within_the_picture(top):
-    _, shown = hero([("a", motion(top, 0.0))])
+    _, shown = moving_riser([("a", motion(top, 0.0))])
     frames = re.search(r'values="([^"]*)"', shown.svg)[1].split(";")
     assert len(frames) > 10
     places = [np.array([float(n) for n in NUMBER.findall(frame)]).reshape(-1, 2) for frame in frames]

@@ -21,7 +21,7 @@ STANDS = 0.02  # share of the travel of the top that a fixed lower end may move
 SECONDS = 5.0
 
 
-class Hero(NamedTuple):
+class MovingRiser(NamedTuple):
     """The picture, its title, and the simulated time that it covers (s)."""
 
     svg: str
@@ -30,7 +30,7 @@ class Hero(NamedTuple):
     stretched: float  # factor on horizontal distances, relative to vertical ones
 
 
-def hero(motions: Iterable[tuple[str, Motion]]) -> tuple[str, Hero] | None:
+def moving_riser(motions: Iterable[tuple[str, Motion]]) -> tuple[str, MovingRiser] | None:
     """Return chapter and run whose top travels farthest with a fixed lower end; None if there is none."""
     travelled = {
         paper: (_travel(motion.x[:, -1]), motion)
@@ -47,7 +47,7 @@ def _travel(x: Array) -> float:
     return float(np.ptp(x))
 
 
-def _drawn(motion: Motion) -> Hero:
+def _drawn(motion: Motion) -> MovingRiser:
     frames = evenly_spaced(len(motion.time), FRAMES)
     nodes = evenly_spaced(motion.x.shape[1], NODES)
     x, z = motion.x[np.ix_(frames, nodes)], motion.z[np.ix_(frames, nodes)]
@@ -74,7 +74,7 @@ def _drawn(motion: Motion) -> Hero:
         f'<animateTransform attributeName="transform" type="translate" {play} values="{";".join(rig)}"/>'
     )
     label = escape(motion.title)
-    svg = f"""<svg viewBox="0 0 {WIDTH:g} {HEIGHT:g}" class="hero" role="img" aria-label="{label}">
+    svg = f"""<svg viewBox="0 0 {WIDTH:g} {HEIGHT:g}" class="moving-riser" role="img" aria-label="{label}">
 <rect class="water" x="0" y="{SKY:g}" width="{WIDTH:g}" height="{HEIGHT - SKY - BED:g}"/>
 <rect class="bed" x="0" y="{HEIGHT - BED:g}" width="{WIDTH:g}" height="{BED:g}"/>
 <polyline class="rest" points="{shapes[0]}"/>
@@ -85,4 +85,4 @@ def _drawn(motion: Motion) -> Hero:
 <text x="{WIDTH - 6:g}" y="{0.5 * (HEIGHT + SKY - BED):g}" text-anchor="end" class="named">riser</text>
 <text x="{WIDTH - 6:g}" y="{HEIGHT - 7:g}" text-anchor="end">seabed, {level:.0f} m deep</text>
 </svg>"""
-    return Hero(svg, motion.title, float(motion.time[-1] - motion.time[0]), across / up)
+    return MovingRiser(svg, motion.title, float(motion.time[-1] - motion.time[0]), across / up)
