@@ -11,6 +11,7 @@ import xarray as xr
 from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import QuadMesh
+from matplotlib.colors import to_hex
 
 from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
@@ -141,6 +142,32 @@ def test_utilisation_counts_the_points_of_which_nobody_knows_whether_they_exceed
         told = f"; at {len(open_points)}, a limit is not evaluated; "
         assert (told in title) == bool(open_points)
         assert ("not evaluated" in title) == bool(open_points)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_no_two_limits_that_govern_have_the_same_colour(seed):
+    draw, found = (
+        np.random.default_rng(seed),
+        grid("heave_amplitude", "tug").drop_vars(["use_of_limit", "limit"]),
+    )
+    count = int(draw.integers(8, 30))
+    use = draw.uniform(0.0, 1.0, (*found["point_key"].shape, count))
+    found["use_of_limit"] = ((*found["point_key"].dims, "limit"), use)
+    found = found.assign_coords(limit=[f"drilling: limit {k}" for k in range(count)])
+    figure = drawn("utilisation", found)
+    (legend,) = figure.legends
+    entries = zip(legend.get_texts(), legend.get_lines(), strict=True)
+    named = {text.get_text(): line.get_color() for text, line in entries}
+    governing = set(use.argmax(-1).ravel().tolist())
+    assert set(named) == {f"drilling: limit {k}" for k in governing}
+    assert len({to_hex(colour) for colour in named.values()}) == len(named)
+    shown = figure.axes[1].collections[0]
+    painted = shown.cmap(shown.norm(shown.get_array().ravel()))
+    drawn_in = found["use_of_limit"].transpose("tug", "heave_amplitude", "limit")
+    if shown.get_array().shape != drawn_in.shape[:2]:
+        drawn_in = drawn_in.transpose("heave_amplitude", "tug", "limit")
+    expected = [named[f"drilling: limit {k}"] for k in drawn_in.values.argmax(-1).ravel()]
+    assert [to_hex(colour) for colour in painted] == [to_hex(colour) for colour in expected]
 
 
 def test_utilisation_tells_of_what_is_exceeded_and_of_what_nobody_evaluated():

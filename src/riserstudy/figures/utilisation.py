@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from itertools import cycle
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
@@ -23,12 +26,14 @@ from riserstudy.figures.grid import (
     read,
 )
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import COLOURS, GREY, headline, panel_title
+from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, shades
 
 FloatArray = NDArray[np.float64]
 SLICES = 4  # number of equally spaced points of a third axis that are shown
 MOST = 2.0  # largest utilisation on the scale of colours and lines
 DARK = 1.6  # utilisation from which on a number is white
+#: colours of the limits that govern anywhere, in their order; black has no shades
+OF_LIMITS = (*COLOURS, *(shades(colour, 3)[k] for k in (0, -1) for colour in COLOURS[:-1]))
 FEW = 60  # number of cells of a panel up to which each has its number
 
 
@@ -76,15 +81,16 @@ def _maps(uses: xr.Dataset) -> Figure:
     chosen = [slices[k] for k in evenly_spaced(len(slices), SLICES)]
     figure, axes = laid_out(2 * len(chosen))
     names = [in_words(str(name)) for name in uses["limit"].values]
-    displayed = set()
-    for row, (called, point) in enumerate(chosen):
-        use = point["use_of_limit"].transpose("limit", up, across)
+    use_at = [point["use_of_limit"].transpose("limit", up, across) for _, point in chosen]
+    displayed = sorted({int(k) for use in use_at for k in _which(use).ravel()})
+    colours = dict(zip([k for k in displayed if k >= 0], cycle(OF_LIMITS), strict=False)) | {-1: GREY}
+    for row, ((called, _), use) in enumerate(zip(chosen, use_at, strict=True)):
         left, right = axes[2 * row : 2 * row + 2]
         _use(figure, left, use, called)
-        displayed |= _governing(right, use, called)
-    for k in sorted(displayed, reverse=True):
+        _governing(right, use, called, colours)
+    for k in reversed(displayed):
         called = names[k] if k >= 0 else "not evaluated"
-        axes[1].plot([], [], "s", color=_colour(k) if k >= 0 else GREY, label=called)
+        axes[1].plot([], [], "s", color=colours.get(k, GREY), label=called)
     key(figure, axes[1])
     return figure
 
@@ -112,13 +118,11 @@ def _use(figure: Figure, ax: Axes, use: xr.DataArray, called: str) -> None:
             )
 
 
-def _governing(ax: Axes, use: xr.DataArray, called: str) -> set[int]:
-    """Draw the governing limits; returns those that govern anywhere, with -1 for cells without one."""
+def _governing(ax: Axes, use: xr.DataArray, called: str, colours: Mapping[int, str]) -> None:
+    """Draw the governing limits by their colours; -1 is the colour of cells without one."""
     x, y = _frame(ax, use, "governing limit", called)
-    which = _which(use)
-    colours = ListedColormap([GREY, *(_colour(k) for k in range(use.sizes["limit"]))])
-    ax.pcolormesh(x, y, which, shading="nearest", cmap=colours, vmin=-1.5, vmax=use.sizes["limit"] - 0.5)
-    return {int(k) for k in which.ravel()}
+    mapped = ListedColormap([colours.get(k, GREY) for k in range(-1, use.sizes["limit"])])
+    ax.pcolormesh(x, y, _which(use), shading="nearest", cmap=mapped, vmin=-1.5, vmax=use.sizes["limit"] - 0.5)
 
 
 def _frame(ax: Axes, use: xr.DataArray, title: str, called: str) -> tuple[FloatArray, FloatArray]:
@@ -155,7 +159,3 @@ def _use_in_words(use: xr.DataArray, verdicts: xr.DataArray | None) -> str:
     left = int((unknown.any("limit") & ~(largest > 1.0)).sum())
     known = f"; at {left}, a limit is {UNKNOWN}" if left else ""
     return f"{beyond} of {all_points} points exceed a limit{known}; at {many}, {name} governs"
-
-
-def _colour(k: int) -> str:
-    return COLOURS[k % len(COLOURS)]
