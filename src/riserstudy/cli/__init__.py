@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import atexit
 import gc
+import io
 import sys
 from typing import Annotated, Any
 
@@ -101,6 +102,7 @@ def main() -> None:
     """Run the command line; errors are printed on stderr in one line, with their exit code."""
     use_one_thread()
     _collect_seldom()
+    _print_anything()
     try:
         if status := app(standalone_mode=False):  # exit status of the command
             sys.exit(status)
@@ -116,6 +118,13 @@ def main() -> None:
             print(f"riserstudy: command line: {printable(error.format_message())}", file=sys.stderr)
             sys.exit(2)
         raise
+
+
+def _print_anything() -> None:
+    """Print escapes for characters that the encoding of the output lacks, instead of failing at them."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
 
 
 def _collect_seldom() -> None:

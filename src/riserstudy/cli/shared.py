@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from riserstudy.cli.targets import Writes, check_output
+from riserstudy.cli.targets import Writes, check_name, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
 from riserstudy.records.numerals import percent
@@ -79,6 +79,7 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation.simulate import at_accuracy
 
+    check_name(path)
     overrides: dict[str, Any] = {}
     for setting in settings or []:
         name, equals, text = setting.partition("=")

@@ -65,7 +65,9 @@ def check_output(
     force : replace an input, or a file of another kind. Links, folders and devices are never replaced.
     option : option that names the output.
     """
-    kinds = list(kinds)
+    kinds, reads = list(kinds), list(reads)
+    for path, name in ((output, option), *((path, "") for path in reads)):
+        check_name(path, name)
     try:
         _check_ending(output, kinds, option)
         _check_place(output, option)
@@ -74,6 +76,18 @@ def check_output(
     except (OSError, ValueError) as error:  # a name that is too long or empty, or a loop of links
         reason = getattr(error, "strerror", None) or "not a file name"
         raise InputError(option, str(output), reason, "name another file") from None
+
+
+def check_name(path: Path, option: str = "") -> None:
+    """Refuse a file name that is no text: datasets and figures contain names, and could not be written.
+
+    Raises InputError when the name is not in UTF-8. ``option``: option that gives the name, if any.
+    """
+    try:
+        str(path).encode()
+    except UnicodeEncodeError:
+        where, field = (option, str(path)) if option else (str(path), "")
+        raise InputError(where, field, "not a name in UTF-8", "rename the file") from None
 
 
 def _check_ending(output: Path, kinds: list[str], option: str) -> None:

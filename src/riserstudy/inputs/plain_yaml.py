@@ -23,6 +23,11 @@ DEEPEST = 20  # most nesting levels
 MANY = 1000  # most brackets, which may be nested; the time of the parser grows as their square
 # Characters that begin tags, anchors and aliases, at a place where a value may begin.
 _SPECIAL = re.compile(r"(?:^|[\s\ufeff,\[{:?-])[!&*]")
+# an escape such as "\ud83d" writes half of a character, the next one the other half
+_HALVES = re.compile(r"\\[uU](0000)?[dD][89a-fA-F]")
+# control characters, which change a terminal, and halves of characters, which no file can contain
+_NO_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff]")
+NO_TEXT = "allowed are letters and signs. Leave it out"
 
 
 def read_yaml(path: Path, *, keep: bool = False) -> Any:
@@ -55,6 +60,7 @@ def plain_yaml(text: str, source: object) -> Any:
         if _SPECIAL.search(text) or text.count("[") + text.count("{") > MANY:
             _scan(text, source)  # scanning every token takes as long as parsing
         data = reader.load(text)
+        data = _joined(data) if _HALVES.search(text) else data
     except YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = f"line {mark.line + 1}" if mark else ""
@@ -65,6 +71,17 @@ def plain_yaml(text: str, source: object) -> Any:
     fault = plain_fault(data)
     if fault:
         raise InputError(source, *fault)
+    return data
+
+
+def _joined(data: Any) -> Any:
+    """Return data in which a character that is written in two halves, as JSON may have it, is one."""
+    if isinstance(data, dict):
+        return {key: _joined(value) for key, value in data.items()}
+    if isinstance(data, list):
+        return [_joined(value) for value in data]
+    if isinstance(data, str):
+        return data.encode("utf-16", "surrogatepass").decode("utf-16", "surrogatepass")
     return data
 
 
@@ -89,6 +106,8 @@ def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, st
             here = f"{path}.{key}" if path else str(key)
             if not isinstance(key, str):
                 return here, f"key {key!r} is no text", "allowed are names as keys"
+            if wrong := _NO_TEXT.search(key):
+                return here, _found(wrong), NO_TEXT
             if fault := plain_fault(value, here, depth + 1):
                 return fault
     elif isinstance(data, list):
@@ -97,6 +116,12 @@ def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, st
                 return fault
     elif isinstance(data, float) and not math.isfinite(data):
         return path, repr(data), "allowed are finite numbers"
+    elif isinstance(data, str) and (wrong := _NO_TEXT.search(data)):
+        return path, _found(wrong), NO_TEXT
     elif not isinstance(data, str | int | float | bool | None):
         return path, f"a {type(data).__name__}", "allowed are text, numbers, lists and mappings"
     return None
+
+
+def _found(wrong: re.Match[str]) -> str:
+    return f"has the character U+{ord(wrong.group()):04X}"
