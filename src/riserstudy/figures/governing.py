@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import cycle
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +13,7 @@ from matplotlib.patches import Patch
 from numpy.typing import NDArray
 
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import COLOURS, headline
+from riserstudy.figures.style import MANY_COLOURS, headline
 from riserstudy.seas.cover import scale_of
 from riserstudy.seas.riser_hours import excess_of
 from riserstudy.seas.surface import Surface
@@ -45,13 +46,14 @@ def governing(responses: xr.Dataset, mode: str, share: float) -> Figure:
     figure = Figure((7.2, 5.0), dpi=150, layout="constrained")
     ax = figure.subplots()
     labels = [in_words(str(name)) for name in responses["limit"].values]
-    colours = [WITHIN, *(COLOURS[k % len(COLOURS)] for k in range(len(labels)))]
+    there = [int(k) for k in np.unique(displayed[~unknown])]
+    own = dict(zip([k for k in there if k], cycle(MANY_COLOURS), strict=False))  # of limits that govern
+    colours = [WITHIN, *(own.get(k, WITHIN) for k in range(1, len(labels) + 1))]
     ax.pcolormesh(
         periods, heights, displayed, cmap=ListedColormap(colours), vmin=-0.5, vmax=len(labels) + 0.5
     )
     for states, colour in ((simulated, "black"), (held, "white")):
         ax.plot(states[:, 1], states[:, 0], "o", ms=3, mfc=colour, mec="black", mew=0.5, ls="none")
-    there = [int(k) for k in np.unique(displayed[~unknown])]
     keys: list[Patch | Line2D] = [
         Patch(color=colours[k], label=labels[k - 1] if k else "all limits met") for k in there
     ]

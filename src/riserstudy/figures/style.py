@@ -86,6 +86,10 @@ def shades(colour: str, count: int) -> list[str]:
     ]
 
 
+#: the colours, then their light and dark shades, for things of which many may be shown; black has no shades
+MANY_COLOURS = (*COLOURS, *(shades(colour, 3)[k] for k in (0, -1) for colour in COLOURS[:-1]))
+
+
 def as_written() -> AbstractContextManager[None]:
     """Context for texts of users, in which a dollar sign does not begin a formula."""
     return rc_context({"text.parse_math": False})

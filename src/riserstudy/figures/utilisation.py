@@ -26,14 +26,12 @@ from riserstudy.figures.grid import (
     read,
 )
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, shades
+from riserstudy.figures.style import COLOURS, GREY, MANY_COLOURS, headline, panel_title
 
 FloatArray = NDArray[np.float64]
 SLICES = 4  # number of equally spaced points of a third axis that are shown
 MOST = 2.0  # largest utilisation on the scale of colours and lines
 DARK = 1.6  # utilisation from which on a number is white
-#: colours of the limits that govern anywhere, in their order; black has no shades
-OF_LIMITS = (*COLOURS, *(shades(colour, 3)[k] for k in (0, -1) for colour in COLOURS[:-1]))
 FEW = 60  # number of cells of a panel up to which each has its number
 
 
@@ -83,7 +81,7 @@ def _maps(uses: xr.Dataset) -> Figure:
     names = [in_words(str(name)) for name in uses["limit"].values]
     use_at = [point["use_of_limit"].transpose("limit", up, across) for _, point in chosen]
     displayed = sorted({int(k) for use in use_at for k in _which(use).ravel()})
-    colours = dict(zip([k for k in displayed if k >= 0], cycle(OF_LIMITS), strict=False)) | {-1: GREY}
+    colours = dict(zip([k for k in displayed if k >= 0], cycle(MANY_COLOURS), strict=False)) | {-1: GREY}
     for row, ((called, _), use) in enumerate(zip(chosen, use_at, strict=True)):
         left, right = axes[2 * row : 2 * row + 2]
         _use(figure, left, use, called)
