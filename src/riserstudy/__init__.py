@@ -19,7 +19,7 @@ __all__ = [
 _HOMES = {
     "load_scene": "riserstudy.scene.load",
     "simulate": "riserstudy.simulation.simulate",
-    "modes": "riserstudy.simulation.modes",
+    "modes": "riserstudy.simulation.labelled_modes",
     "open_results": "riserstudy.dataset.open",
     "query": "riserstudy.database.ask",
     "open_point": "riserstudy.database.open_points",
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from riserstudy.database.open_points import dataset_of, open_point
     from riserstudy.dataset.open import open_results
     from riserstudy.scene.load import load_scene
-    from riserstudy.simulation.modes import modes
+    from riserstudy.simulation.labelled_modes import modes
     from riserstudy.simulation.simulate import simulate
     from riserstudy.study.sweep import sweep
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from riserstudy.scene.load import read_scene
-from riserstudy.simulation.modes import modes
+from riserstudy.simulation.labelled_modes import modes
 from riserstudy.study.modes import STATIONS, modes_result
 
 SYSTEM = Path(__file__).parents[2] / "config/scenes/liu2020/system.yaml"

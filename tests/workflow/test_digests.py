@@ -110,6 +110,16 @@ def test_what_runs_reads_no_file_of_the_package_that_does_not_count(tmp_path):
     assert data <= dependencies(ENGINE) | dependencies(COLLECT)
 
 
+def test_names_of_variables_are_no_part_of_the_engine(package):
+    """Points stay as they are; datasets, in which the names are, are joined again."""
+    before = found()
+    file = package / "dataset/variables.yaml"
+    file.write_text(file.read_text() + '\nanother_name: {units: "1", long_name: "edited"}\n')
+    changed = {part for part, now in found().items() if now != before[part]}
+    assert COLLECT in changed
+    assert not {ENGINE, "kernels"} & changed
+
+
 @pytest.mark.parametrize("name", ["report/page.css", "dataset/variables.yaml"])
 def test_an_edit_of_a_file_that_a_module_names_changes_what_depends_on_the_module(name, package):
     before = found()

@@ -151,12 +151,12 @@ def modes(
     from rich.console import Console
     from rich.table import Table
 
-    from riserstudy.simulation import modes as natural
+    from riserstudy.simulation.labelled_modes import modes as natural_modes
 
     file = scene_of(scene, settings)
     check_targets(file.files, force, output=output)
     compile_as_needed()
-    dataset = natural.modes(file, count)
+    dataset = natural_modes(file, count)
     table = Table("mode", "period (s)", "frequency (Hz)", "motion")
     for k in range(dataset.sizes["mode"]):
         frequency = float(dataset["frequency"][k])

@@ -1,20 +1,17 @@
-"""Natural modes of a scene about its static equilibrium, as a dataset."""
+"""Natural modes of a scene about its static equilibrium."""
 
 from __future__ import annotations
 
 import math
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.complete import complete
-from riserstudy.errors import InputError, SimulationError
+from riserstudy.errors import SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
 from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.scene.at_rest import at_rest
-from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.starting_mesh import massless
@@ -28,42 +25,8 @@ MOST_MODES = 1000
 EQUAL = 1e-6  # largest difference of displacements of a mode that count as equal
 
 
-def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
-    """Compute the natural modes with the lowest frequencies, about the static equilibrium of a scene.
-
-    Parameters
-    ----------
-    scene : SceneFile or str or Path
-        A scene from :func:`riserstudy.load_scene`, or the path of its file.
-    count : int
-        Number of modes.
-
-    Returns
-    -------
-    xarray.Dataset
-        With the dimension ``mode``: ``frequency`` (Hz), ``natural_period`` (s) and ``motion``, the direction
-        of the largest motion: lateral, axial, or yaw of the vessel. For an unstable direction, the frequency
-        is negative and the period is NaN. With the dimensions ``mode`` and ``s`` (m, unstretched arclength
-        from the lower end): the mode shapes ``x``, ``y``, ``z``, scaled to a largest component of 1. Only
-        the directions of the model are included.
-
-    Raises
-    ------
-    InputError
-        When the scene is invalid, or ``count`` is below 1.
-    SimulationError
-        When there is no equilibrium, or a node that moves has no mass.
-    """
-    if count < 1:
-        raise InputError("modes", "count", str(count), "allowed is 1 or more")
-    file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    dataset = complete(modes_of(file.resolved(), count))
-    dataset.attrs |= {"title": file.tree.get("title", ""), "source": file.source}
-    return dataset
-
-
 def modes_of(scene: Resolved, count: int) -> xr.Dataset:
-    """Frequencies, periods and shapes of the lowest modes, as in ``modes``.
+    """Frequencies, periods and shapes of the lowest modes, as in `riserstudy.modes`.
 
     A riser with bending stiffness or tension also has lateral modes, even if nothing in the scene moves it
     laterally. A bar without either has only axial modes. Raises SimulationError when there is no equilibrium,

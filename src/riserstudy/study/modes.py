@@ -57,9 +57,9 @@ def modes_result(file: SceneFile, count: int) -> Result:
     import numpy as np
 
     from riserstudy.dataset.result import Result
-    from riserstudy.simulation.modes import modes
+    from riserstudy.simulation.modes import modes_of
 
-    found = modes(file, count)
+    found = modes_of(file.resolved(), count)
     share = found["s"].values / found["s"].values[-1]
     at = np.linspace(0.0, 1.0, STATIONS)
     arrays = {
