@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.simulation.disconnect import TOUCHING, lowest_after_rise
+from riserstudy.dataset.clearance import TOUCHING, lowest_after_rise
 from riserstudy.study.spacing import stretches
 
 FloatArray = NDArray[np.float64]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from riserstudy.dataset.clearance import TOUCHING, lowest_after_rise
 from riserstudy.errors import SimulationError
 from riserstudy.model.disconnect import fading, released, stack_contact
 from riserstudy.model.draining import draining, flow_of
@@ -23,8 +24,6 @@ if TYPE_CHECKING:
 FloatArray = NDArray[np.float64]
 
 STILL = 1e-6  # share of the largest tension that counts as rounding
-TOUCHING = 1e-6  # lift below which the lower end touches the stack (m)
-SETTLED = 1e-3  # share of its lift within which a lower end at rest may move
 # horizontal distance (m) from the well within which a lower end counts as above the stack
 ABOVE = 1.0
 
@@ -102,28 +101,6 @@ def enter_lift(scene: Resolved, arrays: outputs.Arrays, facts: RunFacts) -> None
     if column := flow_of(scene):
         facts["contents_speed_max"] = float(abs(column.speed).max())
         facts["contents_top_min"] = float(column.top.min())
-
-
-def lowest_after_rise(time: FloatArray, lift: FloatArray) -> int | None:
-    """Index of the smallest lift after its first maximum; None if it is not known.
-
-    It is not known if the lower end never lifts off, or still rises or falls at the end. It counts as at rest
-    there if, in the second half of the times, the lift is constant within ``SETTLED`` of it.
-
-    Parameters
-    ----------
-    time : times after the release (s), (times,).
-    lift : height of the lower end above the stack (m), (times,).
-    """
-    falls = np.flatnonzero((np.diff(lift) < 0.0) & (lift[:-1] > TOUCHING))
-    if not len(falls):
-        return None
-    lowest = int(falls[0]) + int(lift[falls[0] :].argmin())
-    if lowest == len(lift) - 1 and lift[lowest] > TOUCHING:
-        late = lift[time >= 0.5 * (time[0] + time[-1])]
-        if np.ptp(late) > SETTLED * lift[lowest]:
-            return None
-    return lowest
 
 
 def _contact_aside(time: FloatArray, aside: FloatArray) -> str:
