@@ -204,12 +204,16 @@ def caused_by_the_law(
     return judged(curved / straight, condition)
 
 
-def apart_at_large_amplitudes(
-    gas: xr.Dataset, linear: xr.Dataset, larger: Word, amplitudes: list[float]
+def similar_then_apart(
+    gas: xr.Dataset, linear: xr.Dataset, similar: Word, significantly: Word, amplitudes: list[float]
 ) -> Found:
-    """Both models differ more, over the range, at the larger amplitude; value: ratio of the differences."""
+    """Both models give similar heave at the smaller amplitude, and differ at the larger one.
+
+    Value: ratio of the differences, the one at the larger amplitude over the other.
+    """
     small, large = (_apart(gas, linear, amplitude).min("compared") for amplitude in amplitudes)
-    return judged(large / small, more(large, small, larger))
+    both = all_of(below(small, similar.bound), above(large, significantly.bound))
+    return judged(large / small, both)
 
 
 def grows_with_the_bend(volumes: xr.Dataset, increases: Word) -> Found:
