@@ -219,14 +219,21 @@ def finest(grid: xr.Dataset) -> xr.Dataset:
 def difference(runs: xr.Dataset, others: xr.Dataset) -> xr.DataArray:
     """Larger relative difference, of largest deflection and of largest moment, from other runs."""
     apart = [abs(mine / theirs - 1.0) for mine, theirs in zip(_largest(runs), _largest(others), strict=True)]
-    worst: xr.DataArray = xr.concat(apart, "of").max("of")
+    worst: xr.DataArray = xr.concat(apart, "of").max("of", skipna=False)
     return worst
 
 
 def _largest(runs: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray]:
-    """Largest deflection (m) and moment (N m) along the riser; runs may have different nodes."""
-    sides = [abs(runs[f"bending_moment_{side}"]) for side in ("max", "min")]
-    return runs["x_max"].max("s_node"), xr.concat(sides, "side").max(("side", "s_node"))
+    """Largest deflection from the line between the ends (m) and largest moment (N m) along the riser.
+
+    The top is held, and may have drifted to either side. Runs may have different nodes.
+    """
+    line = runs["x_max"].isel(s_node=-1, drop=True) * runs["s_node"] / runs["s_node"][-1]
+    bent, moment = (
+        xr.concat([abs(runs[f"{name}_{side}"] - origin) for side in ("max", "min")], "side")
+        for name, origin in (("x", line), ("bending_moment", 0.0))
+    )
+    return bent.max(("side", "s_node")), moment.max(("side", "s_node"))
 
 
 # errata: text with results of simulations
