@@ -4,8 +4,11 @@ import os
 import random
 
 import pytest
+import xarray as xr
 
 from riserstudy import folders
+from riserstudy.csv_files import write_csv
+from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.folders import cache_folder, remembered, whole_file, write_whole
 from riserstudy.solve.kernel_cache import kernel_cache
@@ -123,3 +126,19 @@ def test_what_kept_a_file_from_being_written_is_named(tmp_path, missing):
     assert (str(source) in str(refused.value)) == (missing == "a source")
     assert ("disk is full" in str(refused.value)) == (missing != "a source")
     assert not target.exists()
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_file_may_have_the_longest_name_that_a_system_allows(tmp_path, seed):
+    """Its temporary name, which is longer, may not keep a result from being written."""
+    draw = random.Random(seed)
+    letters = draw.choice(["n", "nüm", "水ab", "😀"])
+    name, most = "", 255 - draw.choice([0, 0, 1, 3, 9, 14]) - len(".nc")
+    while len(f"{name}{letters[len(name) % len(letters)]}".encode()) <= most:
+        name += letters[len(name) % len(letters)]
+    dataset = xr.Dataset({"x": ("s", [1.0, 2.0])})
+    write_netcdf(dataset, tmp_path / f"{name}.nc", {})
+    write_whole(tmp_path / f"{name}.js", b"{}")
+    write_csv(tmp_path / f"{name}.cs", ["a"], [[1]])
+    assert {file.name for file in tmp_path.iterdir()} == {f"{name}{end}" for end in (".nc", ".js", ".cs")}
+    assert xr.load_dataset(tmp_path / f"{name}.nc", engine="netcdf4")["x"].values.tolist() == [1.0, 2.0]

@@ -25,6 +25,7 @@ PACKAGE = Path(__file__).parent
 
 #: subfolder of a results folder in which jobs store the digest of each file
 SEALS = ".seals"
+LONGEST = 255  # bytes of a file name
 #: name of a file that is not yet complete: a dot, its later name, and a random number or that of a process
 _PARTIAL = re.compile(r"\..+\.([0-9a-f]{8}|\d+)", re.DOTALL)
 
@@ -141,12 +142,19 @@ def chapter_files(paper: str, files: Iterable[Path]) -> list[str]:
     return sorted(str(file.relative_to(here)) for file in files if file.is_relative_to(chapter))
 
 
+def partial_of(target: Path, ending: str) -> Path:
+    """Return the temporary name of a file: a dot, its later name as far as it fits, and an ending."""
+    fits = LONGEST - len(ending) - 2
+    kept = target.name.encode("utf-8", "surrogateescape")[:fits].decode("utf-8", "ignore")
+    return target.with_name(f".{kept}.{ending}")
+
+
 def write_whole(target: Path, content: bytes, synced: bool = False) -> None:
     """Write a file under a temporary name in the same folder, then rename it; it gets usual permissions.
 
     ``synced``: whether the content must be on the disk before the file is renamed.
     """
-    name = target.with_name(f".{target.name}.{secrets.token_hex(4)}")
+    name = partial_of(target, secrets.token_hex(4))
     handle = os.open(name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666)  # minus the umask
     try:
         with os.fdopen(handle, "wb") as stream:
@@ -168,7 +176,7 @@ def whole_file(target: Path, *errors: type[Exception]) -> Iterator[Path]:
     ``*errors``: errors of the writing library which mean that the file is not complete. Raises
     SimulationError when it cannot be written, for example on a full disk, or a source file cannot be read.
     """
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    partial = partial_of(target, str(os.getpid()))
     unwritten: tuple[type[Exception], ...] = (OSError, *errors)
     try:
         yield partial

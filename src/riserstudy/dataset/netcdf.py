@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, BinaryIO
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.dataset.without import without
 from riserstudy.errors import InputError, SimulationError
+from riserstudy.folders import partial_of
 from riserstudy.records.numerals import plain
 
 if TYPE_CHECKING:
@@ -45,7 +46,7 @@ def written_whole(target: Path) -> Iterator[Path]:
 
     Raises SimulationError when it cannot be written, as on a full disk.
     """
-    partial = target.with_name(f".{target.name}.{os.getpid()}")
+    partial = partial_of(target, str(os.getpid()))
     try:
         target.parent.mkdir(parents=True, exist_ok=True)
         yield partial
