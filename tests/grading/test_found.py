@@ -224,3 +224,28 @@ def test_what_a_function_does_not_take_is_refused_before_any_job(file, old, new,
     path.write_text(path.read_text().replace(old, new))
     with pytest.raises(InputError, match=said):
         read_published(tmp_path / "config", "own", read_studies(tmp_path / "config", "own").datasets)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_premise_that_all_samples_share_counts_as_that_of_each(seed):
+    """A premise without the samples' dimension would else be ignored."""
+    draw = np.random.default_rng(seed)
+    share = bool(draw.integers(2))
+
+    def check(given):
+        def of(x):
+            each = xr.full_like(x, share, bool) if "sample" in x.dims else xr.DataArray(share)
+            return judged(x, xr.ones_like(x), xr.DataArray(share) if given == "shared" else each)
+
+        return of
+
+    values = draw.normal(100.0, 1.0, COUNT)
+    one, other = (row(check(given), values, CLAIM) for given in ("shared", "each"))
+    assert one.verdict == other.verdict == ("holds" if share else "depends")
+    assert said(one) == said(other)
+
+
+def test_a_premise_over_other_cells_than_samples_is_refused():
+    value = xr.DataArray(np.ones((3, 4)), dims=("sample", "phase"))
+    with pytest.raises(TypeError, match="not over sample, phase"):
+        judged(value, value, value > 0.0)

@@ -47,7 +47,15 @@ class Found(NamedTuple):
 def judged(
     value: xr.DataArray, judged_by: xr.DataArray | Condition, given: xr.DataArray | None = None
 ) -> Found:
-    """The result of a claim that is true where its condition is met; a margin of NaN gives no answer."""
+    """The result of a claim that is true where its condition is met; a margin of NaN gives no answer.
+
+    ``given``: as in `Found`; without the dimension ``sample``, it is that of all samples. Raises TypeError
+    when it has another dimension.
+    """
+    if given is not None and set(given.dims) - {"sample"}:
+        raise TypeError(f"a premise is over samples, not over {', '.join(map(str, given.dims))}")
+    if given is not None and not given.dims and "sample" in value.dims:
+        given = given.expand_dims(sample=value["sample"])
     condition = judged_by if isinstance(judged_by, Condition) else plain(judged_by)
     return Found(value, condition.margin > 0.0, given, *condition)
 
