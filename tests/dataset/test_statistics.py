@@ -14,7 +14,8 @@ from scipy.stats import gumbel_r
 from riserstudy import load_scene, simulate, sweep
 from riserstudy.cli import main
 from riserstudy.dataset.statistics import gumbel, peaks, record_statistics
-from riserstudy.dataset.statistics_tables import _sizes
+from riserstudy.dataset.statistics_tables import _histories, _sizes
+from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 
 TIME = np.arange(0.0, 200_000.0, 0.5)
@@ -308,3 +309,16 @@ def test_extremes_that_no_seed_changes_are_those_of_all(value, apart):
     found = gumbel(value * (1.0 + apart * np.arange(6)))
     assert (found.mode, found.fractile) == (pytest.approx(value), pytest.approx(value))
     assert (found.scale, found.mode_error) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_start_leaves_two_outputs_or_the_error_names_the_latest_that_does(seed):
+    draw = np.random.default_rng(seed)
+    time = draw.uniform(0.1, 2.0) * np.arange(draw.integers(3, 40))
+    run = xr.Dataset({"stroke": ("time", draw.normal(size=len(time)), {"units": "m"})}, {"time": time})
+    for start in (*draw.uniform(0.0, 1.2 * time[-1], 10), time[-2], time[-1]):
+        if start <= time[-2]:
+            list(_histories(run, start))
+        else:
+            with pytest.raises(InputError, match=f"allowed is up to {time[-2]:g} s"):
+                list(_histories(run, start))

@@ -71,6 +71,8 @@ def check_output(
     try:
         _check_ending(output, kinds, option)
         _check_place(output, option)
+        if "dataset" in kinds and output.suffix == ".nc":
+            _check_backslash(output, option)
         if output.exists() and not force:
             _check_replaced(output, kinds, reads, option)
     except (OSError, ValueError) as error:  # a name that is too long or empty, or a loop of links
@@ -108,6 +110,12 @@ def _check_place(output: Path, option: str) -> None:
     if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
         allowed = "allowed is a file in a folder that exists"
         raise InputError(option, str(output), "cannot be written", allowed)
+
+
+def _check_backslash(output: Path, option: str) -> None:
+    """Refuse a dataset in a path with a backslash, which the netCDF library takes for a separator."""
+    if os.name == "posix" and "\\" in str(output.resolve()):
+        raise InputError(option, str(output), "has a backslash in its path", "name another file or folder")
 
 
 def _check_replaced(output: Path, kinds: list[str], reads: Iterable[Path], option: str) -> None:

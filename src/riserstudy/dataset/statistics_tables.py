@@ -153,8 +153,8 @@ def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | Non
     time = run["time"].values
     steps = np.diff(time[time >= start])
     if not len(steps):
-        allowed = f"allowed is a time before {time[-1]:g} s"
-        raise InputError("--start", f"{start:g} s", "nothing is left", allowed)
+        allowed = f"allowed is up to {time[-2]:g} s" if len(time) > 1 else "the run needs more outputs"
+        raise InputError("--start", f"{start:g} s", "fewer than two outputs are left", allowed)
     if np.ptp(steps) > EVEN * steps[0]:
         raise InputError("dataset", "time", "uneven intervals", "statistics need even ones")
     later = run.isel(time=time >= start)
