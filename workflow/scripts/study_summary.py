@@ -8,7 +8,7 @@ from pathlib import Path
 from riserstudy.jobs.progress import lasting
 
 VERDICTS = (
-    *("reproduced", "calibrated", "holds", "depends", "fails"),
+    *("reproduced", "holds", "depends", "fails", "calibrated"),
     *("not comparable", "not reproducible"),
 )
 
