@@ -106,6 +106,12 @@ def price(accuracy: xr.Dataset) -> Price | None:
     return Price(float(coarse), float(fine), min(ratios), max(ratios))
 
 
+def without_time(accuracy: xr.Dataset) -> list[str]:
+    """Scenes of which no run met any of the tolerances within the time limit."""
+    scene, seconds = accuracy["request_scene"].values, accuracy["request_seconds"].values
+    return [str(s) for s in dict.fromkeys(scene) if not np.isfinite(seconds[scene == s]).any()]
+
+
 def others(accuracy: xr.Dataset, error: float = COMPARED) -> Others | None:
     """Times of other codes divided by riserstudy's at an error, in the first compared scene, or None."""
     if "peer_scene" not in accuracy or not accuracy["peer_scene"].size:

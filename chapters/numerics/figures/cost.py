@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 from numpy.typing import NDArray
 
-from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price
+from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price, without_time
 from chapters.numerics.figures.scenes import in_one_line, in_two_lines
 from riserstudy.figures.style import COLOURS, GREY, headline
 
@@ -64,6 +64,9 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
         last = int(np.flatnonzero(np.isfinite(y))[-1])
         ends.append((x[last], y[last], in_one_line(scene) + ratio, colour))
     _label_ends(ax, ends)
+    if left := without_time(accuracy):
+        words = f"no line: {', '.join(map(in_one_line, left))}, over the time limit"
+        ax.text(0.02, 0.02, words, transform=ax.transAxes, fontsize="small", color=GREY)
     for tolerance in (found.coarse, found.fine) if found else ():
         ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
     _time_over_error(ax, FINEST / 280.0)  # room for names at the right

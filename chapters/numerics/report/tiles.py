@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import Ranked, hard, never, others, price, ranking
+from chapters.numerics.answers import Ranked, hard, never, others, price, ranking, without_time
 from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
 from riserstudy.records.page import Tile
 from riserstudy.records.words import listed
@@ -60,6 +60,8 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     drawn = _lines([line for line in lines if len(line) > 1])
     between = f"{100 * found.coarse:g} to {100 * found.fine:g} %"
     under = f"run time (log scale) for tolerances from {between}; one line per scene"
+    if left := without_time(accuracy):
+        under += f", without {listed(left)}, whose runs exceed the time limit"
     return f"{found.words}× the run time", answer, drawn + (_under(under) if drawn else "")
 
 

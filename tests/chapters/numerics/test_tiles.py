@@ -1,5 +1,7 @@
 """The three answers of the first screen: cost, stability, effects."""
 
+import numpy as np
+import pytest
 import xarray as xr
 
 from chapters.numerics.report.tiles import tiles
@@ -45,3 +47,15 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
         "times as long."
     )
     assert one.spark.count("<polyline") == 2
+    assert "time limit" not in one.spark
+
+
+@pytest.mark.parametrize("missed", [["c"], ["b", "c"]])
+def test_scenes_without_any_run_in_time_are_named_where_the_others_are_drawn(missed):
+    scenes = [*"aabbcc"]
+    seconds = [np.nan if s in missed else 1.0 + k for k, s in enumerate(scenes)]
+    rows = {"request_scene": scenes, "requested": [0.01, 0.0005] * 3, "request_seconds": seconds}
+    accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
+    (one,) = shown({"accuracy": accuracy})
+    assert f"without {' and '.join(missed)}, whose runs exceed the time limit" in one.spark
+    assert one.spark.count("<polyline") == 3 - len(missed)
