@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from chapters.numerics.answers import Ranked, hard, never, others, price, ranking, without_time
 from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
+from riserstudy.records.numerals import plain
 from riserstudy.records.page import Tile
 from riserstudy.records.words import listed
 from riserstudy.report.wording import sentence
@@ -42,10 +43,10 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     scene = accuracy["request_scene"].values
     requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
     usual = seconds[(requested == found.coarse) & (seconds > 0.0)]
+    low, high = (plain(1e3 * time, 2) for time in (usual.min(), usual.max()))
     answer = (
-        f"A simulation with a tolerance of {100 * found.coarse:g}\u00a0% takes {1e3 * usual.min():.2g} "
-        f"to {1e3 * usual.max():.2g}\u00a0ms. With {100 * found.fine:g}\u00a0%, it takes {found.words} times "
-        "as long."
+        f"A simulation with a tolerance of {100 * found.coarse:g}\u00a0% takes {low} to {high}\u00a0ms. "
+        f"With {100 * found.fine:g}\u00a0%, it takes {found.words} times as long."
     )
     if peers := others(accuracy):
         answer += (
@@ -58,7 +59,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         points = sorted(zip(-requested[of], seconds[of], strict=True))
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
     drawn = _lines([line for line in lines if len(line) > 1])
-    between = f"{100 * found.coarse:g} to {100 * found.fine:g} %"
+    between = f"{100 * found.coarse:g} to {100 * found.fine:g}\u00a0%"
     under = f"run time (log scale) for tolerances from {between}; one line per scene"
     if left := without_time(accuracy):
         under += f", without {listed(left)}, whose runs exceed the time limit"

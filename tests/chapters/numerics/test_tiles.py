@@ -37,14 +37,14 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     rows = {
         "request_scene": ["a", "a", "b", "b"],
         "requested": [0.01, 0.0005, 0.01, 0.0005],
-        "request_seconds": [1e-3, 3e-3, 2e-3, 5e-3],
+        "request_seconds": [0.1, 0.3, 0.2, 0.5],
     }
     accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
     (one,) = shown({"accuracy": accuracy})
     assert one.number == "2.5 to 3× the run time"
     assert one.answer == (
-        "A simulation with a tolerance of 1\u00a0% takes 1 to 2\u00a0ms. With 0.05\u00a0%, it takes 2.5 to 3 "
-        "times as long."
+        "A simulation with a tolerance of 1\u00a0% takes 100 to 200\u00a0ms. With 0.05\u00a0%, it takes "
+        "2.5 to 3 times as long."
     )
     assert one.spark.count("<polyline") == 2
     assert "time limit" not in one.spark
