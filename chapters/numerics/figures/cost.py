@@ -2,53 +2,73 @@
 
 from __future__ import annotations
 
-from typing import Any
+import textwrap
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.text import Annotation
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 from numpy.typing import NDArray
 
 from chapters.numerics.answers import COMPARED, QUANTITIES, TOLERANCE, price, without_time
 from chapters.numerics.figures.scenes import in_one_line, in_two_lines
+from riserstudy.figures.direct import legible, spread
 from riserstudy.figures.style import COLOURS, GREY, headline
 
 TICKS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.0005)
 WIDEST, FINEST = 0.07, 0.0002  # ends of the axis of errors
 LEAST = 1e-5  # smallest error that is drawn
-APART = 1.35  # least ratio between the heights of neighbouring names
+APART = 1.35  # least ratio between the heights of neighbouring names, and of the frame and the highest
+ROOM = 2.0  # ratio of axes of errors with and without room for names of short lines at the left
+NOTE = 0.45  # ratio of the lower end of the axis to the shortest time, above a note
+LETTERS = 70  # of a line of a note
 OURS = "riserstudy"
 WIDEST_PAGE = 9.8  # inches: small text is 6 points on a page of 180 mm
 
 Array = NDArray[np.float64]
 
 
+class Named(NamedTuple):
+    """A line and its name."""
+
+    x: Array
+    y: Array
+    name: str
+    colour: str
+
+
 def cost(accuracy: xr.Dataset, random_scenes: xr.Dataset) -> Figure:
     """Time over tolerance, single runs of codes, ratio to the cheapest run, quality of error estimates."""
     figure = Figure((WIDEST_PAGE, 8.0), dpi=150, layout="constrained")
     (tolerances, runs), (ratios, honest) = figure.subplots(2, 2)
-    _tolerances(tolerances, accuracy)
-    _runs(runs, accuracy)
+    lines = {tolerances: _tolerances(tolerances, accuracy), runs: _runs(runs, accuracy)}
     _ratios(ratios, accuracy)
     _honesty(honest, random_scenes)
     headline(figure, answer(accuracy))
+    for ax, named in lines.items():
+        _label_ends(ax, named)
+    figure.draw_without_rendering()  # computes the layout of the panels
+    for ax, named in lines.items():
+        _label_short(ax, named)
     return figure
 
 
 def answer(accuracy: xr.Dataset) -> str:
-    """Title: ratio of times between two tolerances that all scenes met."""
+    """Title: largest ratio of times between two tolerances that all scenes met."""
     found = price(accuracy)
     if found is None:
         return "What accuracy costs"
-    return f"A tolerance {found.coarse / found.fine:.0f} times finer takes {found.words} times as long"
+    times = f"{'' if found.words == f'{found.high:.2g}' else 'up to '}{found.high:.2g}"
+    return f"A tolerance {found.coarse / found.fine:.0f} times finer takes {times} times as long"
 
 
-def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
-    """Draw the time of all runs over the tolerance, one line per scene, with the ratio of the title."""
+def _tolerances(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
+    """Draw the time of all runs over the tolerance, one line per scene; the names have the scene's ratio."""
     found = price(accuracy)
-    ends: list[tuple[float, float, str, str]] = []
+    lines: list[Named] = []
     for k, scene in enumerate(_scenes(accuracy)):
         here = accuracy["request_scene"].values == scene
         requested, seconds = (accuracy["requested"].values[here], accuracy["request_seconds"].values[here])
@@ -61,19 +81,23 @@ def _tolerances(ax: Axes, accuracy: xr.Dataset) -> None:
         ratio = ""
         if found and {found.coarse, found.fine} <= set(x[np.isfinite(y)].tolist()):
             ratio = f": {float(y[x == found.fine][0] / y[x == found.coarse][0]):.2g}×"
-        last = int(np.flatnonzero(np.isfinite(y))[-1])
-        ends.append((x[last], y[last], in_one_line(scene) + ratio, colour))
-    _label_ends(ax, ends)
+        good = np.isfinite(y)
+        lines.append(Named(x[good], y[good], in_one_line(scene) + ratio, colour))
     if left := without_time(accuracy):
         words = f"no line: {', '.join(map(in_one_line, left))}, over the time limit"
-        ax.text(0.02, 0.02, words, transform=ax.transAxes, fontsize="small", color=GREY)
+        ax.text(
+            0.02, 0.02, textwrap.fill(words, LETTERS), transform=ax.transAxes, fontsize="small", color=GREY
+        )
     for tolerance in (found.coarse, found.fine) if found else ():
         ax.axvline(tolerance, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
-    _time_over_error(ax, FINEST / 280.0)  # room for names at the right
+    _time_over_error(ax, FINEST / 330.0)  # room for names at the right
+    if left and lines:
+        ax.set_ylim(bottom=NOTE * min(line.y.min() for line in lines))
     ax.set_xlabel("tolerance (%): more accurate →")
     ax.set_ylabel("elapsed time of all runs (s)")
     between = f"; ×: time at {100 * found.fine:g} % / time at {100 * found.coarse:g} %" if found else ""
     ax.set_title(f"(a) riserstudy, time over tolerance{between}", loc="left", fontsize="small")
+    return lines
 
 
 def _time_over_error(ax: Axes, end: float) -> None:
@@ -95,16 +119,16 @@ def _percent_ticks(ax: Axes) -> None:
     ax.xaxis.set_minor_locator(NullLocator())
 
 
-def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
+def _runs(ax: Axes, accuracy: xr.Dataset) -> list[Named]:
     """Draw the cheapest single runs of one scene by riserstudy and other codes, over displacement error."""
     scenes = list(dict.fromkeys(map(str, accuracy.get("peer_scene", accuracy["scene"]).values)))
     scene = scenes[0]
     single = lowest_cost(accuracy.sel(scene=scene))
     inside = single[(single[:, 0] < WIDEST) & (single[:, 0] > FINEST)]
-    names: list[tuple[float, float, str, str]] = []
+    names: list[Named] = []
     if len(inside):
         ax.plot(*inside.T, "o-", color=COLOURS[0], linewidth=3.0, markersize=5, zorder=3)
-        names.append((*inside[-1], OURS, COLOURS[0]))
+        names.append(Named(inside[:, 0], inside[:, 1], OURS, COLOURS[0]))
     for peer, error, ratio in _peers(accuracy, scene):
         seconds = _at(single, error) * ratio
         good = np.isfinite(seconds)
@@ -112,14 +136,15 @@ def _runs(ax: Axes, accuracy: xr.Dataset) -> None:
             ax.plot(error[good], seconds[good], "o-", color=GREY, linewidth=1.4, markersize=3)
             there = np.isclose(error, COMPARED)
             times = f": {ratio[there][0]:g}×" if there.any() else ""
-            names.append((error[good][-1], seconds[good][-1], peer + times, "0.35"))
-    _label_ends(ax, names)
+            names.append(Named(error[good], seconds[good], peer + times, "0.35"))
     ax.axvline(COMPARED, color="0.5", linestyle=":", linewidth=1.0, zorder=0)
     _time_over_error(ax, FINEST / 9.0)
+    ax.set_xlim(left=ROOM * WIDEST)
     ax.set_xlabel("true error of displacement (%): more accurate →")
     ax.set_ylabel("elapsed time of one run (s)")
     compared = f"; ×: {OURS} = 1 at {100 * COMPARED:g} %" if names[1:] else ""
     ax.set_title(f"(b) single runs, {in_one_line(scene)}{compared}", loc="left", fontsize="small")
+    return names
 
 
 def _peers(accuracy: xr.Dataset, scene: str) -> list[tuple[str, Array, Array]]:
@@ -142,19 +167,58 @@ def _at(single: Array, error: Array) -> Array:
     return np.asarray(np.exp(np.interp(np.log(error), x, y, left=np.nan, right=np.nan)))
 
 
-def _label_ends(ax: Axes, names: list[tuple[float, float, str, str]]) -> None:
-    """Write names at the ends of lines, moved upwards to separate them; below the end of a short line."""
-    lowest, farthest = 0.0, min((x for x, *_ in names), default=0.0)
-    for x, y, name, colour in sorted(names, key=lambda one: one[1]):
-        short = x > 2.0 * farthest
-        at = y if short else max(y, lowest)
-        ax.annotate(
-            name, (x, at), xytext=(-5, -13) if short else (7, 0), textcoords="offset points",
-            ha="center" if short else "left", va="top" if short else "center",
-            fontsize="small", color=colour, fontweight="bold" if name == OURS else "normal",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6, "alpha": 0.85},
-        )  # fmt: skip
-        lowest = lowest if short else at * APART
+def _is_short(line: Named, lines: list[Named]) -> bool:
+    return bool(line.x[-1] > 2.0 * min(other.x[-1] for other in lines))
+
+
+def _label_ends(ax: Axes, lines: list[Named]) -> None:
+    """Write names at the ends of lines that are not short, apart from each other and below the frame."""
+    whole = [line for line in lines if not _is_short(line, lines)]
+    if not whole:
+        return
+    ends = np.log([line.y[-1] for line in whole])
+    for line, level in zip(whole, spread(ends, np.full(len(ends), np.log(APART))), strict=True):
+        _write(ax, line, (line.x[-1], float(np.exp(level))), (7, 0), "left", "center")
+        bottom, top = ax.get_ylim()
+        ax.set_ylim(min(bottom, np.exp(level) / APART), max(top, APART * np.exp(level)))
+
+
+def _label_short(ax: Axes, lines: list[Named]) -> None:
+    """Write the names of short lines where they cover the fewest lines and names: best to the left.
+
+    The layout of the panels must be known.
+    """
+    for line in [line for line in lines if _is_short(line, lines)]:
+        first, last = (line.x[0], line.y[0]), (line.x[-1], line.y[-1])
+        places: list[tuple[Any, ...]] = [
+            (first, (-7, 0), "right", "center"), (last, (7, 0), "left", "center"),
+            (last, (0, 6), "center", "bottom"), (last, (0, -6), "center", "top"),
+        ]  # fmt: skip
+        covered = []
+        for place in places:
+            text = _write(ax, line, *place)
+            covered.append(_covered(ax, text))
+            text.remove()
+        _write(ax, line, *places[int(np.argmin(covered))])
+
+
+def _write(
+    ax: Axes, line: Named, at: tuple[float, float], offset: tuple[float, float], ha: str, va: str
+) -> Annotation:
+    return ax.annotate(
+        line.name, at, xytext=offset, textcoords="offset points", ha=ha, va=va, fontsize="small",
+        color=legible(line.colour), fontweight="bold" if line.name == OURS else "normal",
+    )  # fmt: skip
+
+
+def _covered(ax: Axes, text: Annotation) -> int:
+    """Return the number of lines and other texts that a text covers; beyond the frame counts as all."""
+    box = text.get_window_extent()
+    if box.x0 < ax.bbox.x0 or box.x1 > ax.bbox.x1 or box.y0 < ax.bbox.y0 or box.y1 > ax.bbox.y1:
+        return len(ax.lines) + len(ax.texts)
+    lines = (line.get_transform().transform_path(line.get_path()) for line in ax.lines)
+    others = (other.get_window_extent() for other in ax.texts if other is not text)
+    return sum(path.intersects_bbox(box, filled=False) for path in lines) + sum(map(box.overlaps, others))
 
 
 def lowest_cost(of: xr.Dataset) -> Array:
