@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from numpy.typing import NDArray
 
+from chapters.numerics.figures.methods import family_of, look_of
 from chapters.numerics.figures.scenes import in_one_line
 from riserstudy.figures.style import (
     COLOURS,
@@ -24,29 +25,11 @@ from riserstudy.figures.style import (
 )
 
 QUANTITIES = ("displacement", "moment", "tension")
-FAMILIES = {
-    "gen.-alpha 0.8": "generalised-alpha",
-    "gen.-alpha 1": "generalised-alpha",
-    "gen.-alpha 0.5": "generalised-alpha",
-    "Newmark 0.3025 0.6": "Newmark (β 0.3025, γ 0.6)",
-    "Verlet": "explicit",
-    "semi-implicit Euler": "explicit",
-    "Hermite, Newmark 1/4 1/2": "Newmark, Hermite elements",
-}
-LOOK = {  # mark, colour and width of the line
-    "generalised-alpha": ("o", COLOURS[0], 1.4),
-    "TR-BDF2": ("v", COLOURS[4], 1.4),
-    "ESDIRK4": ("P", COLOURS[1], 2.2),
-    "Newmark (β 0.3025, γ 0.6)": ("^", COLOURS[3], 1.4),
-    "explicit": ("s", COLOURS[6], 1.4),
-    "Newmark, Hermite elements": ("D", COLOURS[5], 1.4),
-    "Radau": (">", COLOURS[2], 1.4),
-}
 EQUAL = 1.15  # ratio of times below which only the more accurate run is drawn
 LARGEST = 0.5  # largest error that is drawn
 BELOW = 0.02  # lower limit of the axis of errors, relative to the smallest tolerance
 CHANGED = (0, (6, 2, 1, 2))  # dashes of the change of the reference
-CLOSE = 1.1  # ratio of times below which two methods count as equally fast
+CLOSE = 1.1  # ratio of times, or errors, below which they count as equal
 TARGET = 0.002  # error at which methods are compared
 
 
@@ -55,10 +38,13 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
     scenes = [str(scene) for scene in accuracy["scene"].values]
     columns = min(2, len(scenes))
     figure, axes = panels(-(-len(scenes) // columns), columns, height=3.3)
-    quickest: list[list[str]] = []
+    best: list[list[str]] = []
+    reached = False
     for ax, scene in zip(axes, scenes, strict=False):
-        first, least = _scene(ax, accuracy.sel({"scene": scene}))
-        quickest.append(first)
+        first, errors = _scene(ax, accuracy.sel({"scene": scene}))
+        least = min(errors.values(), default=np.inf)
+        best.append([name for name, error in errors.items() if error <= CLOSE * least])
+        reached = reached or bool(first)
         reach = f"{' and '.join(first)} {'reach' if len(first) > 1 else 'reaches'} {100 * TARGET:g} % first"
         words = reach if first else f"no error below {100 * least:.2g} %"
         panel_title(ax, f"{in_one_line(scene)}:\n{words}")
@@ -78,18 +64,19 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
         for handle, label in zip(*ax.get_legend_handles_labels(), strict=True):
             drawn.setdefault(label, handle)
     legend_below(figure, list(drawn.values()), list(drawn), 3)
-    headline(figure, _answer(quickest))
+    headline(figure, _answer(best if reached else []))
     return figure
 
 
-def _answer(quickest: list[list[str]]) -> str:
-    """Title: the method that is fastest at the target error most often; empty is a scene without any."""
-    wins = Counter(name for names in quickest for name in names).most_common()
+def _answer(best: list[list[str]]) -> str:
+    """Title: the method that has the smallest error in most scenes, which times do not change."""
+    wins = Counter(name for names in best for name in names).most_common()
     if not wins:
         return f"No method reaches an error of {100 * TARGET:g} %"
     name, count = wins[0]
-    scenes = sum(map(bool, quickest))
-    return f"{name} is among the fastest at the dotted error in {count} of {scenes} scenes"
+    if wins[1:] and wins[1][1] == count:
+        return "Several methods reach the smallest error equally often"
+    return f"{name} reaches the smallest error in {count} of {sum(map(bool, best))} scenes"
 
 
 def _short(family: str) -> str:
@@ -97,31 +84,32 @@ def _short(family: str) -> str:
     return family.split(" (")[0]
 
 
-def _scene(ax: Axes, of: xr.Dataset) -> tuple[list[str], float]:
-    """Draw the edges of all families; return the first at the target error, and the least error.
+def _scene(ax: Axes, of: xr.Dataset) -> tuple[list[str], dict[str, float]]:
+    """Draw the edges of all families; return the first at the target error, and their least errors.
 
     A family whose time is longer than the shortest by less than `CLOSE` counts as first, too.
     """
     times: dict[str, float] = {}
-    least = np.inf
+    least: dict[str, float] = {}
+    target = CLOSE * TARGET
     families: dict[str, list[str]] = {}
     for method in map(str, of["method"].values):
-        families.setdefault(FAMILIES.get(method, method), []).append(method)
+        families.setdefault(family_of(method), []).append(method)
     for family, methods in families.items():
         edge = _edge(of.sel({"method": methods}))
         if not len(edge):
             continue
-        mark, colour, width = LOOK.get(family, ("*", "0.4", 1.4))
+        mark, colour, width = look_of(family)
         ax.plot(
             *_thinned(edge).T, marker=mark, markersize=4, linewidth=width, color=colour, label=family,
             drawstyle="steps-post", zorder=2.5 if width > 2.0 else 2.0,
         )  # fmt: skip
-        least = min(least, float(edge[-1, 1]))
-        met = edge[edge[:, 1] <= TARGET, 0]
+        least[_short(family)] = float(edge[-1, 1])
+        met = edge[edge[:, 1] <= target, 0]
         if len(met):
             times[_short(family)] = float(met.min())
-    if least <= TARGET:
-        ax.axhline(TARGET, color="0.5", linewidth=0.8, linestyle=":")
+    if times:
+        ax.axhspan(TARGET, target, color="0.75", linewidth=0.0, zorder=0)
     close = CLOSE * min(times.values(), default=0.0)
     return sorted((name for name in times if times[name] <= close), key=lambda name: times[name]), least
 
@@ -131,10 +119,10 @@ def _thinned(edge: NDArray[np.float64]) -> NDArray[np.float64]:
 
     The first run at the target error is kept.
     """
-    first = int(np.argmax(edge[:, 1] <= TARGET))
+    first = int(np.argmax(edge[:, 1] <= CLOSE * TARGET))
     kept = [len(edge) - 1]
     for k in range(len(edge) - 2, -1, -1):
-        if edge[kept[-1], 0] > EQUAL * edge[k, 0] or (k == first and edge[k, 1] <= TARGET):
+        if edge[kept[-1], 0] > EQUAL * edge[k, 0] or (k == first and edge[k, 1] <= CLOSE * TARGET):
             kept.append(k)
     return edge[kept[::-1]]
 

@@ -8,11 +8,13 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator
 
-from riserstudy.figures.style import COLOURS, headline, key_below
+from chapters.numerics.figures.methods import FAMILIES, look_of
+from riserstudy.figures.style import headline, key_below
 from riserstudy.records.numerals import rounded_up
 
 ROUNDING = 1e-14  # share of energy below which only rounding errors remain
-TICKS = (1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0)  # shares of energy
+TICKS = (1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0)  # shares of energy
+OPEN = ("gen.-alpha 1",)  # methods with open marks, of a family with several
 PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
 
 
@@ -56,9 +58,11 @@ def _marks(ax: Axes, most: xr.DataArray, cases: list[str]) -> None:
     for k, method in enumerate(methods):
         y = np.arange(len(cases)) + 0.13 * (k - 0.5 * (len(methods) - 1))
         share = most.sel({"method": method}).values
+        mark, colour, _ = look_of(method)
+        name = FAMILIES[method] if method.startswith("Newmark") and method in FAMILIES else method
         ax.plot(
-            np.maximum(share, ROUNDING), y, "osD^v"[k % 5],
-            ms=5.5, color=COLOURS[k % len(COLOURS)], label=method,
+            np.maximum(share, ROUNDING), y, mark, ms=5.5, color=colour, label=name,
+            markerfacecolor="none" if method in OPEN else colour,
         )  # fmt: skip
     for edge in range(1, len(cases)):
         ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)

@@ -8,7 +8,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
-from riserstudy.figures.style import COLOURS, headline, key_below, log_ticks, panels
+from chapters.numerics.figures.methods import look_of
+from riserstudy.figures.style import headline, key_below, log_ticks, panels
 
 WANTED = 0.01  # wanted error of the moment
 OWN = "the paper's own"  # candidate with the settings of a paper
@@ -79,13 +80,14 @@ def _two_digits(value: float) -> str:
 def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
     error = np.maximum(of["error_moment"].values, LEAST)
     labels = of["candidate"].values
-    for k, label in enumerate(candidates):
+    for label in candidates:
         here = labels == label
         filled = "even" not in label
-        colour = COLOURS[k % len(COLOURS)]
+        name = "paper's mesh and step, run here" if label == OWN else label
+        mark, colour, _ = look_of(label.partition(",")[0])
         ax.plot(
-            of["cpu_seconds"].values[here], error[here], "os^Dv"[k % 5], ms=4.5, color=colour,
-            markerfacecolor=colour if filled else "none", label=label,
+            of["cpu_seconds"].values[here], error[here], mark, ms=4.5, color=colour,
+            markerfacecolor=colour if filled else "none", label=name,
         )  # fmt: skip
     target, published = (float(of[f"{name}_seconds"][0]) for name in ("target", "published"))
     if np.isfinite(target):
@@ -99,7 +101,7 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
     ax.margins(x=0.08, y=0.14)
     if np.isfinite(published):
         ax.annotate(
-            f"the paper's own run:\n{published / 3600:.0f} h →", (0.99, 0.05), xycoords="axes fraction",
+            f"as the paper states:\n{published / 3600:.0f} h →", (0.99, 0.05), xycoords="axes fraction",
             ha="right", fontsize="small",
         )  # fmt: skip
     log_ticks(ax.xaxis)

@@ -15,7 +15,8 @@ from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
 from chapters.numerics.answers import hard
-from riserstudy.figures.style import COLOURS, headline
+from chapters.numerics.figures.methods import EXPLICIT, look_of
+from riserstudy.figures.style import headline
 
 #: colours of the outcomes of cases
 ENDS = {
@@ -27,7 +28,6 @@ ENDS = {
 }
 ACCURATE, FLAGGED, REFUSED, UNJUDGED, WRONG = ENDS
 #: methods of the lower panel, if they were run; the table has all
-EXPLICIT = "explicit"
 METHODS = ("gen.-alpha 0.8", "Newmark 1/4 1/2", "TR-BDF2", "ESDIRK4", EXPLICIT)
 NAMES = {"gen.-alpha 0.8": "generalised-alpha", "Newmark 1/4 1/2": "Newmark"}  # in the key
 SHORTEST = 0.01  # least ratio to the default step on the axis; an arrow marks less
@@ -191,7 +191,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
         on = [_goes_on(stability, family, method) for method in methods]
         for k, (accurate, stable) in enumerate(_ranges(stability, family, methods)):
             y = row + (k - 0.5 * (len(methods) - 1)) * height
-            colour = COLOURS[k % len(COLOURS)]
+            colour = look_of(methods[k])[1]
             ends = [max(x, SHORTEST) for x in (accurate, stable) if np.isfinite(x)]
             ax.plot(ends, [y] * len(ends), color=colour, linewidth=3.0, alpha=0.45, zorder=2)
             ax.plot(
@@ -199,13 +199,13 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
                 y,
                 LESS if accurate < SHORTEST else "o",
                 color=colour,
-                markersize=4.5,
+                markersize=3.5,
                 zorder=3,
                 label=NAMES.get(methods[k], methods[k]) if not row else "",
             )
             mark = MORE if on[k] else LESS if stable < SHORTEST else "o"
             ax.plot(
-                max(stable, SHORTEST), y, mark, color=colour, markersize=7.5, markerfacecolor="none", zorder=3
+                max(stable, SHORTEST), y, mark, color=colour, markersize=5.5, markerfacecolor="none", zorder=3
             )
         if np.isfinite(limit := _explicit_limit(stability, family)):
             y = row + (0.5 * (len(methods) - 1) if EXPLICIT in methods else 0.0) * height
@@ -243,9 +243,9 @@ def _steps_key(figure: Figure, ax: Axes, absent: list[str]) -> None:
         methods.append(Line2D([], [], linestyle=""))
         names.append(f"not run at this tier: {', '.join(absent)}")
     drawn = {str(line.get_marker()) for line in ax.lines if np.size(line.get_xdata())}
-    grey: dict[str, Any] = {"color": "0.4", "linestyle": "", "markersize": 7.5}
+    grey: dict[str, Any] = {"color": "0.4", "linestyle": "", "markersize": 5.5}
     marks = {
-        "accurate": Line2D([], [], marker="o", **grey | {"markersize": 4.5}),
+        "accurate": Line2D([], [], marker="o", **grey | {"markersize": 3.5}),
         "stable": Line2D([], [], marker="o", markerfacecolor="none", **grey),
         MORE: Line2D([], [], marker=MORE, markerfacecolor="none", **grey),
         LESS: Line2D([], [], marker=LESS, markerfacecolor="none", **grey),

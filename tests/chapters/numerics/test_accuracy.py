@@ -96,7 +96,7 @@ def test_both_figures_are_drawn_from_it(surge):
         assert draw("numerics", name, {"accuracy": surge}).axes
 
 
-def test_the_title_counts_the_scenes_in_which_a_method_is_quickest(surge):
+def test_the_title_counts_the_scenes_in_which_a_method_is_most_accurate(surge):
     found = surge.copy(deep=True)
     errors = [name for name in found if name.startswith("error_")]
     for name in errors:
@@ -106,7 +106,7 @@ def test_the_title_counts_the_scenes_in_which_a_method_is_quickest(surge):
     for name in errors:
         found[name].loc[{"method": "ESDIRK4"}] = 0.001
     said = draw("numerics", "accuracy", {"accuracy": found}).get_suptitle()
-    assert said == "ESDIRK4 is among the fastest at the dotted error in 1 of 1 scenes"
+    assert said == "ESDIRK4 reaches the smallest error in 1 of 1 scenes"
 
 
 def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):
