@@ -14,6 +14,7 @@ from chapters.numerics.answers import TOLERANCE, Ranked, never, ranking
 from riserstudy.figures.style import COLOURS, WIDTH, headline
 
 LEAST, MOST = 1e-6, 1.0  # smallest and largest change that is drawn
+WORDS = 12  # most words of a title
 ROW = 0.27  # inches per row
 PHYSICS, PRESCRIBED, ADDED = COLOURS[0], COLOURS[1], COLOURS[2]
 KEY = (
@@ -49,13 +50,15 @@ def effects(effects: xr.Dataset) -> Figure:
 
 
 def answer(effects: xr.Dataset) -> str:
-    """Title: the effects that change the results in most scenes, and one that changes them in none."""
+    """Title: the effect that changes the results most surely, and one that changes none, in few words."""
     ranked = ranking(effects)
-    top = " and ".join(one.name for one in ranked[:2] if one.changed)
+    first = ranked[0] if ranked and ranked[0].changed else None
+    often = "most results" if first and 2 * first.changed > first.scenes else "results most often"
     none = [one.name for one in never(ranked)[:1]]
-    words = f"{top[:1].upper()}{top[1:]} change most results" if top else ""
-    rest = f"{' and '.join(none)} changes none" if none else ""
-    return ", ".join(part for part in (words, rest) if part) or "Change of the results by one effect"
+    parts = [f"{first.name} changes {often}"] if first else []
+    parts += [f"{name} changes none" for name in none]
+    words = "; ".join(parts if len(" ".join(parts).split()) <= WORDS else parts[:1])
+    return words[:1].upper() + words[1:] or "Change of the results by one effect"
 
 
 def _colour(one: Ranked) -> str:
@@ -89,7 +92,7 @@ def _changes(ax: Axes, ranked: list[Ranked]) -> None:
     ax.annotate("negligible", (TOLERANCE, 1.0), xytext=(-5, 3), ha="right", **top)
     ax.annotate("changes the result", (TOLERANCE, 1.0), xytext=(5, 3), ha="left", **top)
     ax.annotate("scenes", (1.6 * MOST, 1.0), xytext=(5, 3), ha="left", **top)
-    ax.set_xlabel("largest change of displacement, moment or tension (%); one dot per scene; |: median")
+    ax.set_xlabel("largest change of a peak (%)")
     ax.set_title("(a) without the effect", loc="left", fontsize="small", pad=6)
 
 

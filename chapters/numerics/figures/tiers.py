@@ -82,5 +82,6 @@ def _across(ax: Axes, label: str, factor: float) -> None:
     ax.set_xlabel(label)
     ax.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{factor * x:g}"))
     log_ticks(ax.xaxis)
-    ax.margins(y=0.1 if ax.get_yticks().size > 2 else 0.4)
+    rows = ax.get_yticks().size
+    ax.set_ylim(-0.6, rows - 0.4)
     ax.invert_yaxis()
