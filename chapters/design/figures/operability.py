@@ -70,10 +70,13 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     axes[0].set_ylabel("platform offset, + down current (m)")
     key_below(figure, axes[0], 3)
     headline(figure, _answer(operability.sel(operation=mode), mode))
+    left, right = axes[0].get_xlim()
     ends = [(line, name) for name, lines in strong.items() for line in lines if _drawn_to_end(line)]
     if ends:
         names = [name.removesuffix(" angle").removeprefix("largest ") for _, name in ends]
         label_ends(axes[-1], [line for line, _ in ends], names=names)
+    for ax in axes:
+        ax.set_xlim(left, right)
     return figure
 
 
@@ -108,7 +111,10 @@ def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
 
 
 def _answer(of: xr.Dataset, mode: str) -> str:
-    """Title: the offsets that all muds allow, in the strongest current with any; or there is none."""
+    """Title: the offsets that all muds allow, in the strongest current with any; or there is none.
+
+    The current is named where it is the only one, or where not all currents allow these offsets.
+    """
     low, high = (of["envelope_offset"].sel(offset_side=side) for side in ("low", "high"))
     lowest, highest = low.max("mud_weight", skipna=False), high.min("mud_weight", skipna=False)
     speeds = of["surface_speed"].values
@@ -120,6 +126,9 @@ def _answer(of: xr.Dataset, mode: str) -> str:
     if not offsets:
         return f"At {left[-1]:g} m/s of current, no limit bounds the offset for {ALLOWED[mode]}"
     muds = "every mud" if of.sizes["mud_weight"] > 1 else "this mud"
+    within = (lowest <= lowest.sel(at)) & (highest >= highest.sel(at))
+    if len(speeds) > 1 and bool(within.all()):
+        return f"{offsets.capitalize()} allow {ALLOWED[mode]} in {muds}"
     return f"At {left[-1]:g} m/s of current, {offsets} allow {ALLOWED[mode]} in {muds}"
 
 

@@ -139,7 +139,7 @@ def _with_failures(verdict: xr.DataArray) -> str:
 
 def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure:
     """Lift over time of two published systems."""
-    figure, (liu, mao) = panels(1, 2, 3.6)
+    figure, (liu, mao) = panels(1, 2, 3.6, sharey=True)
     heaves = recoil_liu2020["heave_amplitude"].values
     one = recoil_liu2020["lift"].sel(heave_amplitude=heaves[len(heaves) // 2])
     phases = []
@@ -160,7 +160,7 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
     for ax in (liu, mao):
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("time (s)")
-        ax.set_ylabel("LMRP lift above the BOP (m)")
+    liu.set_ylabel("LMRP lift above the BOP (m)")
     high = float(one.max("time").max()), float(recoil_mao["lift"].max())
     headline(figure, f"The LMRP rises by up to {high[0]:.0f} m (Liu et al.) and {high[1]:.0f} m (Mao et al.)")
     label_ends(liu, phases)

@@ -37,7 +37,8 @@ def sensitivity(sensitivity: xr.Dataset) -> Figure:
     axes[0].set_xlabel("tension window (MN)")
     axes[1].set_xlabel("drilling window at 1 m/s (m)")
     key_below(figure, axes[0], 2)
-    headline(figure, f"The {most[0]} governs the tension window, the {most[1]} the drilling window")
+    first = most[0][0].upper() + most[0][1:]
+    headline(figure, f"{first} governs the tension window, {most[1]} the drilling window")
     return figure
 
 
@@ -72,6 +73,6 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
     ax.axvline(base, color="black", linewidth=0.8)
     words = [WORDS.get(name, name) for name in largest_ones]
     ax.set_yticks(np.arange(len(words)), words, fontsize="small")
-    ax.margins(x=0.6)  # room for the ends of the ranges
+    ax.margins(x=0.8)  # room for the ends of the ranges
     ax.grid(visible=False, axis="y")
     return words[-1]

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, panel_title, panels, shades
 
 MUD = "mud density (kg/m³)"
 
@@ -21,35 +21,45 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
     figure, (along, over) = panels(1, 2, 3.8)
     muds = minimum_tension["mud_weight"].values
     chosen = muds[[0, len(muds) // 2, -1]]
-    for colour, mud in zip(COLOURS, chosen, strict=False):
+    for colour, mud in zip(shades(COLOURS[0], len(chosen)), chosen, strict=True):
         needed = minimum_tension["carrying_tension_along"].sel(mud_weight=mud)
         along.plot(needed / 1e6, needed["elevation"], ".-", color=colour, label=f"{mud:g} kg/m³")
     along.set_xlabel("minimum top tension for this point (MN)")
     along.set_ylabel("elevation above the seabed (m)")
-    along.legend(fontsize="small")
+    along.legend(fontsize="small", title="mud density", title_fontsize="small")
+    panel_title(along, "by elevation")
     formula, engine = (
         minimum_tension[name] / 1e6 for name in ("carrying_tension", "carrying_tension_engine")
     )
-    over.plot(muds, formula, color=COLOURS[0], label="formula")
-    over.plot(muds, engine, "o", color=COLOURS[1], label="simulation, in the current")
+    over.plot(muds, formula, color="black", label="formula")
+    over.plot(muds, engine, "o", mfc="none", color="black", label="simulation, in the current")
     over.set_xlabel(MUD)
     over.set_ylabel("minimum top tension, vertical (MN)")
     over.legend(fontsize="small")
-    apart = float((abs(engine - formula) / formula).max())
+    panel_title(over, "largest over the riser")
+    apart = _less_than(100.0 * float((abs(engine - formula) / formula).max()))
     headline(
         figure,
-        f"The riser's lower end governs; formula and simulation differ by {100 * apart:.2g} %"
+        f"The riser's lower end governs; formula and simulation differ by {apart}"
         if float(minimum_tension["governing_elevation"].max()) == float(minimum_tension["elevation"].min())
-        else f"Formula and simulation of the minimum top tension differ by {100 * apart:.2g} %",
+        else f"Formula and simulation of the minimum top tension differ by {apart}",
     )
     return figure
+
+
+def _less_than(percent: float) -> str:
+    """Words for a small difference: the next power of ten above it; from 1 % on, its number."""
+    if percent >= 1.0:
+        return f"{percent:.2g} %"
+    bound = 10.0 ** (np.floor(np.log10(max(percent, 1e-6))) + 1.0)
+    return f"less than {np.format_float_positional(bound, precision=3, fractional=False, trim='-')} %"
 
 
 def tension_window(tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
     """Floors and ceiling of the setting over mud density, one panel per number of failed units.
 
     The range between floor and ceiling is hatched. Green marks are settings that a simulated disconnect
-    allows.
+    allows; crosses are settings that failed it.
     """
     failed = tension_window["failed_units"].values
     figure, axes = panels(1, len(failed), 3.8, sharey=True)
@@ -88,14 +98,20 @@ def tension_window(tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tensi
 
 
 def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
-    """Draw the range of settings that allow a disconnect in the smallest heave; often a single setting."""
+    """Draw the settings that allow a disconnect in the smallest heave as a range, and those that do not."""
     calm = outcome.isel(heave_amplitude=0)
     heave = float(calm["heave_amplitude"])
     low, high = _ends(outcome, tension_ratio)
     label = f"safe disconnect in {heave:g} m of heave (settings tested)"
     for mud, least, most in zip(calm["mud_weight"].values, low, high, strict=True):
-        ax.plot([mud, mud], [least, most], "D-", color=COLOURS[2], ms=6, lw=5.0, label=label)
+        ax.plot([mud, mud], [least, most], "D-", color=COLOURS[2], ms=6, lw=2.5, zorder=1.5, label=label)
         label = ""
+    settings = (calm["setting"] / tension_ratio / 1e6).where(calm["recoil_verdict"] > 0)
+    muds, failed = xr.broadcast(calm["mud_weight"], settings)
+    label = f"failed disconnect in {heave:g} m of heave"
+    ax.plot(
+        muds.values.ravel(), failed.transpose(*muds.dims).values.ravel(), "x", color=GREY, ms=5, label=label
+    )
 
 
 def _ends(outcome: xr.Dataset, tension_ratio: float) -> tuple[Array, Array]:

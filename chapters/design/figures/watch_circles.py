@@ -26,7 +26,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
                 label = f"{name}, {eds:g} s to disconnect"
                 ax.plot(speed, radius, style, color=colour, label=label)
         ax.set_xlabel("surface current speed (m/s)")
-        ax.set_ylim(bottom=0.0)
+        ax.set_ylim(bottom=-5.0)  # a radius of zero is seen above the frame
         panel_title(ax, f"mud of {mud:g} kg/m³")
     axes[0].set_ylabel("offset at which the alarm is due (m)")
     key_below(figure, axes[0], 4)

@@ -26,6 +26,9 @@ WORDS = {
 }
 
 
+CLEAR = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}  # box of words that lines would cross
+
+
 def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     """Damage of every sample in rising order, and the share of its variance that each input explains."""
     figure, (left, right) = panels(1, 2, 4.6)
@@ -37,8 +40,8 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     error = 100.0 * float(wellhead_fatigue["damage_error"])
     left.set_xlabel("damage of the conductor (1/year)")
     left.text(
-        0.03, 0.97, f"240 instead of 120\nsegments change it\nby {error:.1g} % at most",
-        transform=left.transAxes, va="top", fontsize="small",
+        0.03, 0.97, f"240 instead of 120\nsegments change the\ndamage by {error:.1g} %\nat most",
+        transform=left.transAxes, va="top", fontsize="small", bbox=CLEAR,
     )  # fmt: skip
     left.set_ylabel("share of samples with less (%)")
     low, high = np.quantile(damage, [0.05, 0.95])
@@ -52,9 +55,9 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     colours = [COLOURS[0] if known else GREY for known in sure]
     right.barh(rows, shares, color=colours, height=0.7)
     right.set_yticks(rows, [WORDS.get(name, name) for name in names], fontsize="small")
-    right.set_xlabel("share of the variance of log damage (%)")
+    right.set_xlabel("share of variance (%)")
     right.grid(visible=False, axis="y")
-    panel_title(right, "by input; grey: as by chance")
+    panel_title(right, "log damage, by input; grey: as by chance")
     known = [k for k, one in enumerate(sure) if one]
     if known:
         first = max(known, key=lambda k: float(shares[k]))

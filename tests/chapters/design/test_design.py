@@ -60,6 +60,22 @@ def test_the_chart_says_where_drilling_goes_on():
     assert title == "At 0 m/s of current, offsets from −40 to 30 m allow drilling in this mud"
 
 
+@pytest.mark.parametrize(
+    "still, title",
+    [
+        (-40.0, "Offsets from 10 to 30 m allow drilling in this mud"),
+        (20.0, "At 1 m/s of current, offsets from 10 to 30 m allow drilling in this mud"),
+    ],
+)
+def test_the_chart_names_no_current_where_all_allow_its_offsets(still, title):
+    """The second current is the stronger one; its offsets are allowed in still water, or not all are."""
+    limits = offsets(
+        [[[still, 40.0], [-60.0, 50.0], [-np.inf, np.inf]], [[10.0, 50.0], [-60.0, 30.0], [-90.0, np.inf]]]
+    )
+    dataset = xr.Dataset({"offset_of_limit": limits}, attrs={"reach": 240.0})
+    assert operability_drilling(dataset.merge(envelopes(limits))).get_suptitle() == title
+
+
 def test_the_chart_says_on_which_side_offsets_are_without_a_limit():
     one_side = offsets(np.where(NARROW.values[0] < 0.0, -np.inf, NARROW.values[0]))
     dataset = xr.Dataset({"offset_of_limit": one_side}, attrs={"reach": 240.0})

@@ -10,7 +10,7 @@ from chapters.design.figures import operability
 from chapters.design.figures.recoil import _answer, _metres, recoil_failures
 from chapters.design.figures.seas import operability_in_seas
 from chapters.design.figures.sensitivity import sensitivity
-from chapters.design.figures.tension import tension_window
+from chapters.design.figures.tension import minimum_tension, tension_window
 from chapters.design.figures.watch_circles import watch_circles
 from chapters.design.figures.wellhead import wellhead_fatigue
 from riserstudy.design.watch_circles import TOO_LATE
@@ -74,8 +74,13 @@ def windows(failed):
     )
     at = (("heave_amplitude", "mud_weight"), [[3e6, 3e6]])
     outcome = xr.Dataset(
-        {"recoil_minimum": at, "recoil_maximum": at},
-        {"heave_amplitude": [0.5], "mud_weight": [1000.0, 2000.0]},
+        {
+            "recoil_minimum": at,
+            "recoil_maximum": at,
+            "setting": (("mud_weight", "gas_pressure"), [[3e6, 4e6], [3e6, 5e6]]),
+            "recoil_verdict": (("heave_amplitude", "mud_weight", "gas_pressure"), [[[0, 2], [0, 1]]]),
+        },
+        {"heave_amplitude": [0.5], "mud_weight": [1000.0, 2000.0], "gas_pressure": [50.0, 60.0]},
     )
     return window, outcome
 
@@ -84,6 +89,36 @@ def test_one_failed_unit_is_one_unit():
     figure = tension_window(*windows([0, 1, 2]), tension_ratio=1.0)
     titles = [ax.get_title(loc="left").partition(";")[0] for ax in figure.axes]
     assert titles == ["(a) no units failed", "(b) 1 unit failed", "(c) 2 units failed"]
+
+
+def test_settings_that_failed_the_disconnect_are_crosses():
+    """Of four tested settings, one of each mud comes down or strokes out."""
+    figure = tension_window(*windows([0, 1]), tension_ratio=0.5)
+    first, second = ([line for line in ax.lines if line.get_marker() == "x"] for ax in figure.axes)
+    (crosses,) = first
+    shown = {(x, y) for x, y in crosses.get_xydata().tolist() if np.isfinite(y)}
+    assert shown == {(1000.0, 8.0), (2000.0, 10.0)}
+    assert not second
+    (key,) = figure.legends
+    assert crosses.get_label() in [text.get_text() for text in key.get_texts()]
+
+
+@pytest.mark.parametrize(
+    "apart, words",
+    [(0.0, "less than 0.00001 %"), (2.3e-5, "less than 0.01 %"), (0.004, "less than 1 %"), (0.02, "2 %")],
+)
+def test_a_small_difference_of_formula_and_simulation_is_told_by_its_order(apart, words):
+    over, needed = "mud_weight", np.array([1e6, 2e6])
+    of = xr.Dataset(
+        {
+            "carrying_tension_along": ((over, "point"), np.stack([0.5 * needed, needed], axis=-1)),
+            "carrying_tension": (over, needed),
+            "carrying_tension_engine": (over, needed * (1.0 + apart)),
+            "governing_elevation": (over, [10.0, 10.0]),
+        },
+        {over: [1000.0, 2000.0], "elevation": ("point", [100.0, 10.0])},
+    )
+    assert headline(minimum_tension(of)).endswith(f"differ by {words}")
 
 
 def seas_of(half):
