@@ -26,7 +26,7 @@ PERIODS = (5.0, 8.0)  # s, of heave: the least, and one at which heavy risers ke
 HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last if no limit is reached
 KEPT, LOST = "Blues", "Oranges"  # of tension ranges
-HEAVES = "Greens_r"  # of heave amplitudes; the least is the worst
+HEAVES = "Purples_r"  # of heave amplitudes; the least is the worst
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
@@ -138,32 +138,28 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         "(a, b) tension becomes negative": Patch(color=gone),
     }
     legend_below(figure, [*key.values()], [*key], 2)
-    papers = lost.isel(riser_length=-1, lmrp_mass=-1)
-    on_tensioners, locked = (_loses(papers.sel(mode=mode)) for mode in ("soft", "hard"))
-    headline(
-        figure,
-        f"Tension becomes negative, locked {locked}, on tensioners {on_tensioners}"
-        if on_tensioners
-        else f"Only the locked riser's tension becomes negative, {locked}",
-    )
+    headline(figure, _where_negative(lost))
     return figure
 
 
 def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str) -> None:
-    """One colour bar for several panels; without a label, only with a unit below the bar."""
+    """One colour bar for several panels; without a label, also without numbers."""
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01)
     bar.ax.yaxis.set_major_formatter("{x:g}" if label else NullFormatter())
-    if not label:
-        bar.ax.set_xlabel("(MN)", loc="left", fontsize="small")  # below both
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
-def _loses(lost: xr.DataArray) -> str:
-    """Least heave at which a riser's tension becomes negative, and its period; "" if it stays positive."""
-    if bool(lost.isnull().all()):
-        return ""
-    worst = lost.isel(heave_period=int(lost.argmin("heave_period")))
-    return f"from {_two_digits(float(worst))} m amplitude at {float(worst['heave_period']):g} s period"
+def _where_negative(lost: xr.DataArray) -> str:
+    """Title: least heave at which any riser's tension becomes negative, locked and on tensioners."""
+    least = {mode: float(lost.sel(mode=mode).min()) for mode in HUNG}  # NaN: no riser's
+    locked, on_tensioners = (f"from {_two_digits(least[mode])} m" for mode in ("hard", "soft"))
+    if np.isnan(least["hard"]) and np.isnan(least["soft"]):
+        return "No riser's tension becomes negative"
+    if np.isnan(least["soft"]):
+        return f"Only locked risers' tension becomes negative, {locked} heave amplitude"
+    if np.isnan(least["hard"]):
+        return f"Only tension on tensioners becomes negative, {on_tensioners} heave amplitude"
+    return f"Negative tension: {locked} heave amplitude if locked, {on_tensioners} on tensioners"
 
 
 def _two_digits(value: float) -> str:

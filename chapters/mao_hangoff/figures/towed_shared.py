@@ -32,7 +32,7 @@ def changes(runs: xr.Dataset, axis: str, first: float, last: float) -> dict[str,
 
 
 def towed_panels(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str, current: str) -> Figure:
-    """Figs 11, 12, 14 without key: shapes, moments, axial motions; the motions' differences from the first.
+    """Figs 11, 12, 14 without key: shapes, moments, axial motion; the motions' differences from the first.
 
     ``values``: of the axis; differences are from the first. ``current``: speed and direction, title of (a).
     """
@@ -57,20 +57,21 @@ def towed_panels(runs: xr.Dataset, axis: str, values: tuple[float, ...], label: 
 def rise_and_differences(
     ax: Axes, below: Axes, runs: xr.Dataset, axis: str, values: tuple[float, ...], label: str
 ) -> None:
-    """Axial motions of the LMRP and, in the panel below, their differences from the first."""
+    """Axial motion of the LMRP in the first case and, in the panel below, the differences of the others."""
     first = runs["lmrp_rise"].sel({axis: values[0]}, method="nearest")
-    for colour, value, width in zip(ordered(OF_INPUT[axis], values), values, NESTED, strict=True):
+    for colour, value in zip(ordered(OF_INPUT[axis], values), values, strict=True):
         run = runs["lmrp_rise"].sel({axis: value}, method="nearest")
-        ax.plot(run["time"], run, color=colour, lw=width)
-        if value != values[0]:
-            below.plot(run["time"], run - first, color=colour, lw=1.0)
+        if value == values[0]:
+            ax.plot(run["time"], run, color=colour)
+        else:
+            below.plot(run["time"], run - first, color=colour)
     ax.set_ylabel("LMRP rise (m)")
     below.set_ylabel("difference (m)")
     ax.set_xlabel(TIME)
     below.set_xlabel(TIME)
-    panel_title(ax, "axial motion")
-    number_and_unit = label.format(values[0]).split()[-2:]
-    panel_title(below, f"differences from {' '.join(number_and_unit)}")
+    number_and_unit = " ".join(label.format(values[0]).split()[-2:])
+    panel_title(ax, f"axial motion, {number_and_unit}")
+    panel_title(below, f"differences from {number_and_unit}")
 
 
 def name_upright(ax: Axes, x: float, up: float, text: str) -> None:

@@ -41,6 +41,7 @@ MASSES = (140.0, 130.0, 120.0)  # t, of the LMRP
 UPPER = ((0.0, 9.0), (-10.0, 290.0))  # enlarged ranges of |moment| (kN m) and depth (m) in Figs 11 and 12
 SIGNED = "moment at 130 s (kN m)"
 TRACKS = {0.0: "track at 0° (along)", 45.0: "track at 45°", 90.0: "track at 90° (across)"}
+TOP = 30.0  # m, depth of the enlarged part of Fig 13b
 THICK, THIN = 2.0, 0.8  # points, widths of lines of the first and the other profile
 ALIKE = 1.0  # %, largest difference of curves that are drawn inside each other
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
@@ -126,8 +127,9 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
     axes = figure.axes
     other = runs.isel(current_profile=-1, drop=True)
     change = changes(other, axis, values[0], values[-1])["displacement"]
-    for line in (*axes[0].lines, *axes[1].lines):
-        line.set_linewidth(THICK)
+    for ax in axes:
+        for line in ax.lines:
+            line.set_linewidth(THICK)
     for colour, value in zip(ordered(OF_INPUT[axis], values), values, strict=True):
         run = other.sel({axis: value}, method="nearest")
         shape = run["displacement_along"].sel(time=STATED).dropna("s")
@@ -140,8 +142,8 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
             f"the three thin lines\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
-    inset = enlarge(axes[1], (0.44, 0.34, 0.36, 0.46), *UPPER, widest=THICK)
-    inset.set_title("enlarged (m, kN m)", fontsize="x-small", pad=3.0)
+    inset = enlarge(axes[1], (0.44, 0.44, 0.36, 0.46), *UPPER, widest=THICK)
+    inset.set_xlabel("enlarged\n(m, kN m)", fontsize="x-small")  # above it, a leader would cross the words
     axes[0].plot([], [], color=GREY, lw=THICK, label=f"(a–d) {names[0]} (assumed)")
     axes[0].plot([], [], color=GREY, lw=THIN, label=f"(a, b) {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
@@ -159,12 +161,11 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     z = track_one_profile["z"].isel(s=0)
     depth = float(shapes["s"][-1]) - shapes["s"]
     colours = ordered(OF_INPUT["track_angle"], [*TRACKS])
-    widths = (1.0, *NESTED[1:])  # two of the three nearly coincide in (c)
-    for colour, track, angle, width in zip(colours, ONE_PROFILE, TRACKS, widths, strict=True):
+    for colour, track, angle in zip(colours, ONE_PROFILE, TRACKS, strict=True):
         axes[0].plot(-shapes.sel(track=track), depth, color=colour, label=TRACKS[angle])
         axes[1].plot(moments.sel(track=track), depth, color=colour)
         risen = z.sel(track=track) - z.sel(track=track).isel(time=0)
-        axes[2].plot(risen["time"], risen, color=colour, lw=width)
+        axes[2].plot(risen["time"], risen, color=colour, lw=1.0)
         apart = track_angle.sel(track_angle=angle)
         shape = apart["displacement_along"].sel(time=STATED)
         own = float(shape["s"][-1]) - shape["s"]
@@ -185,6 +186,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         panel_title(ax, title)
     down(axes[0], ASTERN)
     down(axes[1], MOMENT)
+    _top(axes[1])
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
     _along_and_across(axes[3], track_angle)
@@ -196,6 +198,19 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     }  # fmt: skip
     headline(figure, _where_astern(astern))
     return figure
+
+
+def _top(ax: Axes) -> None:
+    """Show the top of a panel again in its free corner: the largest moments are within some metres."""
+    inset = ax.inset_axes((0.5, 0.12, 0.46, 0.42))
+    for line in list(ax.lines):
+        inset.plot(
+            *line.get_data(), linestyle=line.get_linestyle(), color=line.get_color(), lw=line.get_linewidth()
+        )
+    inset.set_ylim(TOP, -0.04 * TOP)
+    inset.tick_params(labelsize="x-small")
+    inset.grid(True, color="0.9", linewidth=0.6)
+    inset.set_title(f"upper {TOP:g} m (m, kN m)", fontsize="x-small", pad=3.0)
 
 
 def _ahead_and_astern(ax: Axes) -> None:

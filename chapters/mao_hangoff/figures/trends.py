@@ -14,7 +14,7 @@ from riserstudy.figures.names import in_words
 from riserstudy.figures.style import GREY, headline, key_below, panel_title, panels
 
 RESULTS = ("displacement astern", "largest moment", "joint angle")
-LETTERS = 28  # most letters per line of a current's name next to a panel
+LETTERS = 36  # most letters per line of a current's name above a panel
 #: points, of inputs whose lines nearly coincide: the later line is in front of the earlier
 WIDTHS = {"lmrp_mass": 3.5, "current_speed": 1.2}
 NAMES = {
@@ -32,7 +32,7 @@ def trends(
 
     One row per current profile.
     """
-    figure, axes = panels(2, 3, 2.7)
+    figure, axes = panels(2, 3, 2.7, sharex=True)
     runs = {
         "lmrp_mass": lmrp_mass,
         "current_speed": current_speed,
@@ -43,6 +43,9 @@ def trends(
     most: set[str] = set()
     for k, (row, profile) in enumerate(zip((axes[:3], axes[3:]), profiles, strict=True)):
         last = profile == profiles[-1]
+        for ax in row[1:]:
+            ax.sharey(row[0])
+            ax.tick_params(labelleft=False)
         here = {
             axis: run.isel(current_profile=k, drop=True) if "current_profile" in run.dims else run
             for axis, run in runs.items()
@@ -51,10 +54,10 @@ def trends(
         steepest = _changes_over_inputs(row, here)
         most |= steepest
         for ax, result in zip(row, RESULTS, strict=True):
-            panel_title(ax, result)
-            ax.set_xlabel("change of input (%)")
-        current = textwrap.fill(f"current: {profile}", LETTERS)
-        row[0].set_ylabel(f"{current}\nchange of result (%)")
+            panel_title(ax, f"{result}\n{textwrap.fill(profile, LETTERS)}")
+            if last:
+                ax.set_xlabel("change of input (%)")
+        row[0].set_ylabel("change of result (%)")
     headline(figure, _matters_most(most))
     key_below(figure, axes[3], 2)
     return figure

@@ -18,6 +18,7 @@ from chapters.mao_hangoff.derived.towed import end_loads, reference_masses
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
+from riserstudy.figures.figure_text import headline
 from riserstudy.grading.grade import errata, grade
 from riserstudy.grading.printed import with_printed
 from riserstudy.grading.published import read_published
@@ -176,8 +177,29 @@ def test_a_heave_that_never_loses_tension_is_as_light_as_the_largest(datasets):
         assert {text.get_text() for text in ax.texts} == {f"> {most:g}"}
         seen = [mesh for mesh in ax.collections if np.ma.count(mesh.get_array())]
         (mesh,) = seen
-        assert mesh.get_cmap().name == "Greens_r"
+        assert mesh.get_cmap().name == "Purples_r"
         assert (mesh.get_array() == most).all()
+
+
+@pytest.mark.parametrize(
+    "soft, hard, title",
+    [
+        (None, 3.25, "Only locked risers' tension becomes negative, from 3.3 m heave amplitude"),
+        (11.0, 4.0, "Negative tension: from 4.0 m heave amplitude if locked, from 11 m on tensioners"),
+        (None, None, "No riser's tension becomes negative"),
+    ],
+)
+def test_the_title_of_a_hang_off_is_of_the_riser_that_loses_tension_first(datasets, soft, hard, title):
+    """The first riser of the table is the worst; panels (a) and (b) show the last."""
+    made = datasets["tension_limits"].copy(deep=True)
+    lost = made["heave_that_loses_tension"]
+    lost[:] = np.nan
+    for mode, least in (("soft", soft), ("hard", hard)):
+        if least is not None:
+            lost.loc[{"mode": mode}] = least + 1.0
+            first = {dim: lost[dim][0] for dim in ("riser_length", "lmrp_mass", "heave_period")}
+            lost.loc[{"mode": mode} | first] = least
+    assert headline(draw(PAPER, "hang_off", {"tension_limits": made}, {})) == title
 
 
 @pytest.mark.parametrize("name", FILE.figures)
