@@ -25,9 +25,11 @@ from chapters.fem_riser.along import (
 )
 from chapters.fem_riser.claims import BEAM, LUMPED
 from chapters.fem_riser.figures.shared import ANGLE, BLACK, BLUE, DEFLECTION, HEIGHT, RED, STRESS
+from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
 from riserstudy.records.words import listed
 
+TOP = 100.0  # m, length of the enlarged part of the stress
 FILL = 0.25  # opacity of ranges, of which three overlap
 APART = "amplitude or drift (m)"
 SEEN = 3e-3  # m, of vibration and drift: below it, lines show errors of the mesh
@@ -61,6 +63,7 @@ def fig07(tension_ratio: xr.Dataset) -> Figure:
     found = measures(tension_ratio.sel(solver=BEAM))
     colours = (BLACK, BLUE, RED)
     _stresses(figure.axes[1], tension_ratio, colours)
+    _top(figure.axes[1], (0.03, 0.5, 0.39, 0.32), float(tension_ratio["s_node"][-1]))
     rows = [f"{float(value):.2g}" for value in found["vibration"]]
     _listed(figure.axes[3], "vibration\n(m):", rows, colours, (0.04, 0.36))
     return figure
@@ -72,7 +75,7 @@ def _stresses(ax: Axes, runs: xr.Dataset, colours: tuple[str, ...]) -> None:
     stress = 1e-6 * measures(beam)["stress"]
     pairs = zip(stress.values, (stress * beam["error_moment"]).values, strict=True)
     rows = [f"{value:.1f} ± {error:.1f}" for value, error in pairs]
-    _listed(ax, "largest,\nerror (MPa):", rows, colours, (0.65, 0.6))
+    _listed(ax, "largest,\nerror\n(MPa):", rows, colours, (0.63, 0.57))
 
 
 def _listed(
@@ -92,17 +95,18 @@ def fig08(buoyant_factor: xr.Dataset) -> Figure:
     figure = envelopes(cases, (RED, BLUE, BLACK))
     headline(figure, f"A higher buoyant factor {_changes(buoyant_factor, 'buoyant_factor')}")
     _stresses(figure.axes[1], buoyant_factor, (RED, BLUE, BLACK))
-    most = float(buoyant_factor["buoyant_factor"].max())
-    runs = buoyant_factor.sel(buoyant_factor=most)
-    near = 0.93 * float(runs["s_node"][-1])
-    dashed = runs["bending_moment_min"].sel(solver=LUMPED).sel(s_node=near, method="nearest")
-    figure.axes[1].annotate(
-        f"dashed, {most:g}:\nlumped-mass\nriser's top\nis lower in\nthe wave",
-        (float(stress_factor(runs) * dashed) / 1e6, float(dashed["s_node"])),
-        (0.03, 0.72), textcoords="axes fraction", va="top", fontsize="x-small",
-        arrowprops={"arrowstyle": "-", "linewidth": 0.6, "relpos": (0.5, 1.0)},
-    )  # fmt: skip
+    _top(figure.axes[1], (0.03, 0.5, 0.39, 0.32), float(buoyant_factor["s_node"][-1]))
     return figure
+
+
+def _top(ax: Axes, place: tuple[float, float, float, float], length: float) -> None:
+    """Enlarge the top of a panel of stress in its free area, where ranges are narrow and overlap."""
+    ends = [np.asarray(line.get_data(), dtype=float) for line in ax.lines]
+    x = np.concatenate([of[0][of[1] >= length - TOP] for of in ends])
+    margin = 0.06 * float(x.max() - x.min())
+    inset = enlarge(ax, place, (x.min() - margin, x.max() + margin), (length - TOP, length + 0.03 * TOP))
+    inset.set_yticks([])
+    inset.set_title(f"upper {TOP:g} m", fontsize="x-small", pad=2.0)
 
 
 def _multiplies(ratio: float, ending: str = "s") -> str:
