@@ -19,6 +19,7 @@ from chapters.liu2017.figures.shared import (
 from chapters.liu2017.limits import LIMITS
 from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.direct import label_ends, label_line, named
+from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import COLOURS, legend_below, panel_title, panels
 
 DRIFT_OFF = "all thrust lost"  # the scenario that is no drive-off
@@ -27,6 +28,7 @@ TITLES = {
     "thrust of 4.5 MN": "drive-off, thrust limited to 4.5 MN",
     DRIFT_OFF: f"drift-off, {DRIFT_OFF}",
 }
+CLOSE = 6.0  # s, to both sides of the enlarged part around stroke-out in a drift-off
 LOSSES = {"drive-off": "unlimited thrust", "drift-off": DRIFT_OFF}
 
 
@@ -51,6 +53,8 @@ def losses(losses: xr.Dataset) -> Figure:
     axes[0].set_ylabel("utilisation of the limit")
     axes[0].set_ylim(bottom=-0.05)
     name_limits(figure, axes)
+    around = 0.5 * (end + stress)
+    enlarge(axes[1], (0.29, 0.68, 0.43, 0.22), (around - CLOSE, around + CLOSE), (0.9, 1.1), widest=1.5)
     return figure
 
 

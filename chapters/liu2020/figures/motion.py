@@ -147,7 +147,7 @@ def baselines(
     axes[0].set_yticks(range(len(WITHOUT)), names)
     axes[0].set_ylim(len(WITHOUT) - 0.5, -0.5)
     axes[-1].yaxis.set_label_position("right")
-    axes[-1].set_ylabel(f"share of {at_rest.sizes['sample']} samples (%)")
+    axes[-1].set_ylabel(f"claim true in {at_rest.sizes['sample']} samples (%)", fontsize="small")
     shares = [
         (values.sel(tensioner_model=list(WITHOUT)) > even[1]).mean("sample").values
         for values, even in zip(compared, same, strict=True)
