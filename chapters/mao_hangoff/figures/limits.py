@@ -143,9 +143,11 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
 
 
 def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str) -> None:
-    """One colour bar for several panels; without a label, also without numbers."""
+    """One colour bar for several panels; without a label, only with a unit below the bar."""
     bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01)
     bar.ax.yaxis.set_major_formatter("{x:g}" if label else NullFormatter())
+    if not label:
+        bar.ax.set_xlabel("(MN)", loc="left", fontsize="small")  # below both
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
 
 
