@@ -184,7 +184,7 @@ def test_a_heave_that_never_loses_tension_is_as_light_as_the_largest(datasets):
 @pytest.mark.parametrize(
     "soft, hard, title",
     [
-        (None, 3.25, "Only locked risers' tension becomes negative, from 3.3 m heave amplitude"),
+        (None, 3.3, "Only locked risers' tension becomes negative, from 3.3 m heave amplitude"),
         (11.0, 4.0, "Negative tension: from 4.0 m heave amplitude if locked, from 11 m on tensioners"),
         (None, None, "No riser's tension becomes negative"),
     ],
