@@ -113,7 +113,8 @@ def _shade(ax: Axes, envelope: xr.DataArray, reach: float) -> None:
 def _answer(of: xr.Dataset, mode: str) -> str:
     """Title: the offsets that all muds allow, in the strongest current with any; or there is none.
 
-    The current is named where it is the only one, or where not all currents allow these offsets.
+    The current is named where it is the only one, or where not all currents allow these offsets; by its speed
+    if it is not the strongest of several.
     """
     low, high = (of["envelope_offset"].sel(offset_side=side) for side in ("low", "high"))
     lowest, highest = low.max("mud_weight", skipna=False), high.min("mud_weight", skipna=False)
@@ -129,7 +130,9 @@ def _answer(of: xr.Dataset, mode: str) -> str:
     within = (lowest <= lowest.sel(at)) & (highest >= highest.sel(at))
     if len(speeds) > 1 and bool(within.all()):
         return f"{offsets.capitalize()} allow {ALLOWED[mode]} in {muds}"
-    return f"At {left[-1]:g} m/s of current, {offsets} allow {ALLOWED[mode]} in {muds}"
+    strongest = len(speeds) > 1 and left[-1] == speeds.max()
+    where = "Strongest current:" if strongest else f"At {left[-1]:g} m/s of current,"
+    return f"{where} {offsets} allow {ALLOWED[mode]} in {muds}"
 
 
 def _offsets(low: float, high: float) -> str:

@@ -64,7 +64,7 @@ def test_the_chart_says_where_drilling_goes_on():
     "still, title",
     [
         (-40.0, "Offsets from 10 to 30 m allow drilling in this mud"),
-        (20.0, "At 1 m/s of current, offsets from 10 to 30 m allow drilling in this mud"),
+        (20.0, "Strongest current: offsets from 10 to 30 m allow drilling in this mud"),
     ],
 )
 def test_the_chart_names_no_current_where_all_allow_its_offsets(still, title):
