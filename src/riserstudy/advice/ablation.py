@@ -92,7 +92,7 @@ class Measured:
     """Peaks of a run, and the times of its repeats."""
 
     peaks: Peaks | None = None
-    least: float = math.nan  # smallest effective tension of the riser (N)
+    smallest_tension: float = math.nan  # smallest effective tension of the riser (N)
     unbalanced: bool = False  # energy is not balanced: the peaks may come from the step
     times: list[float] = field(default_factory=list)  # s
 
@@ -136,7 +136,7 @@ def ablate(
     budget: float,
     notify: Notify = lambda _: None,
     left_out: Collection[str] = (),
-    least: float = 0.0,
+    shortest: float = 0.0,
 ) -> Ablation:
     """Run every possible change of a scene, on one mesh with one step.
 
@@ -147,10 +147,10 @@ def ablate(
     repeats : number of timed runs of each change.
     budget : most node-steps of a run.
     left_out : labels of changes that are left out.
-    least : time (s) that a run is not cut below, whatever the budget.
+    shortest : time (s) that a run is not cut below, whatever the budget.
     """
     own = file.resolved().analysis.step
-    file, mesh = fixed(file, budget, least)
+    file, mesh = fixed(file, budget, shortest)
     if own is None:
         file = _balanced(file, mesh)
     scene = file.resolved()
@@ -224,14 +224,14 @@ def measure(of: Measured, scene: Resolved, mesh: Mesh, step: float | None) -> No
     """Run a scene once; store its peaks and its time."""
     result = single(scene, mesh, step)
     of.peaks, of.unbalanced = peaks(result), not balanced(result)
-    of.least = float(result.facts["smallest_tension"])
+    of.smallest_tension = float(result.facts["smallest_tension"])
     of.times.append(float(result.facts["solve_seconds"]))
 
 
-def fixed(file: SceneFile, budget: float, least: float = 0.0) -> tuple[SceneFile, Mesh]:
+def fixed(file: SceneFile, budget: float, shortest: float = 0.0) -> tuple[SceneFile, Mesh]:
     """Return the scene with mesh and step, cut to a budget of node-steps, and without fatigue.
 
-    ``least``: time (s) below which it is not cut.
+    ``shortest``: time (s) below which it is not cut.
 
     A scene without its own mesh and step gets default ones. They are fine enough for the change by an effect,
     which is the difference of two runs with common errors.
@@ -246,7 +246,7 @@ def fixed(file: SceneFile, budget: float, least: float = 0.0) -> tuple[SceneFile
     if a.duration:
         step = a.step or period(scene) / STEPS_A_PERIOD
         values["analysis.step"] = f"{step!r} s"
-        most = max(budget * step / len(mesh.s), least)
+        most = max(budget * step / len(mesh.s), shortest)
         if a.duration > most and not is_whole(scene):
             values["analysis.duration"] = f"{most!r} s"
             if a.output and a.output.start:

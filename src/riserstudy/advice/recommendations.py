@@ -48,7 +48,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     ``notify``: receives the name of the next run. Raises SimulationError when the scene itself cannot be run.
     """
     limits = accuracy_of(file.resolved())
-    base = ablate(file, REPEATS, BUDGET, notify, least=_least(file.resolved()))
+    base = ablate(file, REPEATS, BUDGET, notify, shortest=_shortest(file.resolved()))
     rows = [row(base, changed, limits) for changed in base.changed]
     order = (COULD_GO, MISSING, NEEDED, NO_GAIN, NOT_MISSED)
     rows.sort(key=lambda r: order.index(r.verdict) if r.verdict in order else len(order))
@@ -75,7 +75,7 @@ def advice(file: SceneFile, notify: Notify = lambda _: None) -> Advice:
     )
 
 
-def _least(scene: Resolved) -> float:
+def _shortest(scene: Resolved) -> float:
     """Return the time (s) below which runs are not cut: all of a drift, and some periods after all ramps.
 
     Earlier, an effect that is still small would seem removable.
@@ -169,7 +169,8 @@ def _sizes(base: Ablation, changed: Changed, before: Peaks, after: Peaks) -> lis
     of the tension at the top. With tensioners, the top may not notice a change of all the tension below.
     """
     sizes = [*before.change_to(after)]
-    below = (changed.least - base.least) / before.tension if before.tension > 0.0 else math.nan
+    change = changed.smallest_tension - base.smallest_tension
+    below = change / before.tension if before.tension > 0.0 else math.nan
     if abs(below) > abs(sizes[-1]):
         sizes[-1] = below
     return sizes

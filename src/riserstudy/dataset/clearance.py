@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 FloatArray = NDArray[np.float64]
 
-TOUCHING = 1e-6  # lift below which the lower end touches the stack (m)
+TOUCHING = 1e-6  # distance that counts as contact with the stack or an end of the stroke (m)
 SETTLED = 1e-3  # share of its lift within which a lower end at rest may move
 
 

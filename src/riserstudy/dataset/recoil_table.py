@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import TYPE_CHECKING, Any
 
+from riserstudy.dataset.clearance import TOUCHING
 from riserstudy.dataset.limits import taken_by
 from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
@@ -14,7 +15,6 @@ from riserstudy.scene.resolve import Resolved
 if TYPE_CHECKING:
     import xarray as xr
 
-TOUCHING = 1e-6  # m, distance beyond an end of the stroke that counts as contact
 AXIAL = 0.005  # m, distance from the well that counts as zero
 
 
