@@ -158,16 +158,31 @@ def at_stations(arrays: Arrays, places: FloatArray) -> Arrays:
     if "effective_tension" in arrays:
         arrays_there["effective_tension"] = of.straight(arrays["effective_tension"], places)
     if components is not None:
-        arrays_there["bending_moment"] = np.linalg.norm(of.cubic(components, places), axis=1)
+        laid = of.cubic(components, places) - _jump(arrays, components, e, x)
+        arrays_there["bending_moment"] = np.linalg.norm(laid, axis=1)
     elif moment is not None:
-        arrays_there["bending_moment"] = of.cubic(moment, places)
+        arrays_there["bending_moment"] = of.cubic(moment, places) - _jump(arrays, moment, e, x)
     return arrays_there
+
+
+def _jump(arrays: Arrays, moment: FloatArray, e: NDArray[np.int64], x: FloatArray) -> FloatArray:
+    """Excess (N m) of the moment between nodes in a telescopic joint, which begins above the jump at a ring.
+
+    The nodal moment at the ring is the moment below it; the moment in the joint is linear.
+    """
+    within = np.where((e == len(arrays["s_node"]) - 2) & (x > 0.0), 1.0 - x, 0.0)
+    if "mesh_above_ring" not in arrays:
+        return np.zeros_like(within)
+    return np.asarray((moment[..., -2] - arrays["mesh_above_ring"])[..., None] * within)
 
 
 def _sag(arrays: Arrays, axes: list[str], moment: FloatArray, e: NDArray[np.int64], x: FloatArray) -> Arrays:
     """Distance of segments from their chords; the curvature M / EI is linear from end to end."""
     chord = np.stack([arrays[name][:, e + 1] - arrays[name][:, e] for name in axes], axis=1)
-    bent = x * (1.0 - x) * ((2.0 - x) * moment[..., e] + (1.0 + x) * moment[..., e + 1])
+    low, up = moment[..., e], moment[..., e + 1]
+    if "mesh_above_ring" in arrays:
+        low = np.where(e == len(arrays["s_node"]) - 2, arrays["mesh_above_ring"][..., None], low)
+    bent = x * (1.0 - x) * ((2.0 - x) * low + (1.0 + x) * up)
     bent = -bent * arrays["mesh_flexibility"][e] / 6.0
     if len(axes) == 3:  # the tangent rotates about the curvature vector
         away = np.cross(bent, chord, axis=1)
@@ -189,6 +204,9 @@ def largest_moment(arrays: Arrays) -> tuple[float, float] | None:
     size, place = np.empty(2 * len(of.s) - 1), np.empty(2 * len(of.s) - 1)
     size[::2], size[1::2] = np.abs(sides).max(axis=0), np.abs(between).max(axis=0)
     place[::2], place[1::2] = of.s, middle
+    above = [arrays[n] for n in ("mesh_above_ring_absmax", "mesh_above_ring_static") if n in arrays]
+    if above and (largest := float(np.linalg.norm(above[0]))) > size.max():
+        return largest, float(of.s[-2])
     k = int(size.argmax())
     corner = arrays.get("mesh_corner")
     if 0 < k < len(size) - 1 and (k % 2 or corner is None or corner[k // 2] == 0.0):

@@ -254,7 +254,7 @@ def _shears(arrays: Arrays) -> Iterator[tuple[str, Array]]:
     if "shear_force_static" not in arrays and "bending_moment_static" in arrays:
         spatial = "mesh_moment_static" in arrays  # a run before `finish`
         moment = arrays["mesh_moment_static" if spatial else "bending_moment_static"]
-        yield "static", shear(arrays, moment, spatial)
+        yield "static", shear(arrays, moment, spatial, arrays.get("mesh_above_ring_static"))
 
 
 def _damage(coarse: Result, fine: Result) -> dict[str, float]:
@@ -359,7 +359,7 @@ def _places(coarse: Arrays, fine: Arrays) -> Array:
 
 def _thinned(arrays: Arrays, every: int) -> Arrays:
     """Arrays of a run with one of every ``every`` outputs."""
-    names = (*HISTORIES, "mesh_moment")
+    names = (*HISTORIES, "mesh_moment", "mesh_above_ring")
     return arrays | {name: arrays[name][::every] for name in names if name in arrays}
 
 

@@ -79,7 +79,16 @@ def at_rest(scene: Resolved, model: Model, mesh: Mesh) -> Arrays:
         arrays["mesh_flexibility"] = flexibility(of)
         arrays["mesh_corner"] = np.zeros(len(mesh.s))
         arrays["mesh_corner"][corners(of)] = 1.0
+        if scene.top.telescopic_joint:
+            arrays["mesh_above_ring_static"] = _above_ring(model, record)[0]
     return arrays
+
+
+def _above_ring(model: Model, record: Record) -> FloatArray:
+    """Moment above the jump at a tension ring (N m), where a telescopic joint begins: (time,) or (time, 3)."""
+    d, m = len(model.s.dim), len(model.s.dof) - len(model.s.dim)
+    moment = record.end[:, -1, d + m : d + 2 * m]
+    return moment if m == 3 else moment[:, 0]
 
 
 def _tabulated(model: Model) -> Record:
@@ -157,11 +166,15 @@ def histories(arrays: Arrays, model: Model, record: Record, of: Wanted) -> Array
         envelopes["mesh_moment_max"], envelopes["mesh_moment_min"] = (
             side[len(names), :-1] for side in (record.largest, record.smallest)
         )
+    if "mesh_above_ring_static" in arrays:
+        envelopes["mesh_above_ring"] = _above_ring(model, record)
+        most, least = record.largest[len(names), -1], record.smallest[len(names), -1]
+        envelopes["mesh_above_ring_absmax"] = np.maximum(abs(most), abs(least))
     if len(names) < record.history.shape[1]:
         full["mesh_moment"] = record.history[:, len(names) :, :]
     if of.places is None:
         return envelopes | full | {"s": arrays["s_node"]}
-    return envelopes | _at_places(arrays, full, of.nodes, of.places)
+    return envelopes | _at_places(arrays | envelopes, full, of.nodes, of.places)
 
 
 def _at_places(arrays: Arrays, full: Arrays, nodes: NDArray[np.int64], places: FloatArray) -> Arrays:
@@ -183,7 +196,8 @@ def keep_stations(result: Result, stations: list[float] | None) -> None:
         return
     if "s" in arrays:
         arrays |= at_stations(arrays, np.array(stations, float))
-    arrays.pop("mesh_moment", None)
+    for name in ("mesh_moment", "mesh_above_ring"):
+        arrays.pop(name, None)
 
 
 def over_time(scene: Resolved, model: Model, mesh: Mesh, record: Record, rest: AtRest) -> Arrays:

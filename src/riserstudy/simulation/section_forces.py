@@ -89,11 +89,12 @@ def envelopes_of(record: Record) -> Arrays:
     return found
 
 
-def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
+def shear(arrays: Arrays, moment: FloatArray, spatial: bool, above_ring: FloatArray | None) -> FloatArray:
     """Shear force (N) at the nodes, (..., n + 1), from the slope of the moment (N m).
 
     At joints and between sections, where shear may jump, it is the value with the larger magnitude.
     ``moment``: (..., n + 1), or in space its components (..., 3, n + 1); the result is then the magnitude.
+    ``above_ring``: the moment (N m) at which a telescopic joint begins, (...) or (..., 3); None without one.
 
     References
     ----------
@@ -102,6 +103,9 @@ def shear(arrays: Arrays, moment: FloatArray, spatial: bool) -> FloatArray:
     of = curve_of(arrays)
     e = np.arange(len(of.s) - 1)
     above, below = of.low.of(moment, e), of.up.of(moment, e)
+    if above_ring is not None:
+        for side in (above, below):
+            side[..., -1] += (moment[..., -2] - above_ring) / (of.s[-1] - of.s[-2])
     if spatial:  # the magnitude of each side first: components from two sides are not one force
         above, below = np.linalg.norm(above, axis=-2), np.linalg.norm(below, axis=-2)
     force = np.zeros((*above.shape[:-1], len(of.s)))
@@ -131,10 +135,13 @@ def derived(scene: Resolved, mesh: Mesh, arrays: Arrays, bent: FloatArray | None
     histories: Arrays = {}
     if "bending_moment_static" in arrays:
         rest = arrays["bending_moment_static"] if bent is None else bent
-        forces["shear_force_static"] = shear(arrays, rest, bent is not None)
+        forces["shear_force_static"] = shear(
+            arrays, rest, bent is not None, arrays.get("mesh_above_ring_static")
+        )
         if whole:
             moment = arrays.get("mesh_moment", arrays["bending_moment"])
-            histories["shear_force"] = shear(arrays, moment, "mesh_moment" in arrays)
+            spatial = "mesh_moment" in arrays
+            histories["shear_force"] = shear(arrays, moment, spatial, arrays.get("mesh_above_ring"))
     if not all(wall_lacks(scene, section) for section in scene.riser):
         rest = forces["von_mises_stress_static"] = _stress(scene, mesh, arrays, "_static")
         for name in ("von_mises_stress_max", "von_mises_stress_min"):

@@ -13,7 +13,8 @@ class Record(NamedTuple):
     """Outputs; q quantities per node: position, effective tension, bending moment (in space its magnitude).
 
     For risers that bend, the last of these quantities is the moment at the middle of the segment above each
-    node. If requested, shear force above and below each node (it jumps at joints) and stress of the wall are
+    node, and for the top node the moment at the lower end of the top segment, above the jump at a tension
+    ring. If requested, shear force above and below each node (it jumps at joints) and stress of the wall are
     the last of r rows. In space, moments and shear are magnitudes. Histories also have the moment's
     components, and so has the scratch, in v rows: the r rows, then three components of each magnitude.
     """

@@ -46,7 +46,7 @@ def tabulate(s, record, values):
         row = components(rows, 1, u) if m == 3 else d + 2
         for e in range(n):
             values[row, e] = weighted(s, record.middle, u, e)
-        values[row, n] = values[row, n - 1]
+        values[row, n] = s.moment[u, n - 1] - of_pulls(s, u)
         if sheared:
             for side in range(2):
                 row = components(rows, 2 + side, u) if m == 3 else d + 3 + side
@@ -132,7 +132,15 @@ def weighted(s, weights, u, e):
     value = 0.0
     for k in range(4):
         value += weights[e, k] * s.moment[u, min(max(e - 1 + k, 0), last)]
+    if e == last - 1:
+        value -= weights[e, 1] * of_pulls(s, u)
     return value
+
+
+@inner
+def of_pulls(s, u):
+    """A component of the moment of the pulls about the ring, by which the moment jumps there."""
+    return s.ring_moment[u] if len(s.dof) - len(s.dim) == 3 else s.ring_moment[1]
 
 
 @inner

@@ -14,7 +14,7 @@ from riserstudy.solve.interpolate import (
 )
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import every
-from riserstudy.solve.tabulate import components, tabulate
+from riserstudy.solve.tabulate import components, of_pulls, tabulate
 
 ROUNDING = 1e-10  # of a time (s)
 
@@ -64,9 +64,8 @@ def ends(s, k, end, top, platform, probe):
     for u in range(m):
         end[k, 0, d + u], end[k, 0, d + m + u] = s.moment[u, 0], s.moment[u, 1]
         # a telescopic joint begins with the ring's moment minus the moment of the cylinders
-        about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
         end[k, 1, d + u] = s.moment[u, n]
-        end[k, 1, d + m + u] = s.moment[u, n - 1] - about
+        end[k, 1, d + m + u] = s.moment[u, n - 1] - of_pulls(s, u)
     end[k, 0, d + 2 * m], end[k, 1, d + 2 * m] = s.length[0], s.length[n - 1]
     for c in range(6):
         platform[k, c] = s.platform[0, c]

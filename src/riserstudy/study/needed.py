@@ -8,7 +8,7 @@ from collections.abc import Collection, Mapping, Sequence
 ALWAYS = frozenset(("time", "s", "s_node", "mesh_corner", "tensioner_force_static"))
 PLACES = frozenset("xyz")
 #: arrays for interpolation of moments and positions to other nodes, since moments bend a segment
-MOMENTS = frozenset(("bending_moment", "mesh_moment"))
+MOMENTS = frozenset(("bending_moment", "mesh_moment", "mesh_above_ring"))
 BENDS = PLACES | MOMENTS | {"mesh_flexibility"}
 
 
