@@ -8,8 +8,8 @@ import copy
 
 import numpy as np
 import pytest
-
 from random_rigs import on_cylinders, written
+
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 

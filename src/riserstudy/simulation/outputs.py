@@ -85,7 +85,7 @@ def at_rest(scene: Resolved, model: Model, mesh: Mesh) -> Arrays:
 
 
 def _above_ring(model: Model, record: Record) -> FloatArray:
-    """Moment above the jump at a tension ring (N m), where a telescopic joint begins: (time,) or (time, 3)."""
+    """Moment (N m) above the jump at a ring, where a telescopic joint begins: (time,) or (time, 3)."""
     d, m = len(model.s.dim), len(model.s.dof) - len(model.s.dim)
     moment = record.end[:, -1, d + m : d + 2 * m]
     return moment if m == 3 else moment[:, 0]
