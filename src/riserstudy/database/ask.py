@@ -28,8 +28,8 @@ READS = frozenset(
 #: functions that have effects outside the database
 REFUSED = frozenset(("load_extension", "fts3_tokenizer"))
 #: steps of a statement between checks for an interrupt and for its time limit; costs a quarter of the time
-AT_EASE = 100
-LONGEST = 60.0  # longest time of a statement (s)
+STEPS_BETWEEN_CHECKS = 100
+LONGEST_STATEMENT = 60.0  # longest time of a statement (s)
 MOST_CELLS = 50_000_000  # most cells of an answer
 MOST_TEXT = 1_000_000_000  # most characters and bytes of an answer
 #: a text in single quotes, a comment, a name in backticks or brackets, or one in double quotes: the group
@@ -51,13 +51,13 @@ class Answer(NamedTuple):
 
 
 class Reader(sqlite3.Connection):
-    """A connection that ends each statement after ``LONGEST`` seconds at the latest."""
+    """A connection that ends each statement after ``LONGEST_STATEMENT`` seconds at the latest."""
 
     _end = float("inf")
 
     def execute(self, *statement: Any) -> sqlite3.Cursor:
         """Execute a statement; its time starts here."""
-        self._end = clock.monotonic() + LONGEST
+        self._end = clock.monotonic() + LONGEST_STATEMENT
         return super().execute(*statement)
 
     def is_late(self) -> bool:
@@ -81,7 +81,7 @@ def connect(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
             for category, most in LIMITS.items():
                 db.setlimit(category, most)
             db.set_authorizer(_only_reads)
-            db.set_progress_handler(db.is_late, AT_EASE)
+            db.set_progress_handler(db.is_late, STEPS_BETWEEN_CHECKS)
             db.execute("select * from about").fetchone()  # fails if the file is not such a database
             yield db
     except sqlite3.DatabaseError as error:
@@ -92,7 +92,7 @@ def connect(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
 def _reason(error: Exception) -> str:
     """Return the reason why a statement failed."""
     if getattr(error, "sqlite_errorname", "") == "SQLITE_INTERRUPT":
-        return f"takes longer than {LONGEST:g} s"
+        return f"takes longer than {LONGEST_STATEMENT:g} s"
     return str(error)
 
 

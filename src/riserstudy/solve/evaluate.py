@@ -8,7 +8,7 @@ import numpy as np
 
 from riserstudy.solve.blocktri import factor_flexibility, flexibility_solve
 from riserstudy.solve.jit import inner, kernel
-from riserstudy.solve.program import every
+from riserstudy.solve.program import call_all
 from riserstudy.solve.state import (
     ACCELERATION,
     clear,
@@ -50,8 +50,8 @@ def move(p, s, time):
     for k in range(3):
         for c in range(6):
             s.platform[k, c] = 0.0
-    every(p.motion, s)
-    every(p.place, s)
+    call_all(p.motion, s)
+    call_all(p.place, s)
 
 
 @inner
@@ -61,19 +61,19 @@ def shape(p, s):
     if p.drive.shape[0] > 0:  # otherwise these arrays are always zero
         clear(s.seas)
     measure(s)
-    every(p.drive, s)
-    every(p.internal, s)
-    every(p.law, s)
-    every(p.turn, s)
+    call_all(p.drive, s)
+    call_all(p.internal, s)
+    call_all(p.law, s)
+    call_all(p.turn, s)
 
 
 @inner
 def load(p, s):
     """Write forces without inertia to ``s.force``, the string's end forces to ``s.ends``; after `shape`."""
-    every(p.string, s)
+    call_all(p.string, s)
     gather(s)
     keep_ends(s, s.ends[0])
-    every(p.device, s)
+    call_all(p.device, s)
 
 
 @inner
@@ -87,18 +87,18 @@ def forces(p, s):
 def inertia(p, s):
     """Write inertial forces alone to ``s.force``; the directions of segments must be known."""
     s.force[:] = 0.0
-    every(p.string_inertia, s)
+    call_all(p.string_inertia, s)
     keep_ends(s, s.ends[1])
-    every(p.device_inertia, s)
+    call_all(p.device_inertia, s)
 
 
 @inner
 def tangent(p, s):
     """Stiffness, with damping and mass at the rates ``s.rate``; after ``forces``."""
     clear_tangent(s)
-    every(p.tangent, s)
+    call_all(p.tangent, s)
     if s.rate[ACCELERATION] > 0.0:
-        every(p.mass, s)
+        call_all(p.mass, s)
 
 
 @inner
@@ -116,7 +116,7 @@ def set_compliance(p, s, hinged):
     """Compute the flexibility of pipe and joints, once for a model."""
     s.flex[:] = 0.0
     s.flex_up[:] = 0.0
-    every(p.compliance, s)
+    call_all(p.compliance, s)
     factor_flexibility(s, hinged)
 
 
@@ -137,13 +137,13 @@ def forces_and_tangent(p, s):
 def energies(p, s):
     """Potential and kinetic energy (J) of the present positions and velocities."""
     shape(p, s)
-    return every(p.potential, s), every(p.kinetic, s)
+    return call_all(p.potential, s), call_all(p.kinetic, s)
 
 
 @kernel
 def one_call(program, s):
     """Run a program on a state, for callers in Python."""
-    return every(program, s)
+    return call_all(program, s)
 
 
 @kernel
@@ -155,5 +155,5 @@ def shape_of(p, s):
 @kernel
 def force_of(program, s):
     """Forces of a few effects alone, after `shape`."""
-    every(program, s)
+    call_all(program, s)
     gather(s)

@@ -14,7 +14,7 @@ from riserstudy.solve.envelopes import widen
 from riserstudy.solve.evaluate import load, move, shape, true_moments
 from riserstudy.solve.interpolate import interpolate
 from riserstudy.solve.jit import inner, kernel
-from riserstudy.solve.program import every
+from riserstudy.solve.program import call_all
 from riserstudy.solve.state import ACCELERATION, DISSIPATED, SUPPLIED, VELOCITY, clear, copy
 from riserstudy.solve.sums import DONE, EVALUATIONS, NOT_CONVERGED, STOPPED, enter, fail
 from riserstudy.solve.vec import at, outer, put, solved
@@ -31,7 +31,7 @@ def accelerate(p, s, fixed):
     true_moments(s)
     load(p, s)
     clear(s.lumps)
-    every(p.lump, s)
+    call_all(p.lump, s)
     power = hold(s, fixed)
     square = outer(s.dim, s.dim)
     for i in range(s.r.shape[1]):
@@ -155,7 +155,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
         power0, lost0, given0 = power1, lost, given
     s.clock[0] = start + steps * h
     halfway(s, h, s.v)
-    every(p.place, s)
+    call_all(p.place, s)
     return DONE
 
 
@@ -163,7 +163,7 @@ def leapfrog(p, s, so, h, steps, bound, fixed, record, sums):
 def flow(p, s):
     """Power dissipated, and power supplied by water and devices (W)."""
     s.flow[DISSIPATED], s.flow[SUPPLIED] = 0.0, 0.0
-    every(p.power, s)
+    call_all(p.power, s)
     return s.flow[DISSIPATED], s.flow[SUPPLIED]
 
 

@@ -26,7 +26,7 @@ from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.newton import Tolerance, account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
-from riserstudy.solve.program import every
+from riserstudy.solve.program import call_all
 from riserstudy.solve.state import (
     ACCELERATION,
     DISSIPATED,
@@ -130,7 +130,7 @@ def march(p, s, so, method, fixed, record, sums):
     held0 = account(p, s, force, fixed)
     copy(inert1, s.force)
     lost0, given0 = s.flow[DISSIPATED], s.flow[SUPPLIED]
-    kinetic0 = every(p.kinetic, s)
+    kinetic0 = call_all(p.kinetic, s)
     begin = s.clock[0]
     note_start(p, s, record, begin)
 
@@ -152,7 +152,7 @@ def march(p, s, so, method, fixed, record, sums):
         held = account(p, s, force, fixed)
         copy(inert1, s.force)
         know_internal(s)
-        kinetic1 = every(p.kinetic, s)
+        kinetic1 = call_all(p.kinetic, s)
         # numerical dissipation: the work of the inertial forces that no decrease of kinetic energy explains
         numerical = kinetic0 - kinetic1 - _follow(s, before, follower, method, inert0, inert1)
         lost, given = s.flow[DISSIPATED], s.flow[SUPPLIED]

@@ -25,7 +25,7 @@ VECTORS = 40  # vectors kept in the search for the largest eigenvalue
 TIGHT = 1e-5  # relative tolerance of the largest eigenvalue
 
 
-class Linear(NamedTuple):
+class LinearisedModel(NamedTuple):
     """A model linearised about its present state, for the free positions; symmetric parts of the matrices."""
 
     stiff: csr_array  # (k, k) without bending
@@ -43,7 +43,7 @@ class Linear(NamedTuple):
         return lambda x: self.stiff @ x + self.turn.T @ bend(self.turn @ x)
 
 
-def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
+def linearise(programs: Frozen, state: Frozen, fixed: np.ndarray) -> LinearisedModel:
     """A linearised model; ``fixed``: (node, unknown) pairs, (k, 2), moments numbered before positions."""
     s = state.value
     d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
@@ -65,10 +65,10 @@ def linear(programs: Frozen, state: Frozen, fixed: np.ndarray) -> Linear:
 
     free = np.ones((nodes, m + d), bool)
     free[tuple(fixed.T)] = False
-    carried, moved = free[:, :m].ravel(), free[:, m:].ravel()
+    bent, moved = free[:, :m].ravel(), free[:, m:].ravel()
     stiff, damping, mass = ((0.5 * (a + a.T)).tocsr()[moved][:, moved] for a in (stiff, damping, mass))
-    turn, flexibility = turn[carried][:, moved], flexibility[carried][:, carried].tocsc()
-    return Linear(stiff, turn, flexibility, damping, mass, np.argwhere(free[:, m:]))
+    turn, flexibility = turn[bent][:, moved], flexibility[bent][:, bent].tocsc()
+    return LinearisedModel(stiff, turn, flexibility, damping, mass, np.argwhere(free[:, m:]))
 
 
 def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
@@ -79,7 +79,7 @@ def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
     stiffness, damping, mass : (k, k) arrays, symmetric parts.
     free : (k, 2) array of node and direction.
     """
-    model = linear(programs, state, fixed)
+    model = linearise(programs, state, fixed)
     stiff = model.stiffness()(np.eye(len(model.free)))
     return stiff, model.damping.toarray(), model.mass.toarray(), model.free
 
@@ -153,7 +153,7 @@ def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
     numpy.linalg.LinAlgError
         When a free node has no mass.
     """
-    model = linear(programs, state, fixed)
+    model = linearise(programs, state, fixed)
     if not (model.mass.diagonal() > 0.0).all():
         raise np.linalg.LinAlgError("a node that moves has no mass")
     stiff = model.stiffness()

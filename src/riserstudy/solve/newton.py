@@ -17,7 +17,7 @@ import numpy as np
 from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, inertia, tangent
 from riserstudy.solve.jit import inner
-from riserstudy.solve.program import every
+from riserstudy.solve.program import call_all
 from riserstudy.solve.state import ACCELERATION, VELOCITY, clear_tangent, copy
 from riserstudy.solve.sums import ITERATIONS
 
@@ -124,7 +124,7 @@ def balance(p, s, out, work, fixed):
         out[fixed[f, 0], fixed[f, 1]] = 0.0
     clear_tangent(s)
     s.rate[VELOCITY], s.rate[ACCELERATION] = 0.0, 1.0
-    every(p.mass, s)
+    call_all(p.mass, s)
     for i in range(n + 1):
         for c in range(d):
             if s.k_node[i, c * d + c] == 0.0:  # no mass: does not change
@@ -147,7 +147,7 @@ def account(p, s, force, fixed):
     copy(force, s.force)
     inertia(p, s)
     s.flow[:] = 0.0
-    every(p.power, s)
+    call_all(p.power, s)
     power = 0.0
     for f in range(fixed.shape[0]):
         i, c = fixed[f, 0], fixed[f, 1] - m

@@ -190,7 +190,7 @@ def _call(typing, entry, record, state):
 
 
 @inner
-def every(program, state):
+def call_all(program, state):
     """Call all entries of a program, int64 array (entries, 2), on a state; returns the sum of the results."""
     total = 0.0
     for k in range(program.shape[0]):

@@ -24,7 +24,7 @@ from riserstudy.solve.evaluate import move
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.newton import Tolerance, account, balance, correct, new_memory
 from riserstudy.solve.pace import LENGTH, advance, halve, new_pace, under_way
-from riserstudy.solve.program import every
+from riserstudy.solve.program import call_all
 from riserstudy.solve.state import (
     ACCELERATION,
     DISSIPATED,
@@ -200,7 +200,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
     know_internal(s)
     balance(p, s, out, work, fixed)
     _powers(p, s, force, fixed, power[last])
-    kinetic0 = every(p.kinetic, s)
+    kinetic0 = call_all(p.kinetic, s)
     begin = s.clock[0]
     note_start(p, s, record, begin)
 
@@ -239,7 +239,7 @@ def march_in_stages(p, s, so, method, fixed, record, sums):
             continue
 
         know_internal(s)
-        kinetic1 = every(p.kinetic, s)
+        kinetic1 = call_all(p.kinetic, s)
         _enter(sums, power, weights, h, kinetic1 - kinetic0)
         kinetic0 = kinetic1
         note_step(p, s, so, before, t, h, record)

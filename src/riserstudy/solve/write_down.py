@@ -13,7 +13,7 @@ from riserstudy.solve.interpolate import (
     interpolate_internal,
 )
 from riserstudy.solve.jit import inner, kernel
-from riserstudy.solve.program import every
+from riserstudy.solve.program import call_all
 from riserstudy.solve.tabulate import components, of_pulls, tabulate
 
 ROUNDING = 1e-10  # of a time (s)
@@ -38,7 +38,7 @@ def note(p, s, record, values):
     record.written[0] += 1
     d = len(s.dim)
     m = len(s.dof) - d
-    every(p.probe, s)
+    call_all(p.probe, s)
     for j in range(record.station.shape[0]):
         i = record.station[j]
         for c in range(d + 1 + min(m, 1)):
@@ -102,7 +102,7 @@ def note_ends(p, s, record, time):
         return
     record.steps[0] += 1
     if k < record.step_time.shape[0]:
-        every(p.probe, s)
+        call_all(p.probe, s)
         record.step_time[k] = time
         ends(s, k, record.step_end, record.step_top, record.step_platform, record.step_probe)
 
