@@ -69,7 +69,7 @@ def database(folder, table, view):
 @pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("kind", VIEWS)
 def test_no_view_holds_a_command_up_or_lets_it_write(commands, tmp_path, monkeypatch, kind, seed):
-    monkeypatch.setattr(ask, "LONGEST", SOON)
+    monkeypatch.setattr(ask, "LONGEST_STATEMENT", SOON)
     monkeypatch.chdir(tmp_path)
     rng = random.Random(f"{kind} {seed}")
     table = "about" if seed == 0 else rng.choice(TABLES)
@@ -89,7 +89,7 @@ def test_no_view_holds_a_command_up_or_lets_it_write(commands, tmp_path, monkeyp
 
 @pytest.mark.parametrize("kind", ["never ends", "finds nothing, and never ends", "crosses itself"])
 def test_a_view_that_never_ends_is_refused_with_the_reason(commands, tmp_path, monkeypatch, kind):
-    monkeypatch.setattr(ask, "LONGEST", SOON)
+    monkeypatch.setattr(ask, "LONGEST_STATEMENT", SOON)
     monkeypatch.chdir(tmp_path)
     database(tmp_path, "about", VIEWS[kind])
     code, out, error = commands("results")
@@ -109,7 +109,7 @@ def test_an_answer_that_would_fill_the_memory_is_refused(here, monkeypatch):
 
 def test_each_statement_has_its_own_time(here, monkeypatch):
     with ask.connect("results/results.sqlite") as db:
-        monkeypatch.setattr(ask, "LONGEST", SOON)
+        monkeypatch.setattr(ask, "LONGEST_STATEMENT", SOON)
         for _ in range(2):
             with pytest.raises(ask.InputError, match="takes longer"):
                 ask.ask(db, ENDLESS + "select i from n where i < 0")
