@@ -109,6 +109,22 @@ def test_claims_stand_in_it_with_verdict_and_margin(study, tmp_path):
     assert "#margin-example-C2" not in entities
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_a_damaged_table_is_not_packed(seed, study, commands, tmp_path):
+    folder = tmp_path / "copy"
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    (folder / "results/.seals/reproduction.csv").write_text("as sealed")
+    draw = random.Random(seed)
+    whole = bytearray(TABLE.encode())
+    for _ in range(3):  # in the header and in the rows
+        whole[draw.randrange(len(whole))] = draw.choice(b'\xff,"\n')
+    (folder / "results/reproduction.csv").write_bytes(whole)
+    code, _, wrong = commands("crate", tmp_path / "study.zip", "--study", folder)
+    assert (code, wrong.count("\n")) == (2, 1)
+    assert "reproduction.csv" in wrong
+    assert not (tmp_path / "study.zip").exists()
+
+
 def test_what_is_not_known_is_left_out(study):
     entities = graph(study[0] / "results" / NAME)
     assert "agent" not in entities["#run"]

@@ -25,11 +25,10 @@ def pack(study: Path, target: Path) -> int:
     if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
         found = "is there already" if target.exists() else "is not a new .zip file in an existing folder"
         raise InputError("OUT.zip", str(target), found, "name a new file that ends in .zip")
-    text = crate_text(study, study) if (study / "Snakefile").exists() else None
-    if text is None:
+    results = [study / name for name in outputs_of(study)]
+    if not (study / "Snakefile").exists() or not results:
         found = "no results of a run of `snakemake` or `make study`"
         raise InputError("crate", str(study), found, "run the study here first")
-    results = [study / name for name in outputs_of(study)]
     for file in results:
         if not fits_seal(file, study / "results"):
             found = "was changed after its job wrote it"
@@ -40,6 +39,9 @@ def pack(study: Path, target: Path) -> int:
     if former := of_former_results(study):
         found = "was made from former results: the last run was interrupted, or made only some files"
         raise InputError(study / former[0], "", found, "run the study again")
+    text = crate_text(study, study)  # reads results, so after these checks
+    if text is None:
+        raise InputError("crate", str(study), "no records of its jobs", "run the study here first")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]
