@@ -75,6 +75,13 @@ def test_names_of_sections_are_not_those_of_parts_of_the_deck(tmp_path, seed, na
     assert is_same(file_of(written(tree)), tmp_path)
 
 
+def test_a_section_is_not_called_what_a_deck_reads_as_a_default(tmp_path):
+    tree = below_water(1)
+    tree["riser"][-1]["name"] = "~"
+    with pytest.raises(InputError, match=rf"riser\[{len(tree['riser']) - 1}\]\.name: ~; .* Rename it"):
+        is_same(file_of(written(tree)), tmp_path)
+
+
 @pytest.mark.parametrize("share", [0.0, 0.6, 1.0, 1.0003, 1.1, 3.0])
 @pytest.mark.parametrize("seed", range(3))
 def test_a_ring_weighs_as_in_the_scene_or_is_refused(tmp_path, seed, share):

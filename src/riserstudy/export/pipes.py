@@ -58,6 +58,8 @@ def line_types(deck: Deck) -> None:
 
 def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     scene, path = deck.scene, f"riser[{k}]"
+    if section.name.strip() == "~":
+        raise deck.refused(f"{path}.name", section.name, "'~' stands for a default in OrcaFlex. Rename it")
     if section.mass is None:
         allowed = "OrcaFlex needs the mass of every section. Add 'mass:' to this section"
         raise deck.refused(f"{path}.mass", "missing", allowed)
