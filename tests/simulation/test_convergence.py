@@ -58,6 +58,32 @@ def test_true_errors_are_within_tolerance_and_estimates(seed):
         assert true <= 1.001 * errors.estimated[name]
 
 
+class MixedLaw(Law):
+    """Each part is of second order, and behind a larger one of third or fourth order on coarse meshes."""
+
+    def __init__(self, seed):
+        super().__init__(seed)
+        random = np.random.default_rng((seed, 1))
+        self.order = dict.fromkeys(self.order, 2.0)
+        self.steep = {way: random.choice([3.0, 4.0]) for way in self.order}
+        self.more = {way: 10.0 ** random.uniform(0.0, 2.0) for way in self.order}
+
+    def value(self, name, halvings):
+        return super().value(name, halvings) + sum(
+            self.more[way] * self.size[way][name] * 2.0 ** (-self.steep[way] * halvings[way])
+            for way in self.order
+        )
+
+
+@pytest.mark.parametrize("seed", range(200))
+def test_an_error_of_second_order_is_not_hidden_by_one_that_decreases_faster(seed):
+    law = MixedLaw(seed)
+    errors, halvings, reached = refined(law)
+    assert reached
+    for name in TOLERANCE:
+        assert law.value(name, halvings) - 1.0 <= 1.001 * errors.estimated[name]
+
+
 @pytest.mark.parametrize("seed", range(200))
 def test_no_way_is_halved_that_was_exact_enough(seed):
     """Of mesh and step, one is never halved more often than it alone needs, but for two more halvings."""

@@ -7,7 +7,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from riserstudy.simulation.error_estimate import MOST_FALL
 from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.sampling_error import floor, of_two_runs
 
@@ -31,14 +30,10 @@ class Convergence:
     ----------
     tolerance : allowed relative error (1), by quantity.
     ways : which of "mesh" and "step" can be halved, the first to be halved first.
-    most : largest ratio of successive changes that an estimate uses, by way.
     """
 
-    def __init__(
-        self, tolerance: Mapping[str, float], ways: Sequence[str], most: Mapping[str, float] | None = None
-    ) -> None:
+    def __init__(self, tolerance: Mapping[str, float], ways: Sequence[str]) -> None:
         self.tolerance, self.ways = tolerance, ways
-        self.most = dict.fromkeys(ways, MOST_FALL) | dict(most or {})
         self.way = ways[0] if ways else ""  # halved last
         self.halved: dict[str, Halved] = {}  # last halving, by way
         self.helps = True  # whether the last halving reduced the differences
@@ -52,14 +47,14 @@ class Convergence:
         ``sampling``: standard errors of the finer run's statistics, due to its length.
         """
         before = self.halved.get(self.way)
-        now = enter(self.halved, self.way, change, floor(sampling), self.most[self.way])
+        now = enter(self.halved, self.way, change, floor(sampling))
         self.helps = before is None or self.excess(before.change) > FALL * self.excess(now.change)
 
     def enter_again(self, way: str, changes: Sequence[dict[str, float]]) -> None:
         """Enter the relative changes (1) by the last halvings of one way alone, the finest runs' first."""
         if changes:
             before = Halved(changes[1], None) if len(changes) > 1 else None
-            self.halved[way] = Halved(changes[0], before, None, self.most[way])
+            self.halved[way] = Halved(changes[0], before)
 
     def note_run(self, sampling: dict[str, float]) -> None:
         """Take over the relative standard errors (1) of the finest run, and add its excess to the list."""

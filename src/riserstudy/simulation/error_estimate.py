@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,37 +22,40 @@ CONTROLLED = ("displacement", "tension", "moment", "damage")
 HISTORIES = ("x", "y", "z", "effective_tension", "bending_moment")
 #: outputs of one place, or of all cylinders together, whose error is one number: by its key
 OF_ONE_PLACE = {"angle": ANGLES, "stroke": STROKES, "tensioner_force": ("tensioner_force",)}
-MOST_FALL = 8.0  # largest ratio of successive differences that an estimate uses: third order
+# largest ratio of successive differences that an estimate uses: second order. A larger ratio is that of an
+# error of higher order, which can hide one of second order that is smaller but remains
+MOST_FALL = 4.0
 # curvature of the softest section that counts as zero (1/m): a strain of 5e-10 at a radius of half a metre
 FLAT = 1e-9
 UPRIGHT = 1e-9  # angle that counts as zero (rad)
 LEAST_FALL = 1.5
 STEEPEST_FALL = 20.0  # ratio above which it is not plausible; for fourth order it is 16
-SURE_FALL = 4.0  # largest ratio that is used in doubtful cases: second order
-SURE = {**dict.fromkeys((*OF_ONE_PLACE, "overpull"), SURE_FALL), **{"shear": 2.0, "lift": 2.0}}
+SURE = {"shear": 2.0, "lift": 2.0}
 SURE_AFTER_DISCONNECT = {"stroke": 2.0, "tensioner_force": 2.0}
 
 
 def estimate(
-    now: dict[str, float], before: dict[str, float] | None, most: float = MOST_FALL
+    now: dict[str, float],
+    before: dict[str, float] | None,
+    most: float = MOST_FALL,
+    sure: Mapping[str, float] | None = None,
 ) -> dict[str, float]:
     """Relative error of the finest of three runs, each twice as fine as the previous, from their differences.
 
     If differences decrease by a factor q, the remaining error is the last difference divided by q - 1. The
     estimate uses at most ``most`` for q. It uses `LEAST_FALL` if q is smaller or unknown, or larger than the
     order of any method gives, because then the coarsest run has not converged. It also uses at most the sure
-    order of a quantity: second order for angles, which are tangents at the ends of segments, strokes and
-    tensioner forces; first order for shear, the slope of the moment, near jumps of the load. After a
+    order of a quantity: first order for shear, the slope of the moment, near jumps of the load. After a
     disconnect, which sends steep waves along the riser, it is first order for lift, strokes and tensioner
-    forces.
+    forces. ``sure``: largest ratios in place of these, by quantity.
     """
     error = {}
-    sure = SURE | (SURE_AFTER_DISCONNECT if "lift" in now else {})
+    surest = SURE | (SURE_AFTER_DISCONNECT if "lift" in now else {}) | dict(sure or {})
     for name, value in now.items():
         fall = (before or {}).get(name, 0.0) / value if value > 0.0 else most
         if fall > STEEPEST_FALL:
             fall = LEAST_FALL
-        trusted = min(most, sure.get(name, most))
+        trusted = min(most, surest.get(name, most))
         error[name] = value / (min(max(fall, LEAST_FALL), trusted) - 1.0)
     return error
 

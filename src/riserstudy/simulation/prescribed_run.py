@@ -11,7 +11,7 @@ from riserstudy.model.mesh import Mesh, prescribed
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import LEAST_FALL, MOST_FALL, difference
-from riserstudy.simulation.halved import Halved, enter, error_of, most_fall
+from riserstudy.simulation.halved import Halved, enter, error_of
 from riserstudy.simulation.resolving_mesh import are_halved, error_from_resolved, larger
 from riserstudy.simulation.run import march, single
 from riserstudy.simulation.sampling_error import floor, of_two_runs
@@ -23,6 +23,9 @@ COARSER = ("step", "mesh", "step", "mesh")  # quantities that are doubled from r
 #: largest decrease of differences that is used, by smallest number of steps in the shortest period: with
 #: fewer steps, coarser runs do not show the order of the method
 TRUSTED = {8.0: LEAST_FALL, 24.0: 2.0}
+# the same for outputs of waves along the riser's axis, whose periods are shorter than those of the motions
+MANY_STEPS = 96.0
+TRUSTED_ALONG = {"tension": 2.0, "stroke": 2.0, "tensioner_force": 2.0}
 ROUNDING = 1e-9  # relative rounding error of a step
 FEWEST_STEPS = 4.0  # in the period of a regular motion; with fewer, a doubled step can see its zeros alone
 NOT_ESTIMATED = "the error is not estimated, because a run for the estimate failed"
@@ -69,8 +72,8 @@ def _error(
     seen: dict[str, Halved] = {}
     sampling = result.facts.get("sampling_error", {})
     for (_, _, fine), (way, _, coarse) in reversed([*pairwise(runs)]):
-        most = _trusted(scene) if way == "step" else most_fall(scene, way)
-        enter(seen, way, difference(coarse, fine), floor(sampling), most)
+        most, sure = _trusted(scene) if way == "step" else (MOST_FALL, None)
+        enter(seen, way, difference(coarse, fine), floor(sampling), most, sure)
     if any(way not in seen for way in ways):
         return None
     found = error_of(seen.values(), of_two_runs(sampling))
@@ -84,10 +87,11 @@ def _error(
     return None if least is None else larger(found, least)
 
 
-def _trusted(scene: Resolved) -> float:
-    """Largest decrease of differences by halving the scene's step that the estimate uses."""
-    steps = (scene.shortest_period or math.inf) / (scene.analysis.step or 1.0)
-    return next((most for fewest, most in TRUSTED.items() if steps < fewest * (1.0 - ROUNDING)), MOST_FALL)
+def _trusted(scene: Resolved) -> tuple[float, dict[str, float]]:
+    """Largest decreases of differences by halving the scene's step that are used: of all, of some."""
+    steps = (scene.shortest_period or math.inf) / (scene.analysis.step or 1.0) * (1.0 + ROUNDING)
+    most = next((most for fewest, most in TRUSTED.items() if steps < fewest), MOST_FALL)
+    return most, TRUSTED_ALONG if steps < MANY_STEPS else {}
 
 
 def refuse_unseen_periods(scene: Resolved) -> None:

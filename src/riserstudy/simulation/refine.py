@@ -16,7 +16,6 @@ from riserstudy.records.numerals import duration, percent
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.convergence import RUNS, Convergence
 from riserstudy.simulation.error_estimate import difference
-from riserstudy.simulation.halved import most_fall
 from riserstudy.simulation.outputs import keep_stations
 from riserstudy.simulation.prescribed_run import refuse_unseen_periods, run_prescribed
 from riserstudy.simulation.refinement_warnings import missed_accuracy, slow_convergence, sparse_outputs
@@ -90,8 +89,7 @@ class Refinement:
         self.step = _longest_step(scene) if scene.analysis.duration else None
         ways = [] if massless(scene) else ["mesh"]
         ways += ["step"] if self.step else []
-        most = {way: most_fall(scene, way) for way in ways}
-        self.convergence = self.rule(allowed_of(scene), ways, most)
+        self.convergence = self.rule(allowed_of(scene), ways)
         self.lost = 0  # meshes without equilibrium
         self.last: Result | None = None  # run to compare the next run with
         self.finest: Result | None = None  # finest completed run
