@@ -12,16 +12,16 @@ from matplotlib.lines import Line2D
 
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.names import in_words
-from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, key_below, panel_title, panels, shades
 
 #: colour of each limit, in all modes
 OF_LIMIT = {
     "mean lfj_angle": COLOURS[0],
-    "largest lfj_angle": COLOURS[2],
+    "largest lfj_angle": shades(COLOURS[0], 3)[0],
     "mean ufj_angle": COLOURS[1],
-    "largest ufj_angle": COLOURS[5],
+    "largest ufj_angle": shades(COLOURS[1], 3)[0],
     "largest joint_stroke": COLOURS[3],
-    "largest von_mises_stress": COLOURS[4],
+    "largest von_mises_stress": COLOURS[2],
     "smallest effective_tension": COLOURS[6],
 }
 #: activity that a mode allows, as written in the titles
@@ -54,30 +54,39 @@ def _chart(operability: xr.Dataset, mode: str) -> Figure:
     strong: dict[str, list[Line2D]] = {}  # in the last panel
     for ax, mud in zip(axes, muds, strict=True):
         for name in mine:
-            reached = np.isfinite(limits.sel(limit=name)).any()
+            if not np.isfinite(limits.sel(limit=name)).any():
+                continue
             limit = str(name).partition(": ")[2]
-            label = in_words(limit) + ("" if reached else " (not reached)")
             governs = bool((limits.sel(limit=name) == envelopes).any())
             lines = _line(
-                ax, limits.sel(limit=name, mud_weight=mud), OF_LIMIT.get(limit, GREY), label, governs
+                ax,
+                limits.sel(limit=name, mud_weight=mud),
+                OF_LIMIT.get(limit, GREY),
+                _in_words(limit),
+                governs,
             )
             if governs and mud == muds[-1]:
-                strong[in_words(limit)] = lines
+                strong[_in_words(limit)] = lines
         _shade(ax, envelopes.sel(mud_weight=mud), operability.attrs["reach"])
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
-        panel_title(ax, f"mud of {mud:g} kg/m³")
+        panel_title(ax, f"mud density {mud:g} kg/m³")
     axes[0].set_ylabel("platform offset, + down current (m)")
     key_below(figure, axes[0], 3)
     headline(figure, _answer(operability.sel(operation=mode), mode))
     left, right = axes[0].get_xlim()
     ends = [(line, name) for name, lines in strong.items() for line in lines if _drawn_to_end(line)]
     if ends:
-        names = [name.removesuffix(" angle").removeprefix("largest ") for _, name in ends]
+        names = [name.removeprefix("largest ").replace(" joint ", "\njoint ") for _, name in ends]
         label_ends(axes[-1], [line for line, _ in ends], names=names)
     for ax in axes:
         ax.set_xlim(left, right)
     return figure
+
+
+def _in_words(limit: str) -> str:
+    """A limit in words, as in the key."""
+    return in_words(limit).replace("joint stroke", "telescopic joint stroke")
 
 
 def _place(name: str) -> int:
@@ -88,7 +97,7 @@ def _place(name: str) -> int:
 
 def _line(ax: Axes, offset: xr.DataArray, colour: str, name: str, governs: bool) -> list[Line2D]:
     """Draw both sides of one limit, with gaps where the search does not reach it."""
-    look: dict[str, Any] = {"linewidth": 2.0} if governs else {"markersize": 2.0, "linewidth": 0.7}
+    look: dict[str, Any] = {"linewidth": 2.0} if governs else {"markersize": 2.0, "linewidth": 0.9}
     drawn = []
     for side, label in (("low", None), ("high", name)):
         one = offset.sel(offset_side=side)
@@ -129,7 +138,8 @@ def _answer(of: xr.Dataset, mode: str) -> str:
     muds = "every mud" if of.sizes["mud_weight"] > 1 else "this mud"
     within = (lowest <= lowest.sel(at)) & (highest >= highest.sel(at))
     if len(speeds) > 1 and bool(within.all()):
-        return f"{offsets.capitalize()} allow {ALLOWED[mode]} in {muds}"
+        where = "every mud and current" if of.sizes["mud_weight"] > 1 else "every current"
+        return f"{offsets.capitalize()} allow {ALLOWED[mode]} in {where}"
     strongest = len(speeds) > 1 and left[-1] == speeds.max()
     where = "Strongest current:" if strongest else f"At {left[-1]:g} m/s of current,"
     return f"{where} {offsets} allow {ALLOWED[mode]} in {muds}"

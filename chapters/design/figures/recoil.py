@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, hsv_to_rgb
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 from scipy.interpolate import PchipInterpolator
 
+from riserstudy.dataset.clearance import TOUCHING
+from riserstudy.dataset.provenance import scene_of_point
 from riserstudy.figures.direct import label_ends
-from riserstudy.figures.style import COLOURS, headline, panel_title, panels, shades
+from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, panels, shades
 
-LABELS = ("clear of BOP and end stops", "LMRP re-contacts the BOP", "cylinders stroke out", "both, by phase")
+LABELS = (
+    "clear of BOP and end stops",
+    "LMRP re-contacts the BOP",
+    "cylinders stroke out",
+    "both, at equal or different heave phases",
+)
 QUIET = (0.65, 0.72)  # saturation and value of colours in a circle
 FINE = 2000  # points of a smooth curve through samples
 FILL = ("#9fd8bd", "#f5c9a0", "#a9c9e8", "#d3a9c4")
@@ -34,7 +44,7 @@ def recoil_window(recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
         clear = one["clearance_min"].min("phase").transpose("gas_pressure", "heave_amplitude")
         for (row, column), value in np.ndenumerate(clear.values):
             ax.text(column, row, _metres(value), ha="center", va="center", fontsize="x-small")
-        panel_title(ax, f"mud of {mud:g} kg/m³; numbers: smallest clearance (m)")
+        panel_title(ax, f"mud density {mud:g} kg/m³; smallest clearance (m)")
         ax.set_xlabel("heave amplitude (m)")
     for ax in axes[::columns]:
         ax.set_ylabel("tension setting (MN)")
@@ -84,40 +94,81 @@ def recoil_histories(recoil: xr.Dataset, tension_ratio: float) -> Figure:
     one = recoil.sel(mud_weight=mud, heave_amplitude=heave, phase=phase)
     pressures = one["gas_pressure"].values[[0, len(one["gas_pressure"]) // 2, -1]]
     figure, (up, stroke) = panels(1, 2, 3.6)
-    for colour, pressure in zip(COLOURS, pressures, strict=False):
+    lines: list[list[Line2D]] = [[], []]
+    for colour, pressure in zip(shades(COLOURS[0], len(pressures)), pressures, strict=True):
         at = one.sel(gas_pressure=pressure)
         setting = float(at["tensioner_force_static"].sum()) / tension_ratio
         name = f"{setting / 1e6:.2f} MN"
-        up.plot(at["time"], at["lift"], color=colour, label=name)
-        stroke.plot(at["time"], at["tensioner_stroke"].isel(cylinder=0), color=colour, label=name)
-    up.axhline(0.0, color="black", linewidth=0.6)
+        lines[0] += up.plot(at["time"], at["lift"], color=colour, label=name)
+        lines[1] += stroke.plot(at["time"], at["tensioner_stroke"].isel(cylinder=0), color=colour, label=name)
+    _mark(up, stroke, lines[0], _end_stop(recoil))
     up.set_ylabel("LMRP lift above the BOP (m)")
     stroke.set_ylabel("cylinder stroke, + extended (m)")
     for ax in (up, stroke):
         ax.set_xlabel("time (s)")
-        ax.legend(title="tension setting", fontsize="small")
     highest = [float(one.sel(gas_pressure=p)["lift"].max()) for p in pressures]
-    panel_title(up, f"mud of {mud:g} kg/m³, heave of {heave:g} m")
-    panel_title(stroke, f"disconnect at {phase:g}° of heave")
-    rises = "raises" if highest[-1] > highest[0] else "lowers"
-    headline(figure, f"Higher tension {rises} the LMRP lift from {highest[0]:.1f} to {highest[-1]:.1f} m")
+    panel_title(up, "LMRP, by tension setting")
+    panel_title(stroke, "cylinders, by tension setting")
+    change = "increases" if highest[-1] > highest[0] else "decreases"
+    lifts = f"from {highest[0]:.1f} to {highest[-1]:.1f} m"
+    headline(figure, f"A higher tension setting {change} the largest LMRP lift {lifts}")
+    label_ends(up, lines[0])
+    label_ends(stroke, lines[1])
     return figure
 
 
+def _end_stop(recoil: xr.Dataset) -> float | None:
+    """Shortest stroke of the cylinders (m), None if they have no ends."""
+    tensioners = scene_of_point(recoil, dict.fromkeys(map(str, recoil["point_key"].dims), 0)).top.tensioners
+    return tensioners.stroke.shortest if tensioners and tensioners.stroke else None
+
+
+def _mark(up: Axes, stroke: Axes, lifts: list[Line2D], end: float | None) -> None:
+    """Mark the disconnect, the first re-contact, and the end stop of the cylinders."""
+    rises, contacts = [], []
+    for line in lifts:
+        time, lift = (np.asarray(values, float) for values in line.get_data())
+        first = int((lift > TOUCHING).argmax())
+        rises.append(float(time[first]))
+        contacts += [(float(time[k]), float(lift[k])) for k in range(first, len(lift)) if lift[k] < 0.0][:1]
+    small: dict[str, Any] = {"textcoords": "offset points", "fontsize": "small", "color": "0.3"}
+    for ax, height in ((up, 0.95), (stroke, 0.25)):
+        ax.axvline(min(rises), color=GREY, linestyle=":", linewidth=1.0)
+        ax.annotate(
+            "disconnect",
+            (min(rises), height),
+            (-4, 0),
+            xycoords=("data", "axes fraction"),
+            ha="right",
+            **small,
+        )
+    up.axhline(0.0, color="black", linewidth=0.6)
+    if contacts:
+        arrow = {"arrowstyle": "->", "color": "0.3", "linewidth": 0.8}
+        up.annotate(
+            "LMRP\nre-contacts\nthe BOP", min(contacts), (0.02, 0.28), textcoords="axes fraction",
+            fontsize="small", color="0.3", arrowprops=arrow,
+        )  # fmt: skip
+    if end is not None and stroke.get_ylim()[0] < 0.9 * end:
+        stroke.axhline(end, color=GREY, linestyle="--", linewidth=1.0)
+        stroke.annotate("end stop", (0.02, end), (0, 4), xycoords=("axes fraction", "data"), **small)
+
+
 def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
-    """Effects of failed units and valves, one panel per number of units."""
+    """Effects of failed units and valves, one panel per number of failed units."""
     units = recoil_failures_outcome["units"].values
     figure, axes = panels(1, len(units), 3.4, sharey=True)
     left = recoil_failures_outcome["valve_left_open"].values
     for ax, count in zip(axes, units, strict=True):
         one = recoil_failures_outcome.sel(units=count)
         _cells(ax, one["recoil_verdict"].transpose("gas_pressure", "valve_left_open").values)
-        lift = one["lift_max"].max("phase").transpose("gas_pressure", "valve_left_open")
-        for (row, column), value in np.ndenumerate(lift.values):
-            ax.text(column, row, f"{value:.1f}", ha="center", va="center", fontsize="x-small")
+        clear = one["clearance_min"].min("phase").transpose("gas_pressure", "valve_left_open")
+        for (row, column), value in np.ndenumerate(clear.values):
+            ax.text(column, row, _metres(value), ha="center", va="center", fontsize="x-small")
         ax.set_xticks(range(len(left)), [f"{100 * x:g}" for x in left])
-        ax.set_xlabel("opening left by the valves (%)")
-        panel_title(ax, f"lift (m), {count:g} units at work")
+        ax.set_xlabel("residual valve opening (%)")
+        failed = int(units.max() - count)
+        panel_title(ax, f"{failed or 'no'} unit{'' if failed == 1 else 's'} failed; clearance (m)")
     pressures = recoil_failures_outcome["gas_pressure"].values
     axes[0].set_yticks(range(len(pressures)), [f"{p / 10:.1f}" for p in pressures])
     axes[0].set_ylabel("gas pressure, absolute (MPa)")
@@ -127,14 +178,16 @@ def recoil_failures(recoil_failures_outcome: xr.Dataset) -> Figure:
 
 
 def _with_failures(verdict: xr.DataArray) -> str:
-    """Title: number of settings that keep clear of BOP and end stops with the most failed units."""
-    most, fewest = int(verdict["units"].max()), int(verdict["units"].min())
-    clear = verdict.sel(units=fewest) == 0
-    count, failed = int(clear.sum()), most - fewest
+    """Title: outcome of the settings with the most failed units."""
+    worst = verdict.sel(units=verdict["units"].min())
+    clear = worst == 0
+    count, failed = int(clear.sum()), int(verdict["units"].max() - verdict["units"].min())
     with_failed = f"With {failed} failed unit{'' if failed == 1 else 's'}"
+    if bool(worst.isin([1, 3]).all()):
+        return f"{with_failed}, the LMRP re-contacts the BOP at every tested setting"
     if count == 0:
-        return f"{with_failed} no setting avoids both BOP and end stops"
-    return f"{with_failed} {100 * count / clear.size:.0f} % of the settings avoid both BOP and end stops"
+        return f"{with_failed}, no tested setting avoids both BOP and end stops"
+    return f"{with_failed}, {100 * count / clear.size:.0f} % of the settings avoid BOP and end stops"
 
 
 def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure:
@@ -142,13 +195,17 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
     figure, (liu, mao) = panels(1, 2, 3.6, sharey=True)
     heaves = recoil_liu2020["heave_amplitude"].values
     one = recoil_liu2020["lift"].sel(heave_amplitude=heaves[len(heaves) // 2])
-    phases = []
     for phase in one["phase"].values:
         colour = hsv_to_rgb((float(phase) / 360.0 % 1.0, *QUIET))
-        phases += liu.plot(
-            one["time"], one.sel(phase=phase), color=colour, linewidth=1.3, label=f"{phase:g}°"
-        )
-    panel_title(liu, f"Liu et al. 2020, heave of {heaves[len(heaves) // 2]:g} m, by phase of disconnect")
+        liu.plot(one["time"], one.sel(phase=phase), color=colour, linewidth=1.3, label=f"{phase:g}°")
+    liu.legend(
+        title="heave phase at the disconnect",
+        fontsize="small",
+        title_fontsize="small",
+        loc="upper left",
+        ncols=3,
+    )
+    panel_title(liu, f"Liu et al. 2020, heave amplitude {heaves[len(heaves) // 2]:g} m")
     tensions = recoil_mao["top_tension"].values
     fine = np.linspace(float(recoil_mao["time"][0]), float(recoil_mao["time"][-1]), FINE)
     for shade, tension in zip(shades(COLOURS[0], len(tensions)), tensions, strict=True):
@@ -156,12 +213,23 @@ def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure
         lift = PchipInterpolator(at["time"], at)(fine)
         mao.plot(fine, lift, color=shade, linewidth=1.3, label=f"{tension / 1e3:.1f} MN")
     mao.legend(title="top tension", fontsize="small", title_fontsize="small", loc="upper right")
-    panel_title(mao, "Mao et al., assumed valves")
+    panel_title(mao, "Mao et al., no heave")
+    lowest = min(float(of.min()) for of in (one, recoil_mao["lift"]))
+    if lowest < 0.0:
+        mao.text(
+            0.36,
+            0.97,
+            "below 0: the\nLMRP compresses\nthe BOP contact",
+            va="top",
+            fontsize="small",
+            transform=mao.transAxes,
+        )
+    latest = max(float(of["time"].max()) for of in (one, recoil_mao))
     for ax in (liu, mao):
+        ax.set_xlim(0.0, latest)
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("time (s)")
     liu.set_ylabel("LMRP lift above the BOP (m)")
     high = float(one.max("time").max()), float(recoil_mao["lift"].max())
     headline(figure, f"The LMRP rises by up to {high[0]:.0f} m (Liu et al.) and {high[1]:.0f} m (Mao et al.)")
-    label_ends(liu, phases)
     return figure

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import colormaps
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Patch
 
-from riserstudy.figures.style import headline, key_below, panel_title, panels
+from riserstudy.figures.style import headline, legend_below, panel_title, panels
 
 MODE = "drilling"
 
@@ -17,21 +21,49 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
     envelope = operability_in_seas["envelope_offset"].sel(operation=MODE)
     muds, heights = envelope["mud_weight"].values, envelope["significant_height"].values
     figure, axes = panels(1, len(muds), 4.0, sharey=True)
+    lowest, highest = float(envelope.min()), float(envelope.max())
+    if highest > lowest:
+        span = highest - lowest
+        axes[0].set_ylim(lowest - 0.25 * span, highest + 0.05 * span)  # words are below the lines
     for ax, mud in zip(axes, muds, strict=True):
         widths = np.linspace(3.5, 1.2, len(heights))  # coinciding lines stay visible
         for colour, height, width in zip(_rising(len(heights)), heights, widths, strict=True):
             at = envelope.sel(mud_weight=mud, significant_height=height)
             angle = np.rad2deg(float(allowances["ufj_angle_allowance"].sel(significant_height=height)))
-            for side, label in (("low", None), ("high", f"$H_s$ = {height:g} m (UFJ angle +{angle:.1f}°)")):
-                one = at.sel(offset_side=side)
-                ax.plot(one["surface_speed"], one, ".-", color=colour, lw=width, ms=5.0 + width, label=label)
+            speed, low, high = (at["surface_speed"], *(at.sel(offset_side=side) for side in ("low", "high")))
+            for one, label in (
+                (low, None),
+                (high, f"$H_s$ = {height:g} m (UFJ angle allowance {angle:.1f}°)"),
+            ):
+                ax.plot(speed, one, ".-", color=colour, lw=width, ms=5.0 + width, label=label)
+            ax.fill_between(speed, low, high, color=colour, alpha=0.12, lw=0.0)
+            _mark_end(ax, low, high, f"$H_s$ = {height:g} m", colour)
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
-        panel_title(ax, f"mud of {mud:g} kg/m³")
+        panel_title(ax, f"mud density {mud:g} kg/m³")
     axes[0].set_ylabel("platform offset, + down current (m)")
-    key_below(figure, axes[0], 3)
+    handles, labels = axes[0].get_legend_handles_labels()
+    shade = Patch(color="0.5", alpha=0.3, lw=0.0)
+    legend_below(figure, [*handles, shade], [*labels, "all drilling limits met"], 2)
     headline(figure, _answer(operability_in_seas.sel(operation=MODE)))
     return figure
+
+
+def _mark_end(ax: Axes, low: xr.DataArray, high: xr.DataArray, sea: str, colour: Any) -> None:
+    """Close the range of offsets at the fastest current that has one, and name the next current."""
+    there = (low <= high).values
+    speeds = low["surface_speed"].values
+    if there.all() or not there.any():
+        return
+    last = int(np.flatnonzero(there)[-1])
+    ends = float(low[last]), float(high[last])
+    ax.plot([speeds[last]] * 2, ends, color=colour, lw=1.2)
+    if last + 1 < len(speeds):
+        ax.annotate(
+            f"{sea}: no offset\nat {speeds[last + 1]:g} m/s", (float(speeds[last]), float(np.mean(ends))),
+            (0.97, 0.04), textcoords="axes fraction", ha="right", fontsize="small", color=colour,
+            arrowprops={"arrowstyle": "->", "color": colour, "linewidth": 0.8},
+        )  # fmt: skip
 
 
 def _answer(of: xr.Dataset) -> str:

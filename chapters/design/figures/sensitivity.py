@@ -7,21 +7,23 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from riserstudy.figures.style import COLOURS, headline, key_below, panels
+from riserstudy.figures.style import COLOURS, headline, key_below, panel_title, panels
 
 BASE = "base"
 WORDS = {
     "mud": "mud density",
     "LMRP": "LMRP mass",
-    "modules lift": "lift of the buoyancy modules",
-    "tension": "top tension",
+    "modules lift": "buoyancy module lift",
+    "tension": "tension setting",
+    "tension limit": "dynamic tension limit",
+    "current's depth": "depth of the current",
     "drag": "drag coefficient",
-    "lower joint": "lower flex joint",
-    "upper joint": "upper flex joint",
-    "steel's tolerance": "weight tolerance of steel",
-    "modules' tolerance": "lift tolerance of modules",
+    "lower joint": "lower flex joint stiffness",
+    "upper joint": "upper flex joint stiffness",
+    "steel's tolerance": "weight factor of steel",
+    "modules' tolerance": "lift factor of modules",
     "tension ratio": "reduction factor",
-    "units out": "failed units",
+    "units out": "number of failed units",
     "upper joint's allowance": "upper flex joint allowance",
     "lower joint's allowance": "lower flex joint allowance",
 }
@@ -35,10 +37,15 @@ def sensitivity(sensitivity: xr.Dataset) -> Figure:
     most = [_bars(ax, values) for ax, values in zip(axes, (gap, room), strict=True)]
     axes[0].set_ylabel("input, with the ends of its range")
     axes[0].set_xlabel("tension window (MN)")
-    axes[1].set_xlabel("drilling window at 1 m/s (m)")
-    key_below(figure, axes[0], 2)
+    axes[1].set_xlabel("drilling window (m)")
+    panel_title(axes[0], "with one failed unit")
+    panel_title(axes[1], "in a current of 1 m/s")
+    key_below(figure, axes[0], 3)
     first = most[0][0].upper() + most[0][1:]
-    headline(figure, f"{first} governs the tension window, {most[1]} the drilling window")
+    both = (
+        f"{first} and {most[1]} affect the windows" if most[0] != most[1] else f"{first} affects both windows"
+    )
+    headline(figure, f"{both} most")
     return figure
 
 
@@ -70,7 +77,7 @@ def _bars(ax: Axes, values: xr.DataArray) -> str:
                     va="center",
                     fontsize="x-small",
                 )
-    ax.axvline(base, color="black", linewidth=0.8)
+    ax.axvline(base, color="black", linewidth=0.8, label="all inputs at their assumed values")
     words = [WORDS.get(name, name) for name in largest_ones]
     ax.set_yticks(np.arange(len(words)), words, fontsize="small")
     ax.margins(x=0.8)  # room for the ends of the ranges

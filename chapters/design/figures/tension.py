@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.artist import Artist
@@ -24,10 +26,10 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
     for colour, mud in zip(shades(COLOURS[0], len(chosen)), chosen, strict=True):
         needed = minimum_tension["carrying_tension_along"].sel(mud_weight=mud)
         along.plot(needed / 1e6, needed["elevation"], ".-", color=colour, label=f"{mud:g} kg/m³")
-    along.set_xlabel("minimum top tension for this point (MN)")
+    along.set_xlabel("top tension that an elevation requires (MN)")
     along.set_ylabel("elevation above the seabed (m)")
     along.legend(fontsize="small", title="mud density", title_fontsize="small")
-    panel_title(along, "by elevation")
+    panel_title(along, "required at each elevation, by formula")
     formula, engine = (
         minimum_tension[name] / 1e6 for name in ("carrying_tension", "carrying_tension_engine")
     )
@@ -36,13 +38,14 @@ def minimum_tension(minimum_tension: xr.Dataset) -> Figure:
     over.set_xlabel(MUD)
     over.set_ylabel("minimum top tension, vertical (MN)")
     over.legend(fontsize="small")
-    panel_title(over, "largest over the riser")
     apart = _less_than(100.0 * float((abs(engine - formula) / formula).max()))
+    panel_title(over, f"formula and simulation differ by {apart}")
+    lowest = float(minimum_tension["governing_elevation"].max()) == float(minimum_tension["elevation"].min())
     headline(
         figure,
-        f"The riser's lower end governs; formula and simulation differ by {apart}"
-        if float(minimum_tension["governing_elevation"].max()) == float(minimum_tension["elevation"].min())
-        else f"Formula and simulation of the minimum top tension differ by {apart}",
+        "The lower end of the riser governs the minimum top tension"
+        if lowest
+        else "Minimum top tension by formula and by simulation",
     )
     return figure
 
@@ -58,8 +61,8 @@ def _less_than(percent: float) -> str:
 def tension_window(tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tension_ratio: float) -> Figure:
     """Floors and ceiling of the setting over mud density, one panel per number of failed units.
 
-    The range between floor and ceiling is hatched. Green marks are settings that a simulated disconnect
-    allows; crosses are settings that failed it.
+    The range between floors and ceiling is hatched. Diamonds are settings that a simulated disconnect
+    allows, filled at or above the floors; crosses are settings that failed it.
     """
     failed = tension_window["failed_units"].values
     figure, axes = panels(1, len(failed), 3.8, sharey=True)
@@ -68,69 +71,77 @@ def tension_window(tension_window: xr.Dataset, recoil_outcome: xr.Dataset, tensi
         mud, ceiling = at["mud_weight"], at["setting_ceiling"] / 1e6
         floor = at["setting_floor"].max("floor") / 1e6
         for colour, name in zip(COLOURS, at["floor"].values, strict=False):
-            ax.plot(mud, at["setting_floor"].sel(floor=name) / 1e6, color=colour, label=f"{name}")
+            ax.plot(mud, at["setting_floor"].sel(floor=name) / 1e6, color=colour, label=f"floor: {name}")
             engine = at["setting_floor_engine"].sel(floor=name) / 1e6
-            label = "by simulation" if name == at["floor"].values[-1] else None
+            label = "floors by simulation" if name == at["floor"].values[-1] else None
             ax.plot(mud, engine, "o", mfc="none", ms=4, color="black", label=label)
-        ax.plot(mud, ceiling, color="black", label="90 % of the dynamic tension limit")
+        ax.plot(mud, ceiling, color="black", label="ceiling: 90 % of the dynamic tension limit")
         ax.fill_between(
             mud, floor, ceiling, where=ceiling > floor, facecolor="none", edgecolor="0.75",
-            hatch="///", lw=0.0, label="between floor and ceiling, before recoil",
+            hatch="///", lw=0.0, label="window between floors and ceiling",
         )  # fmt: skip
         title = f"{count or 'no'} unit{'' if count == 1 else 's'} failed"
         if count == 0:
-            _recoil(ax, recoil_outcome, tension_ratio)
+            _recoil(ax, recoil_outcome, at, tension_ratio)
         else:
             title += "; no disconnect run"
         ax.set_xlabel(MUD)
         panel_title(ax, title)
         close = heaviest(at)
         if close is not None:
-            ax.axvline(close, color=GREY, linestyle=":", label="no setting beyond")
+            ax.axvline(close, color=GREY, linestyle=":")
+            ax.annotate(
+                "no window\nbeyond", (close, 0.04), (-4, 0), xycoords=("data", "axes fraction"), ha="right",
+                textcoords="offset points", fontsize="small", color="0.3",
+            )  # fmt: skip
     axes[0].set_ylabel("tension setting (MN)")
     of_all: dict[str, Artist] = {}
     for ax in axes:
         handles, labels = ax.get_legend_handles_labels()
         of_all |= dict(zip(labels, handles, strict=True))
     legend_below(figure, list(of_all.values()), list(of_all), 3)
-    headline(figure, _allowed(tension_window, recoil_outcome, tension_ratio))
+    headline(figure, _allowed(recoil_outcome, tension_ratio))
     return figure
 
 
-def _recoil(ax: Axes, outcome: xr.Dataset, tension_ratio: float) -> None:
-    """Draw the settings that allow a disconnect in the smallest heave as a range, and those that do not."""
+def _recoil(ax: Axes, outcome: xr.Dataset, window: xr.Dataset, tension_ratio: float) -> None:
+    """Draw the tested settings: diamonds where a disconnect in the smallest heave is safe, else crosses."""
     calm = outcome.isel(heave_amplitude=0)
     heave = float(calm["heave_amplitude"])
-    low, high = _ends(outcome, tension_ratio)
-    label = f"safe disconnect in {heave:g} m of heave (settings tested)"
-    for mud, least, most in zip(calm["mud_weight"].values, low, high, strict=True):
-        ax.plot([mud, mud], [least, most], "D-", color=COLOURS[2], ms=6, lw=2.5, zorder=1.5, label=label)
-        label = ""
-    settings = (calm["setting"] / tension_ratio / 1e6).where(calm["recoil_verdict"] > 0)
-    muds, failed = xr.broadcast(calm["mud_weight"], settings)
-    label = f"failed disconnect in {heave:g} m of heave"
-    ax.plot(
-        muds.values.ravel(), failed.transpose(*muds.dims).values.ravel(), "x", color=GREY, ms=5, label=label
-    )
+    floor = window["setting_floor"].max("floor").interp(mud_weight=calm["mud_weight"])
+    setting, safe = xr.broadcast(calm["setting"] / tension_ratio, calm["recoil_verdict"] == 0)
+    above = setting >= floor
+    known = f"disconnect, {heave:g} m heave amplitude"
+    faces: dict[str, Any] = {"ms": 6.0, "color": COLOURS[2], "zorder": 2.5}
+    for label, where, mark, look in (
+        (f"safe {known}", safe & above, "D", faces),
+        (f"safe {known}, below a floor", safe & ~above, "D", faces | {"mfc": "white"}),
+        (f"failed {known}", ~safe, "x", {"ms": 5.0, "color": GREY}),
+    ):
+        if bool(where.any()):
+            muds, values = xr.broadcast(calm["mud_weight"], (setting / 1e6).where(where))
+            ax.plot(
+                muds.values.ravel(), values.transpose(*muds.dims).values.ravel(), mark, label=label, **look
+            )
 
 
 def _ends(outcome: xr.Dataset, tension_ratio: float) -> tuple[Array, Array]:
     """Smallest and largest tested settings (MN) for a disconnect in the smallest heave, (muds,) each."""
-    calm = outcome.isel(heave_amplitude=0)
+    calm = outcome.isel(heave_amplitude=0).sortby("mud_weight")
     low, high = (calm[f"recoil_{end}"] / tension_ratio / 1e6 for end in ("minimum", "maximum"))
     return low.values, high.values
 
 
-def _allowed(window: xr.Dataset, outcome: xr.Dataset, tension_ratio: float) -> str:
-    """Title: largest tested setting that allows a disconnect in any mud, compared with the ceiling."""
-    high = _ends(outcome, tension_ratio)[1]
-    ceiling = float(window["setting_ceiling"].max()) / 1e6
+def _allowed(outcome: xr.Dataset, tension_ratio: float) -> str:
+    """Title: how the tested settings that allow a disconnect depend on mud density."""
+    low, high = _ends(outcome, tension_ratio)
     if np.isnan(high).all():
         return "No tested tension setting allows a safe disconnect"
-    most = float(np.nanmax(high))
-    if most >= ceiling:
-        return "Recoil allows tension settings up to the ceiling"
-    return f"Recoil limits the tension setting to at most {most:.1f} MN; the ceiling is {ceiling:.1f} MN"
+    if not np.isnan(high).any() and all(
+        end[0] < end[-1] and (np.diff(end) >= 0.0).all() for end in (low, high)
+    ):
+        return "The tension setting for a safe disconnect increases with mud density"
+    return f"Tested settings from {np.nanmin(low):.1f} to {np.nanmax(high):.1f} MN allow a safe disconnect"
 
 
 def heaviest(at: xr.Dataset) -> float | None:

@@ -63,7 +63,7 @@ def test_the_chart_says_where_drilling_goes_on():
 @pytest.mark.parametrize(
     "still, title",
     [
-        (-40.0, "Offsets from 10 to 30 m allow drilling in this mud"),
+        (-40.0, "Offsets from 10 to 30 m allow drilling in every current"),
         (20.0, "Strongest current: offsets from 10 to 30 m allow drilling in this mud"),
     ],
 )
@@ -155,7 +155,7 @@ def outcomes(verdicts):
         coords={"gas_pressure": [64.0], "valve_left_open": [0.05, 1.0], "units": [6, 5]},
     )
     lift = xr.ones_like(verdict, float).expand_dims(phase=[0.0])
-    return xr.Dataset({"recoil_verdict": verdict, "lift_max": lift})
+    return xr.Dataset({"recoil_verdict": verdict, "clearance_min": lift})
 
 
 def test_a_single_pressure_is_a_row_of_cells_that_are_seen():

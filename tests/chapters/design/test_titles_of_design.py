@@ -36,7 +36,7 @@ def test_titles_of_three_panels_are_beside_each_other_and_whole():
         },
     )
     lift = xr.ones_like(verdict, float).expand_dims(phase=[0.0])
-    figure = recoil_failures(xr.Dataset({"recoil_verdict": verdict, "lift_max": lift}))
+    figure = recoil_failures(xr.Dataset({"recoil_verdict": verdict, "clearance_min": lift}))
     assert_whole(figure)
     titles = [getattr(ax, "_left_title") for ax in figure.axes]  # noqa: B009
     first, second, third = extents(figure, titles)
@@ -118,7 +118,38 @@ def test_a_small_difference_of_formula_and_simulation_is_told_by_its_order(apart
         },
         {over: [1000.0, 2000.0], "elevation": ("point", [100.0, 10.0])},
     )
-    assert headline(minimum_tension(of)).endswith(f"differ by {words}")
+    figure = minimum_tension(of)
+    assert figure.axes[1].get_title(loc="left").endswith(f"differ by {words}")
+    assert headline(figure) == "The lower end of the riser governs the minimum top tension"
+
+
+@pytest.mark.parametrize(
+    "low, high, title",
+    [
+        ([3.0, 3.5], [3.0, 4.0], "The tension setting for a safe disconnect increases with mud density"),
+        ([3.0, 2.5], [3.0, 4.0], "Tested settings from 2.5 to 4.0 MN allow a safe disconnect"),
+        ([np.nan, 2.5], [np.nan, 4.0], "Tested settings from 2.5 to 4.0 MN allow a safe disconnect"),
+        ([np.nan, np.nan], [np.nan, np.nan], "No tested tension setting allows a safe disconnect"),
+    ],
+)
+def test_safe_settings_are_told_to_increase_only_if_both_ends_do(low, high, title):
+    window, outcome = windows([0])
+    outcome["recoil_minimum"][:], outcome["recoil_maximum"][:] = 1e6 * np.array(low), 1e6 * np.array(high)
+    assert headline(tension_window(window, outcome, tension_ratio=1.0)) == title
+
+
+def test_a_safe_setting_below_a_floor_is_an_open_diamond():
+    """The floor is 2 MN at both densities; settings are 3 MN, or 1 MN at the second."""
+    window, outcome = windows([0])
+    outcome["setting"][1, 0] = 1e6
+    (ax,) = tension_window(window, outcome, tension_ratio=1.0).axes
+    shown = {}
+    for line in ax.lines:
+        if line.get_marker() == "D":
+            places = [(x, y) for x, y in line.get_xydata().tolist() if np.isfinite(y)]
+            shown[str(line.get_markerfacecolor())] = places
+    assert shown.pop("white") == [(2000.0, 1.0)]
+    assert list(shown.values()) == [[(1000.0, 3.0)]]
 
 
 def seas_of(half):
@@ -250,7 +281,7 @@ def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():
         {"varied_input": ["cement", "damping", "platform"]},
     )
     said = headline(wellhead_fatigue(of))
-    assert said.startswith("The structural damping explains 20 % of log-damage variance")
+    assert said == "The structural damping explains 20 % of the scatter of damage"
 
 
 def test_the_title_on_alarms_states_its_disconnect_time():
