@@ -193,7 +193,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
         curve = error.sel(time_step=step)
         style: dict[str, Any] = {"color": colour, "ms": size, "mfc": "none", "mew": 1.3}
         left.loglog(
-            lengths, curve.where(curve > 0.0), "o-", lw=0.35 * size, label=f"steps of {step:g} s", **style
+            lengths, curve.where(curve > 0.0), "o-", lw=0.35 * size, label=f"time step {step:g} s", **style
         )  # fmt: skip
     left.set_xticks(lengths, [f"{length:g}" for length in lengths])
     left.xaxis.set_minor_locator(NullLocator())
@@ -203,7 +203,7 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     step = float(own_setting["time_step"].min())  # the paper's time step, or the nearest to it at this tier
     whole = float(own_setting["solve_seconds"].sel(time_step=step))
     length = float(own_setting["s_node"][1] - own_setting["s_node"][0])
-    steps_of = f"steps of {step:g} s"
+    steps_of = f"time step {step:g} s"
     if not np.isclose(step, PAPER_STEP):
         steps_of += f" (paper: {PAPER_STEP:g} s)"
     star: dict[str, Any] = {"color": BLACK, "marker": "*", "ms": 11, "ls": "none"}
@@ -214,8 +214,8 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     span: dict[str, Any] = {"color": GREY, "linewidth": 2.0}
     for row, ends in enumerate(zip(low.values, high.values, strict=True)):
         right.plot(ends, [row, row], "|-", ms=9, mew=2.0, **span)
-    left.plot([], [], label="(b) range over these steps", **span)
-    left.plot([], [], label=f"paper's {length:g} m, {steps_of}, scaled from {DURATION:g} s", **star)
+    left.plot([], [], label="(b) range over these time steps", **span)
+    left.plot([], [], label=f"(b) paper's {length:g} m, {steps_of}", **star)
     rows = [*(f"{one:g}" for one in lengths), f"{length:g}, paper"]
     right.set_yticks(range(len(rows)), rows)
     right.set_ylabel("length of the elements (m)")
@@ -227,15 +227,15 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     key_below(figure, left, 3)
     alike = f"{length:g} m"  # elements as long as the paper's
     longer = own / float(high.sel(element=alike))
-    slow = ""
     if longer > 2.0 and np.isclose(step, PAPER_STEP):
-        slow = f"; its time steps take {longer:.0f} times the time"
         right.annotate(
-            f"{longer:.0f} times the longest\nof {alike} above", (own, len(elements)), xytext=(-9, 0),
+            "slower by a factor of\n"f"{longer:.0f} on this computer", (own, len(elements)), xytext=(-9, 0),
             textcoords="offset points", ha="right", va="center", fontsize="small",
         )  # fmt: skip
     least = float(error.sel(element=alike, time_step=steps.min()))  # the error that shorter steps leave
-    headline(figure, f"The paper's mesh has {least:.1f} % error{slow}")
+    panel_title(left, "error of the beam, by time step")
+    panel_title(right, "elapsed time on one computer")
+    headline(figure, f"Elements of {alike}, as in the paper, have an error of {least:.1f} %")
     return figure
 
 
@@ -262,8 +262,8 @@ def api2j(api2j: xr.Dataset, api2j_surge: xr.Dataset) -> Figure:
                 ax.plot(scale * run[f"{name}_{side}"], run["s_node"], label=word, **style)
         ax.set_xlabel(label)
         ax.set_ylabel(HEIGHT)
-    panel_title(axes[0], "riser of API Bulletin 2J")
-    panel_title(axes[2], "largest along the riser")
+    for ax, title in zip(axes, ("displacement", "bending moment", "largest difference"), strict=True):
+        panel_title(ax, title)
     both = api2j[["x", "bending_moment"]]
     apart = abs(both.sel(solver=LUMPED) - both.sel(solver=BEAM)).max("s")
     largest = abs(both.sel(solver=BEAM)).max(("time", "s"))

@@ -51,7 +51,7 @@ OTHER: dict[str, Any] = {
     "color": "black", "marker": "o", "markersize": 4, "markerfacecolor": "none", "linestyle": "none",
 }  # fmt: skip
 MEAN: dict[str, Any] = {"color": "0.6", "linewidth": 5.0, "zorder": 1.0}
-GREENS = ListedColormap(colormaps["Greens"](np.linspace(0.4, 1.0, 256)))  # of heights along the riser
+GREENS = ListedColormap(colormaps["Greens"](np.linspace(0.35, 1.0, 256)))  # of heights along the riser
 plasma = colormaps["plasma"]  # of tides
 
 
@@ -110,12 +110,12 @@ def fig04(motion: xr.Dataset) -> Figure:
     key = {
         "(a–c) lumped masses, last profile": Line2D([], [], **OTHER),
         f"(f) mean over a wave at mid-length, {height:g} m": Line2D([], [], **MEAN),
-        f"(f) within {100 * SETTLED:g} % of its last value": Patch(color="0.92"),
+        f"(f) this mean within {100 * SETTLED:g} % of its last value": Patch(color="0.92"),
     }
     legend_below(figure, [*key.values()], [*key], 3)
     headline(
         figure,
-        f"The mean at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s "
+        f"Mean deflection at mid-length is steady within {100 * SETTLED:g} % after {settled:.0f} s "
         "(tide calibrated)",
     )
     for ax in axes[4:]:
@@ -130,9 +130,10 @@ def _enlarge_last(ax: Axes, x: xr.DataArray) -> None:
     low, high, s = float(at.min()), float(at.max()), float(at["s"])
     room = 0.8 * (high - low)
     up = 2.0 * room * (float(x["s"][-1]) - s) / high  # as high as the lines' slope requires
-    inset = enlarge(ax, (0.17, 0.2, 0.33, 0.4), (low - room, high + room), (s - up, s + up), widest=0.7)
+    inset = enlarge(ax, (0.17, 0.24, 0.33, 0.4), (low - room, high + room), (s - up, s + up), widest=0.7)
     inset.locator_params(axis="x", nbins=2)
-    inset.set_title("enlarged (m, m)", fontsize="x-small", pad=3.0)
+    inset.set_xlabel("x (m)", fontsize="x-small", labelpad=1.0)
+    inset.text(1.05, 1.04, "s (m)", fontsize="x-small", transform=inset.transAxes)
 
 
 def _mean(ax: Axes, motion: xr.Dataset) -> None:
@@ -187,7 +188,7 @@ def tides(tides: xr.Dataset) -> Figure:
     shades = plasma(np.linspace(0.0, 0.9, len(values)))
     for k, tide in enumerate(values):
         curve = slow.sel(tide=tide)
-        axes[0].plot(curve["time"], curve / curve[-1], color=shades[k], label=f"tide {tide:g} m/s")
+        axes[0].plot(curve["time"], curve / curve[-1], color=shades[k], label=f"_tide {tide:g} m/s")
     printed = PHASES["second"][1]
     axes[0].axvline(printed, **PRINTED)
     axes[0].annotate(
@@ -196,9 +197,15 @@ def tides(tides: xr.Dataset) -> Figure:
     )  # fmt: skip
     axes[0].axhspan(1.0 - SETTLED, 1.0 + SETTLED, color="0.8", label=f"steady: within {100 * SETTLED:g} %")
     axes[0].set_xlabel(TIME)
-    axes[0].set_ylabel("ratio of the mid-length deflection\nto its last mean")
+    axes[0].set_ylabel("ratio of the deflection to its last mean")
     time, back = settling_time(tides, SETTLED), 100.0 * reciprocates(tides, 0.0).value
-    axes[1].set_ylabel("reversal / last mean (%)")
+    axes[1].set_ylabel("decrease / last mean (%)")
+    for ax, title in zip(
+        axes,
+        ("deflection, colours as in (b, c)", "decrease after the maximum", "time to steady state"),
+        strict=True,
+    ):
+        panel_title(ax, title)
     for ax, found in ((axes[1], back), (axes[2], time)):
         ax.plot(values, found, "-", color=GREY, linewidth=0.9)
         for colour, tide, value in zip(shades, values, found.values, strict=True):
@@ -212,6 +219,7 @@ def tides(tides: xr.Dataset) -> Figure:
     for ax in axes[1:]:
         ax.set_xlabel("tide speed (m/s)")
         ax.set_ylim(bottom=-0.04 * ax.get_ylim()[1])  # room for whole marks at zero
+        ax.set_xlim(-0.06 * values.max(), 1.06 * values.max())
     near = values[abs(time.values / printed - 1.0) < NEAR]
     headline(
         figure,
