@@ -67,13 +67,15 @@ def fig08(
             ax.set_ylabel(label)
             ax.margins(y=0.06)
             ranges = [float(np.ptp(run[quantity].values)) for run, *_ in runs.values()]
-            states = ("from rest", STATES["steady"])
+            states = ("from rest", "in steady state")
             found.append({s: 1.0 - part / ranges[0] for s, part in zip(states, ranges[1:], strict=True)})
             _reductions(ax, found[-1], printed[quantity])
             bare, settled = (run[quantity] for run, *_ in (*runs.values(),)[::2])
             _printed_range(ax, bare, settled, printed[quantity])
-            low, high = ax.get_ylim()
-            ax.set_ylim(top=high + 0.22 * (high - low))  # room for the reductions
+    for row in (axes[:2], axes[2:]):
+        low, high = (pick(ax.get_ylim()[k] for ax in row) for k, pick in enumerate((min, max)))
+        for ax in row:
+            ax.set_ylim(low, high + 0.22 * (high - low))  # room for the reductions
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     axes[-1].set_xlim(0, 104)
@@ -94,9 +96,9 @@ def fig08(
 
 def _reductions(ax: Axes, found: dict[str, float], printed: float) -> None:
     """Write the reductions (fractions) of the peak-to-peak range: computed in each state, and published."""
-    states = ", ".join(f"{100.0 * part:.0f} % ({name})" for name, part in found.items())
+    states = ",\n".join(f"{100.0 * part:.0f} % {name}" for name, part in found.items())
     ax.annotate(
-        f"peak-to-peak range reduced by\n{states}; printed: about {100.0 * printed:.0f} %",
+        f"peak-to-peak range reduced by {states}; printed: about {100.0 * printed:.0f} %",
         (0.5, 0.955), xycoords="axes fraction", ha="center", va="top", fontsize="x-small",
         bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
     )  # fmt: skip
@@ -155,7 +157,7 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
         if deeper == troughs.size
         else f"{deeper} of {troughs.size} linearised tensioners give"
     )
-    headline(figure, f"At {NAMED[1]:g} m heave {count} deeper troughs than the gas law")
+    headline(figure, f"At {NAMED[1]:g} m amplitude, {count} deeper troughs than the gas law")
     key_below(figure, axes[4], 3)
     return figure
 
@@ -185,36 +187,31 @@ def fig12(from_rest: xr.Dataset, steady: xr.Dataset) -> Figure:
 
 
 def settled_response(steady: xr.Dataset) -> Figure:
-    """The quantities of Figs 10 to 12 in steady state, over one period."""
-    figure, axes = panels(3, 2, 2.7, sharex=True)
-    _models_compared(axes, steady)
-    for line, up in zip(axes[0].lines, (-9.0, 3.0), strict=True):
-        label_line(axes[0], line, 0.25, (0.0, up))
-    axes[0].margins(y=0.12)
-    for ax, quantity, label in zip(axes[4:], ("heave", "tension"), (HEAVE, TENSION), strict=True):
-        _amplitudes(ax, steady, quantity)
-        panel_title(ax, "gas law, by amplitude")
-        ax.set_ylabel(label)
+    """Heave in steady state over one period, with the tension that is proportional to it at the right."""
+    figure, axes = panels(1, 3, 3.6, sharex=True, sharey=True)
+    histories, start = _histories(steady), float(steady["time"][0])
+    for ax, amplitude in zip(axes, NAMED, strict=False):
+        for model, line in MODELS.items():
+            run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
+            ax.plot(
+                run["time"] - start, run["heave"], line, color=OF_MODEL[model], lw=1.4, label=NAMES[model]
+            )
+        panel_title(ax, of_amplitude(amplitude))
+    _amplitudes(axes[2], steady, "heave")
+    panel_title(axes[2], "gas law, by heave amplitude")
+    axes[0].set_ylabel(HEAVE)
+    for ax in axes:
         ax.set_xlabel(IN_PERIOD)
     axes[0].set_xlim(0, 20)
+    axes[0].set_xticks(range(0, 20, 5))  # no label at the end, next to the first of the next panel
+    low, high = axes[0].get_ylim()
+    axes[0].set_ylim(low, high + 0.05 * (high - low))  # room for a label
+    _tension_at_right(axes[2], _gas(steady).sel(heave_amplitude=FOUR[-1]))
     index = float(_steady_index(steady).sel(heave_amplitude=FOUR[-1]))
     shape = "high crests and flat troughs" if index > 1.0 else "crests no higher than troughs"
-    headline(figure, f"At {FOUR[-1]:g} m the gas law gives {shape}")
+    headline(figure, f"At {FOUR[-1]:g} m heave amplitude, the gas law gives {shape}")
+    key_below(figure, axes[0], 2)
     return figure
-
-
-def _models_compared(axes: list[Axes], runs: xr.Dataset) -> None:
-    """Draw panels (a) to (d) of Fig 10."""
-    histories = _histories(runs)
-    start = float(runs["time"][0])
-    for k, amplitude in enumerate((3.0, 10.0)):
-        for ax, quantity, label in zip(axes[2 * k :], ("heave", "tension"), (HEAVE, TENSION), strict=False):
-            for model, line in MODELS.items():
-                run = histories.sel(tensioner_model=model, heave_amplitude=amplitude)
-                ax.plot(run["time"] - start, run[quantity], line, color=OF_MODEL[model], lw=1.2,
-                        label=NAMES[model])  # fmt: skip
-            ax.set_ylabel(label)
-            panel_title(ax, of_amplitude(amplitude))
 
 
 def _four(runs: xr.Dataset, steady: xr.Dataset, quantity: str, label: str) -> Figure:

@@ -126,7 +126,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
             chosen = (runs["assumed_platform_heave_ramp"] == ramp) & (runs["assumed_analysis_start"] == start)
             lines = index.sel(sample=chosen).transpose("heave_amplitude", "sample")
             ax.plot(lines["heave_amplitude"], lines, color=colour, lw=0.7, alpha=0.55)
-            _decreases(ax, lines)
+            _decreases(ax, lines, shades(colour, 3)[2])
         of_ramp = runs["assumed_platform_heave_ramp"] == ramp
         ax.annotate(
             _counted(index.sel(sample=of_ramp), grows.sel(sample=of_ramp)),
@@ -138,7 +138,7 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
         ax.set_xlabel(AMPLITUDE)
     for start, colour in OF_START.items():
         axes[0].plot([], [], color=colour, label=f"one sample, {STARTS[start]}")
-    axes[0].plot([], [], color="black", lw=1.4, label="decrease")
+    axes[0].plot([], [], color=GREY, lw=2.4, label="thick, dark: decrease")
     axes[0].plot([], [], color=GREY, lw=0.8, label="$S = 1$")
     axes[0].set_ylabel("asymmetry index $S$")
     key_below(figure, axes[0], 2)
@@ -150,12 +150,15 @@ def open_choices(open_choices: xr.Dataset) -> Figure:
 
 def _near_one(ax: Axes) -> None:
     """Enlarge the small amplitudes, where most decreases occur, in the empty part of the panel."""
-    inset = ax.inset_axes((0.12, 0.52, 0.32, 0.28), xlim=(0.4, 1.05 * LOW), ylim=(0.975, 1.035))
+    inset = ax.inset_axes((0.12, 0.52, 0.36, 0.22), xlim=(0.4, 1.05 * LOW), ylim=(0.975, 1.035))
     inset.axhline(1.0, color=GREY, linewidth=0.8)
     for line in ax.lines:
         inset.plot(*line.get_data(), color=line.get_color(), lw=line.get_linewidth())
     inset.tick_params(labelsize="x-small")
-    ax.indicate_inset_zoom(inset, edgecolor=GREY)
+    inset.set_title("enlarged: $S$ over amplitude (m)", fontsize="x-small", pad=2.0)
+    marked = ax.indicate_inset_zoom(inset, edgecolor="black", alpha=0.8)
+    for connector in marked.connectors or ():
+        connector.set_visible(False)
 
 
 def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
@@ -169,14 +172,14 @@ def _counted(index: xr.DataArray, grows: xr.DataArray) -> str:
     return f"{text}\ndecreasing somewhere: {rest}" + (f", {where}" if rest else "")
 
 
-def _decreases(ax: Axes, lines: xr.DataArray) -> None:
+def _decreases(ax: Axes, lines: xr.DataArray, colour: str) -> None:
     """Draw the amplitude steps over which an index does not increase."""
     amplitude = lines["heave_amplitude"].values
     for k in range(amplitude.size - 1):
         low, high = lines.isel(heave_amplitude=k), lines.isel(heave_amplitude=k + 1)
         for before, after in zip(low.values, high.values, strict=True):
             if after <= before:
-                ax.plot(amplitude[k : k + 2], [before, after], color="black", lw=1.4)
+                ax.plot(amplitude[k : k + 2], [before, after], color=colour, lw=2.4)
 
 
 def percentages(reductions: xr.Dataset, tension: float, heave: float) -> Figure:
