@@ -68,7 +68,7 @@ def schematic(
 def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
     figure = Figure((WIDTH, HEIGHT), dpi=150, facecolor="white")
     whole = _panel(figure, COLUMNS[0], FLOOR, (WHOLE, CEILING - FLOOR), *_all(geometry), whole=True)
-    whole.ax.set_title("(a) whole", loc="left", fontsize="small")
+    whole.ax.set_title("(a) whole riser", loc="left", fontsize="small")
     views = [whole]
     plan = has_plan(scene)
     shares = SHARES[3 if plan else 2]
@@ -83,7 +83,11 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         height = share * room
         view = _panel(figure, COLUMNS[1], top - height, (END, height), *window)
         times = _times(whole.inch / view.inch)
-        title = name if name == "from above" and not _to_scale(scene) else f"{name}, {times} times (a)"
+        title = (
+            name
+            if name == "from above" and not _to_scale(scene)
+            else f"{name}, {times} times the scale of (a)"
+        )
         view.ax.set_title(f"({letter}) {title}", loc="left", fontsize="small")
         views.append(view)
         top -= height + BETWEEN

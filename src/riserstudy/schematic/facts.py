@@ -114,7 +114,9 @@ def _weight_text(section: Section, scene: Resolved, mark: Callable[[str], str]) 
     inside = f"contents of {full.density:.4g} kg/m³{mark('contents.density')}"
     if weight is None or gravity is None:
         return sentence([f"{empty}{where} without contents" if empty else "", inside])
-    return sentence([f"{amount(filled, 'N')}/m{where} with {inside}", f"{empty} without" if empty else ""])
+    return sentence(
+        [f"{like(filled, weight, 'N')}/m{where} with {inside}", f"{empty} without" if empty else ""]
+    )
 
 
 def tension_text(geometry: Geometry, tension: float) -> str:
