@@ -223,7 +223,7 @@ def test_a_study_file_without_figures_gets_those_that_fit():
         name: StudyModel(scene="s", caption="c", axes={a: axis | {"path": a} for a in axes})
         for name, axes in {"none": "", "one": "a", "two": "ab"}.items()
     }
-    found = default_figures(studies, {"none": False, "one": True, "two": True})
+    found = default_figures(studies, {"none": False, "one": True, "two": True}, set())
     assert list(found) == [
         *("none_envelope", "one_lines", "one_envelope", "one_time_series"),
         *("two_heat_map", "two_envelope", "two_time_series"),

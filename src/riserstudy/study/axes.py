@@ -6,10 +6,11 @@ import math
 from decimal import Decimal
 from typing import Annotated, Any, Literal, Self
 
-from pydantic import Field, model_validator
+from pydantic import AfterValidator, Field, model_validator
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
+from riserstudy.study.replaced_values import check_sets
 
 MOST_VALUES = 1_000_000  # largest number of values of an axis, and of points of a study
 #: names of axes, which become names of dimensions and variables of datasets
@@ -114,7 +115,9 @@ class Samples(Strict):
         return self
 
 
-Labels = Annotated[dict[str, dict[str, Any]], Field(min_length=1)]
+#: values of the scene by path, in the order in which they are set
+Sets = Annotated[dict[str, Any], AfterValidator(check_sets)]
+Labels = Annotated[dict[str, Sets], Field(min_length=1)]
 #: an axis over all interpretations with the axis's name in the study file
 Reading = Literal["readings"]
 #: any kind of axis

@@ -16,7 +16,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import unwrap
 from riserstudy.scene.paths import within
-from riserstudy.study.axes import Axis, AxisName, Labels, Numbers, Samples
+from riserstudy.study.axes import Axis, AxisName, Labels, Numbers, Samples, Sets
 from riserstudy.study.figures import NEEDS, OF_SEAS, FigureModel
 from riserstudy.study.measured import MeasuredModel
 from riserstudy.study.seas_model import SeasModel
@@ -92,8 +92,8 @@ class StudyModel(Strict):
 
     scene: str
     caption: str
-    set: dict[str, Any] = Field(default_factory=dict)
-    preview: dict[str, Any] = Field(default_factory=dict)
+    set: Sets = Field(default_factory=dict)
+    preview: Sets = Field(default_factory=dict)
     limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
     axes: dict[AxisName, Axis]
     keep: list[str] | None = None
@@ -125,7 +125,7 @@ class StudyModel(Strict):
         if self.settings and self.tuned:
             raise Misfit("settings", "also tuned in the file", "allowed is one of settings and tuned")
         self._only_coarser()
-        if self.limits and "limits" in self.set:
+        if self.limits and any(within(path, "limits") for path in self.set):
             raise Misfit("limits", "are also in set", "give only one of the two")
         for name in self.axes:
             ours = name in DIMENSIONS or name in about_points()
@@ -198,7 +198,7 @@ class SchematicModel(Strict):
 
     caption: str
     scene: str
-    set: dict[str, Any] = Field(default_factory=dict)
+    set: Sets = Field(default_factory=dict)
     cylinders: Literal["hanging", "standing"] = "hanging"
     remarks: dict[str, str] = Field(default_factory=dict)
 

@@ -14,6 +14,7 @@ from riserstudy.inputs.validate import check, refuse_other_paper
 from riserstudy.study.arguments import refuse_arguments
 from riserstudy.study.axes import Tier
 from riserstudy.study.figures import NEEDS, FigureModel, Plot
+from riserstudy.study.limits import limited
 from riserstudy.study.measured import measured_models
 from riserstudy.study.models import StudyFile, StudyModel
 from riserstudy.study.plots import faults
@@ -35,7 +36,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
     }
     if not file.figures:
         moving = {name: _moves(config, model) for name, model in file.studies.items()}
-        every = default_figures(file.studies, moving) | {
+        every = default_figures(file.studies, moving, {n for n, one in studies.items() if limited(one)}) | {
             f"{name}_workable_hours": FigureModel(
                 caption=f"{model.caption}: workable hours", reads=[name], plot="workable hours"
             )
@@ -81,27 +82,28 @@ def read_study(config: Path, paper: str, name: str, tier: Tier, accuracy: str | 
     return Study(paper, name, file.studies[name], config, tier, accuracy, file.readings)
 
 
-def default_figures(studies: dict[str, StudyModel], moving: dict[str, bool]) -> dict[str, FigureModel]:
+def default_figures(
+    studies: dict[str, StudyModel], moving: dict[str, bool], with_limits: set[str]
+) -> dict[str, FigureModel]:
     """Figures of a study file without ``figures``: every plot that fits each of its grids.
 
-    ``moving``: function that states whether a study's runs are dynamic.
+    ``moving``: whether the runs of each study are dynamic. ``with_limits``: studies whose points have limits.
     """
-    limited = {name for name, model in studies.items() if model.limits}
     return {
         f"{name}_{plot.replace(' ', '_')}": FigureModel(
             caption=f"{model.caption}: {text}", reads=[name], plot=plot
         )
         for name, model in studies.items()
-        for plot, text in _fitting(len(model.axes), moving[name], name in limited)
+        for plot, text in _fitting(len(model.axes), moving[name], name in with_limits)
     }
 
 
-def _fitting(axes: int, moving: bool, limited: bool) -> Iterator[tuple[Plot, str]]:
+def _fitting(axes: int, moving: bool, has_limits: bool) -> Iterator[tuple[Plot, str]]:
     if axes == 1:
         yield "lines", "extremes over the axis"
     if axes > 1:
         yield "heat map", "extremes over the axes"
-    if axes and limited:
+    if axes and has_limits:
         yield "utilisation", "use of limits over the axes"
     yield "envelope", "envelopes along the riser" if moving else "state along the riser"
     if moving:

@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.units import to_si
-from riserstudy.study.axes import Axis, AxisName
+from riserstudy.study.axes import Axis, AxisName, Sets
 from riserstudy.study.persistence import LEAST_PERSISTENCE, MOST_AHEAD, MOST_PERSISTENCE, PERSISTENCE
 
 HEADING = "heading"  # the axis of headings, to which directions of a record are converted
@@ -54,7 +54,7 @@ class SeasModel(Strict):
     scene: str
     caption: str
     record: str | SyntheticModel
-    set: dict[str, Any] = Field(default_factory=dict)
+    set: Sets = Field(default_factory=dict)
     limits: Annotated[list[dict[str, Any]], Field(min_length=1)] | None = None
     axes: dict[AxisName, Axis] = Field(default_factory=dict)
     headings: HeadingsModel | None = None
