@@ -141,7 +141,10 @@ def _allowed(outcome: xr.Dataset, tension_ratio: float) -> str:
         end[0] < end[-1] and (np.diff(end) >= 0.0).all() for end in (low, high)
     ):
         return "The tension setting for a safe disconnect increases with mud density"
-    return f"Tested settings from {np.nanmin(low):.1f} to {np.nanmax(high):.1f} MN allow a safe disconnect"
+    least, most = f"{np.nanmin(low):.1f}", f"{np.nanmax(high):.1f}"
+    if least == most:
+        return f"Of the tested settings, only {most} MN allows a safe disconnect"
+    return f"Tested settings from {least} to {most} MN allow a safe disconnect"
 
 
 def heaviest(at: xr.Dataset) -> float | None:
