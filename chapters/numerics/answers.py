@@ -68,6 +68,7 @@ class Ranked(NamedTuple):
     changed: int
     values: tuple[float, ...]  # largest relative change of an answer, one per scene
     share: float  # share of the effect in the run time with it, median over scenes
+    middle: tuple[float, float]  # its first and third quartile over scenes
 
     @property
     def median(self) -> float:
@@ -155,10 +156,16 @@ def ranking(effects: xr.Dataset) -> list[Ranked]:
         ranked.append(
             Ranked(
                 name, name in PRESCRIBED, added, values.size, changed, tuple(map(float, values)),
-                float(np.median(share)) if share.size else math.nan,
+                *_quartiles(share),
             )
         )  # fmt: skip
     return sorted(ranked, key=lambda one: (-one.low, -one.median))
+
+
+def _quartiles(share: np.ndarray) -> tuple[float, tuple[float, float]]:
+    """Median, and the first and third quartile; NaN without any value."""
+    first, median, third = np.quantile(share, (0.25, 0.5, 0.75)) if share.size else (math.nan,) * 3
+    return float(median), (float(first), float(third))
 
 
 def never(ranked: list[Ranked]) -> list[Ranked]:

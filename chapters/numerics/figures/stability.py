@@ -15,7 +15,9 @@ from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
 from chapters.numerics.answers import hard
+from chapters.numerics.attempt import Outcome
 from chapters.numerics.figures.methods import EXPLICIT, look_of
+from riserstudy.figures.direct import legible
 from riserstudy.figures.style import headline
 
 #: colours of the outcomes of cases
@@ -69,10 +71,11 @@ def ended(stability: xr.Dataset) -> list[str]:
 
 
 def answer(stability: xr.Dataset) -> str:
-    """Title: numbers of cases that ended as expected, and that are wrong without a warning."""
+    """Title: number of cases that ended as expected, and errors without a warning that references show."""
     counts = hard(stability)
-    silent = f"{counts.silent or 'none'} {'are' if counts.silent > 1 else 'is'} silently wrong"
-    return f"{counts.met} of {counts.cases} hard cases end as expected; {silent}"
+    many = f"All {counts.cases}" if counts.met == counts.cases else f"{counts.met} of {counts.cases}"
+    shown = f"{counts.silent or 'no'} silent error{'' if counts.silent < 2 else 's'}"
+    return f"{many} hard cases end as expected; {counts.compared} references show {shown}"
 
 
 def worst(stability: xr.Dataset) -> list[int]:
@@ -87,10 +90,14 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
     ends, rank = ended(stability), {end: place for place, end in enumerate(ENDS)}
     of = stability["family"].values.astype(str)
     named = worst(stability)
+    rows = [
+        sorted(map(int, np.flatnonzero(of == family)), key=lambda case: rank[ends[case]])
+        for family in families
+    ]
+    named = [case for row in rows for case in row if case in named]  # numbered from top to bottom
     most = 0
-    for row, family in enumerate(families):
-        here = [int(case) for case in np.flatnonzero(of == family)]
-        for place, case in enumerate(sorted(here, key=lambda case: rank[ends[case]])):
+    for row, here in enumerate(rows):
+        for place, case in enumerate(here):
             ax.add_patch(Rectangle((place, row - 0.4), 0.8, 0.8, facecolor=ENDS[ends[case]]))
             if case in named:
                 number = str(named.index(case) + 1)
@@ -185,6 +192,16 @@ def _explicit_limit(stability: xr.Dataset, family: str) -> float:
     return _mean(ratio[_drawable(_over_default(of, EXPLICIT))] if EXPLICIT in of["method"] else ratio)
 
 
+def _without_explicit(stability: xr.Dataset, family: str) -> str:
+    """Reason why a family has no range of explicit steps; "" if it has one."""
+    if not np.isnan(_ranges(stability, family, [EXPLICIT])).all():
+        return ""
+    outcomes = _laddered(stability, family).sel({"method": EXPLICIT})["outcome"].values.astype(str)
+    if (outcomes == Outcome.REFUSED).all():
+        return "not possible with this effect"
+    return "runs exceed the limit of work" if (outcomes == Outcome.TOO_LONG).any() else "no stable step found"
+
+
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
     height, ticked = 1.0 / (len(methods) + 1.2), False
     for row, family in enumerate(families):
@@ -213,6 +230,12 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
                 ax.plot(limit, y, "|", color="black", markersize=11, markeredgewidth=1.6, zorder=4)
             ax.plot([], [], "|", color="black", label="" if ticked else LIMIT)
             ticked = True
+        if EXPLICIT in methods and (reason := _without_explicit(stability, family)):
+            at = (0.01, row + (methods.index(EXPLICIT) - 0.5 * (len(methods) - 1)) * height)
+            ax.annotate(
+                f"{EXPLICIT}: {reason}", at, xycoords=("axes fraction", "data"), va="center",
+                fontsize="small", color=legible(look_of(EXPLICIT)[1]),
+            )  # fmt: skip
     ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
     ax.set_xscale("log")
     ax.set_yticks(range(len(families)), families)

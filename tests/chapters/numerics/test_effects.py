@@ -10,6 +10,7 @@ import xarray as xr
 from numba import njit
 
 from chapters.numerics.answers import never, ranking
+from chapters.numerics.figures.effects import ordered
 from chapters.numerics.measured.effects import effects, kernels
 from chapters.numerics.models import Family
 from chapters.numerics.scenes import bases
@@ -75,7 +76,7 @@ def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
     assert found.attrs["compiled_functions"] > 0
     figure = draw("numerics", "effects", {"effects": found})
     rows = [label.get_text() for label in figure.axes[0].get_yticklabels()]
-    assert rows == [one.name for one in ranking(found)]
+    assert rows == [one.name for one in ordered(ranking(found))]
     removed = [n for n in map(str, found["change"].values) if n.startswith("without ")]
     known = found["displacement_change"].notnull().any("scene")
     assert {f"without {name}" for name in rows} >= {n for n in removed if known.sel(change=n)}
@@ -98,6 +99,28 @@ def test_the_ranking_prefers_what_is_sure_and_counts_scenes():
     assert [(one.changed, one.scenes) for one in ranked] == [(40, 40), (30, 30), (2, 2), (0, 50)]
     assert [one.name for one in never(ranked)] == ["e2"]
     assert all(0.0 <= one.low <= one.changed / one.scenes for one in ranked)
+
+
+def test_rows_are_ordered_by_the_share_that_the_figure_shows_and_few_scenes_come_last():
+    rows = ordered(ranking(changes_of([0.5, 0.5, 0.5e-2, -0.4], [4, 40, 50, 30])))
+    assert [one.name for one in rows] == ["e1", "e3", "e2", "e0"]
+    some = changes_of([0.5, 0.5], [40, 30])
+    for name in some:
+        some[name][:2, 0] = 1e-3  # 38 of 40 scenes are still the most
+    assert [one.name for one in ordered(ranking(some))] == ["e1", "e0"]
+    figure = draw("numerics", "effects", {"effects": some})
+    assert figure.get_suptitle() == "E1 changes the results in 30 of 30 scenes"
+
+
+def test_a_share_of_run_time_is_pale_where_the_middle_half_of_scenes_includes_zero():
+    some = changes_of([0.5, 0.5], [8, 8])
+    some["time_change"][:, 0] = [-0.2, 0.1] * 4
+    some["time_change"][:, 1] = [-0.2, -0.1] * 4
+    unsure, sure = ordered(ranking(some))
+    assert unsure.middle[0] < 0.0 < unsure.middle[1]
+    assert 0.0 < sure.middle[0] < sure.share < sure.middle[1]
+    bars = draw("numerics", "effects", {"effects": some}).axes[1].patches
+    assert bars[0].get_alpha() < bars[1].get_alpha()
 
 
 def test_what_compiling_takes_is_told_kernel_by_kernel():

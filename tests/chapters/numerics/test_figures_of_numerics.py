@@ -143,10 +143,7 @@ def test_names_on_cost_end_within_their_panel_and_are_not_below_6_points():
         },
         {"scene": scenes, "method": ["ESDIRK4"]},
     )
-    drawn = xr.Dataset(
-        {"true": ("drawn", [0.004]), "estimated": ("drawn", [0.006])}, attrs={"requested": 0.01}
-    )
-    figure = cost(of, drawn)
+    figure = cost(of)
     assert_readable(figure)
     ax = figure.axes[0]
     names = [text for text in ax.texts if text.get_text()]
