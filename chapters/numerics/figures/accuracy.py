@@ -9,13 +9,15 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, NullFormatter
 from numpy.typing import NDArray
 
+from chapters.numerics.answers import without_time
 from chapters.numerics.figures.methods import family_of, look_of
 from chapters.numerics.figures.scenes import in_one_line
 from riserstudy.figures.style import (
     COLOURS,
+    GREY,
     headline,
     key_below,
     legend_below,
@@ -23,14 +25,18 @@ from riserstudy.figures.style import (
     panel_title,
     panels,
 )
+from riserstudy.records.numerals import rounded_up
 
 QUANTITIES = ("displacement", "moment", "tension")
 EQUAL = 1.15  # ratio of times below which only the more accurate run is drawn
 LARGEST = 0.5  # largest error that is drawn
-BELOW = 0.02  # lower limit of the axis of errors, relative to the smallest tolerance
-CHANGED = (0, (6, 2, 1, 2))  # dashes of the change of the reference
+UNKNOWN_ERROR = "true error below the error of the reference"  # in the key
+LIMIT = "error equal to the tolerance"  # in the key
 CLOSE = 1.1  # ratio of times, or errors, below which they count as equal
 TARGET = 0.002  # error at which methods are compared
+SLOW = 5.0  # least ratio of times at equal error from which a family is named instead of drawn
+ABOVE = 5.0  # least ratio of the upper end of the axis to the target
+BAND = f"target, {100 * TARGET:g} to {100 * CLOSE * TARGET:.2g} %"  # in the key
 
 
 def accuracy(accuracy: xr.Dataset) -> Figure:
@@ -45,13 +51,13 @@ def accuracy(accuracy: xr.Dataset) -> Figure:
         least = min(errors.values(), default=np.inf)
         best.append([name for name, error in errors.items() if error <= CLOSE * least])
         reached = reached or bool(first)
-        reach = f"{' and '.join(first)} {'reach' if len(first) > 1 else 'reaches'} {100 * TARGET:g} % first"
-        words = reach if first else f"no error below {100 * least:.2g} %"
-        panel_title(ax, f"{in_one_line(scene)}:\n{words}")
+        panel_title(ax, f"{in_one_line(scene)}:\n{first or f'no error below {100 * least:.2g} %'}")
         ax.set_xlabel("elapsed time of a run (s)")
         ax.set_ylabel("largest error (%)")
         ax.set_xscale("log")
         ax.set_yscale("log")
+        if first:
+            ax.set_ylim(top=max(ax.get_ylim()[1], ABOVE * TARGET))  # room for words above the band
         log_ticks(ax.xaxis)
         log_ticks(ax.yaxis)
         ax.xaxis.set_major_formatter("{x:g}")
@@ -84,34 +90,65 @@ def _short(family: str) -> str:
     return family.split(" (")[0]
 
 
-def _scene(ax: Axes, of: xr.Dataset) -> tuple[list[str], dict[str, float]]:
-    """Draw the edges of all families; return the first at the target error, and their least errors.
+def _scene(ax: Axes, of: xr.Dataset) -> tuple[str, dict[str, float]]:
+    """Draw the edges of all families but very slow ones, which are named; return words and least errors.
 
-    A family whose time is longer than the shortest by less than `CLOSE` counts as first, too.
+    The words name the methods that reach the target error first, "" if none does. A family whose time is
+    longer than the shortest by less than `CLOSE` counts as first, too.
     """
-    times: dict[str, float] = {}
-    least: dict[str, float] = {}
-    target = CLOSE * TARGET
     families: dict[str, list[str]] = {}
     for method in map(str, of["method"].values):
         families.setdefault(family_of(method), []).append(method)
-    for family, methods in families.items():
-        edge = _edge(of.sel({"method": methods}))
-        if not len(edge):
+    edges = {family: _edge(of.sel({"method": methods})) for family, methods in families.items()}
+    edges = {family: edge for family, edge in edges.items() if len(edge)}
+    slow = {family: _slower(family, edges) for family in edges}
+    beyond = [family for family, ratio in slow.items() if ratio >= SLOW]
+    for family, edge in edges.items():
+        if family in beyond:
             continue
         mark, colour, width = look_of(family)
         ax.plot(
             *_thinned(edge).T, marker=mark, markersize=4, linewidth=width, color=colour, label=family,
             drawstyle="steps-post", zorder=2.5 if width > 2.0 else 2.0,
         )  # fmt: skip
-        least[_short(family)] = float(edge[-1, 1])
-        met = edge[edge[:, 1] <= target, 0]
-        if len(met):
-            times[_short(family)] = float(met.min())
-    if times:
-        ax.axhspan(TARGET, target, color="0.75", linewidth=0.0, zorder=0)
-    close = CLOSE * min(times.values(), default=0.0)
-    return sorted((name for name in times if times[name] <= close), key=lambda name: times[name]), least
+    if beyond:
+        words = [
+            f"{family}: at least {int(slow[family])} times\nthe time at equal error" for family in beyond
+        ]
+        ax.text(
+            0.98, 0.97, "\n".join(words), transform=ax.transAxes, ha="right", va="top", fontsize="small",
+            color="0.35",
+        )  # fmt: skip
+    least = {_short(family): float(edge[-1, 1]) for family, edge in edges.items()}
+    times = {
+        _short(family): float(edge[edge[:, 1] <= CLOSE * TARGET, 0].min())
+        for family, edge in edges.items()
+        if family not in beyond and edge[-1, 1] <= CLOSE * TARGET
+    }
+    if not times:
+        return "", least
+    ax.axhspan(TARGET, CLOSE * TARGET, color="0.75", linewidth=0.0, zorder=0, label=BAND)
+    return _reached(times, all(family in beyond or _short(family) in times for family in edges)), least
+
+
+def _reached(times: dict[str, float], every: bool) -> str:
+    """State the methods with the shortest times (s) to the target, or the longest if all have it."""
+    target = f"{100 * TARGET:g} %"
+    if every and len(times) > 1:
+        return f"all drawn methods reach {target} within {rounded_up(max(times.values()))} s"
+    close = CLOSE * min(times.values())
+    first = sorted((name for name, time in times.items() if time <= close), key=lambda name: times[name])
+    return f"{' and '.join(first)} {'reach' if len(first) > 1 else 'reaches'} {target} first"
+
+
+def _slower(family: str, edges: dict[str, NDArray[np.float64]]) -> float:
+    """Smallest ratio of a family's time to the shortest time of another with at most the same error."""
+    others = [edge for name, edge in edges.items() if name != family]
+    if not others:
+        return 1.0
+    every = np.concatenate(others)
+    shortest = [every[every[:, 1] <= error, 0].min(initial=np.inf) for error in edges[family][:, 1]]
+    return float((edges[family][:, 0] / shortest).min())
 
 
 def _thinned(edge: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -140,61 +177,52 @@ def _edge(one: xr.Dataset) -> NDArray[np.float64]:
 
 
 def requested(accuracy: xr.Dataset) -> Figure:
-    """Tolerance, estimated and true error, and elapsed time; scenes over the time limit are named."""
-    figure, (left, right) = panels(1, 2, height=3.9)
-    known = accuracy["request_seconds"].notnull().values
-    scenes = list(dict.fromkeys(map(str, accuracy["request_scene"].values)))
-    halved, changes = "", {}
-    drawn = [name for name in scenes if known[accuracy["request_scene"].values == name].any()]
+    """True and estimated error divided by the tolerance; scenes over the time limit are named."""
+    figure, axes = panels(1, 2, height=3.9, sharey=True)
+    drawn, late = _in_time(accuracy)
+    unknown = False
     for k, scene in enumerate(drawn):
         of = accuracy.isel(request=np.flatnonzero(accuracy["request_scene"].values == scene))
-        colour = COLOURS[k % len(COLOURS)]
-        worst, estimated = (_largest(of, kind) for kind in ("reached", "estimated"))
-        left.plot(of["requested"], worst, "o-", color=colour, ms=4, label=in_one_line(scene))
-        left.plot(of["requested"], estimated, "x:", color=colour, ms=4)
-        right.plot(of["requested"], of["request_seconds"], "o-", color=colour, ms=4)
+        of = of.sortby("requested")
+        colour, tolerance = COLOURS[k % len(COLOURS)], of["requested"].values
         change = float(accuracy["reference_change"].sel(scene=scene).max())
-        if change == change:
-            left.axhline(change, color=colour, linewidth=0.9, linestyle=CHANGED)
-            halved = "level below which true errors are unknown"
-            changes[scene] = change
-    ends = np.array([float(accuracy["requested"].min()), float(accuracy["requested"].max())])
-    floor = BELOW * ends[0]  # lower reference levels are not shown
-    if far := [scene for scene, change in changes.items() if change < floor]:
-        left.text(
-            0.02, 0.93, f"level below the frame: {', '.join(map(in_one_line, far))}",
-            transform=left.transAxes, fontsize="x-small",
-        )  # fmt: skip
-    left.plot(ends, ends, color="0.6", lw=1.0, label="error equal to the tolerance")
-    left.plot([], [], "x:", color="0.4", ms=4, label="estimated")
-    if halved:
-        left.plot([], [], color="0.4", linewidth=0.9, linestyle=CHANGED, label=halved)
-    for ax, word in ((left, "error (%)"), (right, "time of all runs (s)")):
+        for ax, kind in zip(axes, ("reached", "estimated"), strict=True):
+            worst = _largest(of, kind)
+            ax.plot(tolerance, worst / tolerance, "o-", color=colour, ms=4, label=in_one_line(scene))
+            if kind == "reached" and (hidden := worst < change).any():
+                ax.plot(tolerance[hidden], (worst / tolerance)[hidden], "o", color=colour, ms=4, mfc="white")
+                unknown = True
+    if unknown:
+        axes[0].plot([], [], "o", color="0.4", ms=4, mfc="white", label=UNKNOWN_ERROR)
+    for ax, words in zip(axes, ("true error", "estimated error"), strict=True):
+        ax.axhline(1.0, color="black", linestyle=":", linewidth=1.0, label=LIMIT)
         ax.set_xscale("log")
         ax.set_yscale("log")
-        ax.set_xlabel("tolerance (%)")
-        ax.set_ylabel(word)
         requested = sorted(set(accuracy["requested"].values.tolist()))
         ax.set_xticks(requested, [f"{100 * x:g}" for x in requested])
         ax.xaxis.set_minor_formatter(NullFormatter())
-        ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-        ax.yaxis.set_minor_formatter(NullFormatter())
-        ax.margins(y=0.15)
-    left.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
-    right.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
-    left.set_ylim(bottom=max(left.get_ylim()[0], floor))
-    bottom, top = right.get_ylim()
-    right.set_ylim(min(bottom, 0.5 * top), max(top, 2.0 * bottom))
-    panel_title(left, "true error (o), estimated error (x)")
-    panel_title(right, "time of all refinements of a tolerance")
-    if late := sorted(set(scenes) - set(drawn)):
-        right.text(
-            0.02, 0.02, f"not within the time allowed: {', '.join(map(in_one_line, late))}",
-            transform=right.transAxes, fontsize="x-small",
+        ax.set_xlim(1.3 * requested[-1], requested[0] / 1.3)
+        ax.set_xlabel("tolerance (%): more accurate →")
+        ax.set_ylabel(f"{words} / tolerance")
+        ax.margins(y=0.1)
+        log_ticks(ax.yaxis)
+        ax.yaxis.set_major_formatter("{x:g}")
+        panel_title(ax, words)
+    if late:
+        axes[1].text(
+            0.02, 0.03, f"no line, over the time limit:\n{', '.join(map(in_one_line, late))}",
+            transform=axes[1].transAxes, fontsize="small", color=GREY,
         )  # fmt: skip
-    headline(figure, _met(accuracy))
-    key_below(figure, left, 4)
+    headline(figure, _met(accuracy, late))
+    key_below(figure, axes[0], 3)
     return figure
+
+
+def _in_time(accuracy: xr.Dataset) -> tuple[list[str], list[str]]:
+    """Scenes with a run within the time limit, and scenes without."""
+    late = without_time(accuracy)
+    scenes = dict.fromkeys(map(str, accuracy["request_scene"].values))
+    return [scene for scene in scenes if scene not in late], late
 
 
 def _largest(of: xr.Dataset, kind: str) -> NDArray[np.float64]:
@@ -203,10 +231,14 @@ def _largest(of: xr.Dataset, kind: str) -> NDArray[np.float64]:
     return np.where(np.isfinite(worst), worst, np.nan)
 
 
-def _met(accuracy: xr.Dataset) -> str:
-    """Title: number of runs that meet their tolerance."""
+def _met(accuracy: xr.Dataset, late: list[str]) -> str:
+    """Title: number of runs that meet their tolerance, and the scene, or number of scenes, without a run."""
     worst = _largest(accuracy, "reached")
     judged = np.isfinite(worst)
     kept = int((worst[judged] <= accuracy["requested"].values[judged]).sum())
     many = f"All {kept}" if kept == judged.sum() else f"{kept} of {judged.sum()}"
-    return f"{many} {'runs' if judged.all() else 'completed runs'} meet their tolerance"
+    words = f"{many} {'runs' if judged.all() else 'finished runs'} meet their tolerance"
+    if not late:
+        return words
+    named = in_one_line(late[0]).partition(",")[0] if len(late) == 1 else f"{len(late)} scenes"
+    return f"{words}; {named} {'is' if len(late) == 1 else 'are'} unfinished"

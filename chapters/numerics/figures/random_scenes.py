@@ -13,6 +13,8 @@ from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, pane
 
 HONEST = (0.5, 5.0)  # range of the ratio of estimated to true error
 CHEAP = (5.0, 10.0)  # target ratios to the cheapest work: median, 95 % of scenes
+JITTER = 0.18  # largest displacement of a mark from its row
+ROOM = 18.0  # upper end of the axis of errors, relative to the tolerance, with names of scenes
 LEAST = 1e-6  # error below which a point is drawn at the edge
 
 
@@ -24,7 +26,7 @@ def random_scenes(random_scenes: xr.Dataset) -> Figure:
     keys = [ax.get_legend_handles_labels() for ax in (left, right)]
     legend_below(figure, [*keys[0][0], *keys[1][0]], [*keys[0][1], *keys[1][1]], 2)
     panel_title(left, f"error at a tolerance of {100 * float(random_scenes.attrs['requested']):g} %")
-    panel_title(right, "work; right: scenes without a cheaper run")
+    panel_title(right, "work of all refinements")
     headline(figure, answer(random_scenes))
     return figure
 
@@ -62,13 +64,14 @@ def _errors(ax: Axes, of: xr.Dataset) -> None:
         family = family_in_words(str(of["family"].values[k])).replace(", ", ",\n", 1)
         ax.annotate(
             family, (float(true[k]), float(estimated[k])),
-            xytext=(4, -6), textcoords="offset points", ha="center", va="top", fontsize="x-small",
-            color=COLOURS[1], bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.8},
+            xytext=(6, 0), textcoords="offset points", ha="left", va="center", fontsize="small",
+            color=COLOURS[1],
         )  # fmt: skip
     ax.set_xscale("log")
     ax.set_yscale("log")
     low = max(LEAST, 0.5 * float(of["true"].where(of["true"] > 0.0).min()))
-    ax.set_xlim(low, max(3.0 * requested, *(1.5 * float(of[n].max()) for n in ("true", "estimated"))))
+    largest = max(1.5 * float(of[name].max()) for name in ("true", "estimated"))
+    ax.set_xlim(low, max((ROOM if missed.any() else 3.0) * requested, largest))
     ax.set_ylim(ax.get_xlim())
     for axis in (ax.xaxis, ax.yaxis):
         axis.set_major_formatter(FuncFormatter(lambda x, _: f"{100 * x:g}"))
@@ -91,8 +94,13 @@ def _costs(ax: Axes, of: xr.Dataset) -> None:
         )  # fmt: skip
         for kind in (False, True):
             values = ratio[here & (held_out == kind)]
-            ax.plot(values, np.full(len(values), row), "o", color=COLOURS[0], markersize=5,
+            rows = row + JITTER * np.sin(2.4 * np.arange(len(values)))
+            ax.plot(values, rows, "o", color=COLOURS[0], markersize=5,
                     markerfacecolor=COLOURS[0] if kind else "none")  # fmt: skip
+    ax.annotate(
+        "scenes with no\ncheaper setting", (1.02, 1.01), xycoords="axes fraction", va="bottom",
+        fontsize="small", annotation_clip=False,
+    )  # fmt: skip
     for limit, of_which, line in zip(CHEAP, ("median", "95 %"), ("-.", "--"), strict=True):
         label = f"(b) target, {of_which} of the scenes: {limit:g}"
         ax.axvline(limit, color="0.4", linestyle=line, linewidth=1.0, label=label)

@@ -13,6 +13,7 @@ NAMES = {
 }
 #: beginnings of the names of random families
 PAPERS = {
+    "liu2020 in space": "Liu 2020, three-dimensional",
     "chang2020 ": "Chang 2020, ",
     "liu2017 ": "Liu 2017, ",
     "liu2020 ": "Liu 2020, ",

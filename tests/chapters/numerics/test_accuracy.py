@@ -109,16 +109,18 @@ def test_the_title_counts_the_scenes_in_which_a_method_is_most_accurate(surge):
     assert said == "ESDIRK4 reaches the smallest error in 1 of 1 scenes"
 
 
-def test_the_change_of_the_reference_is_in_the_key_where_it_is_drawn(surge):
+def test_marks_below_the_error_of_the_reference_are_in_the_key_where_they_are_drawn(surge):
     def key(accuracy):
         figure = draw("numerics", "requested", {"accuracy": accuracy})
         return [text.get_text() for text in figure.legends[0].get_texts()]
 
     halved = surge.copy(deep=True)
     halved["reference_change"][:] = 1e-4
-    assert "level below which true errors are unknown" in key(halved)
+    assert "true error below the error of the reference" not in key(halved)
+    halved["reference_change"][:] = 1.0
+    assert "true error below the error of the reference" in key(halved)
     halved["reference_change"][:] = np.nan
-    assert "level below which true errors are unknown" not in key(halved)
+    assert "true error below the error of the reference" not in key(halved)
 
 
 def test_every_scene_is_a_line_or_named_as_too_slow(surge):
@@ -132,7 +134,7 @@ def test_every_scene_is_a_line_or_named_as_too_slow(surge):
     late["request_seconds"][:] = np.nan
     for name, values, words in (
         ("cost", {"accuracy": late}, "no bar: riser in surge, top held (over the time limit)"),
-        ("requested", {"accuracy": late}, "not within the time allowed: riser in surge, top held"),
+        ("requested", {"accuracy": late}, "no line, over the time limit:\nriser in surge, top held"),
     ):
         said = [text.get_text() for ax in draw("numerics", name, values).axes for text in ax.texts]
         assert words in said
