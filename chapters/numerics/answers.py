@@ -16,6 +16,7 @@ TOLERANCE = 0.01  # relative change of an answer, or error, that matters
 COMPARED = 0.002  # relative error at which codes are compared
 SURE = 1.96  # standard deviations of a 95 % interval
 ACCURATE, INACCURATE = "accurate", "stable but inaccurate"
+IMPOSSIBLE, TOO_LONG = "refused", "refused: longer than the study allows"
 #: effects that a scene prescribes; all other effects are physics of riser, water and tensioners
 PRESCRIBED = frozenset(
     {*("surge", "sway", "heave", "roll", "pitch", "yaw", "cruise", "platform response"), *("wave", "current")}

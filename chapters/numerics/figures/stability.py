@@ -14,8 +14,7 @@ from matplotlib.patches import Patch, Rectangle
 from matplotlib.ticker import FuncFormatter
 from numpy.typing import NDArray
 
-from chapters.numerics.answers import hard
-from chapters.numerics.attempt import Outcome
+from chapters.numerics.answers import IMPOSSIBLE, TOO_LONG, hard
 from chapters.numerics.figures.methods import EXPLICIT, look_of
 from riserstudy.figures.direct import legible
 from riserstudy.figures.style import headline
@@ -197,9 +196,9 @@ def _without_explicit(stability: xr.Dataset, family: str) -> str:
     if not np.isnan(_ranges(stability, family, [EXPLICIT])).all():
         return ""
     outcomes = _laddered(stability, family).sel({"method": EXPLICIT})["outcome"].values.astype(str)
-    if (outcomes == Outcome.REFUSED).all():
+    if (outcomes == IMPOSSIBLE).all():
         return "not possible with this effect"
-    return "runs exceed the limit of work" if (outcomes == Outcome.TOO_LONG).any() else "no stable step found"
+    return "runs exceed the limit of work" if (outcomes == TOO_LONG).any() else "no stable step found"
 
 
 def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[str]) -> None:
