@@ -8,6 +8,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from chapters.numerics.answers import Ranked, hard, never, others, price, ranking, without_time
+from chapters.numerics.figures.scenes import in_one_line
 from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
 from riserstudy.records.numerals import plain
 from riserstudy.records.page import Tile
@@ -59,10 +60,13 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         points = sorted(zip(-requested[of], seconds[of], strict=True))
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
     drawn = _lines([line for line in lines if len(line) > 1])
-    between = f"{100 * found.coarse:g} to {100 * found.fine:g}\u00a0%"
+    known = requested[seconds > 0.0]
+    between = f"{100 * known.max():g} to {100 * known.min():g}\u00a0%"
     under = f"run time (log scale) for tolerances from {between}; one line per scene"
     if left := without_time(accuracy):
-        under += f", without {listed(left)}, whose runs exceed the time limit"
+        under += (
+            f", without {listed(f'“{in_one_line(name)}”' for name in left)}, whose runs exceed the time limit"
+        )
     return f"{found.words}× the run time", answer, drawn + (_under(under) if drawn else "")
 
 

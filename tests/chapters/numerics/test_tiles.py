@@ -50,6 +50,18 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     assert "time limit" not in one.spark
 
 
+def test_the_words_below_the_lines_name_all_tolerances_that_are_drawn_and_scenes_in_words():
+    rows = {
+        "request_scene": ["S2"] * 3 + ["fem_riser base"],
+        "requested": [0.05, 0.01, 0.0005, 0.01],
+        "request_seconds": [0.05, 0.1, 0.3, np.nan],
+    }
+    accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
+    (one,) = shown({"accuracy": accuracy})
+    assert "tolerances from 5 to 0.05\u00a0%" in one.spark
+    assert "without “riser in waves, without ramp”, whose runs exceed the time limit" in one.spark
+
+
 @pytest.mark.parametrize("missed", [["c"], ["b", "c"]])
 def test_scenes_without_any_run_in_time_are_named_where_the_others_are_drawn(missed):
     scenes = [*"aabbcc"]
@@ -57,5 +69,6 @@ def test_scenes_without_any_run_in_time_are_named_where_the_others_are_drawn(mis
     rows = {"request_scene": scenes, "requested": [0.01, 0.0005] * 3, "request_seconds": seconds}
     accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
     (one,) = shown({"accuracy": accuracy})
-    assert f"without {' and '.join(missed)}, whose runs exceed the time limit" in one.spark
+    named = " and ".join(f"“{name}”" for name in missed)
+    assert f"without {named}, whose runs exceed the time limit" in one.spark
     assert one.spark.count("<polyline") == 3 - len(missed)
