@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FixedLocator, NullLocator
 
 from chapters.numerics.figures.methods import FAMILIES, look_of
-from riserstudy.figures.style import headline, key_below
+from riserstudy.figures.style import WIDE, WIDTH, headline, key_below
 from riserstudy.records.numerals import rounded_up
 
-ROUNDING = 1e-14  # share of energy below which only rounding errors remain
-TICKS = (1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1.0)  # shares of energy
+LEAST = 1e-10  # smallest share of energy that is drawn
+TICKS = (1e-8, 1e-6, 1e-4, 1e-2, 1.0)  # shares of energy
 OPEN = ("gen.-alpha 1",)  # methods with open marks, of a family with several
 PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
 
@@ -21,13 +21,13 @@ PARTS = {"numerical": "numerical dissipation", "unexplained": "energy residual"}
 def energy(energy: xr.Dataset) -> Figure:
     """One row per case, one mark per method: largest part over time, relative to the largest energy."""
     cases = [str(case) for case in energy["case"].values]
-    figure = Figure((9.8, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
+    figure = Figure((WIDE * WIDTH, 0.62 * len(cases) + 1.9), dpi=150, layout="constrained")
     axes = figure.subplots(1, 2, sharey=True)
     most = largest(energy)
     for ax, letter, (part, words) in zip(axes, "ab", PARTS.items(), strict=True):
         _marks(ax, most[part], cases)
         _axis(ax, most[part])
-        ax.set_title(f"({letter}) {words}", loc="left", fontsize="medium")
+        ax.set_title(f"({letter}) {words}", loc="left", fontsize="small")
     axes[0].set_yticks(range(len(cases)), cases)
     _absent(axes[0], most["numerical"])
     axes[0].set_ylim(len(cases) - 0.5, -0.5)
@@ -60,8 +60,9 @@ def _marks(ax: Axes, most: xr.DataArray, cases: list[str]) -> None:
         share = most.sel({"method": method}).values
         mark, colour, _ = look_of(method)
         name = FAMILIES[method] if method.startswith("Newmark") and method in FAMILIES else method
+        name = name.replace("gen.-alpha", "generalised-alpha")
         ax.plot(
-            np.maximum(share, ROUNDING), y, mark, ms=5.5, color=colour, label=name,
+            np.maximum(share, LEAST), y, mark, ms=5.5, color=colour, label=name,
             markerfacecolor="none" if method in OPEN else colour,
         )  # fmt: skip
     for edge in range(1, len(cases)):
@@ -80,19 +81,19 @@ def _absent(ax: Axes, most: xr.DataArray) -> None:
 
 
 def _axis(ax: Axes, share: xr.DataArray) -> None:
-    """Set the axis of shares in per cent, around the marks; its lowest tick may be the level of rounding."""
-    values = np.maximum(share.values[np.isfinite(share.values)], ROUNDING)
+    """Set the axis of shares in per cent, around the marks; its lowest tick also has smaller values."""
+    values = np.maximum(share.values[np.isfinite(share.values)], LEAST)
     low, high = (float(end) for end in (values.min(), values.max()))
     ticks = [tick for tick in TICKS if 0.03 * low <= tick <= 30.0 * high]
-    at_rounding = low < TICKS[0]
+    at_least = low < TICKS[0]
     ax.set_xscale("log")
-    ax.set_xlim(0.3 * ROUNDING if at_rounding else 0.03 * low, 30.0 * high)
-    ax.xaxis.set_major_locator(FixedLocator([*([ROUNDING] if at_rounding else []), *ticks]))
+    ax.set_xlim(0.3 * LEAST if at_least else 0.03 * low, 30.0 * high)
+    ax.xaxis.set_major_locator(FixedLocator([*([LEAST] if at_least else []), *ticks]))
     ax.xaxis.set_minor_locator(NullLocator())
     words = [f"$10^{{{round(np.log10(100.0 * tick))}}}$" for tick in ticks]
-    lowest = rf"$\leq 10^{{{round(np.log10(100.0 * ROUNDING))}}}$"
-    ax.set_xticklabels([*([lowest] if at_rounding else []), *words])
+    lowest = rf"$\leq 10^{{{round(np.log10(100.0 * LEAST))}}}$"
+    ax.set_xticklabels([*([lowest] if at_least else []), *words])
     ax.tick_params(axis="y", length=0)
     ax.grid(True, axis="x", color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)
-    ax.set_xlabel("largest share of the energy exchanged or stored (%)")
+    ax.set_xlabel("largest share of the energy\nexchanged or stored (%)")

@@ -103,4 +103,4 @@ def answer(ratio: xr.DataArray) -> str:
     others = [dim for dim in ratio.dims if dim != "variant"]
     off = (abs(ratio - UNSAFE) >= ALIKE / 100.0).any(others)
     alike = int((~off).sum())
-    return f"The stable step is as predicted in {alike} of {off.size} variants, else longer"
+    return f"The predicted stable step is exact in {alike} of {off.size} variants, never too long"
