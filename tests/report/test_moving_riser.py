@@ -49,3 +49,15 @@ def test_every_frame_lies_within_the_picture(top):
     assert (x <= WIDTH).all()
     assert (y >= 0.0).all()
     assert (y <= HEIGHT).all()
+
+
+@pytest.mark.parametrize("top", [-300.0, 40.0])
+def test_the_name_of_the_platform_is_within_the_picture_at_the_end(top):
+    """With 9 units a letter, which is more than any font takes."""
+    _, shown = moving_riser([("a", motion(top, 0.0))])
+    end = float(re.search(r"translate\((-?[\d.]+)", shown.svg)[1])
+    offset, to_the_left = re.search(
+        r'<text x="(-?\d+)" y="-8"( text-anchor="end")?>platform', shown.svg
+    ).groups()
+    far = end + float(offset) + (-1.0 if to_the_left else 1.0) * 9.0 * len("platform")
+    assert 0.0 <= far <= WIDTH
