@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import textwrap
 from typing import Any
 
 import xarray as xr
@@ -19,9 +18,9 @@ from riserstudy.figures.style import GREY, PRINTED, headline, key_below, panel_t
 MARKS = ("o", "s", "^", "D", "v", "P")
 NEAR = (0.1, 0.09, 0.44, 0.25)  # empty part of a panel, for an enlarged part
 AROUND = 0.25  # half size of it, as share of nearest distance and of printed growth
-LETTERS = 21  # most letters per line of a name within a panel
 NEAREST = "nearest to all three numbers"
 HOLLOW: dict[str, Any] = {"ls": "none", "ms": 4, "mfc": "none", "mew": 0.8}
+STAR: dict[str, Any] = {"marker": "*", "ms": 10, "mec": "white", "mew": 0.8}  # the printed numbers
 RING: dict[str, Any] = {"color": "black", "marker": "o", "ms": 13, "mfc": "none", "ls": "none"}
 
 
@@ -41,13 +40,12 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float, wi
             style: dict[str, Any] = {"color": colour, "marker": mark} | HOLLOW
             axes[0].plot(one["x"], one["moment"], label=f"{weight}; {flow}", **style)
             axes[1].plot(one["x"], one["ratio"], label=f"{weight}; {flow}", **style)
-    _around_print(axes, numbers, heavy, light, moment)
-    _two_way_key(figure, weights, flows, _printed(heavy, light, moment))
+    _around_print(axes, numbers, heavy, light, moment, "points")
     misses = misses_of_print(readings, heavy, light, moment)
     nearest = _nearest(numbers, misses)
+    _two_way_key(figure, weights, flows, _printed(heavy, light, moment), _name_of(nearest))
     colour = weights[str(nearest["riser_weight"].item())]
     _ring(axes, nearest, MARKS[flows.index(str(nearest["flow"].item()))], colour)
-    _name_nearest(axes[1], nearest)
     x, ratio = float(nearest["x"]), float(nearest["ratio"])
     up = (light / heavy - 1.0) * AROUND
     enlarge(axes[1], NEAR, ((1.0 - AROUND) * x, (1.0 + AROUND) * x), (ratio - up, ratio + up))
@@ -55,15 +53,9 @@ def readings(readings: xr.Dataset, heavy: float, light: float, moment: float, wi
     return figure
 
 
-def _name_nearest(ax: Axes, nearest: xr.Dataset) -> None:
-    """Name the nearest interpretation, with an arrow to its ring."""
-    parts = (str(nearest[axis].item()) for axis in ("riser_weight", "flow", "current_profile"))
-    name = ",\n".join(textwrap.fill(part, LETTERS) for part in parts)
-    ax.annotate(
-        name, (float(nearest["x"]), float(nearest["ratio"])), xytext=(0.6, 0.08),
-        textcoords="axes fraction", ha="left", va="bottom", fontsize="small", zorder=4,
-        arrowprops={"arrowstyle": "-", "shrinkB": 7.0, "relpos": (0.1, 1.0)},
-    )  # fmt: skip
+def _name_of(nearest: xr.Dataset) -> list[str]:
+    """Rows with the name of the nearest interpretation: weight, flow and current profile."""
+    return [str(nearest[axis].item()) for axis in ("riser_weight", "flow", "current_profile")]
 
 
 def _nearest(numbers: xr.Dataset, misses: xr.Dataset) -> xr.Dataset:
@@ -96,15 +88,21 @@ def _printed(heavy: float, light: float, moment: float) -> str:
     return f"printed: {heavy:g} m, {moment:g} kN m, ratio {light / heavy:.3f}"
 
 
-def _two_way_key(figure: Figure, weights: dict[str, str], flows: list[str], printed: str) -> None:
+def _two_way_key(
+    figure: Figure, weights: dict[str, str], flows: list[str], printed: str, nearest: list[str]
+) -> None:
     """Key of colours, marks and lines, one column each, below the panels."""
     colours = [_legend_line(weight, "o", colour) for weight, colour in weights.items()]
     marks = [_legend_line(flow, mark, GREY) for mark, flow in zip(MARKS, flows, strict=False)]
-    others = [Line2D([], [], label=printed, **PRINTED), Line2D([], [], label=NEAREST, **RING)]
+    others = [
+        Line2D([], [], label=printed, **PRINTED, **STAR),
+        Line2D([], [], label=f"{NEAREST}:", **RING),
+        *map(_legend_line, nearest),
+    ]
     columns = [
         [_legend_line("weight in water"), *colours],
         [_legend_line("current, to the track"), *marks],
-        [_legend_line("lines and rings"), *others],
+        [_legend_line("compared values"), *others],
     ]
     rows = max(len(column) for column in columns)
     handles = [one for column in columns for one in column + [_legend_line("")] * (rows - len(column))]
@@ -131,7 +129,7 @@ def open_choices(
         label = f"weight: {weight}" + (" (outside the frame)" if outside else "")
         axes[0].plot(one["x"], one["moment"], "o", color=colour, ms=4, label=label)
         axes[1].plot(one["x"], one["ratio"], "o", color=colour, ms=4)
-    _around_print(axes, numbers, heavy, light, moment)
+    _around_print(axes, numbers, heavy, light, moment, "samples")
     misses = misses_of_print(open_lmrp_mass, heavy, light, moment)
     nearest = _nearest(numbers, misses)
     _ring(axes, nearest, "o", colours[str(weights.sel(sample=nearest["sample"]).item())])
@@ -140,7 +138,9 @@ def open_choices(
     return figure
 
 
-def _around_print(axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float) -> None:
+def _around_print(
+    axes: list[Axes], found: xr.Dataset, heavy: float, light: float, moment: float, label: str
+) -> None:
     """Limit panels to the surroundings of the printed numbers; titles count the results within them."""
     for ax, (name, right, bottom, top) in zip(axes, _frames(heavy, light, moment), strict=True):
         ax.set_xlim(-0.1 * heavy, right)
@@ -148,7 +148,7 @@ def _around_print(axes: list[Axes], found: xr.Dataset, heavy: float, light: floa
         outside = _beyond(found, name, right, bottom, top)
         beyond = int(outside.sum())
         seen = f"{outside.size - beyond} of {outside.size}" if beyond else f"all {outside.size}"
-        panel_title(ax, f"{seen} in the frame")
+        panel_title(ax, f"{name}, {seen} {label} in the frame")
 
 
 def _frames(heavy: float, light: float, moment: float) -> tuple[tuple[str, float, float, float], ...]:
@@ -173,11 +173,11 @@ def _coloured(readings: xr.DataArray) -> dict[str, str]:
 
 def _compare_with_print(heavy: float, light: float, moment: float) -> tuple[Figure, list[Axes]]:
     figure, axes = panels(1, 2, 4.6, sharex=True)
-    axes[0].axhline(moment, label=_printed(heavy, light, moment), **PRINTED)
-    axes[1].axhline(light / heavy, **PRINTED)
     labels = ("largest moment at 130 s (kN m)", "displacement astern, 120 t / 140 t")
-    for ax, label in zip(axes, labels, strict=True):
+    for ax, label, printed in zip(axes, labels, (moment, light / heavy), strict=True):
+        ax.axhline(printed, **PRINTED)
         ax.axvline(heavy, **PRINTED)
+        ax.plot(heavy, printed, label=_printed(heavy, light, moment), zorder=4, **PRINTED, **STAR)
         ax.set_xlabel("displacement astern at 130 s, 140 t (m)")
         ax.set_ylabel(label)
     return figure, axes

@@ -6,13 +6,11 @@ import json
 
 import numpy as np
 import xarray as xr
-from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.patches import Patch
 from matplotlib.text import Annotation
 from matplotlib.ticker import NullFormatter
 from numpy.typing import NDArray
@@ -27,6 +25,7 @@ HUNG = {"hard": "locked to the platform", "soft": "on tensioners"}
 MARKS = ("o", "s", "^", "v")  # of limits; the last if no limit is reached
 KEPT, LOST = "Blues", "Oranges"  # of tension ranges
 HEAVES = "Purples_r"  # of heave amplitudes; the least is the worst
+SHADES = 128  # of a colour bar
 
 
 def speed_limits(speed_limits: xr.Dataset) -> Figure:
@@ -101,7 +100,10 @@ def _slowest_and_fastest(speed_limits: xr.Dataset, names: list[str]) -> str:
 
 
 def hang_off(tension_limits: xr.Dataset) -> Figure:
-    """Top tension range over heave, soft and hard; least heave with negative tension, hard, by riser."""
+    """Top tension range over heave, soft and hard; least heave with negative tension, hard, by riser.
+
+    The title is about the heaviest LMRP, which the upper panels show.
+    """
     figure, axes = panels(2, 2, 3.6)
     of_paper = tension_limits.isel(riser_length=-1, lmrp_mass=-1)
     spread = of_paper["tension_range"].transpose("mode", "heave_amplitude", "heave_period") / 1e6
@@ -114,8 +116,7 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         panel_title(ax, f"{HUNG[mode]} ({mode}), {riser}")
         ax.set_xlabel("heave period (s)")
         ax.set_ylabel("heave amplitude (m)")
-    _bar(figure, axes[:2], norm, LOST, "range of top tension (MN)\n(darker is worse)")
-    _bar(figure, axes[:2], norm, KEPT, "")
+    _two_scales(_bar(figure, axes[:2], norm, LOST, "range of top tension (MN)", 8.0), norm)
     lost = tension_limits["heave_that_loses_tension"].transpose(..., "lmrp_mass", "riser_length")
     most = float(tension_limits["heave_amplitude"].max())
     for ax, wanted in zip(axes[2:], PERIODS, strict=True):
@@ -125,43 +126,47 @@ def hang_off(tension_limits: xr.Dataset) -> Figure:
         panel_title(ax, f"locked, heave of {period:g} s, all risers")
         ax.set_xlabel("riser length (m)")
         ax.set_ylabel("LMRP mass (t)")
-    _bar(
-        figure,
-        axes[2:],
-        Normalize(0.0, most),
-        HEAVES,
-        "amplitude for negative tension (m)\n(darker is worse)",
-    )
-    kept, gone = (colormaps[name](0.5) for name in (KEPT, LOST))
-    key = {
-        "(a, b) tension stays positive": Patch(color=kept),
-        "(a, b) tension becomes negative": Patch(color=gone),
-    }
-    legend_below(figure, [*key.values()], [*key], 2)
-    headline(figure, _where_negative(lost))
+    label = "amplitude for negative tension (m)\n(smaller is worse)"
+    _bar(figure, axes[2:], Normalize(0.0, most), HEAVES, label)
+    headline(figure, _where_negative(lost.isel(lmrp_mass=-1)))
     return figure
 
 
-def _bar(figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str) -> None:
-    """One colour bar for several panels; without a label, only with a unit below the bar."""
-    bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01)
-    bar.ax.yaxis.set_major_formatter("{x:g}" if label else NullFormatter())
-    if not label:
-        bar.ax.set_xlabel("(MN)", loc="left", fontsize="small")  # below both
+def _bar(
+    figure: Figure, of: list[Axes], norm: Normalize, colours: str, label: str, aspect: float = 20.0
+) -> Axes:
+    """Panel of one colour bar for several panels; ``aspect``: its height relative to its width."""
+    bar = figure.colorbar(ScalarMappable(norm, colours), ax=of, label=label, pad=0.01, aspect=aspect)
+    bar.ax.yaxis.set_major_formatter("{x:g}")
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
+    return bar.ax
+
+
+def _two_scales(bar: Axes, norm: Normalize) -> None:
+    """Cover the left half of a colour bar by the colours of positive tension, and name both halves."""
+    levels = np.geomspace(norm.vmin or 1.0, norm.vmax or 1.0, SHADES + 1)
+    bar.pcolormesh([0.0, 0.5], levels, np.sqrt(levels[1:] * levels[:-1])[:, None], norm=norm, cmap=KEPT)
+    bar.axvline(0.5, color="white", lw=1.5)
+    for middle, name in ((0.25, "tension positive"), (0.75, "tension negative")):
+        bar.text(
+            middle, 0.03, name, transform=bar.transAxes, rotation=90.0, ha="center", va="bottom",
+            fontsize="small",
+        )  # fmt: skip
 
 
 def _where_negative(lost: xr.DataArray) -> str:
-    """Title: least heave at which any riser's tension becomes negative, locked and on tensioners."""
+    """Title: least heave at which tension becomes negative with one LMRP, locked and on tensioners."""
     least = {mode: float(lost.sel(mode=mode).min()) for mode in HUNG}  # NaN: no riser's
-    locked, on_tensioners = (f"from {_two_digits(least[mode])} m" for mode in ("hard", "soft"))
+    locked, on_tensioners = (f"{_two_digits(least[mode])} m" for mode in ("hard", "soft"))
+    lmrp = f"the {float(lost['lmrp_mass']):g} t LMRP"
     if np.isnan(least["hard"]) and np.isnan(least["soft"]):
-        return "No riser's tension becomes negative"
+        return f"With {lmrp} no riser's tension becomes negative"
     if np.isnan(least["soft"]):
-        return f"Only locked risers' tension becomes negative, {locked} heave amplitude"
+        return f"With {lmrp}, only locked risers' tension becomes negative, from {locked} heave amplitude"
     if np.isnan(least["hard"]):
-        return f"Only tension on tensioners becomes negative, {on_tensioners} heave amplitude"
-    return f"Negative tension: {locked} heave amplitude if locked, {on_tensioners} on tensioners"
+        return f"With {lmrp}, only tension on tensioners becomes negative, from {on_tensioners} amplitude"
+    where = f"from {locked} if locked, {on_tensioners} on tensioners"
+    return f"With the heaviest LMRP, tension becomes negative {where}"
 
 
 def _two_digits(value: float) -> str:

@@ -45,6 +45,10 @@ TOP = 30.0  # m, depth of the enlarged part of Fig 13b
 THICK, THIN = 2.0, 0.8  # points, widths of lines of the first and the other profile
 ALIKE = 1.0  # %, largest difference of curves that are drawn inside each other
 ONE_PROFILE = ("0 deg, 3 m/s", "45 deg, 3 m/s", "90 deg")  # tracks of Fig 13
+ALL_TRACKS = (*ONE_PROFILE, "135 deg, 3 m/s", "180 deg, 3 m/s")
+#: interpretations of the speeds in Fig 13
+ONE = "interpretation 1: current minus platform speed varies with height (power 1/4)"
+TWO = "interpretation 2: only the current varies with height (power 1/4)"
 
 
 def fig10(
@@ -171,16 +175,17 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
         own = float(shape["s"][-1]) - shape["s"]
         axes[0].plot(-shape, own, "-.", color=colour, lw=0.8)
         axes[1].plot(apart["bending_moment_size"] / 1e3, own, "-.", color=colour, lw=0.8)
-        axes[3].plot(angle, float(-shape.isel(s=0)), "o", color=colour, ms=5, zorder=3)
-    axes[0].plot([], [], color=GREY, label="both speeds in one profile")
-    axes[0].plot([], [], "-.", color=GREY, lw=0.8, label="separate speeds of water and platform")
+        for of in (shape, shapes.sel(track=track)):
+            axes[3].plot(angle, float(-of.isel(s=0)), "o", color=colour, ms=5, zorder=3)
+    for line, width, name in (("-", 1.5, ONE), ("-.", 0.8, TWO)):
+        axes[0].plot([], [], line, color=GREY, lw=width, label=name)
     axes[0].axvline(0.0, color=GREY, lw=0.6)
     _ahead_and_astern(axes[0])
     titles = (
-        "current 3 m/s, power 1/4 (assumed)",
+        "shape at 130 s, current 3 m/s (assumed)",
         "size of the moment",
-        "axial motion, one profile",
-        "displacement over track angle, separate speeds",
+        "axial motion, interpretation 1",
+        "LMRP at 130 s, displacement positive astern",
     )
     for ax, title in zip(axes, titles, strict=True):
         panel_title(ax, title)
@@ -189,8 +194,8 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
     _top(axes[1])
     axes[2].set_xlabel(TIME)
     axes[2].set_ylabel(RISE)
-    _along_and_across(axes[3], track_angle)
-    key_below(figure, axes[0], 3)
+    _along_and_across(axes[3], track_angle, -shapes.isel(s=0))
+    key_below(figure, axes[0], 2)
     astern = {
         angle: (float(-shapes.sel(track=track).isel(s=0)),
                 float(-track_angle["lmrp_displacement"].sel(time=STATED, track_angle=angle)))
@@ -202,7 +207,7 @@ def fig13(track_angle: xr.Dataset, track_one_profile: xr.Dataset) -> Figure:
 
 def _top(ax: Axes) -> None:
     """Show the top of a panel again in its free corner: the largest moments are within some metres."""
-    inset = ax.inset_axes((0.5, 0.12, 0.46, 0.42))
+    inset = ax.inset_axes((0.52, 0.2, 0.45, 0.38))
     for line in list(ax.lines):
         inset.plot(
             *line.get_data(), linestyle=line.get_linestyle(), color=line.get_color(), lw=line.get_linewidth()
@@ -210,7 +215,9 @@ def _top(ax: Axes) -> None:
     inset.set_ylim(TOP, -0.04 * TOP)
     inset.tick_params(labelsize="x-small")
     inset.grid(True, color="0.9", linewidth=0.6)
-    inset.set_title(f"upper {TOP:g} m (m, kN m)", fontsize="x-small", pad=3.0)
+    inset.set_title(f"upper {TOP:g} m", fontsize="x-small", pad=3.0)
+    inset.set_xlabel("|moment| (kN m)", fontsize="x-small")
+    inset.set_ylabel("depth (m)", fontsize="x-small")
 
 
 def _ahead_and_astern(ax: Axes) -> None:
@@ -222,15 +229,21 @@ def _ahead_and_astern(ax: Axes) -> None:
         )  # fmt: skip
 
 
-def _along_and_across(ax: Axes, track_angle: xr.Dataset) -> None:
-    """Displacement of the LMRP along and across the track, over the track angle."""
+def _along_and_across(ax: Axes, track_angle: xr.Dataset, astern: xr.DataArray) -> None:
+    """Displacement of the LMRP along and across the track, over the track angle.
+
+    ``astern``: along the track in the first interpretation (m), over ``track``; across it there is none.
+    """
     at = track_angle.sel(time=STATED)
     across = abs(at["lmrp_displacement_cross"])
-    for values, line, label, share, offset in (
-        (-at["lmrp_displacement"], "-.", "along (positive astern)", 0.9, (-8.0, 0.0)),
-        (across, ":", "across", 0.3, (-5.0, 2.0)),
+    angles = at["track_angle"]
+    of_track = {float(str(t).split(" deg")[0]): float(astern.sel(track=t)) for t in ALL_TRACKS}
+    for x, values, line, label, share, offset in (
+        ([*of_track], [*of_track.values()], ".-", "along, 1", 0.8, (6.0, -3.0)),
+        (angles, -at["lmrp_displacement"], "-.", "along, 2", 0.85, (-6.0, 2.0)),
+        (angles, across, ":", "across, 2", 0.3, (-5.0, 2.0)),
     ):
-        (drawn,) = ax.plot(at["track_angle"], values, line, color="black", lw=1.0, label=f"_{label}")
+        (drawn,) = ax.plot(x, values, line, color="black", lw=1.0, label=f"_{label}")
         label_line(ax, drawn, share, offset, name=label)
     most = across.isel(track_angle=int(across.argmax("track_angle")))
     ax.annotate(
@@ -251,7 +264,8 @@ def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
         return "Whether the LMRP is ahead of the platform depends on interpretation and track"
     if not (ahead and trailing):
         return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
-    return f"On tracks up to {max(ahead):g}° the LMRP is ahead, at {min(trailing):g}° astern"
+    ends = f"ahead up to {max(ahead):g}° and astern at {min(trailing):g}°"
+    return f"In both interpretations the LMRP is {ends}"
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:

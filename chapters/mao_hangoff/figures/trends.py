@@ -16,7 +16,7 @@ from riserstudy.figures.style import GREY, headline, key_below, panel_title, pan
 RESULTS = ("displacement astern", "largest moment", "joint angle")
 LETTERS = 36  # most letters per line of a current's name above a panel
 #: points, of inputs whose lines nearly coincide: the later line is in front of the earlier
-WIDTHS = {"lmrp_mass": 3.5, "current_speed": 1.2}
+WIDTHS = {"lmrp_mass": 3.0, "current_speed": 1.2}
 NAMES = {
     "lmrp_mass": "LMRP {:.0f} to {:.0f} t, current against",
     "current_speed": "current {:.1f} to {:.1f} m/s, along",
@@ -42,7 +42,7 @@ def trends(
     profiles = [str(name) for name in current_speed["current_profile"].values]
     most: set[str] = set()
     for k, (row, profile) in enumerate(zip((axes[:3], axes[3:]), profiles, strict=True)):
-        last = profile == profiles[-1]
+        last, height = profile == profiles[-1], " of the height" * profile.startswith("power")
         for ax in row[1:]:
             ax.sharey(row[0])
             ax.tick_params(labelleft=False)
@@ -54,7 +54,7 @@ def trends(
         steepest = _changes_over_inputs(row, here)
         most |= steepest
         for ax, result in zip(row, RESULTS, strict=True):
-            panel_title(ax, f"{result}\n{textwrap.fill(profile, LETTERS)}")
+            panel_title(ax, f"{result}, current:\n{textwrap.fill(profile, LETTERS)}{height}")
             if last:
                 ax.set_xlabel("change of input (%)")
         row[0].set_ylabel("change of result (%)")
@@ -72,7 +72,7 @@ def _changes_over_inputs(axes: list[Axes], runs: dict[str, xr.Dataset]) -> set[s
         name, width = NAMES[axis].format(values[0], values[-1]), WIDTHS.get(axis, 1.5)
         for ax, curve in zip(axes, _at_the_stated_time(run), strict=True):
             change = 100.0 * (curve / curve.isel({axis: 0}) - 1.0)
-            ax.plot(along, change, color=OF_INPUT[axis], lw=width, label=name)
+            ax.plot(along, change, ".-", color=OF_INPUT[axis], lw=width, ms=max(6.0, 3.0 * width), label=name)
             quotients.setdefault(axis, []).append(abs(float(change[-1]) / along[-1]))
     for ax in axes:
         ax.axhline(0.0, color=GREY, linewidth=0.8, zorder=1.0)
@@ -83,7 +83,7 @@ def _matters_most(inputs: set[str]) -> str:
     """Title: inputs to which results are most sensitive, in % of result per % of input."""
     names = sorted(in_words(axis) for axis in inputs)
     if len(names) == 1:
-        return f"The {names[0]} has the largest effect per 1 % of change"
+        return f"All results change most steeply with the {names[0]}"
     return f"Per 1 % of change, the {' or the '.join(names)} matters most, by profile and result"
 
 

@@ -168,7 +168,7 @@ def test_the_limit_that_governs_everywhere_is_named_with_its_value(datasets):
 
 
 def test_a_heave_that_never_loses_tension_is_as_light_as_the_largest(datasets):
-    """Cells without a number are beyond the scale, so that dark is worst everywhere."""
+    """Cells without a number are beyond the scale, as the best are."""
     made = datasets["tension_limits"].copy(deep=True)
     made["heave_that_loses_tension"][:] = np.nan
     figure = draw(PAPER, "hang_off", {"tension_limits": made}, {})
@@ -184,22 +184,32 @@ def test_a_heave_that_never_loses_tension_is_as_light_as_the_largest(datasets):
 @pytest.mark.parametrize(
     "soft, hard, title",
     [
-        (None, 3.3, "Only locked risers' tension becomes negative, from 3.3 m heave amplitude"),
-        (11.0, 4.0, "Negative tension: from 4.0 m heave amplitude if locked, from 11 m on tensioners"),
-        (None, None, "No riser's tension becomes negative"),
+        (None, 3.3, "With {}, only locked risers' tension becomes negative, from 3.3 m heave amplitude"),
+        (
+            11.0,
+            4.0,
+            "With the heaviest LMRP, tension becomes negative from 4.0 m if locked, 11 m on tensioners",
+        ),
+        (11.0, None, "With {}, only tension on tensioners becomes negative, from 11 m amplitude"),
+        (None, None, "With {} no riser's tension becomes negative"),
     ],
 )
-def test_the_title_of_a_hang_off_is_of_the_riser_that_loses_tension_first(datasets, soft, hard, title):
-    """The first riser of the table is the worst; panels (a) and (b) show the last."""
+def test_the_title_of_a_hang_off_is_of_the_lmrp_of_the_upper_panels(datasets, soft, hard, title):
+    """The first riser with this LMRP is the worst; a lighter LMRP, only in (c) and (d), is worse."""
     made = datasets["tension_limits"].copy(deep=True)
     lost = made["heave_that_loses_tension"]
     lost[:] = np.nan
+    lost.loc[{"lmrp_mass": lost["lmrp_mass"][0]}] = 1.0
+    heaviest = {"lmrp_mass": lost["lmrp_mass"][-1]}
     for mode, least in (("soft", soft), ("hard", hard)):
         if least is not None:
-            lost.loc[{"mode": mode}] = least + 1.0
-            first = {dim: lost[dim][0] for dim in ("riser_length", "lmrp_mass", "heave_period")}
-            lost.loc[{"mode": mode} | first] = least
-    assert headline(draw(PAPER, "hang_off", {"tension_limits": made}, {})) == title
+            lost.loc[{"mode": mode} | heaviest] = least + 1.0
+            first = {dim: lost[dim][0] for dim in ("riser_length", "heave_period")}
+            lost.loc[{"mode": mode} | heaviest | first] = least
+    figure = draw(PAPER, "hang_off", {"tension_limits": made}, {})
+    assert headline(figure) == title.format("the 140 t LMRP")
+    assert_one_finding(figure)
+    assert all(ax.get_title(loc="left").endswith(", 140 t") for ax in figure.axes[:2])
 
 
 @pytest.mark.parametrize("name", FILE.figures)

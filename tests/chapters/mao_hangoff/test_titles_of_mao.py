@@ -48,7 +48,7 @@ def test_the_title_of_tracks_names_those_on_which_the_lmrp_is_ahead(signs, doubt
     else:
         last = {1: "0°", 2: "45°"}[signs.count(-1.0)]
         first = {1: "45°", 2: "90°"}[signs.count(-1.0)]
-        assert said == f"On tracks up to {last} the LMRP is ahead, at {first} astern"
+        assert said == f"In both interpretations the LMRP is ahead up to {last} and astern at {first}"
 
 
 def runs_of(axis, sensitivities):
