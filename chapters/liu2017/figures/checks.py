@@ -23,6 +23,7 @@ from riserstudy.figures.style import PRINTED, legend_below, panel_title, panels
 
 DEGREES = 180.0 / np.pi
 PASSED = 0.03  # °: a larger drop means that an angle is past its maximum, by half a second
+ITERATED = "iterated"  # exchange until platform and riser agree
 AS_ONE = "as one"  # platform and riser are solved together
 
 
@@ -82,11 +83,13 @@ def coupling(coupling: xr.Dataset) -> Figure:
     figure, axes = panels(1, 3, 3.8)
     one, turns = coupling.sel(exchange=AS_ONE), coupling.drop_sel(exchange=AS_ONE)
     ways = [str(way) for way in turns["exchange"].values]
-    shades = viridis(np.linspace(0.0, 0.85, len(ways)))
+    staggered = [way for way in ways if not way.startswith(ITERATED)]
+    shade = dict(zip(staggered, viridis(np.linspace(0.2, 0.85, len(staggered))), strict=True))
+    shades = [shade.get(way, "black") for way in ways]
     off = abs(turns[["platform_surge", "ufj_angle"]] - one)
     for ax, name, factor, least, title in (
         (axes[0], "platform_surge", 1e3, 1e-3, "surge (mm)"),
-        (axes[1], "ufj_angle", DEGREES, 1e-6, "upper\nflex joint angle (°)"),
+        (axes[1], "ufj_angle", DEGREES, 1e-6, "angle (°)"),
     ):
         for colour, way in zip(shades, ways, strict=True):
             so_far = np.maximum.accumulate(factor * off[name].sel(exchange=way).values)
@@ -95,8 +98,9 @@ def coupling(coupling: xr.Dataset) -> Figure:
         ax.set_ylim(bottom=least)
         ax.set_xlabel(TIME)
         ax.set_ylabel(f"difference in {title}")
-        panel_title(ax, "largest difference up to each time")
-    panel_title(axes[2], "iterations")
+    panel_title(axes[0], "surge, largest difference so far")
+    panel_title(axes[1], "upper flex joint angle, likewise")
+    panel_title(axes[2], "Newton iterations")
     iterations = turns["newton_iterations"] / one["newton_iterations"]
     rows = [way.replace(", ", ",\n") for way in ways]
     bars = axes[2].barh(rows, iterations, color=shades)
@@ -104,7 +108,7 @@ def coupling(coupling: xr.Dataset) -> Figure:
     axes[2].set_xlim(right=1.3 * float(iterations.max()))  # room for the numbers
     same = axes[2].axvline(1.0, zorder=3, **REFERENCE)
     axes[2].invert_yaxis()
-    axes[2].set_xlabel("ratio to the solution\nas one system")
+    axes[2].set_xlabel("ratio to one system")
     key: dict[str, Any] = {str(line.get_label()): line for line in axes[0].lines}
     key["(c) one system"] = same
     apart = off["platform_surge"].max("time")
@@ -159,7 +163,7 @@ def open_choices(open_drive_off: xr.Dataset, deadline: float) -> Figure:
         (tick,) = axes[0].plot([deadline], [end], "_", color=colour, ms=14, mew=2.0, label="_")
         label_line(axes[0], tick, 0.0, (8.0, 0.0), name=f"{end:.0f}°")
     set_title(
-        figure, f"At the printed time along the environment, most samples give {least:.0f}° to {most:.0f}°"
+        figure, f"At the printed time, most samples along the environment give {least:.0f}° to {most:.0f}°"
     )
     panel_title(axes[0], "median and band of 90 % of the samples")
     axes[0].set_xlabel(TIME)

@@ -60,7 +60,8 @@ def fig04(driveoff: xr.Dataset) -> Figure:
             "false position,\n100 m (printed)", (0.0, 100.0), xytext=(0, -3), fontsize="small",
             textcoords="offset points", color="0.3", va="top",
         )  # fmt: skip
-        panel_title(axes[column], title)
+        panel_title(axes[column], f"surge, {title}")
+        panel_title(axes[2 + column], f"speed, {title}")
         axes[2 + column].set_xlabel(TIME)
     later = [_mark_arrivals(ax, driveoff, kind) for ax, kind in zip(axes, SETS, strict=False)]
     set_title(

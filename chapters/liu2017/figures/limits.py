@@ -17,6 +17,7 @@ from chapters.liu2017.figures.shared import (
     set_title,
 )
 from chapters.liu2017.limits import LIMITS
+from riserstudy.dataset.crossing import first_limit
 from riserstudy.design.watch_circles import TOO_LATE
 from riserstudy.figures.direct import label_ends, label_line, named
 from riserstudy.figures.insets import enlarge
@@ -28,6 +29,7 @@ TITLES = {
     "thrust of 4.5 MN": "drive-off, thrust limited to 4.5 MN",
     DRIFT_OFF: f"drift-off, {DRIFT_OFF}",
 }
+FIRST = {"telescopic joint": "stroke-out"}  # other name of a limit
 CLOSE = 6.0  # s, to both sides of the enlarged part around stroke-out in a drift-off
 LOSSES = {"drive-off": "unlimited thrust", "drift-off": DRIFT_OFF}
 
@@ -44,18 +46,25 @@ def losses(losses: xr.Dataset) -> Figure:
         panel_title(ax, f"{loss}, {thrust}")
     lost = losses["limit_time"].sel(loss="drift-off")
     end, stress = (float(lost.sel(limit=name)) for name in ("telescopic joint", "conductor"))
-    set_title(
-        figure,
-        f"In a drift-off, stroke-out occurs at {end:.0f} s, the conductor limit follows "
-        f"{stress - end:.0f} s later",
-    )
-    mark_both(axes[1], end, stress, "s")
+    set_title(figure, _first_limits(losses["limit_time"]))
+    mark_both(axes[1], end, stress, "s", (-14.0, -4.0))  # away from the enlarged part
     axes[0].set_ylabel("utilisation of the limit")
     axes[0].set_ylim(bottom=-0.05)
     name_limits(figure, axes)
     around = 0.5 * (end + stress)
     enlarge(axes[1], (0.29, 0.68, 0.43, 0.22), (around - CLOSE, around + CLOSE), (0.9, 1.1), widest=1.5)
     return figure
+
+
+def _first_limits(times: xr.DataArray) -> str:
+    """Title: the limit that is reached first, by loss; infinite times: never."""
+    found = [first_limit(times.sel(loss=loss)).item() for loss in LOSSES]
+    if {"none", "unknown"} & set(map(str, found)):
+        return "Utilisation of each limit in a drive-off and in a drift-off"
+    one, other = (FIRST.get(str(name), f"the {name} limit") for name in found)
+    if one == other:
+        return f"Drive-off and drift-off both reach {one} first"
+    return f"A drive-off reaches {one} first, a drift-off {other}"
 
 
 def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
@@ -71,14 +80,19 @@ def disconnect(disconnect: xr.Dataset, station: float) -> Figure:
         _limit_times(times, run)
         _circles(circles, run, station)
         circles.axhline(station, label=_station(station), **REFERENCE)
-        panel_title(times, TITLES.get(str(scenario), str(scenario)))
+        title = TITLES.get(str(scenario), str(scenario))
+        panel_title(times, title)
+        panel_title(circles, f"red circle, {title.rpartition(', ')[-1]}")
         circles.set_xlabel("angle between hull and\nenvironment (°)")
         circles.set_xticks(range(0, 181, 45))
+    drifting = [str(scenario) == DRIFT_OFF for scenario in scenarios]
     for row, label in ((above, "limit reached after (s)"), (below, "radius of the red circle (m)")):
-        top = max(ax.get_ylim()[1] for ax in row)
-        for ax in row:
-            ax.set_ylim(-0.04 * top, 1.13 * top)  # values near zero stay visible
-            ax.tick_params(labelleft=ax is row[0])
+        for drift in (False, True):  # drive-offs have one scale, the drift-off a separate scale
+            alike = [ax for ax, other in zip(row, drifting, strict=True) if other == drift]
+            top = max((ax.get_ylim()[1] for ax in alike), default=1.0)
+            for ax in alike:
+                ax.set_ylim(-0.04 * top, 1.2 * top)  # values near zero stay visible
+                ax.tick_params(labelleft=ax is alike[0])
         row[0].set_ylabel(label)
     set_title(figure, _slowest_in_time(disconnect, station))
     line = below[0].lines[-1]
@@ -92,19 +106,15 @@ def _station(station: float) -> str:
 
 
 def _name_lines(above: list[Axes], last: Axes) -> None:
-    """Name the limits that the panel to the left does not name; write disconnect times at the right."""
-    places = {"upper flex joint": (0.0, -5.0, "left"), "conductor": (0.5, 4.0, "center")}
+    """Name the limits in each panel; write disconnect times at the right."""
+    places = {"upper flex joint": (0.0, -16.0, "left"), "conductor": (0.5, 4.0, "center")}
     beneath = (0.5, -15.0, "center")  # below the peak of a line, because another line is just above
-    labelled: set[str] = set()
     for ax in above:
         names = [str(line.get_label()) for line in named(ax)]
         for line, name in zip(named(ax), names, strict=True):
-            if name in labelled:
-                continue
             other = beneath if "conductor" in names else (0.0, 5.0, "left")
             share, up, across = places.get(name, other)
             label_line(ax, line, share, (0.0, up), ha=across)
-        labelled = set(names)
     lines = [line for line in named(last) if str(line.get_label()).startswith("disconnect")]
     times = [str(line.get_label()).removeprefix("disconnect ") for line in lines]
     label_ends(last, lines, names=[f"disconnect\n{times[0]}", *times[1:]])

@@ -53,16 +53,20 @@ def mark_stroke_out(ax: Axes, place: float, value: float) -> Line2D:
     return mark
 
 
-def mark_both(ax: Axes, out: float, conductor: float, unit: str) -> None:
-    """Mark stroke-out, and the limit of the conductor soon after it, with the positions of both."""
+def mark_both(
+    ax: Axes, out: float, conductor: float, unit: str, away: tuple[float, float] = (-5.0, 4.0)
+) -> None:
+    """Mark stroke-out, and the limit of the conductor soon after it, with the positions of both.
+
+    ``away``: offset of the first position from its mark (points).
+    """
     mark_stroke_out(ax, out, 1.0)
     colour = dict(zip(LIMITS, COLOURS, strict=False))["conductor"]
     ax.plot([conductor], [1.0], "o", color=colour, mec="black", mew=0.7, ms=5, zorder=5)
-    for place, across, up in ((out, "right", "bottom"), (conductor, "left", "top")):
+    for place, across, offset in ((out, "right", away), (conductor, "left", (5.0, -4.0))):
         ax.annotate(
-            f"{place:.0f} {unit}", (place, 1.0), ha=across, va=up, fontsize="small",
-            xytext=(-5.0 if across == "right" else 5.0, 4.0 if up == "bottom" else -4.0),
-            textcoords="offset points",
+            f"{place:.0f} {unit}", (place, 1.0), ha=across, va="bottom" if offset[1] > 0.0 else "top",
+            xytext=offset, textcoords="offset points", fontsize="small",
         )  # fmt: skip
 
 

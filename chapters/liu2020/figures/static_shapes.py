@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from chapters.liu2020.figures.colours import ALL, CARRIED, NAMES, OF_TOP, ON_PLATFORM, ONE, VERTICAL
 from chapters.liu2020.figures.motion_shared import DEPTH, RING
@@ -16,7 +17,6 @@ from riserstudy.figures.direct import legible
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import headline, panel_title, panels, shades
 
-Place = Literal["outside lower left", "outside lower right"]
 SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 NEAR = 120.0  # m below the ring
 #: dashed lines remain visible where they coincide with the wide line of the tensioners
@@ -30,7 +30,7 @@ LINES: dict[str, Any] = {
 #: names of the currents and drag coefficients for which the cylinders' horizontal force is 8765 N
 CALIBRATIONS = {
     ALL: "calibrated: exponential 50 m, drag coefficient 0.7",
-    ONE: "calibrated: exponential 200 m, drag coefficient 1.112",
+    ONE: "calibrated: exponential 200 m, drag coefficient 1.11",
 }
 
 
@@ -39,8 +39,8 @@ def fig11(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
     title = "1 m/s, tensioners and four interpretations of 232 t"
     figure = _at_rest(1.0 * statics_calibrated["x_static"], title, "lateral displacement (m)")
     low, high = _times(statics_tuned, "largest_displacement")
-    headline(figure, f"At all speeds a vertical force multiplies the displacement by {low:.1f} to {high:.1f}")
-    _keys(figure)
+    headline(figure, f"A vertical force at the ring multiplies the displacement by {low:.1f} to {high:.1f}")
+    _key(figure, "(a–d)")
     return figure
 
 
@@ -55,13 +55,13 @@ def fig12(statics_calibrated: xr.Dataset, statics_tuned: xr.Dataset) -> Figure:
         right.set_ylim(NEAR, -0.05 * NEAR)
         right.set_ylabel(DEPTH)
         low, high = right.get_xlim()
-        enlarge(left, (0.1, 0.09, 0.6, 0.44), (low, high), (-0.05 * NEAR, NEAR), 2.0)
+        inset = enlarge(left, (0.15, 0.17, 0.55, 0.4), (low, high), (-0.05 * NEAR, NEAR), 2.0)
+        inset.set_xlabel("moment (kN m)", fontsize="x-small")
+        inset.set_ylabel("depth (m)", fontsize="x-small")
         _compare_largest(left)
     low, high = _times(statics_tuned, "largest_bending_moment_near_ring")
-    headline(
-        figure, f"At all speeds a vertical force multiplies the largest moment by {low:.0f} to {high:.0f}"
-    )
-    _keys(figure)
+    headline(figure, f"A vertical force at the ring multiplies the largest moment by {low:.0f} to {high:.0f}")
+    _key(figure, "(a, c)")
     return figure
 
 
@@ -130,14 +130,21 @@ def _by_depth(ax: Axes, curve: xr.DataArray, line: Any, colour: str, label: str,
     ax.set_ylim(560.0, -20.0)
 
 
-def _keys(figure: Figure) -> None:
-    """Keys of the left and the right panels, below the panels."""
-    places: tuple[Place, Place] = ("outside lower left", "outside lower right")
-    titles = ("(a), (c):", "(b), (d):")
-    for ax, place, title, columns in zip(figure.axes[:2], places, titles, (2, 1), strict=True):
-        lines, names = ax.get_legend_handles_labels()
-        key = figure.legend(
-            lines, names, loc=place, ncols=columns, fontsize="small", title=title,
-            title_fontsize="small",
-        )  # fmt: skip
-        key.set_alignment("left")
+def _key(figure: Figure, panels_of_force: str) -> None:
+    """Key below the panels, a column for each model with three speeds and one for models at 1 m/s.
+
+    ``panels_of_force``: letters of the panels that show the vertical force.
+    """
+    left, right = (dict(zip(*ax.get_legend_handles_labels()[::-1], strict=True)) for ax in figure.axes[:2])
+    columns: dict[str, dict[str, Any]] = {}
+    titles = {"gas law": "tensioners (a–d)", VERTICAL: f"232 t as a vertical force {panels_of_force}"}
+    for model, title in titles.items():
+        columns[title] = {f"{speed:g} m/s": left[f"{speed:g} m/s, {NAMES[model]}"] for speed in SPEEDS}
+    others = [NAMES[model] for model in NAMES if model not in titles]
+    columns["232 t in other ways, 1 m/s (b, d)"] = {name: right[name] for name in others}
+    blank = Line2D([], [], ls="none")
+    handles = [one for of in columns.values() for one in (blank, *of.values())]
+    names = [name for title, of in columns.items() for name in (title, *of)]
+    key = figure.legend(handles, names, loc="outside lower center", ncols=len(columns), fontsize="small")
+    for k in range(0, len(names), 1 + len(SPEEDS)):
+        key.get_texts()[k].set_fontweight("bold")

@@ -19,7 +19,7 @@ SPEEDS = (0.2, 0.6, 1.0)  # m/s, at the surface
 #: depth scale and drag coefficient that give 8765 N; config/studies/liu2020.yaml, statics_calibrated
 CALIBRATED = {
     ALL: "50 m, drag coefficient 0.7, all cylinders",
-    ONE: "200 m, drag coefficient 1.112, one cylinder",
+    ONE: "200 m, drag coefficient 1.11, one cylinder",
 }
 
 
@@ -135,9 +135,18 @@ def dat_force(
     close.set_ylabel("force / printed force − 1 (%)")
     close.margins(0.15)
     panel_title(close, "by surface speed; calibrated at 1 m/s")
-    close.legend(fontsize="small", loc="center right")
+    key = {
+        name if name == "printed" else f"({letter}) {name}": line
+        for letter, ax in zip("ab", (wide, close), strict=True)
+        for line, name in zip(*ax.get_legend_handles_labels(), strict=True)
+    }
+    legend_below(figure, [*key.values()], [*key], 2)
     miss = math.floor(100.0 * float(abs(assumed - 1.0).max("surface_speed").min()))
-    headline(figure, f"Each uncalibrated profile misses a printed force by at least {miss} %")
+    off = 100.0 * float(abs(calibrated - 1.0).max())
+    headline(
+        figure,
+        f"Uncalibrated currents miss a printed force by {miss} % or more, calibrated ones by {off:.0f} %",
+    )
     return figure
 
 
@@ -159,7 +168,6 @@ def _profiles(ax: Axes, over: xr.DataArray) -> None:
     ax.set_xticks([0.3, 1.0, 3.0, 10.0])
     ax.xaxis.set_major_formatter("{x:g}")
     ax.set_yticks(range(len(profiles)), profiles)
-    ax.set_ylim(len(profiles) + 0.4, -0.5)  # with room for the key below the rows
+    ax.set_ylim(len(profiles) - 0.5, -0.5)
     ax.set_xlabel("force / printed force,\nleast and largest of three speeds")
     panel_title(ax, "by assumed current profile, drag coefficient 1.0")
-    ax.legend(fontsize="small", loc="lower right")

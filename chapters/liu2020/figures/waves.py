@@ -6,6 +6,7 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.font_manager import FontProperties
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
@@ -25,6 +26,7 @@ RESPONSES = {
 }
 CALM = 14.0  # s, wave periods above which waves on the riser reduce its stress
 SPACED = 1e4  # least number with a space between the thousands
+SEA = "irregular sea of three hours, significant wave height 4 m, peak period 10 s"
 WINDOW = 300.0  # s, length of the plotted part of a sea-state history
 NEARLY_ALL, ROUND = 0.998, 0.1  # share of the variance in a plotted spectrum; rounding (Hz)
 ALONE, STRETCHED = "on the platform alone", "stretched to the surface"
@@ -85,21 +87,27 @@ def fig23(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
 def fig24(rao: xr.Dataset, elevations: dict[str, float]) -> Figure:
     """Share of each motion in the stress amplitude; ``elevations`` (m) of the centres of rotation."""
     share = 100.0 * rao["stress_share"]
-    figure = _by_motion(share, "share of the stress amplitude (%)", elevations)
-    of_medium = share.sel(platform_unit="medium")
-    leads = of_medium.argmax("motion") == xr.DataArray(range(of_medium.sizes["motion"]), dims="leader")
+    figure = _by_motion(share, "share of the sum of the\nthree stress amplitudes (%)", elevations)
+    headline(figure, _largest_share(share.sel(platform_unit="medium")))
+    return figure
+
+
+def _largest_share(share: xr.DataArray) -> str:
+    """Title: motion with the largest share over most wave periods, and where another motion has it."""
+    leads = share.argmax("motion") == xr.DataArray(range(share.sizes["motion"]), dims="leader")
     span = float(share["wave_period"].max() - share["wave_period"].min())
     of_span = leads.astype(float).integrate("wave_period") / span  # share of periods
     first = int(of_span.min("reference").argmax("leader"))
-    name = str(share["motion"].values[first])
-    most = bool((of_span.isel(leader=first) > 0.5).all())
-    headline(
-        figure,
-        f"{name.capitalize()} has the largest share over most wave periods in both panels"
-        if most
-        else "No motion has the largest share over most wave periods",
-    )
-    return figure
+    if not bool((of_span.isel(leader=first) > 0.5).all()):
+        return "No motion has the largest share over most wave periods"
+    name = str(share["motion"].values[first]).capitalize()
+    not_first = ~leads.isel(leader=first).all("reference").values
+    edges = np.flatnonzero(np.diff([False, *not_first, False]))  # first period of a range, first after it
+    ranges = [share["wave_period"].values[a:b] for a, b in edges.reshape(-1, 2)]
+    around = [f"{round(0.5 * (of[0] + of[-1]))}" for of in ranges]
+    if len(around) in (1, 2):
+        return f"{name} has the largest share, except at wave periods around {' and '.join(around)} s"
+    return f"{name} has the largest share over most wave periods in both panels"
 
 
 def _by_motion(values: xr.DataArray, label: str, elevations: dict[str, float]) -> Figure:
@@ -190,15 +198,17 @@ def sea(storm: xr.Dataset) -> Figure:
         right.set_xlabel(f"|{label.split()[0]} − mean| ({unit})")
         short = label.split()[0]
         worst[short] = float(abs(swing).max() / swing.std())
-        panel_title(left, f"{short}, five minutes\naround its largest deviation")
+        panel_title(left, f"{short} around its peak")
         panel_title(middle, f"{short}, spectrum")
         left.set_xlabel(TIME)
         middle.set_xlabel("frequency (Hz)")
-        panel_title(right, f"{short}, peaks: up to {worst[short]:.1f} σ")
+        panel_title(right, f"{short}, peaks up to {worst[short]:.1f} σ")
     engine = figure.get_layout_engine()
     if engine is not None:
         engine.set(wspace=0.08)  # type: ignore[call-arg]
     key_below(figure, axes[2], 3)
+    (key,) = figure.legends
+    key.set_title(SEA, FontProperties(size="small"))
     least, most = min(worst.values()), max(worst.values())
     headline(figure, f"Moment, tension and stroke peak at {least:.1f} to {most:.1f} standard deviations")
     return figure

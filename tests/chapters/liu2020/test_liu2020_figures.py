@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 from matplotlib.colors import to_hex
 
-from chapters.liu2020.figures import heave, motion, static_shapes, statics
+from chapters.liu2020.figures import heave, motion, static_shapes, statics, waves
 from chapters.liu2020.figures.colours import ALL, NAMES, OF_CALIBRATION, ONE, VERTICAL
 from riserstudy.figures.figure_text import headline
 from riserstudy.study.read import read_studies
@@ -80,9 +80,10 @@ def test_the_title_of_forces_states_the_least_of_the_largest_errors(seed):
     )
     sets = (xr.Dataset({"horizontal_force": of}) for of in (assumed, calibrated))
     title = headline(statics.dat_force(*sets, *PRINTED))
-    (said,) = map(float, re.findall(r"(\d+) %", title))
+    said, off = map(float, re.findall(r"(\d+) %", title))
     least = 100.0 * min(max(abs(e)) for e in errors.reshape(-1, 3))
-    assert said <= least < said + 1.0  # "at least" is not rounded up
+    assert said <= least < said + 1.0  # "or more" is not rounded up
+    assert off == pytest.approx(100.0 * abs(small).max(), abs=0.5)
 
 
 @pytest.mark.parametrize("seed", range(12))
@@ -174,7 +175,33 @@ def test_depths_and_drag_in_names_of_calibrated_currents_are_those_of_the_study(
     scales = {ALL: base["current.profile"]["scale"], ONE: other["current.profile.scale"]}
     drags = {ALL: base["riser[0].drag.coefficient"], ONE: other["riser[0].drag.coefficient"]["calibrated"]}
     for name in (ALL, ONE):
-        depth, drag = scales[name], drags[name]
+        depth, drag = scales[name], f"{drags[name]:.3g}"
         assert statics.CALIBRATED[name].startswith(f"{depth}, drag coefficient {drag},")
         assert f"exponential {depth}, drag coefficient {drag}" in static_shapes.CALIBRATIONS[name]
         assert to_hex(OF_CALIBRATION[name]) == statics.OF_PROFILE[f"exponential {depth}"]
+
+
+def test_the_sea_state_in_the_key_is_that_of_the_study():
+    sea = read_studies(CONFIG, "liu2020").studies["sea"].set["platform.response"]["wave"]
+    assert f"height {sea['significant_height']}, peak period {sea['peak_period']}" in waves.SEA
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_title_of_shares_names_the_periods_at_which_another_motion_leads(seed):
+    draw = np.random.default_rng(seed)
+    periods = np.arange(5.0, 30.1, 0.5)
+    count = int(draw.integers(1, 4))
+    at = np.linspace(8.0, 26.0, count) + draw.uniform(-0.4, 0.4, count)
+    pitch = np.full((2, periods.size), 0.2)
+    for k, middle in enumerate(at):
+        pitch[k % 2, abs(periods - middle) < 1.0] = 0.7
+    axes = {"motion": ["heave", "surge", "pitch"], "reference": ["low", "high"], "wave_period": periods}
+    heave = np.full_like(pitch, 0.05)
+    share = xr.DataArray(np.stack([heave, 0.95 - pitch, pitch]), axes, tuple(axes))
+    title = waves._largest_share(share)
+    assert title.startswith("Surge has the largest share")
+    said = [float(n) for n in re.findall(r"\d+", title)]
+    if count < 3:
+        assert said == pytest.approx(at, abs=1.0)
+    else:
+        assert not said
