@@ -142,7 +142,7 @@ def _key(figure: Figure, panels_of_force: str) -> None:
         columns[title] = {f"{speed:g} m/s": left[f"{speed:g} m/s, {NAMES[model]}"] for speed in SPEEDS}
     others = [NAMES[model] for model in NAMES if model not in titles]
     columns["232 t in other ways, 1 m/s (b, d)"] = {name: right[name] for name in others}
-    blank = Line2D([], [], ls="none")
+    blank = Line2D([], [], color="none")
     handles = [one for of in columns.values() for one in (blank, *of.values())]
     names = [name for title, of in columns.items() for name in (title, *of)]
     key = figure.legend(handles, names, loc="outside lower center", ncols=len(columns), fontsize="small")
