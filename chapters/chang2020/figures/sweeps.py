@@ -103,9 +103,7 @@ def fig14(asymmetry: xr.Dataset) -> Figure:
     ax.set_ylabel("asymmetry index $S = x_p / x_n$")
     far = index.sel(tensioner_model="gas law").isel(heave_amplitude=-1)
     settled = float(far.sel(reading="steady"))
-    headline(
-        figure, f"With the gas law, steady-state upward motion reaches {settled:.2f} times downward motion"
-    )
+    headline(figure, f"The riser rises up to {settled:.2f} times as far as it falls")
     ax.set_ylim(bottom=0.85)
     label_ends(ax)
     ax.margins(x=0.03)  # prevents that marks are cut

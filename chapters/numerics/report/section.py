@@ -183,19 +183,21 @@ def long_runs(long: xr.Dataset) -> list[str]:
     lines = []
     for case in dict.fromkeys(long["case"].values.tolist()):
         of = long.isel(run=long["case"].values == case)
-        parts, published = [], ""
+        parts, published, name = [], "", f"the long simulation “{case}”"
         for error, label in (("error_peak", PEAK), ("error_moment", "all moments")):
             good = of.isel(run=((of[error] <= WANTED) & of["cpu_seconds"].notnull()).values)
             if not good.sizes["run"]:
-                parts.append(f"No tested run gives {label} with an error of at most {100 * WANTED:g} %.")
+                parts.append(
+                    f"No tested run of {name} gives {label} with an error of at most {100 * WANTED:g} %."
+                )
                 continue
             best = good.isel(run=int(good["cpu_seconds"].values.argmin()))
             spent, named = float(best["cpu_seconds"]), float(best["published_seconds"])
             published = f" The paper states a run time of {duration(named, 3)}." if named == named else ""
             parts.append(
-                f"The cheapest run with {label} accurate to {100 * WANTED:g} % takes {duration(spent, 3)} of "
-                f"CPU time, with {counted(int(best['elements']), 'segment')} and a time step of "
-                f"{float(best['asked_step']):g} s."
+                f"The cheapest run of {name} with {label} accurate to {100 * WANTED:g} % takes "
+                f"{duration(spent, 3)} of CPU time, with {counted(int(best['elements']), 'segment')} and "
+                f"a time step of {float(best['asked_step']):g} s."
             )
-        lines.append(f"Long simulation “{case}”. {' '.join(parts)}{published}")
+        lines.append(" ".join(parts) + published)
     return lines

@@ -114,8 +114,10 @@ def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     order: list[ReadingAnswer] = ["true", "false", "no difference"]
     found = [(words[answer], names[answer]) for answer in order if answer in names]
     if count <= NAMED // 2 and not others:
+        values = not any(isinstance(value, str) for reading in readings for value in reading.place.values())
+        noun = "value" if values else "interpretation"
         return " ".join(
-            f"{subject} {word} with the interpretation{'s' if len(those) > 1 else ''} {listed(those)}."
+            f"{subject} {word} with the {noun}{'s' if len(those) > 1 else ''} {listed(those)}."
             for word, those in found
         )
     (word, first), *rest = ((word, len(those)) for word, those in found)

@@ -95,7 +95,7 @@ def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
         met["error_moment"][:] = 0.5
         met["error_moment"][good[0]] = 0.005
         assert draw("numerics", "long_runs", {"long_runs": met}).get_suptitle() == words
-    assert section({"long_runs": found}).sentences[0].startswith("Long simulation “46 hours”. ")
+    assert " run of the long simulation “46 hours” " in section({"long_runs": found}).sentences[0]
 
 
 def key_of_random_scenes(found):
