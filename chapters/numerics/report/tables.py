@@ -58,9 +58,10 @@ def hard_cases(stability: xr.Dataset) -> Table:
             ]
         )
     about = (
-        "Error and estimate are for a run with the settings of the scene. For each method, two time steps "
-        "(s) are given: the longest that is accurate to 1 %, and the longest that is stable. Both are for "
-        "the mesh of the default accuracy. A dash means that no tested time step is accurate, or stable."
+        "The columns Error and Estimate are for a run with the mesh, time step and method of the scene. For "
+        "each method, two time steps (s) are given: the longest that is accurate to 1 %, and the longest "
+        "that is stable. Both are for the mesh of the default accuracy. A dash means that no tested time "
+        "step is accurate, or stable."
     )
     columns = ["Case", "Family", "What it is", "Ended", "Verdict", "Error", "Estimate", *methods]
     return Table("Hard cases", about, columns, {*range(5, len(columns))}, rows)

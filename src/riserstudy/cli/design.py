@@ -225,9 +225,9 @@ def envelope(
 
     At each offset, the static equilibrium is computed. To include a sea, an allowance is added to the static
     value of each output, or subtracted for a lower limit. In nine of ten random realisations of the sea, the
-    change due to waves does not exceed this allowance. It is computed from runs in the current and at the
-    offset of the scene. Limits on means have no allowance. The exit status is 4 if a limit could not be
-    evaluated.
+    change due to waves does not exceed this allowance. The allowance is computed from runs in the current and
+    at the offset of the scene. Limits on means have no allowance. The exit status is 4 if a limit could not
+    be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

@@ -296,7 +296,7 @@ def _together(together: Together | None) -> Iterator[str]:
         return
     others = listed(together.others)
     values = "value" if len(together.others) == 1 else "values"
-    yield f"The same inputs must give this value and the published {values} {others}."
+    yield f"The number counts as met only if the same inputs also give the published {values} {others}."
 
 
 def alone_in_words(together: Together) -> str:

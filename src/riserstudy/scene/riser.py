@@ -204,16 +204,15 @@ class Section(Strict):
     2153.4 N/m. A pipe full of sea water can be described in two ways: by 2714.1 N/m without contents, or by
     874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass,
     diameters, gravity and water. The engine refuses the scene if this computation lacks the inner diameter or
-    the contents. Above the water surface, the weight in air applies: give it for a section that is wholly
-    above the water. A section that crosses the water surface is divided there if it has no
-    ``submerged_weight``, or has modules or lines. The upper part is named ``<name>, above water``. For this
-    part, the engine adds the weight of the water displaced by the outer diameter to a given
-    ``submerged_weight``.
+    the contents. For a section that is wholly above the water, ``submerged_weight`` is the weight in air. A
+    section that crosses the water surface is divided there if it has no ``submerged_weight``, or has modules
+    or lines. The upper part is named ``<name>, above water``. For this part, the engine adds the weight of
+    the water displaced by the outer diameter to a given ``submerged_weight``.
 
-    ``buoyancy_lift`` is the net lift of buoyancy modules in water. It has no effect on the simulation,
-    because ``submerged_weight`` already includes the lift. It is required only by the formula of the command
-    ``tension``, which treats steel and modules separately. Without ``buoyancy_lift``, the formula is not
-    evaluated.
+    ``buoyancy_lift`` is the net lift of buoyancy modules in water. This lift has no effect on the simulation,
+    because ``submerged_weight`` already includes it. Only the formula of the command ``tension`` requires
+    ``buoyancy_lift``, because the formula treats steel and modules separately. Without ``buoyancy_lift``, the
+    formula is not evaluated.
 
     If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
     The engine adds the mass, weight and stiffness of modules and lines. The engine sets ``buoyancy_lift`` to
