@@ -44,7 +44,7 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
     axes[0].set_ylabel("platform offset, + down current (m)")
     handles, labels = axes[0].get_legend_handles_labels()
     shade = Patch(color="0.5", alpha=0.3, lw=0.0)
-    legend_below(figure, [*handles, shade], [*labels, "all drilling limits met"], 2)
+    legend_below(figure, [*handles, shade], [*labels, "shaded: all drilling limits met"], 2)
     headline(figure, _answer(operability_in_seas.sel(operation=MODE)))
     return figure
 

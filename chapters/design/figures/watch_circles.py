@@ -46,7 +46,7 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
     legend_below(figure, handles, [label for label, _ in looks], 4)
     headline(figure, _answer(watch_circles))
     left, right = axes[0].get_xlim()
-    label_ends(axes[-1], lines)
+    label_ends(axes[-1], lines[::-1])
     for ax in axes:
         ax.set_xlim(left, right)
     return figure

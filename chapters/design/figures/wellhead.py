@@ -54,7 +54,7 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
     right.set_yticks(rows, [WORDS.get(name, name) for name in names], fontsize="small")
     right.set_xlabel("share of the variance of log damage (%)")
     right.grid(visible=False, axis="y")
-    panel_title(right, "black marks: 5 % significance level")
+    panel_title(right, "by input; black marks: 5 % significance")
     known = [k for k, one in enumerate(sure) if one]
     if known:
         first = max(known, key=lambda k: float(shares[k]))

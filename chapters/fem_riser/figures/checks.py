@@ -229,8 +229,8 @@ def grid_test(grid_test: xr.Dataset, own_setting: xr.Dataset) -> Figure:
     longer = own / float(high.sel(element=alike))
     if longer > 2.0 and np.isclose(step, PAPER_STEP):
         right.annotate(
-            "slower by a factor of\n"f"{longer:.0f} on this computer", (own, len(elements)), xytext=(-9, 0),
-            textcoords="offset points", ha="right", va="center", fontsize="small",
+            f"{longer:.0f} times the longest\nrun with {alike} (this computer)", (own, len(elements)),
+            xytext=(-9, 0), textcoords="offset points", ha="right", va="center", fontsize="small",
         )  # fmt: skip
     least = float(error.sel(element=alike, time_step=steps.min()))  # the error that shorter steps leave
     panel_title(left, "error of the beam, by time step")

@@ -128,7 +128,7 @@ def baselines(
         (180.0 / np.pi * ((phase_lag + np.pi) % (2.0 * np.pi) - np.pi)).min("depth"),
     )
     titles = (
-        "claim: tensioners reduce the\ndisplacement in 1 m/s",
+        "claim: tensioners reduce the\ndisplacement in a 1 m/s current",
         "claim: tensioners reduce the\ndisplacement under surge",
         "claim: the riser on tensioners\nlags under surge",
     )

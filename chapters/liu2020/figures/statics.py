@@ -41,7 +41,7 @@ def fig09(current_profiles: xr.Dataset) -> Figure:
         curve = share.sel(current_profile=f"calibrated: {calibration}")
         axes[1].plot(curve, curve["depth"], "o", color=colour, mfc="none", ms=5, markevery=0.09,
                      label=f"calibrated: {calibration}")  # fmt: skip
-    titles = ("calibrated to 8765 N by all cylinders; three surface speeds", "1 m/s at the surface")
+    titles = ("calibrated to 8765 N by all cylinders", "1 m/s at the surface")
     for ax, title in zip(axes, titles, strict=True):
         ax.set_xlabel("current speed (m/s)")
         panel_title(ax, title)

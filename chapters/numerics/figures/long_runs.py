@@ -110,7 +110,7 @@ def _circle(ax: Axes, of: xr.Dataset) -> None:
     if best is None:
         return
     at = float(time[best]), max(float(error[best]), LEAST)
-    ax.plot(*at, "o", ms=12, color="black", markerfacecolor="none")
+    ax.plot(*at, "o", ms=12, color="black", markerfacecolor="none", lw=0, label="cheapest run below 1 %")
     segments, step = int(of["elements"][best]), float(of["asked_step"][best])
     right = ax.transAxes.inverted().transform(ax.transData.transform(at))[0] > NEAR
     ax.annotate(

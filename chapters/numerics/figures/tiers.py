@@ -71,7 +71,7 @@ def answer(tiers: xr.Dataset) -> str:
 def _peaks(tiers: xr.Dataset) -> str:
     """Title of the errors: the largest error of a peak in any tier, rounded up."""
     most = 100.0 * float(tiers["error"].max())
-    return f"errors; of peaks below {rounded_up(most)} %" if most > 0.0 else "errors"
+    return f"errors; peaks within {rounded_up(most)} %" if most > 0.0 else "errors"
 
 
 def _drawable(error: xr.DataArray) -> xr.DataArray:

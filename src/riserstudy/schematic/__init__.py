@@ -83,11 +83,7 @@ def _schematic(geometry: Geometry, scene: Resolved) -> Figure:
         height = share * room
         view = _panel(figure, COLUMNS[1], top - height, (END, height), *window)
         times = _times(whole.inch / view.inch)
-        title = (
-            name
-            if name == "from above" and not _to_scale(scene)
-            else f"{name}, {times} times the scale of (a)"
-        )
+        title = name if name == "from above" and not _to_scale(scene) else f"{name}, scale of (a) × {times}"
         view.ax.set_title(f"({letter}) {title}", loc="left", fontsize="small")
         views.append(view)
         top -= height + BETWEEN

@@ -22,7 +22,7 @@ def headings(scene: Resolved) -> list[tuple[str, float, str]]:
         ("wave", scene.wave, WATER),
         ("wind", vessel and vessel.wind, LOAD),
         ("wave drift", vessel and vessel.wave_drift, LOAD),
-        ("platform sails", platform and platform.cruise, FREEDOM),
+        ("platform cruises", platform and platform.cruise, FREEDOM),
     ]
     rows = []
     for name, part, colour in named:

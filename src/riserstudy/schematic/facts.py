@@ -250,7 +250,7 @@ def platform_texts(platform: Platform, geometry: Geometry) -> list[str]:
     if cruise:
         heading = f" towards {degrees(cruise.heading)}" if cruise.heading else ""
         mark = geometry.mark("platform.cruise.speed")
-        texts.append(f"sails at {cruise.speed:.3g} m/s{mark}{heading}")
+        texts.append(f"cruises at {cruise.speed:.3g} m/s{mark}{heading}")
     return texts
 
 

@@ -44,7 +44,7 @@ def of_tiers(ratio):
 def test_equal_times_of_tiers_have_no_factor(ratio, words):
     figure = tiers(of_tiers(ratio))
     assert headline(figure) == words
-    assert figure.axes[1].get_title(loc="left") == "(b) errors; of peaks below 0.1 %"
+    assert figure.axes[1].get_title(loc="left") == "(b) errors; peaks within 0.1 %"
 
 
 def test_unequal_ratios_of_times_are_a_range():
