@@ -78,7 +78,7 @@ def _panel(ax: Axes, of: xr.Dataset, candidates: list[str]) -> None:
     target = float(of["target_seconds"][0])
     if np.isfinite(target):
         ax.axvline(target, color="black", linestyle=":", linewidth=1.0, label="target time")
-    ax.axhline(WANTED, color="0.5", linewidth=0.8, label="1 %, the default tolerance")
+    ax.axhline(WANTED, color="0.5", linewidth=0.8, label=f"{100 * WANTED:g} %, the default tolerance")
     ax.set_xscale("log")
     ax.set_yscale("log")
     ax.set_ylabel("error of the\nmoment (%)")
@@ -110,7 +110,8 @@ def _circle(ax: Axes, of: xr.Dataset) -> None:
     if best is None:
         return
     at = float(time[best]), max(float(error[best]), LEAST)
-    ax.plot(*at, "o", ms=12, color="black", markerfacecolor="none", lw=0, label="cheapest run below 1 %")
+    label = f"cheapest run below {100 * WANTED:g} %"
+    ax.plot(*at, "o", ms=12, color="black", markerfacecolor="none", lw=0, label=label)
     segments, step = int(of["elements"][best]), float(of["asked_step"][best])
     right = ax.transAxes.inverted().transform(ax.transData.transform(at))[0] > NEAR
     ax.annotate(

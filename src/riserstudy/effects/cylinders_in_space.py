@@ -31,7 +31,7 @@ from riserstudy.effects.attitude import turned
 from riserstudy.effects.cylinder import probe
 from riserstudy.effects.registry import register
 from riserstudy.solve.jit import inner
-from riserstudy.solve.state import SUPPLIED, VELOCITY
+from riserstudy.solve.state import SUPPLIED, VELOCITY, of_pulls
 
 
 class CylindersInSpace(NamedTuple):
@@ -173,7 +173,7 @@ def turn(cylinders, s):
     if i == s.length.shape[0]:  # no joint above, and no moment
         return 0.0
     for u in range(m):
-        about = moment[u] if m == 3 else moment[1]
+        about = of_pulls(s, u)
         s.turn[u, i] += cylinders.above[0] * about
         s.turn[u, i + 1] += cylinders.above[1] * about
     return 0.0
@@ -279,7 +279,7 @@ def energy(cylinders, s):
     if i == s.length.shape[0]:
         return 0.0
     for u in range(m):
-        about = s.ring_moment[u] if m == 3 else s.ring_moment[1]
+        about = of_pulls(s, u)
         total += cylinders.above[0] * about * (0.5 * about - s.moment[u, i])
         total -= cylinders.above[1] * about * s.moment[u, i + 1]
     return total

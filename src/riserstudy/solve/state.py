@@ -257,6 +257,12 @@ def gather(s):
 
 
 @inner
+def of_pulls(s, u):
+    """A component of the moment of the pulls about the ring, by which the moment jumps there."""
+    return s.ring_moment[u] if len(s.dof) - len(s.dim) == 3 else s.ring_moment[1]
+
+
+@inner
 def copy(into, array):
     """Copy a matrix (a slice assignment would also compile numpy's broadcasting and its messages)."""
     for c in range(array.shape[0]):

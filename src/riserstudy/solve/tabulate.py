@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import pi, sqrt
 
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import of_pulls
 from riserstudy.solve.vec import at, dot
 
 
@@ -135,12 +136,6 @@ def weighted(s, weights, u, e):
     if e == last - 1:
         value -= weights[e, 1] * of_pulls(s, u)
     return value
-
-
-@inner
-def of_pulls(s, u):
-    """A component of the moment of the pulls about the ring, by which the moment jumps there."""
-    return s.ring_moment[u] if len(s.dof) - len(s.dim) == 3 else s.ring_moment[1]
 
 
 @inner

@@ -14,7 +14,8 @@ from riserstudy.solve.interpolate import (
 )
 from riserstudy.solve.jit import inner, kernel
 from riserstudy.solve.program import call_all
-from riserstudy.solve.tabulate import components, of_pulls, tabulate
+from riserstudy.solve.state import of_pulls
+from riserstudy.solve.tabulate import components, tabulate
 
 ROUNDING = 1e-10  # of a time (s)
 
