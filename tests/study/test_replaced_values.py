@@ -1,15 +1,19 @@
 """Each of several values that are set together is in the scene, or they are refused: over seeded rigs."""
 
+import json
 import random
 
 import pytest
+import xarray as xr
 from random_rigs import moving, written
 from ruamel.yaml import YAML
 
+from riserstudy.dataset.provenance import scene_file_of
 from riserstudy.errors import InputError
 from riserstudy.inputs.validate import check
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.paths import and_above, leaves, value_at
+from riserstudy.study.grid import Grid
 from riserstudy.study.models import StudyModel
 from riserstudy.study.read import read_studies
 from riserstudy.study.sweep import as_study
@@ -35,6 +39,13 @@ def marked(sets, draw):
     }
 
 
+def one_by_one(file, sets):
+    """The scene with values that are set one after another."""
+    for path, value in sets.items():
+        file = file.with_values({path: value}, "one")
+    return file
+
+
 def all_there(tree, sets):
     """Whether a tree has each value, apart from what others changed below it."""
     return all(value_at(tree, path) == value for path, value in sets.items() if isinstance(value, str))
@@ -45,7 +56,7 @@ def all_there(tree, sets):
 def test_of_values_that_are_set_together_none_is_lost(seed, spatial):
     tree, sets, draw = drawn(seed, spatial)
     sets, file = marked(sets, draw), SceneFile("rig.yaml", tree)
-    there = all_there(file.with_values(sets, "sets").tree, sets)
+    there = all_there(one_by_one(file, sets).tree, sets)
     fields = {"scene": "rig.yaml", "caption": "a rig", "axes": {}}
     ways = (fields | {"set": sets}, fields | {"axes": {"kind": {"one": {}, "other": sets}}})
     for way in ways:
@@ -54,9 +65,31 @@ def test_of_values_that_are_set_together_none_is_lost(seed, spatial):
             continue
         with pytest.raises(InputError, match="which is set after it, replaces it"):
             check(StudyModel, way, "study.yaml")
-    if not there:
-        with pytest.raises(InputError, match="replaces it"):
-            as_study(file, {"kind": {"one": {}, "other": sets}}, None)
+    if there:
+        assert file.with_values(sets, "sets").tree == one_by_one(file, sets).tree
+        return
+    with pytest.raises(InputError, match="replaces it"):
+        as_study(file, {"kind": {"one": {}, "other": sets}}, None)
+    with pytest.raises(InputError, match="replaces it"):
+        file.with_values(sets, "sets")
+
+
+@pytest.mark.parametrize("spatial", [False, True])
+@pytest.mark.parametrize("seed", range(12))
+def test_of_values_of_axes_the_last_is_in_the_scene(seed, spatial):
+    tree, sets, draw = drawn(seed, spatial)
+    sets, file = marked(sets, draw), SceneFile("rig.yaml", tree)
+    axes = [[{}, {path: value}] for path, value in sets.items()]
+    index = tuple(draw.randrange(2) for _ in axes)
+    some = {path: value for (path, value), k in zip(sets.items(), index, strict=True) if k}
+    expected = one_by_one(file, some)
+    assert Grid(file, axes, "grid").file(index).tree == expected.tree
+    dataset = xr.Dataset(attrs={"scene": json.dumps(tree), "tables": "{}"})
+    for number, (_, other) in enumerate(axes):
+        about = {"sets": json.dumps({"no": {}, "yes": other})}
+        dataset[f"axis{number}"] = (f"axis{number}", ["no", "yes"], about)
+    chosen = {f"axis{number}": k for number, k in enumerate(index)}
+    assert scene_file_of(dataset, chosen).tree == expected.tree
 
 
 @pytest.mark.parametrize("spatial", [False, True])

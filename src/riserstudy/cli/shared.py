@@ -78,7 +78,6 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     from riserstudy.inputs.plain_yaml import plain_yaml
     from riserstudy.scene.load import read_scene
     from riserstudy.simulation.simulate import at_accuracy
-    from riserstudy.study.replaced_values import replaced
 
     check_name(path)
     overrides: dict[str, Any] = {}
@@ -89,9 +88,6 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
         if name.strip() in overrides:
             raise InputError("--set", setting, f"{name.strip()} is given twice", "give each path once")
         overrides[name.strip()] = plain_yaml(text, f"--set {name.strip()}")
-    if lost := replaced(overrides):
-        found = f"{lost[1]!r}, which is set after it, replaces it"
-        raise InputError("--set", lost[0], found, "leave one of them out")
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
         file = at_accuracy(file, accuracy)

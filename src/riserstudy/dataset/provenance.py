@@ -100,24 +100,22 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     is already selected, as by ``isel``, has this value. Raises InputError when the dataset was not simulated,
     or has no scene of the point.
     """
-    record = read_provenance(dataset)
-    sets: dict[str, Any] = {}
+    record, source = read_provenance(dataset), _name(dataset)
+    origins = {path: Origin(status, None) for path, status in record["origins"].items()}
+    file = SceneFile(source, record["scene"], origins, held=record["tables"])
     for axis, label in _labels(dataset, index).items():
         of_axis, value = _mapping(dataset[axis], "sets"), str(label.item())
         if not isinstance(of_axis.get(value), dict):
             raise _damaged(dataset[axis], "sets", f"nothing for {axis} = {value}")
         if fault := plain_fault(of_axis[value], f"{axis}.sets"):
             raise InputError(_name(dataset), *fault)
-        sets |= of_axis[value]
+        file = file.with_values(of_axis[value], f"{source}: axes")
     if "by_request" in dataset and dataset["by_request"].isel(index).item():
         request = _mapping(dataset, "request")
         if fault := plain_fault(request, "request"):
             raise InputError(_name(dataset), *fault)
-        sets |= request
-    origins = {path: Origin(status, None) for path, status in record["origins"].items()}
-    source = _name(dataset)
-    file = SceneFile(source, record["scene"], origins, held=record["tables"])
-    return file.with_values(sets, f"{source}: axes")
+        file = file.with_values(request, f"{source}: axes")
+    return file
 
 
 def _labels(dataset: xr.Dataset, index: Mapping[str, int]) -> dict[str, xr.DataArray]:

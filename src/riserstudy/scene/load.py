@@ -16,6 +16,7 @@ from riserstudy.scene import paths
 from riserstudy.scene.error_source import attribute_error, is_known
 from riserstudy.scene.models import Scene
 from riserstudy.scene.origin import Origin, unwrap
+from riserstudy.scene.replaced_values import replaced
 from riserstudy.scene.resolve import Resolved, resolve
 from riserstudy.scene.tables import files_of_tables, fill_in_tables, names_of_tables
 
@@ -40,9 +41,12 @@ class SceneFile:
         Raises
         ------
         InputError
-            When a path does not exist in the scene, an origin is malformed, or null is to remove a key that
-            no scene can have.
+            When a path does not exist in the scene, an origin is malformed, null is to remove a key that no
+            scene can have, or a later value replaces an earlier one.
         """
+        if lost := replaced(overrides):
+            found = f"{lost[1]!r}, which is set after it, replaces it"
+            raise InputError(layer, lost[0], found, "leave one of them out")
         touched = {first_step(path, layer) for path in overrides}
         tree = {k: _copied(v) if k in touched else v for k, v in self.tree.items()}
         origins = dict(self.origins)

@@ -10,7 +10,7 @@ from pydantic import AfterValidator, Field, model_validator
 
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
-from riserstudy.study.replaced_values import check_sets
+from riserstudy.scene.replaced_values import check_sets
 
 MOST_VALUES = 1_000_000  # largest number of values of an axis, and of points of a study
 #: names of axes, which become names of dimensions and variables of datasets

@@ -64,10 +64,10 @@ class Grid:
 
     def file(self, index: Index) -> SceneFile:
         """The scene at a point."""
-        merged: Sets = {}
+        file = self.base
         for axis, k in zip(self.axes, index, strict=True):
-            merged |= axis[k]
-        return self.base.with_values(merged, self.layer)
+            file = file.with_values(axis[k], self.layer)
+        return file
 
     def __len__(self) -> int:
         return math.prod(len(axis) for axis in self.axes)
@@ -124,11 +124,10 @@ class Grid:
 
     def _part(self, name: str, place: tuple[tuple[int, int], ...]) -> Part:
         """A part of the scene, checked alone, for some values of the axes."""
-        sets: Sets = {}
+        file = SceneFile(self.base.source, {k: v for k, v in self.base.tree.items() if k == name})
         for axis, k in place:
-            sets |= self._sets[axis][k].get(name, {})
-        alone = {name: self.base.tree[name]} if name in self.base.tree else {}
-        tree = SceneFile(self.base.source, alone).with_values(sets, self.layer).tree
+            file = file.with_values(self._sets[axis][k].get(name, {}), self.layer)
+        tree = file.tree
         if name not in tree and not _FIELDS[name].is_required():
             return Part(None, "null")
         value = getattr(_ALONE[name].model_validate(fill_in_tables(tree, self._folder, self.base.held)), name)

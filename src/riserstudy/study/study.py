@@ -18,6 +18,7 @@ from riserstudy.folders import remembered
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.origin import Origin, unwrap
 from riserstudy.scene.paths import as_name, last_name
+from riserstudy.scene.replaced_values import set_later
 from riserstudy.scene.tables import names_of_tables, texts_of_tables
 from riserstudy.simulation.kernel_groups import group_of, group_of_modes
 from riserstudy.study.axes import MOST_VALUES, Labels, Numbers, Samples, Tier
@@ -136,12 +137,12 @@ class Study:
             raise InputError(self.where, f"axes.{axis}.leave", f"no assumption {unknown[0]!r}", allowed)
 
     def _samples(self, axis: Samples) -> list[dict[str, Any]]:
-        """Values that each sample sets."""
+        """Values that each sample sets; those of an interpretation replace assumptions at and below them."""
         samples = []
         for values in self.assumed(axis):
             sets = {path: value for path, value in values.items() if path not in axis.readings}
             for name in axis.readings:
-                sets |= self.readings[name][values[name]]
+                sets = set_later(sets, self.readings[name][values[name]])
             samples.append(sets)
         return samples
 

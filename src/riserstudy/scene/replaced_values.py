@@ -1,4 +1,4 @@
-"""Values that a later value of the same list replaces, and that would therefore have no effect."""
+"""Values that a later value replaces, and that would therefore have no effect."""
 
 from __future__ import annotations
 
@@ -22,6 +22,11 @@ def replaced(paths: Iterable[str]) -> tuple[str, str] | None:
                 return path, later
         before.append(later)
     return None
+
+
+def set_later(sets: dict[str, Any], later: dict[str, Any]) -> dict[str, Any]:
+    """Values by path, with later values in place of those at and below their paths."""
+    return {path: v for path, v in sets.items() if not any(within(path, place) for place in later)} | later
 
 
 def check_sets(sets: dict[str, Any]) -> dict[str, Any]:
