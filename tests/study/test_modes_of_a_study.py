@@ -157,7 +157,7 @@ def test_the_database_has_periods_and_leaves_shapes_to_the_dataset(tmp_path):
     over = {tuple(axis.name for axis in grid.axes): grid for grid, _ in grids}
     assert over.keys() == {("tension",), ("tension", "mode")}
     names = {variable.name for variable in over["tension", "mode"].variables}
-    assert names == {"natural_period", "natural_frequency", "mode_motion"}
+    assert names == {"natural_period", "natural_frequency", "frequency_error", "mode_motion"}
 
 
 def test_what_is_needed_of_the_store_are_modes_too(tmp_path):

@@ -34,8 +34,8 @@ DATA_FILES = ("variables.yaml",)
 #: dimensions and variables of natural modes, if a study requests them
 OF_MODES = frozenset(
     (
-        *("mode", "s_relative", "natural_frequency", "natural_period", "mode_motion"),
-        *("mode_shape_x", "mode_shape_y", "mode_shape_z"),
+        *("mode", "s_relative", "natural_frequency", "frequency_error", "natural_period"),
+        *("mode_motion", "mode_shape_x", "mode_shape_y", "mode_shape_z"),
     )
 )
 

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.dataset.complete import complete
+from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile, read_scene
-from riserstudy.simulation.modes import modes_of
+from riserstudy.simulation.modes import frequency_errors, modes_of
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -20,8 +21,8 @@ if TYPE_CHECKING:
 def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
     """Compute the natural modes with the lowest frequencies, about the static equilibrium of a scene.
 
-    The mesh is that of the scene; without one, it has about 200 segments. The errors of frequencies are not
-    estimated.
+    The mesh is that of the scene; without one, it has about 200 segments. The errors of frequencies are
+    estimated by meshes with two and four times as many.
 
     Parameters
     ----------
@@ -33,11 +34,12 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
     Returns
     -------
     xarray.Dataset
-        With the dimension ``mode``: ``frequency`` (Hz), ``natural_period`` (s) and ``motion``, the direction
-        of the largest motion: lateral, axial, or yaw of the vessel. For an unstable direction, the frequency
-        is negative and the period is NaN. With the dimensions ``mode`` and ``s`` (m, unstretched arclength
-        from the lower end): the mode shapes ``x``, ``y``, ``z``, scaled to a largest component of 1. Only
-        the directions of the model are included.
+        With the dimension ``mode``: ``frequency`` (Hz), ``frequency_error`` (estimated relative error, 1),
+        ``natural_period`` (s) and ``motion``, the direction of the largest motion: lateral, axial, or yaw of
+        the vessel. For an unstable direction, the frequency is negative and the period is NaN. Errors are NaN
+        where a section without mass prevents finer meshes. With the dimensions ``mode`` and ``s`` (m,
+        unstretched arclength from the lower end): the mode shapes ``x``, ``y``, ``z``, scaled to a largest
+        component of 1. Only the directions of the model are included.
 
     Raises
     ------
@@ -49,6 +51,9 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
     if count < 1:
         raise InputError("modes", "count", str(count), "allowed is 1 or more")
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
-    dataset = complete(modes_of(file.resolved(), count))
+    dataset = modes_of(file.resolved(), count)
+    errors = frequency_errors(file.resolved(), dataset["frequency"].values)
+    dataset["frequency_error"] = ("mode", errors, attributes("frequency_error"))
+    dataset = complete(dataset)
     dataset.attrs |= {"title": file.tree.get("title", ""), "source": file.source}
     return dataset

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.linalg import eigh
-from scipy.sparse import coo_array, csc_array, csr_array
+from scipy.sparse import block_array, coo_array, csc_array, csr_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from riserstudy.solve.evaluate import forces_and_tangent, one_call
@@ -138,6 +138,44 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
     for j in range(k):
         shapes[j, free[:, 1], free[:, 0]] = vectors[:, j] / np.abs(vectors[:, j]).max()
     return np.sign(square[:k]) * np.sqrt(np.abs(square[:k])), shapes[:, :, : len(s.l0) + 1]
+
+
+def lowest_squares(
+    programs: Frozen, state: Frozen, fixed: np.ndarray, count: int, below: float
+) -> np.ndarray:
+    """Squares (rad2/s2) of the lowest natural frequencies about the present state, (k,), ascending.
+
+    ``below`` (rad2/s2): a number below all of them; the nearer to the lowest, the faster. The moments stay
+    unknowns, so that the matrices are banded.
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        When a free node has no mass.
+    """
+    model = linearise(programs, state, fixed)
+    if not (model.mass.diagonal() > 0.0).all():
+        raise np.linalg.LinAlgError("a node that moves has no mass")
+    size = model.mass.shape[0]
+    if size <= FEW or 2 * count >= size:
+        last = [0, min(count, size) - 1]
+        stiff = model.stiffness()(np.eye(size))
+        return eigh(stiff, model.mass.toarray(), eigvals_only=True, subset_by_index=last)
+    shifted = block_array(
+        [[model.stiff - below * model.mass, model.turn.T], [model.turn, -model.flexibility]], format="csc"
+    )
+    solve, zeros = splu(shifted).solve, np.zeros(model.turn.shape[0])
+    inverse = LinearOperator((size, size), lambda x: solve(np.concatenate([x.ravel(), zeros]))[:size])
+    squares = eigsh(
+        LinearOperator((size, size), model.stiffness()),
+        k=count,
+        M=model.mass,
+        sigma=below,
+        OPinv=inverse,
+        v0=np.random.default_rng(0).normal(size=size),
+        return_eigenvectors=False,
+    )
+    return np.sort(squares)
 
 
 def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:

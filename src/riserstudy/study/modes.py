@@ -57,13 +57,14 @@ def modes_result(file: SceneFile, count: int) -> Result:
     import numpy as np
 
     from riserstudy.dataset.result import Result
-    from riserstudy.simulation.modes import modes_of
+    from riserstudy.simulation.modes import frequency_errors, modes_of
 
     found = modes_of(file.resolved(), count)
     share = found["s"].values / found["s"].values[-1]
     at = np.linspace(0.0, 1.0, STATIONS)
     arrays = {
         "natural_frequency": found["frequency"].values,
+        "frequency_error": frequency_errors(file.resolved(), found["frequency"].values),
         "natural_period": found["natural_period"].values,
         "mode_motion": found["motion"].values.astype("U8"),
     }
