@@ -18,6 +18,7 @@ import riserstudy
 from riserstudy.blas import use_one_thread
 from riserstudy.cli import (
     analyse,
+    check,
     compare,
     design,
     downtime,
@@ -38,7 +39,7 @@ OBJECTS = (50_000, 20, 100)  # thresholds of the garbage collection
 
 #: commands by purpose, in the order of the help
 GROUPS: dict[str, tuple[Any, ...]] = {
-    "Simulate": (simulate.run, simulate.check, analyse.modes, tune.tune, simulate.rerun),
+    "Simulate": (simulate.run, check.check, analyse.modes, tune.tune, simulate.rerun),
     "Inspect": (
         outputs.plot, outputs.table, outputs.statistics, compare.compare, files.draw,
         analyse.cost, analyse.effects, analyse.advise,

@@ -8,11 +8,13 @@ from typing import Annotated
 
 import typer
 
+from riserstudy.cli.check import show_limits
 from riserstudy.cli.shared import (
     AccuracyOption,
     CsvOption,
     SceneArgument,
     SetOption,
+    announce,
     check_targets,
     compile_kernels,
     print_warnings,
@@ -21,7 +23,6 @@ from riserstudy.cli.shared import (
     scene_of,
     show,
 )
-from riserstudy.cli.simulate import announce, show_limits
 from riserstudy.cli.targets import ForceOption, Writes
 from riserstudy.errors import InputError
 

@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from riserstudy.dataset.table import Table
     from riserstudy.scene.resolve import Resolved
 
+WORTH_TELLING = 10.0  # estimated time of a run (s) from which on it is announced
+WORTH_A_RECIPE = 60.0  # estimated time of a run (s) from which on a cheaper run is proposed
+
 SceneArgument = Annotated[Path, typer.Argument(help="scene file (YAML)", metavar="SCENE.yaml")]
 
 SetOption = Annotated[
@@ -259,3 +262,24 @@ def print_warnings(dataset: Any) -> None:
     """Print the warnings of a run."""
     for warning in json.loads(dataset.attrs["warnings"]):
         notify(f"warning: {warning}")
+
+
+def announce(file: Any) -> None:
+    """Print the estimated time of a long run before it, and the reasons for this time."""
+    from riserstudy.records.numerals import duration
+    from riserstudy.scene.sudden import sudden_wave
+    from riserstudy.simulation.forecast import forecast
+    from riserstudy.simulation.progress_line import progress_line
+    from riserstudy.simulation.time_limit import Watch
+
+    for warning in sudden_wave(file.resolved()):
+        notify(f"warning: {warning}")
+    with progress_line(True) as show_progress:
+        price = forecast(file.resolved(), Watch(notify=show_progress))
+    if price and price.seconds > WORTH_TELLING:
+        notify(
+            f"takes about {duration(price.seconds)}: by its first {price.piece:.4g} s, "
+            f"{price.elements} segments and a step of {price.step:.3g} s are enough"
+        )
+        for line in recipe_lines(file.resolved()) if price.seconds > WORTH_A_RECIPE else []:
+            notify(line)

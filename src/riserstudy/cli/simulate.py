@@ -1,4 +1,4 @@
-"""Simulate a scene: run, check, rerun."""
+"""Simulate a scene, and rerun a point of a dataset."""
 
 from __future__ import annotations
 
@@ -8,21 +8,19 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from riserstudy.cli.check import show_limits
 from riserstudy.cli.shared import (
     AccuracyOption,
     AtOption,
     DatasetArgument,
     SceneArgument,
     SetOption,
-    UnitsOption,
+    announce,
     check_targets,
     compile_as_needed,
     compile_kernels,
-    notify,
     place_of,
     print_warnings,
-    recipe_lines,
-    require_limits,
     save_dataset,
     scene_of,
     wrote,
@@ -31,10 +29,6 @@ from riserstudy.cli.targets import ForceOption, Writes, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.records.numerals import percent
 
-WORTH_TELLING = 10.0  # estimated time of a run (s) from which on it is announced
-WORTH_A_RECIPE = 60.0  # estimated time of a run (s) from which on a cheaper run is proposed
-
-NEAR = 0.8  # utilisation from which on the line of a limit is coloured
 SAME_AS_STORED = 1e-9  # relative tolerance for values that are stored with ten digits
 
 if TYPE_CHECKING:
@@ -119,45 +113,6 @@ def _recoil(file: Any, dataset: Any) -> list[str]:
     return in_columns(recoil_table.recoil(file.resolved(), dataset))
 
 
-def announce(file: Any) -> None:
-    """Print the estimated time of a long run before it, and the reasons for this time."""
-    from riserstudy.records.numerals import duration
-    from riserstudy.scene.sudden import sudden_wave
-    from riserstudy.simulation.forecast import forecast
-    from riserstudy.simulation.progress_line import progress_line
-    from riserstudy.simulation.time_limit import Watch
-
-    for warning in sudden_wave(file.resolved()):
-        notify(f"warning: {warning}")
-    with progress_line(True) as show_progress:
-        price = forecast(file.resolved(), Watch(notify=show_progress))
-    if price and price.seconds > WORTH_TELLING:
-        notify(
-            f"takes about {duration(price.seconds)}: by its first {price.piece:.4g} s, "
-            f"{price.elements} segments and a step of {price.step:.3g} s are enough"
-        )
-        for line in recipe_lines(file.resolved()) if price.seconds > WORTH_A_RECIPE else []:
-            notify(line)
-
-
-def show_limits(dataset: Any, units: UnitSystem = UnitSystem.FIELD) -> None:
-    """Print the limits of the scene as a table, the governing limit first; on terminals in colours."""
-    rows = json.loads(dataset.attrs.get("limits", "[]"))
-    if not rows:
-        return
-    from rich.console import Console
-
-    from riserstudy.dataset.limit_lines import lines
-
-    console = Console(markup=False, highlight=False, soft_wrap=True)
-    for line in lines(rows, units):
-        style = "bold red" if line.use > 1.0 else "yellow" if line.use > NEAR else None
-        console.print(line.text, style=style)
-    start = float(dataset["time"][0]) if "time" in dataset.coords else 0.0
-    if start > 0.0:
-        console.print(f"counted from t = {start:g} s on, because of analysis.output.start")
-
-
 def _summary(dataset: Any) -> str:
     from riserstudy.records.numerals import duration
 
@@ -168,34 +123,6 @@ def _summary(dataset: Any) -> str:
         f"{dataset.attrs['elements']} segments{step}; estimated error: {errors or 'none given'}; "
         f"{duration(dataset.attrs['wall_seconds'], 3)}"
     )
-
-
-def check(
-    scene: SceneArgument,
-    settings: SetOption = None,
-    accuracy: AccuracyOption = None,
-    units: UnitsOption = UnitSystem.FIELD,
-) -> None:
-    """Check a scene against its limits.
-
-    For each limit, the table gives the computed value, the allowable value, the utilisation, the place and
-    the time. The first row is the governing limit, which is exceeded most or is closest to being exceeded.
-
-    The exit status is 1 if a limit is exceeded. Otherwise it is 4 if a limit could not be evaluated.
-    """
-    file = scene_of(scene, settings, accuracy)
-    require_limits(file)
-    compile_kernels(file.resolved())
-    from riserstudy.dataset.limits import EXCEEDED, UNKNOWN
-    from riserstudy.simulation.simulate import simulate
-
-    announce(file)
-    dataset = simulate(file)
-    print_warnings(dataset)
-    show_limits(dataset, units)
-    verdicts = {row["verdict"] for row in json.loads(dataset.attrs["limits"])}
-    if verdicts & {EXCEEDED, UNKNOWN}:
-        raise typer.Exit(1 if EXCEEDED in verdicts else 4)
 
 
 def rerun(
