@@ -21,8 +21,8 @@ from riserstudy.model.vortices import slowest
 from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.sampling_error import standard_error
-from riserstudy.simulation.vibration import since
-from riserstudy.simulation.vibration_statistics import along, frequency, vibration
+from riserstudy.simulation.vortex_vibration import since
+from riserstudy.simulation.vortex_vibration_statistics import along, frequency, vibration
 
 SCENE = benchmark.ROOT / "config/scenes/bench/vortices.yaml"
 FIXED = {"analysis.mesh": {"elements": 120}, "analysis.step": "0.1 s", "analysis.accuracy": None}

@@ -18,7 +18,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.error_estimate import controlled, deciding, difference, statistics_of
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
-from riserstudy.simulation.vibration_statistics import apart
+from riserstudy.simulation.vortex_vibration_statistics import apart
 
 
 class Outcome(StrEnum):

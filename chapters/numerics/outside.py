@@ -28,7 +28,7 @@ from riserstudy.solve.envelopes import widen
 from riserstudy.solve.evaluate import move
 from riserstudy.solve.explicit import accelerate
 from riserstudy.solve.jit import kernel
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.record import new_record
 from riserstudy.solve.write_down import evaluate_and_note, remember
 
@@ -117,7 +117,7 @@ class Count(NamedTuple):
     evaluations: int
 
 
-def by_euler(model: Model, record: Frozen, longest: float) -> Count:
+def by_euler(model: Model, record: Packed, longest: float) -> Count:
     """Integrate by semi-implicit Euler; steps of at most ``longest`` (s) end at the output times.
 
     Raises
@@ -140,7 +140,7 @@ def by_euler(model: Model, record: Frozen, longest: float) -> Count:
     return Count(done, done)
 
 
-def by_radau(model: Model, record: Frozen, tolerance: float) -> Count:
+def by_radau(model: Model, record: Packed, tolerance: float) -> Count:
     """Integrate by SciPy's Radau IIA of order 5, which chooses its steps, with a sparse difference Jacobian.
 
     Raises

@@ -10,7 +10,7 @@ from random_rigs import rig, timed, written
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
-from riserstudy.simulation.vibration_statistics import frequency, vibration
+from riserstudy.simulation.vortex_vibration_statistics import frequency, vibration
 
 PIPE = {
     "length": "13 m",

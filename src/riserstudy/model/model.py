@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.effects.registry import ROLES
 from riserstudy.solve.evaluate import Programs, set_compliance
-from riserstudy.solve.program import Frozen, assemble
+from riserstudy.solve.program import Packed, assemble
 from riserstudy.solve.state import OTHER, OWN, State, new_state
 
 #: reserves reported values under the names that an effect gives, and returns the index of the first
@@ -72,7 +72,7 @@ class Model:
         self.hinged = np.zeros(len(l0) + 1 + unknowns.loose, bool)
         self.hinged[[node for node, unknown in fixed if unknown < unknowns.moments]] = True
         self.state, self.spare = (
-            Frozen(
+            Packed(
                 new_state(
                     l0,
                     unknowns.directions,
@@ -90,8 +90,8 @@ class Model:
             state.blend[1:-1] = l0[:-1] / (l0[:-1] + l0[1:])
             if unknowns.ring is not None:
                 state.blend[unknowns.ring] = 0.0
-        self.records = [Frozen(effect.record) for effect in self.effects]
-        self.programs = Frozen(Programs(*(self._program(role) for role in Programs._fields)))
+        self.records = [Packed(effect.record) for effect in self.effects]
+        self.programs = Packed(Programs(*(self._program(role) for role in Programs._fields)))
         for state in (self.state, self.spare):
             set_compliance(self.programs, state, self.hinged)
 

@@ -27,7 +27,7 @@ from riserstudy.scene.vessel import Coupling
 from riserstudy.simulation.time_stepping import steps_in
 from riserstudy.solve.evaluate import forces_and_tangent, move_to
 from riserstudy.solve.implicit import Method, march
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.record import Record, new_record
 from riserstudy.solve.state import State
 from riserstudy.solve.sums import DONE, HALVED, ITERATIONS, Sums, new_sums
@@ -79,7 +79,7 @@ def sides_of(scene: Resolved, model: Model, steps: int) -> Sides:
 
 
 def march_in_turns(
-    sides: Sides, coupling: Coupling, method: Method, duration: float, record: Frozen, sums: Sums
+    sides: Sides, coupling: Coupling, method: Method, duration: float, record: Packed, sums: Sums
 ) -> tuple[int, dict[str, Any]]:
     """March both sides from the state of the riser's side; outputs go to ``record``, work to ``sums``.
 
@@ -119,7 +119,7 @@ def march_in_turns(
     return outcome, about
 
 
-def _turn(sides: Sides, coupling: Coupling, method: Method, record: Frozen, sums: Sums) -> tuple[int, int]:
+def _turn(sides: Sides, coupling: Coupling, method: Method, record: Packed, sums: Sums) -> tuple[int, int]:
     """One turn; returns its result and its number of iterations."""
     platform, riser = sides.platform, sides.riser
     starts = [(side, _kept(side.s)) for side in (platform, riser)]

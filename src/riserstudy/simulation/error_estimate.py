@@ -12,7 +12,7 @@ from riserstudy.dataset.result import Result
 from riserstudy.scene.limits import ANGLES, STROKES
 from riserstudy.simulation.curve import SAME, at_stations, curve_of, largest_moment
 from riserstudy.simulation.section_forces import shear
-from riserstudy.simulation.vibration_statistics import NONE, Statistics, apart, of_plain, statistics
+from riserstudy.simulation.vortex_vibration_statistics import NONE, Statistics, apart, of_plain, statistics
 
 Array = NDArray[np.float64]
 Arrays = dict[str, Array]
@@ -264,7 +264,7 @@ def _damage(coarse: Result, fine: Result) -> dict[str, float]:
     """Relative difference of fatigue damage, if the scene has details."""
     if "damage_rate" not in fine.arrays or "damage_rate" not in coarse.arrays:
         return {}
-    from riserstudy.simulation.damage import apart
+    from riserstudy.simulation.fatigue_damage import apart
 
     return {"damage": apart(coarse.arrays, fine.arrays)}
 

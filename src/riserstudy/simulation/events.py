@@ -13,7 +13,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.disconnect import let_go
 from riserstudy.simulation.time_stepping import march_on
 from riserstudy.solve.evaluate import energies
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.sums import DONE, Sums
 
 if TYPE_CHECKING:
@@ -42,7 +42,7 @@ def events_of(scene: Resolved, mesh: Mesh, facts: RunFacts) -> Iterator[Event]:
 
 
 def march_through(
-    scene: Resolved, model: Model, mesh: Mesh, step: float, record: Frozen, sums: Sums, facts: RunFacts
+    scene: Resolved, model: Model, mesh: Mesh, step: float, record: Packed, sums: Sums, facts: RunFacts
 ) -> tuple[Model, int, float]:
     """March by steps of ``step`` (s), from event to event.
 

@@ -24,7 +24,7 @@ from riserstudy.simulation.run_cost import cost
 from riserstudy.simulation.starting_mesh import massless, period
 from riserstudy.simulation.thinning import thinned
 from riserstudy.simulation.time_limit import Watch, size
-from riserstudy.simulation.vibration_refinement import VibrationRefinement
+from riserstudy.simulation.vortex_vibration_refinement import VibrationRefinement
 
 # length of a piece after the ramps, in shortest periods of the scene: two dozen waves
 PERIODS = 48.0

@@ -25,7 +25,7 @@ from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.tensioners import Tensioners
 from riserstudy.simulation.curve import at_stations, curve_of, largest_moment
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.record import NO_SECTION, Record, Section, new_record
 from riserstudy.solve.write_down import evaluate_once
 
@@ -142,7 +142,7 @@ def empty_record(
     of: Wanted,
     section: Section = NO_SECTION,
     room: int = 0,
-) -> Frozen:
+) -> Packed:
     """Record for the outputs of a march up to a time (s); ``section`` and ``room`` as in `new_record`."""
     first = output.start or 0.0
     count = math.floor((end - first) / output.interval * (1.0 + 1e-12) + 1e-9)

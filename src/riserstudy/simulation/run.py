@@ -19,7 +19,7 @@ from riserstudy.scene.analysis import Output
 from riserstudy.scene.at_rest import moves_at, unmoved
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation import audit, outputs, vibration
+from riserstudy.simulation import audit, outputs, vortex_vibration
 from riserstudy.simulation.coupling import Sides, march_in_turns, sides_of
 from riserstudy.simulation.disconnect import enter_lift, rows_of_limits
 from riserstudy.simulation.equilibrium import settle
@@ -36,7 +36,7 @@ from riserstudy.simulation.time_limit import Watch, share
 from riserstudy.simulation.time_stepping import method_of, steps_in
 from riserstudy.solve.evaluate import energies
 from riserstudy.solve.explicit import leapfrog
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.sums import DONE, STOPPED, Sums, new_sums
 
 if TYPE_CHECKING:
@@ -91,27 +91,27 @@ def march(
 
         return solve_small_angle(scene, mesh, step)
     started = clock.perf_counter()
-    vibration.since(scene)  # raises its errors before the statics
+    vortex_vibration.since(scene)  # raises its errors before the statics
     if scene.fatigue:
-        from riserstudy.simulation import damage  # loads the library for cycle counting
+        from riserstudy.simulation import fatigue_damage  # loads the library for cycle counting
 
-        damage.since(scene)
+        fatigue_damage.since(scene)
     rest = rest or Rest(scene, mesh)
     model, arrays, seen = rest.model, dict(rest.arrays), Seen()
     facts = _facts_at_rest(scene, mesh, rest)
     if scene.analysis.duration is not None and step is not None and scene.analysis.output:
         whole = everywhere or fits(scene.analysis.output, scene.analysis.duration, mesh)
         if scene.fatigue and not whole:
-            raise damage.too_large()
+            raise fatigue_damage.too_large()
         histories, seen = in_motion(
             scene, model, mesh, step, whole, arrays, facts, watch or Watch(), extremes
         )
         arrays |= histories
-        vibration.enter(scene, step, arrays, facts)
+        vortex_vibration.enter(scene, step, arrays, facts)
     audit.finite(arrays)
     audit.tension(scene, arrays, facts)
     if scene.fatigue:
-        damage.enter(scene, mesh, arrays, facts)
+        fatigue_damage.enter(scene, mesh, arrays, facts)
     if len(model.s.dof) - len(model.s.dim) == 3:
         arrays["mesh_moment_static"] = rest.moment
     facts["solve_seconds"] = clock.perf_counter() - started
@@ -137,7 +137,7 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
     started = clock.perf_counter()
     arrays, facts, seen = result.arrays, result.facts, result.seen
     if scene.fatigue:
-        from riserstudy.simulation.damage import refuse_coarse
+        from riserstudy.simulation.fatigue_damage import refuse_coarse
 
         refuse_coarse(scene, facts)
     if rig := scene.top.tensioners:
@@ -230,7 +230,7 @@ def _by_method(
     sides: Sides | None,
     mesh: Mesh,
     step: float,
-    record: Frozen,
+    record: Packed,
     sums: Sums,
     facts: RunFacts,
 ) -> tuple[Model, int, float]:
@@ -255,7 +255,7 @@ def _by_method(
 
 
 def _seen(
-    scene: Resolved, model: Model, mesh: Mesh, record: Frozen, rest: outputs.AtRest, judged: bool
+    scene: Resolved, model: Model, mesh: Mesh, record: Packed, rest: outputs.AtRest, judged: bool
 ) -> Seen:
     """Values at all time steps, and their peaks; empty if not all steps were recorded."""
     seen = Seen()
@@ -277,7 +277,7 @@ def _in_calm_water(scene: Resolved, model: Model, mesh: Mesh) -> Model:
     return settle(unmoved(scene), mesh, len(model.s.dim))[0]
 
 
-def explicitly(model: Model, step: float, limit: float, duration: float, record: Frozen, sums: Sums) -> int:
+def explicitly(model: Model, step: float, limit: float, duration: float, record: Packed, sums: Sums) -> int:
     """March by the explicit method.
 
     Raises SimulationError when the time step (s) exceeds the stability limit.

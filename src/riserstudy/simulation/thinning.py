@@ -6,7 +6,7 @@ import math
 
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import period
-from riserstudy.simulation.vibration import since
+from riserstudy.simulation.vortex_vibration import since
 
 A_PERIOD = 16  # smallest number of outputs in a period
 # largest number of time steps between outputs: steps may resolve motion faster than any period

@@ -15,7 +15,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.implicit import Method, generalised_alpha, march
 from riserstudy.solve.newton import Tolerance
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.record import forget
 from riserstudy.solve.runge_kutta import TABLEAUS, Stages, march_in_stages
 from riserstudy.solve.sums import DONE
@@ -41,7 +41,7 @@ def march_on(
     model: Model,
     mesh: Mesh,
     step: float,
-    record: Frozen,
+    record: Packed,
     sums: Any,
     since: float = 0.0,
     until: float | None = None,

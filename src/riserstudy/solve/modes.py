@@ -16,7 +16,7 @@ from scipy.sparse import block_array, coo_array, csc_array, csr_array
 from scipy.sparse.linalg import LinearOperator, eigsh, splu
 
 from riserstudy.solve.evaluate import forces_and_tangent, one_call
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 from riserstudy.solve.state import ACCELERATION, VELOCITY
 
 # unknowns up to which computing all eigenvalues is faster than computing the largest alone
@@ -43,7 +43,7 @@ class LinearisedModel(NamedTuple):
         return lambda x: self.stiff @ x + self.turn.T @ bend(self.turn @ x)
 
 
-def linearise(programs: Frozen, state: Frozen, fixed: np.ndarray) -> LinearisedModel:
+def linearise(programs: Packed, state: Packed, fixed: np.ndarray) -> LinearisedModel:
     """A linearised model; ``fixed``: (node, unknown) pairs, (k, 2), moments numbered before positions."""
     s = state.value
     d, m, nodes = len(s.dim), len(s.dof) - len(s.dim), s.r.shape[1]
@@ -71,7 +71,7 @@ def linearise(programs: Frozen, state: Frozen, fixed: np.ndarray) -> LinearisedM
     return LinearisedModel(stiff, turn, flexibility, damping, mass, np.argwhere(free[:, m:]))
 
 
-def matrices(programs: Frozen, state: Frozen, fixed: np.ndarray):
+def matrices(programs: Packed, state: Packed, fixed: np.ndarray):
     """Stiffness, damping and mass over the free positions, and their (node, direction) pairs.
 
     Returns
@@ -122,7 +122,7 @@ def _blocks(blocks, places, nodes) -> csr_array:
     return coo_array((np.concatenate(data), where), shape=(nodes * p, nodes * q)).tocsr()
 
 
-def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int):
+def natural_modes(programs: Packed, state: Packed, fixed: np.ndarray, count: int):
     """Lowest natural frequencies (rad/s) and shapes about the present state.
 
     Returns
@@ -141,7 +141,7 @@ def natural_modes(programs: Frozen, state: Frozen, fixed: np.ndarray, count: int
 
 
 def lowest_squares(
-    programs: Frozen, state: Frozen, fixed: np.ndarray, count: int, below: float
+    programs: Packed, state: Packed, fixed: np.ndarray, count: int, below: float
 ) -> np.ndarray:
     """Squares (rad2/s2) of the lowest natural frequencies about the present state, (k,), ascending.
 
@@ -178,7 +178,7 @@ def lowest_squares(
     return np.sort(squares)
 
 
-def stable_step(programs: Frozen, state: Frozen, fixed: np.ndarray) -> float:
+def stable_step(programs: Packed, state: Packed, fixed: np.ndarray) -> float:
     """Largest stable step of the explicit method about the present state (s); infinite without stiffness.
 
     ``fixed`` as in `linear`, (k, 2).

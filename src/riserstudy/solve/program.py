@@ -8,7 +8,7 @@ contain absent effects, so these cost nothing, and one compiled solver serves ev
 Compared with kernels specialised for each combination, it is equally fast. Compiling takes half the time for
 eight combinations, and 0.2-1 s instead of 3-5 s for each further combination.
 
-Compiled code sees a ``Frozen`` NamedTuple: a table of words in memory, from which an attribute reads only its
+Compiled code sees a ``Packed`` NamedTuple: a table of words in memory, from which an attribute reads only its
 words. If the tuple were passed by value, every call would copy, and every function compile, the description
 of 50 arrays (77 s of compiling instead of 30).
 
@@ -43,7 +43,7 @@ from riserstudy.solve.jit import inner, kernel
 WORD = ir.IntType(64)
 
 
-class Frozen:
+class Packed:
     """A NamedTuple of numbers, arrays and tuples of floats, stored in memory word by word.
 
     A float or integer takes one word, a tuple one word per float, an array its address, shape and strides.
@@ -165,7 +165,7 @@ def _read_attribute(context, builder, reference, address, name):
             shape=[word(1 + k, WORD) for k in range(member.ndim)],
             strides=[word(1 + member.ndim + k, WORD) for k in range(member.ndim)],
             itemsize=ir.Constant(WORD, context.get_abi_sizeof(item)),
-            meminfo=None,  # borrowed: the Frozen object owns the memory
+            meminfo=None,  # borrowed: the Packed object owns the memory
         )
         return array._getvalue()
     if isinstance(member, types.BaseTuple):
@@ -213,7 +213,7 @@ def entry(function, record, state) -> int:
     return _entries[key]
 
 
-def assemble(calls, state: Frozen) -> np.ndarray:
+def assemble(calls, state: Packed) -> np.ndarray:
     """Program, int64 array (calls, 2), of (function, frozen record) pairs for one state."""
     rows = [
         (entry(function, record._numba_type_, state._numba_type_), record.address)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 
 
 class Record(NamedTuple):
@@ -76,7 +76,7 @@ NO_SECTION = Section(
 )
 
 
-def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Frozen:
+def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Packed:
     """Empty record for the sizes of a state, frozen for compiled code.
 
     Parameters
@@ -116,9 +116,9 @@ def new_record(time, station, s, middle=None, section=NO_SECTION, room=0) -> Fro
         step_probe=np.zeros((room, len(s.probe))),
         steps=np.zeros(1, np.int64),
     )
-    return Frozen(record)
+    return Packed(record)
 
 
-def forget(record: Frozen) -> None:
+def forget(record: Packed) -> None:
     """Keep only the last step, because forces have a kink or a jump there, due to an event."""
     record.value.seen[0] = min(record.value.seen[0], 1)

@@ -14,7 +14,7 @@ import numpy as np
 from riserstudy.solve.blocktri import solve
 from riserstudy.solve.evaluate import forces, move_to, tangent
 from riserstudy.solve.jit import kernel
-from riserstudy.solve.program import Frozen
+from riserstudy.solve.program import Packed
 
 MOST_ITERATIONS = 200
 
@@ -77,7 +77,7 @@ def _newton(p, s, fixed, out, work, pseudo, limit):
 
 
 def find_equilibrium(
-    programs: Frozen, state: Frozen, fixed: np.ndarray, tolerance: float, current: bool
+    programs: Packed, state: Packed, fixed: np.ndarray, tolerance: float, current: bool
 ) -> Equilibrium:
     """Bring a state to static equilibrium at its present time, from its present shape.
 
@@ -117,7 +117,7 @@ def find_equilibrium(
     return result._replace(iterations=total)
 
 
-def unstable_directions(programs: Frozen, state: Frozen, fixed: np.ndarray) -> int:
+def unstable_directions(programs: Packed, state: Packed, fixed: np.ndarray) -> int:
     """Number of unstable directions in the present shape, without a search for equilibrium.
 
     ``fixed`` as in `find_equilibrium`, (k, 2).

@@ -12,7 +12,7 @@ from riserstudy.model.vortices import ramp_of, shedding, shedding_period, slowes
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation.vibration_statistics import (
+from riserstudy.simulation.vortex_vibration_statistics import (
     FIELDS,
     NONE,
     along,

@@ -38,7 +38,7 @@ from riserstudy.records.numerals import at_most
 from riserstudy.scene.fatigue import Detail, Fatigue, SNCurve
 from riserstudy.scene.limits import ENDS, place_of
 from riserstudy.scene.resolve import Resolved
-from riserstudy.simulation import vibration
+from riserstudy.simulation import vortex_vibration
 from riserstudy.simulation.curve import between_nodes
 from riserstudy.simulation.sampling_error import standard_error
 from riserstudy.simulation.wall_stress import Wall, nodes_of, pressures, wall_of
@@ -101,7 +101,7 @@ def since(scene: Resolved) -> float:
     a = scene.analysis
     if a.duration is None or a.output is None:
         raise TypeError("fatigue without time")  # excluded by the caller
-    start = max(a.output.start or 0.0, scene.built_up, vibration.since(scene) or 0.0)
+    start = max(a.output.start or 0.0, scene.built_up, vortex_vibration.since(scene) or 0.0)
     if a.duration <= start:
         raise SimulationError(
             f"fatigue: cycles are counted from {start:.4g} s, when all ramps have ended, but the run ends at "

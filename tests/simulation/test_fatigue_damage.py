@@ -17,8 +17,8 @@ from scipy.special import gamma, gammainc, gammaincc
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.fatigue import StandardCurve, sn_curves
 from riserstudy.scene.load import SceneFile
-from riserstudy.simulation.damage import YEAR, Cycles, damage, rainflow, turning_points
 from riserstudy.simulation.error_estimate import difference
+from riserstudy.simulation.fatigue_damage import YEAR, Cycles, damage, rainflow, turning_points
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.run import single
 from riserstudy.simulation.simulate import simulate
