@@ -157,3 +157,24 @@ def test_an_option_without_meaning_or_effect_is_refused(commands, words, said):
     code, out, error = commands("operability", SCENE, *words)
     assert (code, out) == (2, "")
     assert said in error
+
+
+def test_each_line_has_the_allowable_value_and_the_allowance_of_its_limit(commands, tmp_path):
+    sets = (
+        "["
+        + ", ".join(f"{{output: lfj_angle, largest: {angle} deg, mode: drilling}}" for angle in (1.5, 2.5))
+        + ", {output: effective_tension, smallest: 100 kN, mode: drilling}]"
+    )
+    words = ["--reach", "240 m", "--set", f"limits={sets}"]
+    code, out, err = commands("operability", SCENE, *words)
+    assert code == 0, err
+    heads, *lines = out.splitlines()
+    assert heads.split() == ["limit", "allowable", "offsets"]
+    assert [line.split("  ")[1:] for line in lines]
+    assert ["1.5 deg" in line for line in lines] == [True, False, False]
+    assert ["2.5 deg" in line for line in lines] == [False, True, False]
+    assert "100 kN" in lines[2]
+    _, out, _ = commands("operability", SCENE, *words, "--allowance", "lfj_angle=0.25 deg")
+    heads, *lines = out.splitlines()
+    assert heads.split() == ["limit", "allowable", "allowance", "offsets"]
+    assert ["0.25 deg" in line for line in lines] == [True, True, False]

@@ -28,7 +28,7 @@ from riserstudy.cli.targets import ForceOption
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Mapping, Sequence
 
     import xarray as xr
 
@@ -176,10 +176,8 @@ def operability(
 ) -> None:
     """Compute the static offset range within which each limit is met.
 
-    The exit status is 4 if a limit could not be evaluated.
+    For each limit, the table gives the allowable value, the allowance if there is one, and the offsets. The exit status is 4 if a limit could not be evaluated.
     """
-    from riserstudy.dataset.limits import label
-
     file = scene_of(scene, settings)
     require_limits(file)
     riser, far = file.resolved(), positive("--reach", reach, "m")
@@ -188,8 +186,8 @@ def operability(
     from riserstudy.design.operability import offsets
 
     found = offsets(riser, far, added)
-    for limit, between in zip(riser.limits or [], found, strict=True):
-        print(f"{label(limit):50s} {_between(between)}")
+    for line in _ranges(riser.limits or [], found, added):
+        print(line)
     if any(between.missing for between in found):
         raise typer.Exit(4)
 
@@ -372,6 +370,24 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
             allowed = "give the magnitude of the effect, also for a lower limit"
             raise InputError("--allowance", one, "below 0", allowed)
     return added
+
+
+def _ranges(limits: Sequence[Limit], found: Sequence[Offsets], added: Mapping[str, float]) -> list[str]:
+    """A heading, and a line per limit: its allowable value, its allowance if any, and the offsets."""
+    from riserstudy.dataset.limits import label
+    from riserstudy.dataset.table import aligned
+    from riserstudy.dataset.unit_systems import UnitSystem, read_in
+    from riserstudy.scene.limits import UNITS
+
+    rows = [("limit", "allowable", "allowance", "offsets")]
+    for limit, between in zip(limits, found, strict=True):
+        factor, unit = read_in(UNITS[limit.output], UnitSystem.FIELD)
+        add = 0.0 if limit.side == "mean" else added.get(limit.output, 0.0)
+        allowance = f"{factor * add:.4g} {unit}" if add else ""
+        rows.append((label(limit), f"{factor * limit.allowable:.4g} {unit}", allowance, _between(between)))
+    if not any(allowance for _, _, allowance, _ in rows[1:]):
+        rows = [(name, allowable, offsets) for name, allowable, _, offsets in rows]
+    return aligned(rows)
 
 
 def _between(found: Offsets) -> str:

@@ -146,7 +146,7 @@ def _run_of(source: Path) -> tuple[Any, Any]:
 
     dataset = open_dataset(source)
     if "point_key" in dataset:
-        allowed = "allowed is the dataset of one run; `riserstudy results` lists points of studies"
+        allowed = "allowed is the dataset of one run; `riserstudy rerun` makes that of a point (--at, -o)"
         raise InputError(source, "", "a study", allowed)
     return scene_of_point(dataset, {}), dataset
 
