@@ -40,18 +40,26 @@ def test_a_finding_without_a_figure_says_nothing_of_its_own():
     assert (one.sentences, one.figure) == ("", "")
 
 
-@pytest.mark.parametrize("seed", range(5))
+@pytest.mark.parametrize("seed", range(10))
 def test_the_totals_add_up_and_name_every_verdict_that_occurs(seed):
     rng = np.random.default_rng(seed)
+    grounds = [SimpleNamespace(because=because) for because in ("inputs", "too few samples")]
     claims = [
-        SimpleNamespace(verdict=v) for v in rng.choice([*VERDICTS][: rng.integers(1, len(VERDICTS) + 1)], 40)
+        SimpleNamespace(verdict=v, grounds=grounds[rng.integers(2)], samples=8, met=8)
+        for v in rng.choice([*VERDICTS][: rng.integers(1, len(VERDICTS) + 1)], 40)
     ]
     said = totals(claims)
     head, _, rest = said.partition(",")
-    counts = [int(word) for word in rest.split() if word.isdigit()]
+    head_of_rest, _, remaining = rest.partition("Of the remaining")
+    counts = [int(word) for word in head_of_rest.split() if word.isdigit()]
+    left, *others = [int(word.rstrip(",")) for word in remaining.split() if word.rstrip(",").isdigit()] or [0]
     assert head == "Of 40 published values and claims"
-    assert sum(counts) == 40
-    assert len(counts) == len({claim.verdict for claim in claims})
+    assert sum(others) == left
+    assert sum(counts) + left == 40
+    few = sum(c.verdict == "depends" and c.grounds.because == "too few samples" for c in claims)
+    assert (f"{few} {'is' if few == 1 else 'are'} true in all samples" in said) == (few > 0)
+    left_out = [c for c in claims if c.verdict != "depends" or c.grounds.because == "inputs"]
+    assert len(counts) + len(others) == len({claim.verdict for claim in left_out}) + (few > 0)
 
 
 def test_nothing_graded_has_no_totals():

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 240, 48  # of a small picture
 TOP = 3  # effects that are named
 ROWS = 5  # effects that are drawn
+EQUAL = 1.1  # ratio of run times up to which they count as equal
 
 
 def tiles(datasets: Mapping[str, xr.Dataset]) -> list[Tile]:
@@ -46,42 +47,50 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     usual = seconds[(requested == found.coarse) & (seconds > 0.0)]
     low, high = (plain(1e3 * time, 2) for time in (usual.min(), usual.max()))
     answer = (
-        f"A simulation with a tolerance of {100 * found.coarse:g}\u00a0% takes {low} to {high}\u00a0ms. "
+        f"With a tolerance of {100 * found.coarse:g}\u00a0%, a simulation takes "
+        f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
         f"With {100 * found.fine:g}\u00a0%, it takes {found.words} times as long."
     )
     if peers := others(accuracy):
         answer += (
-            f" For an error of {100 * peers.error:g}\u00a0%, {peers.codes} other codes need "
-            f"{peers.low:.2g} to {peers.high:.3g} times the run time of riserstudy."
+            f" For an error of {100 * peers.error:g}\u00a0%, {peers.codes} other programs take "
+            f"{peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
         )
     lines = []
     for name in dict.fromkeys(scene):
         of = (scene == name) & (seconds > 0.0)
         points = sorted(zip(-requested[of], seconds[of], strict=True))
         lines.append([(math.log(-x), math.log(y)) for x, y in points])
-    drawn = _lines([line for line in lines if len(line) > 1])
+    drawn_lines = [line for line in lines if len(line) > 1]
+    drawn = _lines(drawn_lines)
     known = requested[seconds > 0.0]
     between = f"{100 * known.max():g} to {100 * known.min():g}\u00a0%"
-    under = f"run time (log scale) for tolerances from {between}; one line per scene"
+    per = "; one line per scene" if len(drawn_lines) > 1 else ""
+    under = f"run time (log scale) for tolerances from {between}{per}"
     if left := without_time(accuracy):
         under += (
             f", without {listed(f'“{in_one_line(name)}”' for name in left)}, whose runs exceed the time limit"
         )
-    return f"{found.words}× the run time", answer, drawn + (_under(under) if drawn else "")
+    time = f"{found.words}× the time" if found.high > EQUAL else "no more time"
+    number = f"{time}, for {100 * found.fine:g}\u00a0% instead of {100 * found.coarse:g}\u00a0%"
+    return number, answer, drawn + (_under(under) if drawn else "")
 
 
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     counts, ends = hard(stability), ended(stability)
     parts = [(ENDS[end], ends.count(end)) for end in ENDS if end in ends]
     silent = counts.silent
-    number = "no silent error" if not silent else f"{silent} silent error{'' if silent == 1 else 's'}"
     refused, other = ends.count(REFUSED), ends.count(WRONG)
+    run = counts.cases - refused - other
+    number = f"{run} of {counts.cases} difficult scenes"
+    if silent:
+        number = f"{silent} of {counts.compared} results inaccurate without a warning"
     answer = (
         f"Of {counts.cases} difficult scenes, for example with compression or disconnects, "
-        f"{counts.cases - refused - other} run to their end and {refused} "
+        f"{run} run to their end and {refused} "
         f"{'is' if refused == 1 else 'are'} refused with a reason. "
-        f"Of {counts.compared} results with a reference solution, {silent or 'none'} "
-        f"{'is' if silent < 2 else 'are'} inaccurate without a warning."
+        f"{counts.compared} results were compared with reference solutions: "
+        f"{silent or 'none'} {'is' if silent < 2 else 'are'} inaccurate without a warning."
     )
     if other:
         answer += f" {other} {'scene does' if other == 1 else 'scenes do'} not end as expected."
@@ -95,16 +104,16 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
         return None
     top = [one for one in ranked[:TOP] if one.changed]
     none = never(ranked)[:2]
-    least = min((100 * one.changed // one.scenes for one in top), default=0)
+    least = min((math.floor(100 * one.changed / one.scenes + 0.5) for one in top), default=0)
     number = listed(one.name for one in top) if top else "none"
     answers = []
     if top:
         answers.append(
-            f"{_named(top)} a result by more than 1 % in at least {least} % of the scenes that include "
+            f"{_named(top)} a result by more than 1\u00a0% in at least {least}\u00a0% of the scenes that include "
             f"{'them' if len(top) > 1 else 'it'}"
         )
     if none:
-        answers.append(f"{_named(none)} no result by more than 1 %")
+        answers.append(f"{_named(none)} no result by more than 1\u00a0%")
     rows = [*ranked[: ROWS - len(none)], *none]
     drawn = sorted(((one.name, one.changed / one.scenes) for one in rows), key=lambda row: -row[1])
     if len(ranked) > len(top) + len(none) and len(never(ranked)) == len(none) > 0:

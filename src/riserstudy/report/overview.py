@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import NamedTuple
 
 from riserstudy.records.words import listed
@@ -12,12 +13,18 @@ from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
 MOST = 3  # verdicts in a sentence
+#: verdict of a claim that is true in all samples, of which there are too few
+TOO_FEW = "too few samples"
 #: words for one and for several verdicts
 PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
-    "calibrated": ("is met with a calibrated input", "are met with a calibrated input"),
+    "calibrated": ("is met with a fitted input", "are met with a fitted input"),
     "holds": ("holds", "hold"),
     "depends": ("depends on inputs that the papers omit", "depend on inputs that the papers omit"),
+    TOO_FEW: (
+        "is true in all samples, which are too few for a verdict",
+        "are true in all samples, which are too few for a verdict",
+    ),
     "fails": ("fails", "fail"),
     "not comparable": ("is defined differently in the paper", "are defined differently in the papers"),
     "not reproducible": ("cannot be checked", "cannot be checked"),
@@ -61,10 +68,9 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
         done = "simulated, drawn and graded" if graded else "simulated and drawn"
         return ", ".join(names), f"Parameter studies of drilling risers, {done}."
     count = WORDS[len(papers)] if len(papers) < len(WORDS) else str(len(papers))
-    things = "riser paper" if len(papers) == 1 else "riser papers"
     plain = "paper" if len(papers) == 1 else "papers"
     return (
-        f"{count} {things}, simulated again",
+        f"{count} {plain} on drilling risers, simulated again",
         "riserstudy is a simulation program for drilling risers. Here it repeats the simulations of "
         f"{count.lower()} published {plain}, and checks every published value and claim. "
         "Inputs that a paper omits are assumed and varied.",
@@ -86,18 +92,25 @@ def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
 
 
 def totals(claims: list[Claim]) -> str:
-    """Return the verdicts about all numbers and claims, the most frequent first; "" if none is graded.
+    """Return the verdicts about all numbers and claims; "" if none is graded.
 
-    A sentence has at most ``MOST`` verdicts.
+    A sentence has at most ``MOST`` verdicts. Claims that "depend" only because their samples are too few are
+    named apart.
     """
     if not claims:
         return ""
-    parts = [
-        f"{count} {PLURALS[verdict][count > 1] if verdict in PLURALS else verdict}"
-        for verdict, count in sorted(counted_verdicts(claims), key=lambda of: -of[1])
-    ]
+    counts = Counter(TOO_FEW if _true_in_too_few(claim) else claim.verdict for claim in claims)
+    order = sorted(counts, key=[*PLURALS, *counts].index)
+    parts = [f"{counts[v]} {PLURALS[v][counts[v] > 1] if v in PLURALS else v}" for v in order]
     first = sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")
-    return f"{first} Of the remaining ones, {listed(parts[MOST:])}." if parts[MOST:] else first
+    left = sum(counts[verdict] for verdict in order[MOST:])
+    return f"{first} Of the remaining {left}, {listed(parts[MOST:])}." if parts[MOST:] else first
+
+
+def _true_in_too_few(claim: Claim) -> bool:
+    """Whether all samples agree with a claim, but are too few for its verdict."""
+    few = claim.verdict == "depends" and claim.grounds.because == "too few samples"
+    return few and claim.samples is not None and claim.met == claim.samples > 0
 
 
 def title_of(files: dict[str, StudyFile], paper: str) -> str:

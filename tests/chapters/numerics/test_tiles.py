@@ -24,11 +24,11 @@ def test_the_tile_of_hard_cases_counts_them_and_draws_their_shares():
     }
     stability = xr.Dataset({name: ("case", values) for name, values in cases.items()})
     (one,) = shown({"stability": stability})
-    assert one.number == "1 silent error"
+    assert one.number == "1 of 3 results inaccurate without a warning"
     assert one.answer == (
         "Of 4 difficult scenes, for example with compression or disconnects, 2 run to their end and 1 is "
-        "refused with a reason. Of 3 results with a reference solution, 1 is inaccurate without a warning. "
-        "1 scene does not end as expected."
+        "refused with a reason. 3 results were compared with reference solutions: 1 is inaccurate without a "
+        "warning. 1 scene does not end as expected."
     )
     assert one.spark.count("<rect") == 4
 
@@ -41,13 +41,23 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     }
     accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
     (one,) = shown({"accuracy": accuracy})
-    assert one.number == "2.5 to 3× the run time"
+    assert one.number == "2.5 to 3× the time, for 0.05\u00a0% instead of 1\u00a0%"
     assert one.answer == (
-        "A simulation with a tolerance of 1\u00a0% takes 100 to 200\u00a0ms. With 0.05\u00a0%, it takes "
+        "With a tolerance of 1\u00a0%, a simulation takes 100 to 200\u00a0ms. With 0.05\u00a0%, it takes "
         "2.5 to 3 times as long."
     )
     assert one.spark.count("<polyline") == 2
     assert "time limit" not in one.spark
+
+
+@pytest.mark.parametrize("ratio", [0.85, 1.0, 1.05, 1.2, 4.0])
+def test_finer_tolerances_that_take_no_longer_are_said_to_take_no_more_time(ratio):
+    rows = {"request_scene": ["a", "a"], "requested": [0.05, 0.01], "request_seconds": [0.1, 0.1 * ratio]}
+    accuracy = xr.Dataset({name: ("request", values) for name, values in rows.items()})
+    (one,) = shown({"accuracy": accuracy})
+    assert one.number.startswith("no more time") == (ratio < 1.1)
+    assert "takes 100\u00a0ms" in one.answer
+    assert "one line per scene" not in one.spark
 
 
 def test_the_words_below_the_lines_name_all_tolerances_that_are_drawn_and_scenes_in_words():
