@@ -109,8 +109,8 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     answers = []
     if top:
         answers.append(
-            f"{_named(top)} a result by more than 1\u00a0% in at least {least}\u00a0% of the scenes that include "
-            f"{'them' if len(top) > 1 else 'it'}"
+            f"{_named(top)} a result by more than 1\u00a0% in at least {least}\u00a0% of the scenes that "
+            f"include {'them' if len(top) > 1 else 'it'}"
         )
     if none:
         answers.append(f"{_named(none)} no result by more than 1\u00a0%")

@@ -176,7 +176,8 @@ def operability(
 ) -> None:
     """Compute the static offset range within which each limit is met.
 
-    For each limit, the table gives the allowable value, the allowance if there is one, and the offsets. The exit status is 4 if a limit could not be evaluated.
+    For each limit, the table gives the allowable value, the allowance if there is one, and the offsets. The
+    exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     require_limits(file)
@@ -385,9 +386,9 @@ def _ranges(limits: Sequence[Limit], found: Sequence[Offsets], added: Mapping[st
         add = 0.0 if limit.side == "mean" else added.get(limit.output, 0.0)
         allowance = f"{factor * add:.4g} {unit}" if add else ""
         rows.append((label(limit), f"{factor * limit.allowable:.4g} {unit}", allowance, _between(between)))
-    if not any(allowance for _, _, allowance, _ in rows[1:]):
-        rows = [(name, allowable, offsets) for name, allowable, _, offsets in rows]
-    return aligned(rows)
+    if any(allowance for _, _, allowance, _ in rows[1:]):
+        return aligned(rows)
+    return aligned([(name, allowable, offsets) for name, allowable, _, offsets in rows])
 
 
 def _between(found: Offsets) -> str:
