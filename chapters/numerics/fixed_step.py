@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 from riserstudy.model.mesh import Mesh
-from riserstudy.scene.load import SceneFile
+from riserstudy.scene.load import SceneFile, read_scene
 from riserstudy.scene.resolve import Resolved
 
 #: settings that are removed from a scene before a method, a mesh and a step are set
 FREE = {f"analysis.{name}": None for name in ("mesh", "step", "method", "solver")}
 MOST_ELEMENTS = 20_000  # most that a scene file may give; refined meshes may have more
+
+
+def freed(path: Path, sets: dict[str, Any], where: str) -> SceneFile:
+    """Read a scene, remove its settings, and then set values, which may set them again."""
+    return read_scene(path).with_values(FREE, where).with_values(sets, where)
 
 
 def whole(scene: Resolved) -> Resolved:
@@ -29,4 +35,4 @@ def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | N
     fixed["analysis.mesh"] = {"elements": min(len(mesh.l0), MOST_ELEMENTS)}
     if step:
         fixed["analysis.step"] = f"{step!r} s"
-    return file.with_values(fixed | values, "method").resolved()
+    return file.with_values(fixed, "mesh and step").with_values(values, "method").resolved()

@@ -16,7 +16,7 @@ import numpy as np
 import psutil
 
 from chapters.numerics.attempt import Attempt, Outcome, attempt, attempt_on, in_time, too_long
-from chapters.numerics.fixed_step import FREE, stepped, whole
+from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.stability import attempt_limit
 from chapters.numerics.models import AccuracyStudy, Ladder, Method
 from chapters.numerics.outside import RADAU, outside
@@ -27,7 +27,7 @@ from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
 from riserstudy.study.measured import Setting
@@ -105,7 +105,7 @@ def accuracy(study: AccuracyStudy, setting: Setting) -> xr.Dataset:
 
 def scene_of(config: Path, name: str, ladder: Ladder) -> SceneFile:
     """Read the scene of a ladder, without mesh, step and method."""
-    return read_scene(config / ladder.scene).with_values(FREE | ladder.set, f"{WHERE}: {name}")
+    return freed(config / ladder.scene, ladder.set, f"{WHERE}: {name}")
 
 
 def wanted(study: AccuracyStudy, config: Path) -> Iterator[Wanted]:

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import psutil
 
 from chapters.numerics.attempt import Attempt, attempt_on, largest
-from chapters.numerics.fixed_step import FREE, stepped, whole
+from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.measured.accuracy import timed
 from chapters.numerics.models import LongCase, LongStudy
 from chapters.numerics.reference.check import with_recomputed
@@ -29,7 +29,7 @@ from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.errors import SimulationError
 from riserstudy.model.mesh import Mesh, even
-from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.starting_mesh import coarsest_mesh
 from riserstudy.study.measured import Setting
@@ -74,7 +74,7 @@ def long_runs(study: LongStudy, setting: Setting) -> xr.Dataset:
 def scene_of(config: Path, name: str, case: LongCase, tier: Tier) -> SceneFile:
     """Read the scene of a case, with the duration of the tier."""
     sets = case.set | (case.preview or {} if tier == "preview" else {})
-    return read_scene(config / case.scene).with_values(FREE | sets, f"{WHERE}: {name}")
+    return freed(config / case.scene, sets, f"{WHERE}: {name}")
 
 
 def candidates(

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from chapters.numerics.attempt import Outcome, attempt, attempt_on, errors, in_time
-from chapters.numerics.fixed_step import FREE, stepped, whole
+from chapters.numerics.fixed_step import freed, stepped, whole
 from chapters.numerics.models import Family, RandomStudy
 from chapters.numerics.reference.check import with_recomputed
 from chapters.numerics.reference.converge import SMOOTH, converged, none
@@ -30,7 +30,7 @@ from chapters.numerics.scenes import in_tier
 from riserstudy.dataset.describe import label_variables
 from riserstudy.dataset.result import Result
 from riserstudy.model.mesh import even
-from riserstudy.scene.load import SceneFile, read_scene
+from riserstudy.scene.load import SceneFile
 from riserstudy.scene.origin import Origin
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.refine import run
@@ -105,7 +105,8 @@ def drawn(study: RandomStudy, config: Path, tier: Tier) -> list[Drawn]:
 
 def draw(name: str, family: Family, study: RandomStudy, config: Path, tier: Tier) -> Iterator[Drawn]:
     """Yield the scenes of a family: assumed and varied values from a seeded Sobol sequence."""
-    base = read_scene(config / family.scene).with_values(FREE | family.set, f"{WHERE}: {name}")
+    where = f"{WHERE}: {name}"
+    base = freed(config / family.scene, family.set, where)
     open_values = {
         path: origin
         for path, origin in base.origins.items()
@@ -115,7 +116,7 @@ def draw(name: str, family: Family, study: RandomStudy, config: Path, tier: Tier
         open_values[path] = Origin("assumed", low, range=(low, high))
     for k, sets in enumerate(sample(open_values, study.count[tier], study.seed)):
         requested = {"analysis.accuracy": study.accuracy}
-        file = base.with_values(sets | requested, f"{WHERE}: {name}")
+        file = base.with_values(sets, where).with_values(requested, where)
         yield Drawn(name, k, k % 2 == 1, sets, file)
 
 
