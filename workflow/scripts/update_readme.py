@@ -1,24 +1,78 @@
-"""Update the table of the README with the results of `make study`."""
+"""Update the counts of verdicts in README and the first page of the docs with the results of `make study`."""
 
 from __future__ import annotations
 
 import csv
+import textwrap
 from collections import Counter
 from pathlib import Path
 
+from riserstudy.records.words import listed
 from riserstudy.report.claims import VERDICTS
 
 ROOT = Path(__file__).resolve().parents[2]
-BEGIN, END = "<!-- results: python workflow/scripts/update_readme.py -->\n", "<!-- end -->\n"
+BEGIN = "<!-- {part}: python workflow/scripts/update_readme.py -->\n"
+END = "<!-- end -->\n"
+WIDTH = 140  # characters in a line of the pages
+
+#: verdicts in the order of the summary, in the words for one item and for several
+WORDS = (
+    (("reproduced",), "is reproduced", "are reproduced"),
+    (("holds",), "holds", "hold"),
+    (("depends",), "depends on inputs that the papers omit", "depend on inputs that the papers omit"),
+    (("fails",), "fails", "fail"),
+    (("calibrated",), "is met with a fitted input", "are met with a fitted input"),
+    (
+        ("not comparable", "not reproducible"),
+        "cannot be checked or compared",
+        "cannot be checked or compared",
+    ),
+)
 
 
 def main() -> None:
-    """Replace the table."""
+    """Replace the generated parts of both pages."""
     with (ROOT / "results/reproduction.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    readme = ROOT / "README.md"
-    before, rest = readme.read_text("utf-8").split(BEGIN)
-    readme.write_text(before + BEGIN + table(rows) + END + rest.split(END)[1], "utf-8")
+    verdicts = Counter(row["verdict"] for row in rows)
+    opened, counted = opening(verdicts.total()), summary(verdicts)
+    for name, parts in {
+        "README.md": {"summary": wrapped(f"{opened} {counted}"), "results": table(rows)},
+        "docs/index.md": {"summary": wrapped(opened)},
+    }.items():
+        text = (ROOT / name).read_text("utf-8")
+        for part, made in parts.items():
+            text = replaced(text, part, made)
+        (ROOT / name).write_text(text, "utf-8")
+
+
+def replaced(text: str, part: str, made: str) -> str:
+    """Return a page with one of its generated parts replaced."""
+    before, begin, rest = text.partition(BEGIN.format(part=part))
+    _, end, after = rest.partition(END)
+    return before + begin + made + end + after
+
+
+def opening(number: int) -> str:
+    """Return the sentences that introduce the project."""
+    return (
+        "riserstudy simulates deepwater drilling risers. One command repeats the simulations of five "
+        f"published papers, redraws their figures, and grades each of their {number} published values and "
+        "claims (qualitative statements)."
+    )
+
+
+def summary(verdicts: Counter[str]) -> str:
+    """Return the sentence that counts all verdicts."""
+    counts = [(sum(verdicts[one] for one in group), words) for group, *words in WORDS]
+    parts = [f"{count} {several if count > 1 else single}" for count, (single, several) in counts if count]
+    number, rest = parts[0].split(" ", 1)
+    return f"{listed([f'{number} of them {rest}', *parts[1:]])}."
+
+
+def wrapped(text: str) -> str:
+    """Return a paragraph in lines of the width of the pages."""
+    return textwrap.fill(text, WIDTH, break_on_hyphens=False) + "\n"
 
 
 def table(rows: list[dict[str, str]]) -> str:
