@@ -4,8 +4,9 @@
 by 15 % to either side, tunes mesh, step and method as ``settings: tuned`` in a study does, and runs, stores
 and joins all points, every eighth with its error. That is compared with the same study by the cheapest
 setting that prices.py found for the scene in the middle, without any error, and finer where it does not serve
-at a point that nothing was tuned on. A study at rest cannot be tuned: its points are requests. Times are of
-the processor. True errors are over the accuracy, at that other point, as `riserstudy tune` measures them.
+at a point that nothing was tuned on. A study at rest cannot be tuned: its points are run with the tolerance.
+Times are of the processor. True errors are over the accuracy, at that other point, as `riserstudy tune`
+measures them.
 """
 
 from __future__ import annotations
@@ -112,7 +113,7 @@ def price(name: str, folder: Path) -> float:
     told = "–"
     if error and found and found.setting:
         told = ", ".join(f"{error(setting):.2f}" for setting in (found.setting, fixed))
-    said = described(found.setting) if found and found.setting else "requests"
+    said = described(found.setting) if found and found.setting else "tolerance"
     print(
         f"| {name} | {tuning:.2f} | {points:.2f} | {again} | {alone:.2f} | {ratio:.1f} | {told} "
         f"| {said}; {described(fixed)} |",

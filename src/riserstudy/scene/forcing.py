@@ -153,9 +153,10 @@ class Platform(Strict):
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
     and the centre of rotation drifts with the vessel. Phases of response amplitude operators (RAOs) are
-    evaluated at the initial place of the vessel, even if it drifts. A run warns if the vessel drifts by more
-    than a tenth of the wavelength in the direction of the waves of the scene. With a ``vessel``, the engine
-    refuses a cruise, and a position in surge or sway: give the initial place of the vessel by ``top.offset``.
+    evaluated at the initial position of the vessel, even if it drifts. A run warns if the vessel drifts by
+    more than a tenth of the wavelength in the direction of the waves of the scene. With a ``vessel``, the
+    engine refuses a cruise, and a position in surge or sway: give the initial position of the vessel by
+    ``top.offset``.
 
     RAOs refer to a hull along x. With RAOs, the engine refuses a rest position with a yaw, and a ``vessel``
     with another heading.

@@ -30,8 +30,8 @@ class Drag(Strict):
 
     With ``direction: horizontal``, only horizontal velocities cause drag, and the drag acts in x and y only.
     The coefficient is one number, or a table over elevation with linear interpolation. A table is evaluated
-    at the present elevation of the moving, stretched pipe. Beyond the ends of the table, its end values
-    apply.
+    at the present elevation of the moving, stretched pipe. Above and below the elevations of the table, its
+    first and last values apply.
     """
 
     coefficient: Coefficient | Annotated[list[CoefficientAt], Field(min_length=2)]
@@ -201,13 +201,13 @@ class Section(Strict):
     water that the *outer* surface displaces. It excludes ``contents``. An example is a bare pipe with
     diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81
     m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
-    2153.4 N/m. A pipe full of sea water can be described in two ways: by 2714.1 N/m without contents, or by
-    874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed from mass,
-    diameters, gravity and water. The engine refuses the scene if this computation lacks the inner diameter or
-    the contents. For a section that is wholly above the water, ``submerged_weight`` is the weight in air. A
-    section that crosses the water surface is divided there if it has no ``submerged_weight``, or has modules
-    or lines. The upper part is named ``<name>, above water``. For this part, the engine adds the weight of
-    the water displaced by the outer diameter to a given ``submerged_weight``.
+    2153.4 N/m to this weight. A pipe full of sea water can be described in two ways: by 2714.1 N/m without
+    contents, or by 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed
+    from mass, diameters, gravity and water. The engine refuses the scene if this computation lacks the inner
+    diameter or the contents. For a section that is wholly above the water, ``submerged_weight`` is the weight
+    in air. A section that crosses the water surface is divided there if it has no ``submerged_weight``, or
+    has modules or lines. The upper part is named ``<name>, above water``. For this part, the engine adds the
+    weight of the water displaced by the outer diameter to a given ``submerged_weight``.
 
     ``buoyancy_lift`` is the net lift of buoyancy modules in water. This lift has no effect on the simulation,
     because ``submerged_weight`` already includes it. Only the formula of the command ``tension`` requires

@@ -68,12 +68,12 @@ class Turning(Strict):
 
 
 class Thrusters(Strict):
-    """Thrust G (x_c - x) - D v towards the commanded place x_c, measured from the point above the well.
+    """Thrust G (x_c - x) - D v towards the commanded position x_c, measured from the point above the well.
 
     G is ``gain``, D is ``velocity_gain``, and x and v are the position and the velocity of the vessel. Gains
-    refer to the directions of the hull in its initial position. Without ``heading``, the commanded place is
-    on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation`` the
-    thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. By
+    refer to the directions of the hull in its initial position. Without ``heading``, the commanded position
+    is on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation``
+    the thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. By
     default the command acts suddenly; with ``rise``, it increases as 1 - exp(-t / rise). By default the
     thrust follows the command immediately; with ``lag``, it follows with this time constant. Without ``sway``
     there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
@@ -161,7 +161,7 @@ class Coupling(Strict):
 
 
 class Vessel(Strict):
-    """A platform that floats freely from its initial place, together with the riser's top.
+    """A platform that floats freely from its initial position, together with the top of the riser.
 
     Added mass, hull drag (from the velocity relative to the surface current), wind, wave drift and thrusters
     are zero if not given. Without ``sway`` the vessel moves only along x, and without ``yaw`` it keeps its

@@ -43,7 +43,7 @@ def lost_phase(scene: Resolved, arrays: dict[str, NDArray[np.float64]]) -> list[
         return []
     return [
         f"{path}: moves {far:.3g} m along waves with a length of {length:.3g} m, but its motions in waves "
-        f"keep the phase of its initial place. After {FAR * length:.2g} m, do not use the phase between "
+        f"keep the phase of its initial position. After {FAR * length:.2g} m, do not use the phase between "
         "these motions and the wave loads on the riser"
     ]
 
