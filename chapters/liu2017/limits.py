@@ -39,9 +39,7 @@ START = 0.05
 
 def shares(runs: xr.Dataset) -> xr.DataArray:
     """Share of each limit that is used, over ``limit`` and the dimensions of the runs."""
-    used = [abs(runs[limit.variable]) / limit.most for limit in LIMITS.values()]
-    labels = xr.DataArray(list(LIMITS), dims="limit", name="limit")
-    return xr.concat(used, labels, coords="minimal", compat="override").rename("limit_share")
+    return abs(_used(runs)).rename("limit_share")
 
 
 def reached(runs: xr.Dataset) -> xr.DataArray:
@@ -51,7 +49,12 @@ def reached(runs: xr.Dataset) -> xr.DataArray:
 
 def starts(runs: xr.Dataset, share: float = START) -> xr.DataArray:
     """Time at which each quantity has changed by a share of its limit since the start (s), or infinity."""
-    changes = [runs[limit.variable] / limit.most for limit in LIMITS.values()]
-    labels = xr.DataArray(list(LIMITS), dims="limit", name="limit")
-    used = xr.concat(changes, labels, coords="minimal", compat="override")
+    used = _used(runs)
     return first_crossing(abs(used - used.isel(time=0, drop=True)), share)
+
+
+def _used(runs: xr.Dataset) -> xr.DataArray:
+    """Quantities divided by their limits, with their signs, over ``limit`` and the dimensions of the runs."""
+    used = [runs[limit.variable] / limit.most for limit in LIMITS.values()]
+    labels = xr.DataArray(list(LIMITS), dims="limit", name="limit")
+    return xr.concat(used, labels, coords="minimal", compat="override")

@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from chapters.liu2020.below_ring import RING
 from chapters.liu2020.claims.system import (
     INCH,
     WITHOUT,
@@ -21,7 +22,6 @@ from riserstudy.grading.verdict import ALMOST_ALWAYS
 from riserstudy.grading.word import Word
 from riserstudy.records.words import listed
 
-LENGTH = 533.0  # m of riser
 RELAXATION = 0.81318 / np.pi  # s, by Eq. 16 with a damping ratio of 1: at_period divided by pi
 WET = 220.0 / 15.24  # kg/m in water, for a joint of Table 1
 
@@ -41,7 +41,7 @@ def tensions(readings: xr.Dataset) -> dict[str, Any]:
         "unstretched": other,
         "lost": once - other,
         "inclined": float(six.sel(mid_stroke="riser in equilibrium", inclination=11.3)),
-        "ratio": 1e3 * once / (LENGTH * WET),
+        "ratio": 1e3 * once / (RING * WET),
         "each": float(tonnes.sel(cylinders="six", pistons="6050 kg each", inclination=0.0)),
         "seven": float(sevens.sel(inclination=9.5)),
         "upright": float(sevens.sel(inclination=0.0)),

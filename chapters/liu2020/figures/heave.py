@@ -7,6 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from chapters.liu2020.below_ring import RING
 from chapters.liu2020.figures.colours import LINEAR, LINEARISED, ON_TENSIONERS, VERTICAL_CYLINDERS
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.insets import enlarge
@@ -14,7 +15,6 @@ from riserstudy.figures.style import GREY, field, headline, key_below, panel_tit
 
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
-RING = 533.0  # m, arclength of the riser's top
 ALIKE = 0.02  # share of an amplitude, below which a difference is invisible
 STROKE = 7.5  # m, in both directions
 ABOUT_ZERO = (6.6, 7.5), (-0.6, 1.4)  # heave (m) and tension (MN) of the inset

@@ -11,8 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from scipy.signal import find_peaks, peak_prominences
 
+from chapters.liu2020.below_ring import RING
 from chapters.liu2020.figures.colours import CARRIED, NAMES, OF_TOP, ON_PLATFORM, ON_TENSIONERS, WITHOUT
-from chapters.liu2020.figures.motion_shared import DEPTH, RING, TIME, by_depth
+from chapters.liu2020.figures.motion_shared import DEPTH, TIME, by_depth
 from riserstudy.figures.direct import label_ends, label_line
 from riserstudy.figures.style import GREY, PRINTED, field, headline, key_below, panel_title, panels, shades
 from riserstudy.grading.verdict import ALMOST_ALWAYS

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import xarray as xr
 
-RING = 533.0  # m, arclength of the riser's top
+from chapters.liu2020.below_ring import RING
+
 DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 
 

@@ -11,8 +11,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from chapters.liu2020.below_ring import RING
 from chapters.liu2020.figures.colours import ALL, CARRIED, NAMES, OF_TOP, ON_PLATFORM, ONE, VERTICAL
-from chapters.liu2020.figures.motion_shared import DEPTH, RING
+from chapters.liu2020.figures.motion_shared import DEPTH
 from riserstudy.figures.direct import legible
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import headline, panel_title, panels, shades

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import json
-from base64 import urlsafe_b64decode
 from collections.abc import Iterator, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import NamedTuple
 
-LONG = "@"  # prefix of the parts of a record name that is too long for a file system
+from riserstudy.crate.record_names import output_of
 
 
 class Made(NamedTuple):
@@ -35,9 +34,8 @@ def _records(folder: Path) -> Iterator[tuple[str, Made]]:
     for path in folder.rglob("*"):
         if not path.is_file():
             continue
-        parts = path.relative_to(folder).parts
         try:
-            name = urlsafe_b64decode("".join(p.removeprefix(LONG) for p in parts)).decode()
+            name = output_of(path, folder)
             record = json.loads(path.read_bytes())
             began, ended = (datetime.fromtimestamp(record[key], UTC) for key in ("starttime", "endtime"))
             inputs, params = ((*map(str, record[key]),) for key in ("input", "params"))

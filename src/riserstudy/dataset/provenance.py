@@ -134,6 +134,12 @@ def scene_of_point(dataset: xr.Dataset, index: Mapping[str, int]) -> Resolved:
     return scene_file_of(dataset, index).resolved()
 
 
+def first_scene(dataset: xr.Dataset) -> Resolved:
+    """The scene of a run, or of the first point of a study."""
+    index = {str(axis): 0 for axis in dataset["point_key"].dims} if "point_key" in dataset else {}
+    return scene_of_point(dataset, index)
+
+
 def _name(dataset: xr.Dataset | xr.DataArray) -> str:
     """Name of a dataset in errors: its file, if it was read from one."""
     return str(dataset.encoding.get("source", "dataset"))

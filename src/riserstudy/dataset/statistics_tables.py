@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from riserstudy.dataset.provenance import scene_of_point
+from riserstudy.dataset.provenance import first_scene
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED, extremes, gumbel, record_statistics
 from riserstudy.dataset.table import OF_ROW, Cell, Table
 from riserstudy.errors import InputError
@@ -18,7 +18,6 @@ from riserstudy.scene.limits import SIGNED
 if TYPE_CHECKING:
     import xarray as xr
 
-    from riserstudy.scene.resolve import Resolved
 
 LOWER_ANGLE = "lfj_angle"
 NEGLIGIBLE = 1e-4  # range of a history that counts as constant, relative to its largest value
@@ -125,15 +124,9 @@ def _over_all_steps(run: xr.Dataset, name: str, s: float | None) -> tuple[float,
     return (row["smallest"], row["largest"]) if row else None
 
 
-def _first_scene(run: xr.Dataset) -> Resolved:
-    """The scene of a run, or of the first run of a study."""
-    index = {str(axis): 0 for axis in run["point_key"].dims} if "point_key" in run else {}
-    return scene_of_point(run, index)
-
-
 def _sizes(run: xr.Dataset) -> tuple[str, ...]:
     """Outputs that are magnitudes: in space, those whose sign in a plane is a convention."""
-    in_space = _first_scene(run).spatial
+    in_space = first_scene(run).spatial
     return tuple(name for name in SIGNED if name not in "xy") if in_space else ()
 
 
@@ -162,7 +155,7 @@ def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | Non
         if "time" not in history.dims or history.dtype.kind != "f":
             continue
         if name == LOWER_ANGLE:
-            history = history.isel(time=history["time"].values <= _first_scene(run).lower_joint_until)
+            history = history.isel(time=history["time"].values <= first_scene(run).lower_joint_until)
             if history.sizes["time"] < 2:
                 continue
         unit = str(history.attrs.get("units", ""))

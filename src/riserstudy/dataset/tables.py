@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from riserstudy.csv_files import write_csv as write_whole
+from riserstudy.dataset.recoil_table import recoil
 from riserstudy.dataset.stack_up import stack_up
 from riserstudy.dataset.table import OF_ROW, Cell, Table, aligned, heads
 from riserstudy.dataset.unit_systems import UnitSystem, read_in
@@ -138,8 +139,6 @@ def table_of(kind: str, scene: Resolved | None, dataset: xr.Dataset | None) -> T
     if kind == "stack-up" and scene is not None:
         return stack_up(scene)
     if kind == "recoil" and scene is not None and dataset is not None:
-        from riserstudy.dataset.recoil_table import recoil  # which imports this module
-
         return recoil(scene, dataset)
     made = {"extremes": extremes, "time-series": time_series, "limits": limits}.get(kind)
     if made is None or dataset is None:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.unit_names import scene_notation
 from riserstudy.errors import InputError
+from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
 from riserstudy.records.words import counted
 from riserstudy.scene.units import to_si
@@ -207,11 +208,8 @@ def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
 
 
 def _number(path: Path, row: int, column: str, cell: str) -> float:
-    try:
-        value = float(cell)
-    except ValueError:
-        value = math.nan
-    if not math.isfinite(value):
+    value = number_in(cell)
+    if value is None or not math.isfinite(value):
         raise InputError(f"{path}, row {row}", column.strip(), repr(cell), "allowed is a number")
     return value
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.place import value_of
-from riserstudy.dataset.provenance import scene_of_point
+from riserstudy.dataset.provenance import first_scene
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import Occurrence, within
 from riserstudy.fatigue.response import ORDER, Response, in_parts
@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     import xarray as xr
 
     from riserstudy.scene.fatigue import Detail
-    from riserstudy.scene.resolve import Resolved
 
 Array = NDArray[np.float64]
 PLACES = ("detail", "wall_angle", "s_node")
@@ -245,19 +244,13 @@ def _between(here: Response, occurs: Occurrence, rate: float) -> float:
     return error
 
 
-def _first_scene(study: xr.Dataset) -> Resolved:
-    """The scene of a run, or of the first point of a study."""
-    index = {str(axis): 0 for axis in study["point_key"].dims} if "point_key" in study else {}
-    return scene_of_point(study, index)
-
-
 def gamma_of(study: xr.Dataset, at: Mapping[str, str] | None = None) -> float | None:
     """Peak enhancement (1) of the irregular sea that a study simulates; None for regular waves.
 
     ``at``: values by axis, as in `over_years`; those of other axes are the first ones.
     """
     index = {axis: value_of(study, axis, value) for axis, value in (at or {}).items() if axis in study.dims}
-    scene = _first_scene(study.isel(index))
+    scene = first_scene(study.isel(index))
     response = scene.platform and scene.platform.response
     for sea in (response and response.wave, scene.wave):
         if found := getattr(sea, "peak_enhancement", None):
@@ -267,7 +260,7 @@ def gamma_of(study: xr.Dataset, at: Mapping[str, str] | None = None) -> float | 
 
 def _details(study: xr.Dataset) -> list[Detail]:
     """The details in a study's scene."""
-    fatigue = _first_scene(study).fatigue
+    fatigue = first_scene(study).fatigue
     if fatigue is None:
         raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
     return fatigue.details

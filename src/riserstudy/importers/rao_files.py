@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 from riserstudy.csv_files import write_csv
 from riserstudy.dataset.netcdf import load
 from riserstudy.errors import InputError
+from riserstudy.inputs.number_cell import number_in
 from riserstudy.scene.rao import MOTIONS
 
 if TYPE_CHECKING:
@@ -137,11 +138,11 @@ def _rows_of_wamit(path: Path) -> list[Row]:
     rows: list[Row] = []
     for number, line in enumerate(path.read_text("utf-8", "replace").splitlines(), 1):
         words = line.split()
-        try:
-            cells = [float(word.replace("D", "E").replace("d", "e")) for word in words]
-        except ValueError:
+        numbers = [number_in(word.replace("D", "E").replace("d", "e")) for word in words]
+        cells = [value for value in numbers if value is not None]
+        if len(cells) < len(words):
             if rows:
-                raise InputError(path, f"line {number}", line.strip()[:40], "allowed are numbers") from None
+                raise InputError(path, f"line {number}", line.strip()[:40], "allowed are numbers")
             continue  # a heading
         if not cells:
             continue

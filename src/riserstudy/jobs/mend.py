@@ -5,14 +5,14 @@ from __future__ import annotations
 import json
 import os
 import time
-from base64 import urlsafe_b64decode
 from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
+from riserstudy.crate.record_names import output_of
+
 #: record that Snakemake writes for a job at work; without it a killed job would count as done
 AT_WORK = '{"external_jobid": null}'
-LONG = "@"  # prefix of the parts of a record name that is too long for a file system
 
 
 def unreadable(snakemake: Path) -> list[Path]:
@@ -39,9 +39,8 @@ def drop(records: Iterable[Path], snakemake: Path) -> list[str]:
             path.write_text(AT_WORK, "utf-8")
             continue
         path.unlink(missing_ok=True)
-        parts = path.relative_to(snakemake / "metadata").parts
         with suppress(ValueError):  # not a name that Snakemake gave
-            outputs.append(urlsafe_b64decode("".join(p.removeprefix(LONG) for p in parts)).decode())
+            outputs.append(output_of(path, snakemake / "metadata"))
     return outputs
 
 

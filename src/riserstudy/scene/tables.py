@@ -14,6 +14,7 @@ from pathlib import Path, PureWindowsPath
 from typing import Any, NamedTuple
 
 from riserstudy.errors import InputError
+from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.strict import Strict
 from riserstudy.inputs.text import read_text
 from riserstudy.inputs.validate import check
@@ -250,8 +251,6 @@ def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
 
 
 def _number(path: object, line: int, cell: str) -> str:
-    try:
-        float(cell)
-    except ValueError:
-        raise InputError(path, f"line {line}", repr(cell), "allowed are numbers") from None
+    if number_in(cell) is None:
+        raise InputError(path, f"line {line}", repr(cell), "allowed are numbers")
     return cell.strip()

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
 from riserstudy.scene.units import MOST
 
@@ -23,7 +24,6 @@ FloatArray = NDArray[np.float64]
 MOST_BYTES = 100_000_000
 MISSING = ("", "-", "~", "n/a", "nan")  # cells without a number
 MARKS = (("tab", "\t"), ("semicolon", ";"), ("comma", ","))
-_PLAIN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _UNIT = re.compile(r"\([^()]*\)|\[[^][]*\]|")
 
 
@@ -83,9 +83,9 @@ def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> 
     point = comma = 0
     for line, row in rows:
         for cell in row:
-            if "," in cell and _PLAIN.fullmatch(cell.replace(",", ".", 1)):
+            if "," in cell and number_in(cell.replace(",", ".", 1)) is not None:
                 comma = comma or line
-            elif "." in cell and _PLAIN.fullmatch(cell):
+            elif "." in cell and number_in(cell) is not None:
                 point = point or line
         if point and comma:
             found = f"has a decimal comma, and line {point} a decimal point"
@@ -98,7 +98,7 @@ def _value(cell: str, decimal: bool) -> float | None:
     if cell.lower() in MISSING:
         return math.nan
     text = cell.replace(",", ".", 1) if decimal else cell
-    return float(text) if _PLAIN.fullmatch(text) else None
+    return number_in(text)
 
 
 def _is_numbers(row: list[str], decimal: bool) -> bool:

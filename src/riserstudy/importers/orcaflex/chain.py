@@ -142,7 +142,7 @@ def depth(line: Line) -> float:
     return sum(length for _, length in lengths_of(line.part))
 
 
-def write_point_counts(deck: Part, names: list[str]) -> None:
+def leave_out_points(deck: Part, names: list[str]) -> None:
     """Leave out the points between lines of the riser, which may have no mass to speak of."""
     buoys = deck.named("6DBuoys")
     for buoy in [buoys[name] for name in names if name in buoys]:

@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 from ruamel.yaml.error import MantissaNoDotYAML1_1Warning
 
 from riserstudy.errors import InputError, InputErrors, on_one_line
-from riserstudy.importers.orcaflex.chain import Bearings, Roles, roles, write_point_counts
+from riserstudy.importers.orcaflex.chain import Bearings, Roles, leave_out_points, roles
 from riserstudy.importers.orcaflex.constraints import turns_in
 from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import GROUND, PLACE, rotation, upright
@@ -90,7 +90,7 @@ def _tree(deck: Part, path: Path) -> dict[str, Any]:
     with deck.noting():
         current = current_of(environment)
     cast = roles(deck, _bearings(deck))
-    write_point_counts(deck, cast.nodes[1:-1])
+    leave_out_points(deck, cast.nodes[1:-1])
     foot = _foot(deck, cast, sea)
     made = top_of(deck, cast, foot.elevation, sea)
     bottom: dict[str, Any] = {"hold": "wellhead", "elevation": q(foot.elevation, "m")}

@@ -6,6 +6,7 @@ import math
 from typing import Any, NamedTuple
 
 from riserstudy.importers.orcaflex.deck import Part, q
+from riserstudy.model.sea import wave_number
 
 SPECTRA = ("JONSWAP", "ISSC")  # ISSC: a Pierson-Moskowitz spectrum of any height
 AIRY = ("Airy", "Single Airy")
@@ -119,10 +120,7 @@ def second_harmonic(amplitude: float, period: float, depth: float, gravity: floa
     amplitude, period : of the wave (m, s).
     depth, gravity : of the water (m, m/s2).
     """
-    deep = (2.0 * math.pi / period) ** 2 / gravity
-    k = deep
-    for _ in range(100):  # w^2 = g k tanh(k d); the mean of the last two values converges
-        k = 0.5 * (k + deep / math.tanh(k * depth))
+    k = wave_number(2.0 * math.pi / period, depth, gravity)
     kd = min(k * depth, 20.0)  # above 20 the result does not change
     steep = math.cosh(kd) * (2.0 + math.cosh(2.0 * kd)) / math.sinh(kd) ** 3
     return 0.25 * k * amplitude * steep
