@@ -6,7 +6,7 @@ import pytest
 from random_rigs import rig, written
 
 from riserstudy import simulate
-from riserstudy.design.watch_table import Times, circles
+from riserstudy.design.watch_circles_of_run import Times, circles
 from riserstudy.scene.load import SceneFile
 
 OUTPUTS = {"lfj_angle": "rad", "bending_moment": "N*m", "effective_tension": "N"}

@@ -9,7 +9,7 @@ from random_rigs import rig
 from rigs_in_waves import limited
 
 from riserstudy import simulate
-from riserstudy.design.watch_table import Times, circles
+from riserstudy.design.watch_circles_of_run import Times, circles
 
 OUTPUTS = {"bending_moment": "N*m", "von_mises_stress": "Pa", "effective_tension": "N", "lfj_angle": "rad"}
 OFTEN, STEP = 0.25, 0.25  # s

@@ -7,7 +7,7 @@ from random_rigs import rig, written
 from rigs_in_waves import limited
 
 from riserstudy import simulate
-from riserstudy.design.watch_table import Times, circles
+from riserstudy.design.watch_circles_of_run import Times, circles
 from riserstudy.scene.load import SceneFile
 
 OUTPUTS = {"lfj_angle": "rad", "bending_moment": "N*m", "von_mises_stress": "Pa"}

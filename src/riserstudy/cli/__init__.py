@@ -21,10 +21,10 @@ from riserstudy.cli import (
     check,
     compare,
     design,
+    disconnect,
     downtime,
     fatigue,
     files,
-    leave,
     outputs,
     results,
     seas,
@@ -46,7 +46,7 @@ GROUPS: dict[str, tuple[Any, ...]] = {
     ),
     "Design": (
         design.tension, design.operability, design.envelope, design.viv,
-        leave.watch_circles, leave.recoil, seas.seas, downtime.downtime, fatigue.fatigue,
+        disconnect.watch_circles, disconnect.recoil, seas.seas, downtime.downtime, fatigue.fatigue,
     ),
     "Files": (files.import_deck, files.export_deck, files.new, files.schema),
     "Results": (results.results, results.sql, results.verify, results.prune,
@@ -56,7 +56,7 @@ GROUPS: dict[str, tuple[Any, ...]] = {
 NAMES: dict[Any, str] = {
     files.import_deck: "import",
     files.export_deck: "export",
-    leave.watch_circles: "watch-circles",
+    disconnect.watch_circles: "watch-circles",
 }  # names of commands that differ from names of functions
 
 app = typer.Typer(

@@ -102,7 +102,7 @@ def watch_circles(
     for option, text, value in zip(("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True):
         if value < 0.0:
             raise InputError(option, text, "below 0 s", "Give a time from 0 s")
-    from riserstudy.design.watch_table import Times, circles, moves_off
+    from riserstudy.design.watch_circles_of_run import Times, circles, moves_off
 
     of = file.resolved()
     moves_off(of)
