@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 
 #: labels, and what is given in other words: compared by what it amounts to
 LABELS = ("title", "paper", "note", "name", "young_modulus", "axial_stiffness", "bending_stiffness")
-RISER = ("joints", "wall_density", "mass", "submerged_weight", "drag", "tangential_drag", "added_mass")
+RISER = ("joints", "wall_density", "mass", "submerged_weight", "drag", "tangential_drag")
 CURRENT = ("current.profile", "current.heading")
 RESPONSE = tuple(f"platform.response.{name}" for name in ("operators", "headings", "symmetry"))
 

@@ -137,9 +137,13 @@ def _levels(deck: Deck, k: int) -> tuple[float, float]:
 
 
 def _water(deck: Deck, section: Section, k: int, outer: float, pipe: bool) -> dict[str, Any]:
-    """Return drag and added mass, each with its own diameter."""
+    """Return drag and added mass, each with its own diameter.
+
+    OrcaFlex refers added mass (Ca) and the force of accelerating water (Cm) to ``outer``; a scene refers both
+    to the diameter of the added mass, and has neither along the riser.
+    """
     drag, added, sliding = section.drag, section.added_mass, section.tangential_drag
-    across = along = mass = 0.0
+    across = along = mass = inertia = 0.0
     entry: dict[str, Any] = {}
     if drag:
         across = drag.constant if not drag.table else _mean(deck, drag.table, k)
@@ -149,14 +153,17 @@ def _water(deck: Deck, section: Section, k: int, outer: float, pipe: bool) -> di
         along = sliding.coefficient
         entry["AxialDragLiftDiameter"] = sliding.diameter
     if added:
-        mass = added.coefficient * (added.diameter / outer) ** 2
+        displaced = (added.diameter / outer) ** 2
+        mass, inertia = added.coefficient * displaced, (1.0 + added.coefficient) * displaced
     if pipe and all(key not in entry or entry[key] == outer for key in entry):
-        return {"Cdn": across, "Cdz": along, "Can": mass, "Caz": 0}
+        return {"Cdn": across, "Cdz": along, "Can": mass, "Caz": 0, "Cmn": inertia, "Cmz": 0}
     if pipe:  # a homogeneous pipe has one diameter for all
         scale = entry.get("NormalDragLiftDiameter", outer) / outer
         slide = entry.get("AxialDragLiftDiameter", outer) / outer
-        return {"Cdn": across * scale, "Cdz": along * slide, "Can": mass, "Caz": 0}
-    return {"Ca": [mass, None, 0], "Cd": [across, None, along], **entry}
+        coefficients = {"Cdn": across * scale, "Cdz": along * slide}
+        return {**coefficients, "Can": mass, "Caz": 0, "Cmn": inertia, "Cmz": 0}
+    water = {"Ca": [mass, None, 0], "Cm": [inertia, None, 0]}
+    return {**water, "Cd": [across, None, along], **entry}
 
 
 def _mean(deck: Deck, table: tuple[tuple[float, float], ...], k: int) -> float:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from riserstudy.records.facts import RunFacts
 
 FloatArray = NDArray[np.float64]
+PLANE = 1e-6  # distance from a plane that counts as none, as a share of the distance within it
 UNEXPLAINED = 1e-3  # largest energy residual without a warning, as a share of the energy exchanged
 
 
@@ -109,9 +110,32 @@ def tension(scene: Resolved, arrays: dict[str, FloatArray], facts: RunFacts) -> 
     k = int(np.where(outside, np.inf, along).argmin())
     facts["smallest_tension"] = float(along[k])
     facts["smallest_tension_s"] = float(arrays["s_node"][k])
-    if facts["directions"] < 3 and along[k] < -rounding(scene):
+    if along[k] < -rounding(scene) and (excluded := _excluded(arrays, facts["directions"])):
         facts["warnings"].append(
             f"effective tension decreases to {newtons(along[k])} at s = {arrays['s_node'][k]:.4g} m: a riser "
-            "may go slack or buckle there, which this run does not simulate, because it excludes "
-            + ("lateral motion" if facts["directions"] == 1 else "motion out of its plane")
+            f"may go slack or buckle there, which this run does not simulate, because it excludes {excluded}"
         )
+
+
+def _excluded(arrays: dict[str, FloatArray], directions: int) -> str:
+    """The motion that a run excludes; "" if a riser may buckle in every direction.
+
+    In space, a riser that nothing moves out of one vertical plane stays in it, as in a model of this plane.
+    """
+    if directions == 1:
+        return "lateral motion"
+    if directions == 2 or _in_one_plane(arrays):
+        return "motion out of its plane"
+    return ""
+
+
+def _in_one_plane(arrays: dict[str, FloatArray]) -> bool:
+    """Whether the riser is in one vertical plane, at rest and at all outputs and stations."""
+    places = [
+        np.stack([arrays[f"x{end}"].ravel(), arrays[f"y{end}"].ravel()], axis=1)
+        for end in ("_static", "")
+        if f"x{end}" in arrays
+    ]
+    away = np.concatenate(places) - places[0][0]
+    longest, aside = np.linalg.svd(away, compute_uv=False)
+    return bool(aside <= PLANE * longest)

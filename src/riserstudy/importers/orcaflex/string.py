@@ -147,11 +147,29 @@ def _water(kind: Part) -> dict[str, Any]:
     if sliding:
         along_it = {"coefficient": sliding, "diameter": q(long or outer, "m")}
         fields["tangential_drag"] = along_it
-    if added:
-        fields["added_mass"] = {"coefficient": added, "diameter": q(outer, "m")}
+    if added is not None and (mass := _added_mass(kind, added, outer)):
+        fields["added_mass"] = mass
     if extra:
         kind.otherwise["Ca"] = f"{extra:g} along the line is left out"
     return fields
+
+
+def _added_mass(kind: Part, added: float, outer: float) -> dict[str, Any] | None:
+    """Return added mass with the coefficient and diameter that give Ca and Cm; None without both.
+
+    In a scene, Ca D^2 of the diameter D is the added mass, and (1 + Ca) D^2 the force of accelerating water.
+    """
+    given, length = across(kind, "Cm"), along(kind, "Cm")
+    if length:
+        kind.otherwise["Cm"] = f"{length:g} along the line is left out"
+    inertia = 1.0 + added if given is None else given
+    displaced = inertia - added
+    if not added and not inertia:
+        return None
+    if displaced <= 0.0:
+        kind.otherwise["Cm"] = f"{inertia:g} is replaced by 1 + Ca: in a scene, it exceeds Ca"
+        displaced = 1.0
+    return {"coefficient": added / displaced, "diameter": q(outer * math.sqrt(displaced), "m")}
 
 
 def _coefficient(kind: Part, name: str) -> float | None:
