@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, NamedTuple
 
 from riserstudy.records.numerals import newtons, percent
@@ -291,3 +291,14 @@ def label(one: Checked | Limit) -> str:
     at = one.place if isinstance(one, Limit) else one.at
     place = f" at {at}" if at else ""
     return f"{one.mode}: {one.side} {one.output}{place}"
+
+
+def labels(limits: Sequence[Checked | Limit]) -> list[str]:
+    """Limits in words, which differ: of several that would have the same words, later ones are numbered."""
+    found: list[str] = []
+    for one in limits:
+        name, number = label(one), 2
+        while name in found:
+            name, number = f"{label(one)} ({number})", number + 1
+        found.append(name)
+    return found

@@ -10,7 +10,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import label
+from riserstudy.dataset.limits import labels
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.design.envelopes import SIDES, envelopes
 from riserstudy.design.operability import AtRest, Offsets, moved, offsets_at
@@ -61,7 +61,7 @@ def envelope(
     moved(scene, 0.0)  # refuses a scene without an offset that can be changed
     with_speeds = [with_current(scene, speed) for speed in currents]
     added = [allowances(file, sea, seeds, notify) for sea in seas] or [[Allowance(0.0)] * len(limits)]
-    labels = [label(limit) for limit in limits]
+    names_of_limits = labels(limits)
     found = np.full((len(added), len(currents), len(limits), len(SIDES)), math.nan)
     lost = np.zeros(found.shape[:-1], bool)
     also = np.full(found.shape[:-1], math.nan)
@@ -73,12 +73,12 @@ def envelope(
                 found[n, c, k], also[n, c, k] = one[:2], one.also
                 if one.missing:
                     lost[n, c, k] = True
-                    missing.setdefault(labels[k], one.missing)
+                    missing.setdefault(names_of_limits[k], one.missing)
     names = [f"{sea.height:g} m, {sea.period:g} s" for sea in seas] or [CALM]
     array = xr.DataArray(
         found,
         dims=("sea", "current", "limit", "offset_side"),
-        coords={"limit": labels, "offset_side": list(SIDES)},
+        coords={"limit": names_of_limits, "offset_side": list(SIDES)},
     )
     of_seas = [array.isel(sea=n) for n in range(len(names))]
     rows = [

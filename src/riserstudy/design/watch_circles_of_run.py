@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, error_of, label, too_coarse
+from riserstudy.dataset.limits import EXCEEDED, UNKNOWN, error_of, labels, too_coarse
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
 from riserstudy.records.numerals import at_most
@@ -139,7 +139,10 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
     for mode in modes:
         first, earliest, lost, unsure = math.inf, math.inf, False, list[str]()
         evaluated = 0
-        for limit, time, error, row in zip(scene.limits or [], reached, errors, verdicts, strict=True):
+        limits = scene.limits or []
+        for limit, name, time, error, row in zip(
+            limits, labels(limits), reached, errors, verdicts, strict=True
+        ):
             if limit.mode != mode:
                 continue
             why = _unknown(limit.side, time, row)
@@ -148,11 +151,11 @@ def circles(scene: Resolved, dataset: xr.Dataset, times: Times, modes: Sequence[
             at = math.inf if isinstance(time, str) else float(time)
             first, earliest = min(first, at), min(earliest, at - error)
             remark = "" if why else _unsure(scene, limit, time, facts, sparse if error else "")
-            unsure += [label(limit)] if remark else []
+            unsure += [name] if remark else []
             rows.append(
-                [label(limit), None, None, None, None, f"not evaluated: {why}"]
+                [name, None, None, None, None, f"not evaluated: {why}"]
                 if why
-                else _row(label(limit), at, error, way, times, remark)
+                else _row(name, at, error, way, times, remark)
             )
         missing = missing or lost
         named = f"{mode}: first of all" + (" that are evaluated" if lost else "")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import label
+from riserstudy.dataset.limits import labels
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.scene.limits import UNITS as OUTPUT_UNITS
 from riserstudy.scene.limits import Limit
@@ -166,13 +166,13 @@ def _by_limit(rows: Met, limits: Sequence[Limit], error: FloatArray, lost: Flags
     """Share of rows in which each limit is exceeded, and in which only this limit of its mode is."""
     exceeded = ~rows.found & ~lost[:, None]
     table: list[list[Cell]] = []
-    for k, limit in enumerate(limits):
+    for k, (limit, name) in enumerate(zip(limits, labels(limits), strict=True)):
         among = [n for n, other in enumerate(limits) if other.mode in MODES[limit.mode]]
         alone = exceeded[:, k] & (exceeded[:, among].sum(axis=1) == 1)
         sided = np.nanmin if limit.side == "smallest" else np.nanmax
         table.append(
             [
-                label(limit),
+                name,
                 100.0 * float(exceeded[:, k].mean()),
                 100.0 * float(alone.mean()),
                 limit.allowable,

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import checked, error_of, label
+from riserstudy.dataset.limits import checked, error_of, labels
 from riserstudy.errors import InputError
 from riserstudy.scene.limits import UNITS, Limit
 from riserstudy.scene.load import SceneFile
@@ -77,7 +77,7 @@ class RiserResponse:
     @cached_property
     def labels(self) -> list[str]:
         """Limits in words."""
-        return [label(limit) for limit in self.limits]
+        return labels(self.limits)
 
     @cached_property
     def allowed(self) -> FloatArray:

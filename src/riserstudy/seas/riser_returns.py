@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import label
+from riserstudy.dataset.limits import labels
 from riserstudy.dataset.statistics import FEWEST_SEEDS, NOT_EXCEEDED
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
@@ -58,6 +58,7 @@ class Returned(NamedTuple):
     """A return value of a response by both methods, in the SI unit of its output."""
 
     limit: Limit
+    name: str  # of the limit
     years: float
     by_years: ReturnValue
     by_storms: ReturnValue
@@ -79,20 +80,20 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
         raise InputError("--seeds", few, "", f"return values need {FEWEST_SEEDS}")
     draw = np.random.default_rng(seed)
     found: list[Returned] = []
-    for k, limit in enumerate(of.limits):
+    for k, (limit, name) in enumerate(zip(of.limits, labels(of.limits), strict=True)):
         if limit.side == "mean":
             continue
         sign = -1.0 if limit.side == "smallest" else 1.0
         each = _of_limit(of, k, sign, periods, draw)
         for period, both in zip(periods, each, strict=True):
-            found.append(Returned(limit, period, *(_turned(one, sign) for one in both)))
+            found.append(Returned(limit, name, period, *(_turned(one, sign) for one in both)))
     return found
 
 
 def table_of(found: Sequence[Returned]) -> Table:
     """Results of both methods, one row per limit and return period."""
     rows: list[list[Cell]] = [
-        [label(one.limit), one.years, *one.by_years, *one.by_storms, UNITS[one.limit.output]] for one in found
+        [one.name, one.years, *one.by_years, *one.by_storms, UNITS[one.limit.output]] for one in found
     ]
     return Table(COLUMNS, HEADS, rows)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from riserstudy.dataset.limits import Checked, checked, label
+from riserstudy.dataset.limits import Checked, checked, labels
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
 from riserstudy.records.facts import point_columns
@@ -56,16 +56,16 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
             map(study.grid.file, (point.index for point in study.plan)), results, strict=True
         )
     ]
-    labels = [label(one) for one in rows[0]]
-    if any([label(one) for one in row] != labels for row in rows):
+    names = labels(rows[0])
+    if any(labels(row) != names for row in rows):
         allowed = "allowed are the same outputs, places and modes at all points"
         raise InputError(study.where, "limits", "differ between points", allowed)
-    shape = (*(len(steps) for steps in study.axes.values()), len(labels))
+    shape = (*(len(steps) for steps in study.axes.values()), len(names))
     dims = (*study.axes, "limit")
     for name, (of, kind) in OVER_LIMITS.items():
         values: NDArray[Any] = np.array([[getattr(one, of) for one in row] for row in rows], kind)
         dataset[name] = (dims, values.reshape(shape), attributes(name))
-    dataset.coords["limit"] = ("limit", labels, attributes("limit"))
+    dataset.coords["limit"] = ("limit", names, attributes("limit"))
     allowables = np.array([[one.allowable for one in row] for row in rows], float)
     same = (allowables == allowables[0]).all(axis=0)
     if not same.all():
