@@ -35,6 +35,7 @@ FloatArray = NDArray[np.float64]
 # share by which modulus and phase may differ from real and imaginary part, as printed
 ROUNDED = 2e-3
 HEAVE = 3  # its mode
+COLUMNS = 7  # of a ``.4`` file
 SAME = 1e-4  # largest difference of headings that count as equal (deg)
 SHORTEST = 4.0  # s: a file whose periods are all shorter probably has frequencies instead
 HEADING = "heading (deg)"
@@ -136,17 +137,17 @@ def _no_periods(values: dict[tuple[float, float, int], complex]) -> str:
 
 def _rows_of_wamit(path: Path) -> list[Row]:
     rows: list[Row] = []
-    for number, line in enumerate(path.read_text("utf-8", "replace").splitlines(), 1):
+    for number, line in enumerate(path.read_text("utf-8-sig", "replace").splitlines(), 1):
         words = line.split()
         numbers = [number_in(word.replace("D", "E").replace("d", "e")) for word in words]
         cells = [value for value in numbers if value is not None]
         if len(cells) < len(words):
-            if rows:
+            if rows or not _is_heading(words, len(cells)):
                 raise InputError(path, f"line {number}", line.strip()[:40], "allowed are numbers")
-            continue  # a heading
+            continue
         if not cells:
             continue
-        if len(cells) != 7 or cells[2] != int(cells[2]):
+        if len(cells) != COLUMNS or cells[2] != int(cells[2]):
             allowed = "allowed are period, heading, mode, modulus, phase, real and imaginary part"
             raise InputError(path, f"line {number}", f"{len(cells)} numbers", allowed)
         value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
@@ -155,6 +156,14 @@ def _rows_of_wamit(path: Path) -> list[Row]:
             raise InputError(path, f"line {number}", found, "both must be the same; check the columns")
         rows.append(Row(cells[0], cells[1], int(cells[2]), value))
     return rows
+
+
+def _is_heading(words: list[str], numbers: int) -> bool:
+    """Return whether a line above the rows, of which so many words are numbers, is not an unreadable row.
+
+    Codes print numbers too long for their column as asterisks, or without the space before the next number.
+    """
+    return numbers == 0 or (len(words) != COLUMNS and 2 * numbers < len(words))
 
 
 def from_capytaine(path: Path) -> Operators:
