@@ -2,19 +2,18 @@
 
 from __future__ import annotations
 
-import io
 import os
 import shutil
 from pathlib import Path
 from typing import Any
 
-from ruamel.yaml import YAML
-from ruamel.yaml.comments import CommentedMap
+from ruamel.yaml.nodes import MappingNode
 
 from riserstudy.errors import InputError
 from riserstudy.folders import whole_file
 from riserstudy.inputs.plain_yaml import MOST_BYTES
 from riserstudy.inputs.text import read_text
+from riserstudy.inputs.yaml_edits import Edit, applied, in_braces, in_lines, line_of, pairs_of, tree_of
 from riserstudy.study.study import Study, scene_file
 from riserstudy.study.tune import Tuned
 
@@ -25,60 +24,55 @@ def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -
     ``about``: fields of ``tuned`` to write. Raises InputError when the file may not be written. Raises
     SimulationError when it cannot be written, as on a full disk. The file is then not changed.
     """
-    yaml = _yaml()
-    tree = yaml.load(read_text(path, MOST_BYTES))
-    entry = tree["studies"][study.name]
-    if "set" not in entry:
-        entry.insert(list(entry).index("axes"), "set", CommentedMap())
-    _put(entry["set"], study, tuned.setting.analysis)
-    if "tuned" not in entry:
-        entry.insert(list(entry).index("set") + 1, "tuned", None)
-    entry["tuned"] = _flow(about)
-    text = io.StringIO()
-    yaml.dump(tree, text)
+    text = read_text(path, MOST_BYTES)
+    entry = pairs_of(pairs_of(tree_of(text))["studies"].value)[study.name].value
+    edits = _edits(text, entry, study, tuned.setting.analysis, line_of("tuned", about))
     if not os.access(path, os.W_OK):
         raise InputError(path, "", "Permission denied", "make it writable")
     with whole_file(path) as partial:
-        partial.write_text(text.getvalue(), "utf-8")
+        partial.write_text(applied(text, edits), "utf-8", newline="")
         shutil.copymode(path, partial)
 
 
-def _put(sets: Any, study: Study, analysis: dict[str, Any]) -> None:
-    """Set mesh, step and method at the place of the study's present values: in its analysis, or by path."""
-    nested = sets.get("analysis")
-    inside = isinstance(nested, dict)
-    for name, value in analysis.items():
-        # a part of the mesh set by its path would override the whole mesh
-        for stale in [p for p in sets if p.startswith(f"analysis.{name}.")]:
-            del sets[stale]
-        if inside:
-            sets.pop(f"analysis.{name}", None)
-            nested[name] = _flow(value)
-        else:
-            sets[f"analysis.{name}"] = _flow(value)
-    if inside:
-        nested.pop("accuracy", None)
-        sets.pop("analysis.accuracy", None)
-        return
-    sets.pop("analysis.accuracy", None)
-    if "accuracy" in (scene_file(study.config / study.model.scene).tree.get("analysis") or {}):
-        sets["analysis.accuracy"] = None
+def _edits(text: str, entry: MappingNode, study: Study, analysis: dict[str, Any], record: str) -> list[Edit]:
+    """Return the edits of a study's entry. ``record``: line of its ``tuned``, which follows ``set``."""
+    held = pairs_of(entry)
+    found = held["set"].value if "set" in held else None
+    sets = found if isinstance(found, MappingNode) else None
+    changes, edits = _of_sets(text, sets, study, analysis)
+    if entry.flow_style or (sets and sets.flow_style):
+        both = {"set": f"set: {in_braces(text, sets, changes)}", "tuned": record}
+        if not entry.flow_style:
+            return in_lines(text, entry, both, "set")
+        return [Edit(entry.start_mark.index, entry.end_mark.index, in_braces(text, entry, both))]
+    if sets:
+        edits += in_lines(text, sets, changes)
+        return edits + in_lines(text, entry, {"tuned": record}, "set")
+    lines = "".join(f"\n  {line}" for line in changes.values() if line is not None)
+    above = [*held][: [*held].index("axes")]
+    return in_lines(text, entry, {"set": f"set:{lines}", "tuned": record}, above[-1] if above else None)
 
 
-def _flow(value: Any) -> Any:
-    """Mappings on one line."""
-    if not isinstance(value, dict):
-        return value
-    made = CommentedMap({key: _flow(one) for key, one in value.items()})
-    made.fa.set_flow_style()
-    return made
+def _of_sets(
+    text: str, sets: MappingNode | None, study: Study, analysis: dict[str, Any]
+) -> tuple[dict[str, str | None], list[Edit]]:
+    """Return the changes of ``set`` by path, and the edits of an ``analysis`` in lines within it.
 
-
-def _yaml() -> YAML:
-    """A reader and writer that keeps comments, quotes and long lines."""
-    yaml = YAML()
-    yaml.preserve_quotes, yaml.width = True, 1_000_000
-    yaml.indent(mapping=2, sequence=4, offset=2)
-    null = "tag:yaml.org,2002:null"
-    yaml.representer.add_representer(type(None), lambda r, _: r.represent_scalar(null, "null"))
-    return yaml
+    Mesh, step and method are set where the study sets its present values: in its analysis, or by path.
+    """
+    held = pairs_of(sets) if sets else {}
+    # a part of the mesh set by its path would override the whole mesh
+    changes: dict[str, str | None] = {
+        path: None for path in held if any(path.startswith(f"analysis.{name}.") for name in analysis)
+    }
+    nested = held["analysis"].value if "analysis" in held else None
+    if isinstance(nested, MappingNode):
+        changes |= {f"analysis.{name}": None for name in (*analysis, "accuracy")}
+        inside = {name: line_of(name, value) for name, value in analysis.items()} | {"accuracy": None}
+        if not nested.flow_style:
+            return changes, in_lines(text, nested, inside)
+        return changes | {"analysis": f"analysis: {in_braces(text, nested, inside)}"}, []
+    changes |= {(path := f"analysis.{name}"): line_of(path, value) for name, value in analysis.items()}
+    of_scene = scene_file(study.config / study.model.scene).tree.get("analysis") or {}
+    changes["analysis.accuracy"] = line_of("analysis.accuracy", None) if "accuracy" in of_scene else None
+    return changes, []
