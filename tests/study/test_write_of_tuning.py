@@ -94,3 +94,22 @@ def test_line_ends_remarks_and_empty_lines_stay(tmp_path, seed):
         assert after == before
     assert all(text == texts[0] for text in texts)
     assert [line for line in texts[0] if is_kept(line)] == [line for line in [*lines, ""] if is_kept(line)]
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_study_that_its_runs_tune_is_refused_before_tuning(commands, tmp_path, monkeypatch, seed):
+    draw = np.random.default_rng(seed)
+    points, of = draw.integers(2, 9), draw.integers(1, 9)
+    settings = ("tuned", f"{{points: {points}, seed: {of}}}")[seed % 2]
+    path = folder_of(tmp_path, "config") / "studies/own.yaml"
+    lines = drawn(draw, f"    settings: {settings}")
+    path.write_text("\n".join(line for line in lines if "step" not in line or "start" in line))
+    before, calls = path.read_bytes(), []
+    monkeypatch.setattr("riserstudy.study.tune.tune", lambda *_: calls.append(1) or FOUND)
+    code, out, said = commands("tune", path, "heave", "--write")
+    assert (code, out, calls, said.count("\n")) == (2, "", [], 1)
+    assert "studies.heave.settings" in said
+    assert "leave out --write" in said
+    assert path.read_bytes() == before
+    assert commands("tune", path, "heave")[0] == 0
+    assert calls == [1]

@@ -46,6 +46,9 @@ def tune(
     from riserstudy.study.tune import tune as tuned_of
 
     check_tunable(one, points)
+    if write and one.model.settings:
+        why, remedy = "each run of the study tunes it", "leave out --write, or delete this line of the study"
+        raise InputError(studies, f"studies.{one.name}.settings", why, remedy)
     compile_kernels(one.grid.file((0,) * len(one.axes)).resolved())
     found = tuned_of(one, accuracy, points, seed, notify)
     for line in _lines(one, found):
