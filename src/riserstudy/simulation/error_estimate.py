@@ -97,14 +97,11 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         ("tension", ("effective_tension",)),
         ("moment", ("bending_moment",)),
     ):
-        scale, off = 0.0, 0.0
-        for field in fields:
-            pairs = [*_states(coarse.arrays, fine.arrays, field)]
-            if field in histories:
-                pairs.append(histories[field])
-            for low, up in pairs:
-                scale = max(scale, float(np.abs(up).max()))
-                off = max(off, float(np.abs(up - low).max()))
+        pairs = [pair for field in fields for pair in _states(coarse.arrays, fine.arrays, field)]
+        pairs += [histories[field] for field in fields if field in histories]
+        sizes = [(float(np.abs(up).max()), float(np.abs(up - low).max())) for low, up in pairs]
+        sizes += _lengths(coarse.arrays, fine.arrays, histories) if name == "displacement" else []
+        scale, off = (max((size[k] for size in sizes), default=0.0) for k in (0, 1))
         peaks = [largest_moment(one.arrays) for one in (coarse, fine)] if name == "moment" else []
         if peaks and peaks[0] and peaks[1]:
             off = max(off, abs(peaks[1][0] - peaks[0][0]))
@@ -327,7 +324,7 @@ def _zero(arrays: Arrays, field: str) -> Array:
     return arrays.get("zero_" + field, np.zeros_like(arrays["s_node"]))
 
 
-def _states(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, Array]]:
+def _states(coarse: Arrays, fine: Arrays, field: str) -> Pairs:
     """Envelopes and static state of both runs at the nodes of the coarse run."""
     curve = curve_of(fine)
     between = curve.straight if field == "effective_tension" else curve.cubic
@@ -335,6 +332,24 @@ def _states(coarse: Arrays, fine: Arrays, field: str) -> Iterator[tuple[Array, A
         if field + end in fine:
             low = coarse[field + end] - _zero(coarse, field)
             yield low, between(fine[field + end] - _zero(fine, field), coarse["s_node"])
+
+
+def _lengths(
+    coarse: Arrays, fine: Arrays, histories: dict[str, tuple[Array, Array]]
+) -> list[tuple[float, float]]:
+    """Largest length of the displacement, and of its difference, at rest and over time (m).
+
+    Unlike the components, these do not depend on the direction of the axes.
+    """
+    fields = [field for field in "xyz" if f"{field}_static" in fine]
+    at_rest = [[*_states(coarse, fine, field)][-1] for field in fields]
+    moving = [histories[field] for field in fields if field in histories]
+    found = []
+    for pairs in filter(None, (at_rest, moving)):
+        low, up = (np.stack([pair[k] for pair in pairs]) for k in (0, 1))
+        length, off = (float(np.linalg.norm(of, axis=0).max()) for of in (up, up - low))
+        found.append((length, off))
+    return found
 
 
 def _histories(coarse: Arrays, fine: Arrays) -> dict[str, tuple[Array, Array]]:
