@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import math
-from collections.abc import Iterable
+from collections.abc import Hashable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,6 +16,7 @@ from riserstudy.dataset.unit_names import factor_between
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
+    import pandas as pd
     import xarray as xr
 
     from riserstudy.dataset.result import Result
@@ -103,8 +105,9 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     """Join the stored variables of selected points into one dataset, along the dimension ``point``.
 
     If the studies of the points have different nodes or times, the dataset contains the nodes and times of
-    all these studies. Where a study has no value, the dataset contains NaN. Nothing is interpolated. Values
-    that studies have in different units, such as axes in kN and MN, are converted to the unit of the first.
+    all these studies. Where a study has no value, the dataset contains NaN. Nothing is interpolated. A value
+    of a static study, which has no times, is the same at all times. Values that studies have in different
+    units, such as axes in kN and MN, are converted to the unit of the first.
 
     Parameters
     ----------
@@ -147,13 +150,55 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
     coords = {str(name): of.dims for part in parts for name, of in part.coords.items()}
     axes = [n for n, dims in coords.items() if dims == ("point",) and n not in ("point", "study")]
     joined: xr.Dataset = xr.concat(
-        [part.reset_coords([axis for axis in axes if axis in part.coords]) for part in parts],
+        [part.reset_coords([axis for axis in axes if axis in part.coords]) for part in _on_all_dims(parts)],
         "point",
         data_vars="all",
         join="outer",
         combine_attrs="drop_conflicts",
     )
     return joined.set_coords(axes).sel(point=wanted)
+
+
+def _on_all_dims(parts: list[xr.Dataset]) -> list[xr.Dataset]:
+    """Points of studies, each with the nodes, times and other places of all of them.
+
+    A value of a study without a dimension is the same along it.
+    """
+    dims = dict.fromkeys(dim for part in parts for dim in part.indexes if dim != "point")
+    have = {dim: [part for part in parts if dim in part.indexes] for dim in dims}
+    union = {dim: _union([part.indexes[dim] for part in of]) for dim, of in have.items()}
+    whole = {dim: (dim, union[dim], of[0][dim].attrs) for dim, of in have.items()}
+    of_name: dict[Hashable, set[Hashable]] = {}
+    for part in parts:
+        for name, of in part.data_vars.items():
+            of_name.setdefault(name, set()).update(dims.keys() & {*of.dims})
+    made = []
+    for part in parts:
+        full = part
+        for dim in dims:
+            if dim in part.indexes:
+                places = _numbered(union[dim]).get_indexer(_numbered(part.indexes[dim]))
+                full = full.assign_coords({dim: places}).reindex({dim: range(len(union[dim]))})
+        full = full.assign_coords(whole)
+        for name, of in part.data_vars.items():
+            lacks = {dim: full[dim] for dim in dims if dim in of_name[name] - {*of.dims}}
+            full[name] = full[name].expand_dims(lacks, [*range(1, 1 + len(lacks))])
+        made.append(full)
+    return made
+
+
+def _union(indexes: list[pd.Index]) -> pd.Index:
+    """Places of all studies; a place that a study has twice, such as the node of two sections, twice."""
+    if all(index.equals(indexes[0]) for index in indexes):
+        return indexes[0]
+    return functools.reduce(lambda one, other: one.union(other), indexes)
+
+
+def _numbered(index: pd.Index) -> pd.MultiIndex:
+    """Places with a number, which differs where they are equal."""
+    import pandas as pd
+
+    return pd.MultiIndex.from_arrays([index, pd.Series(index).groupby(index).cumcount()])
 
 
 def _in_units_of(others: list[xr.Dataset], part: xr.Dataset, study: str) -> xr.Dataset:
