@@ -60,7 +60,9 @@ def test_marks_of_the_options_fill_the_width_once(seed, count):
     assert max(starts) < RIGHT
 
 
-@pytest.mark.parametrize("count, said", [(60, "in 3"), (700, "Only one in 3 of these cases is drawn")])
+@pytest.mark.parametrize(
+    "count, said", [(60, " case in "), (300, "shows every second case"), (700, "shows one case in 3.")]
+)
 def test_cases_that_are_not_drawn_are_told(count, said):
     caption = curve(ordered(cases(1, count), [])).caption
     assert (said in caption) == (count > 240)

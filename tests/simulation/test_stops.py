@@ -33,7 +33,9 @@ def test_the_first_touch_and_the_largest_force_are_told(rig):
     reach = np.zeros((5, rig.count))
     reach[2, 0], reach[3, -1] = -2.001, 2.003
     (said,) = stops_touched(rig, reach, 0.5 * np.arange(5) + 10.0)
-    assert said.startswith("stroke: reaches its stop, first at t = 11 s or earlier, with at least 150 kN")
+    assert said.startswith(
+        "stroke: first reaches its stop at t = 11 s or earlier, with a force of at least 150 kN"
+    )
     assert "outputs 0.5 s apart, from t = 10 s on" in said
 
 
@@ -73,7 +75,7 @@ def test_a_run_tells_when_it_touches(amplitude):
     touched = reach["time"].values[reach.values > 2.0]
     assert len(told) == (len(touched) > 0) == (amplitude == "3 m")
     if told:
-        first = float(told[0].partition("first at t = ")[2].partition(" s")[0])
+        first = float(told[0].partition("stop at t = ")[2].partition(" s")[0])
         assert touched[0] - 0.1 < first <= touched[0]
 
 

@@ -278,5 +278,14 @@ def test_warnings_that_differ_in_numbers_alone_are_told_once_with_their_range():
     ]
 
 
+def test_the_range_of_a_number_is_written_with_to_unless_the_text_has_this_word():
+    texts = [
+        f"stroke: first reaches its stop at t = {t} s, with a largest force of {f} kN"
+        for t, f in ((9, 20), (11, 3))
+    ]
+    ((text, _, _),) = grouped(texts)
+    assert text == "stroke: first reaches its stop at t = 9 to 11 s, with a largest force of 3 to 20 kN"
+
+
 def test_numbers_read_well():
     assert [share(x) for x in (0.00123, 0.5, 3.2, "", float("nan"))] == ["0.12 %", "50 %", "320 %", "", ""]

@@ -82,7 +82,7 @@ def changes(effects: xr.Dataset) -> Table:
             signed = f"{100 * time:+.0f} %" if time == time else ""
             signed = "0 %" if signed in ("+0 %", "-0 %") else signed.replace("-", "−")
             cells = [Cell(str(scene)), Cell(str(change)), *map(_share, values), Cell(signed, _order(time))]
-            rows.append([*cells, Cell(f"not possible: {sentences}" if sentences else "")])
+            rows.append([*cells, Cell(f"not possible: {_fault(sentences)}" if sentences else "")])
     about = (
         "Each row compares two runs of a scene on one mesh and time step, with and without one effect. The "
         "columns give the relative change of the largest displacement, moment and top tension, and of the "
@@ -90,6 +90,12 @@ def changes(effects: xr.Dataset) -> Table:
     )
     columns = ["Scene", "Change", *map(str.capitalize, CHANGES.values()), "Time", "Remark"]
     return Table("Effects, one by one", about, columns, {2, 3, 4, 5}, rows)
+
+
+def _fault(message: str) -> str:
+    """Return the fault that an error about a scene names, without its file, its field and the remedy."""
+    named = re.match(r"\S+\.yaml[^:;]*: (?:\d+ faults:\s+)?(?:[\w.\[\]]+: )?([^;]+);", message)
+    return named[1] if named else message
 
 
 def requests(accuracy: xr.Dataset) -> Table:

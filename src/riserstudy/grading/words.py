@@ -358,7 +358,7 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
         return values, "this counts as no difference"
     if together is not None:
         meets = "meets" if met else "does not meet"
-        return values, f"this case {meets} this value together with {listed(together.others)}"
+        return values, f"this case {meets} {listed(['this value', *together.others])} at once"
     return values, f"{judged} {true if met else false}"
 
 

@@ -90,10 +90,11 @@ def _forces_in_words(
         return [f"{stop}: reaches its stop in static equilibrium, with {newtons(force.max())}{each}"]
     first = float(time[force.any(axis=1).argmax()])
     after = f", from t = {time[0]:.6g} s on" if time[0] > 0.0 else ""
-    touch = f"{stop}: reaches its stop, first at t = {first:.6g} s"
+    touch = f"{stop}: first reaches its stop at t = {first:.6g} s"
     if all_steps:
-        return [f"{touch}, with at most {newtons(force.max())}{each}{after}"]
+        return [f"{touch}, with a largest force of {newtons(force.max())}{each}{after}"]
     apart = f" {time[1] - time[0]:.3g} s apart" if len(time) > 1 else ""
     return [
-        f"{touch} or earlier, with at least {newtons(force.max())}{each}, as seen in outputs{apart}{after}"
+        f"{touch} or earlier, with a force of at least {newtons(force.max())}{each}, as seen in "
+        f"outputs{apart}{after}"
     ]

@@ -98,17 +98,20 @@ def curve(cases: Cases) -> Curve:
 
 def _caption(cases: Cases, step: int) -> str:
     count, left = len(cases.margin), cases.hidden
-    every = f" Only one in {step} of these cases is drawn." if step > 1 else ""
+    every = {1: "", 2: " The figure shows every second case."}.get(
+        step, f" The figure shows one case in {step}."
+    )
     more = f" Another {counted(left, 'input')} {VARY[left > 1]}." if left > 1 else ""
     if left == 1:
         more = f" Another input {VARY[0]}."
     return (
-        "A case is one choice of all inputs. Its margin is the distance of its result from the bound of "
-        f"agreement. The top panel plots the margins of {count} cases, in ascending order.{every} "
+        "A case is one combination of all inputs. The margin of a case is the distance of its result from "
+        f"the value at which the outcome changes. The top panel plots the margins of {count} cases, in "
+        f"ascending order.{every} "
         "Cases with a positive margin agree with the paper; the triangle marks the base case. Each row below "
         "the top panel stands for one option of an input; its marks show the cases with this option. The "
-        "number at the right is the percentage of these cases that agree with the paper. An input alone "
-        f"decides the outcome if this percentage is 0 % or 100 % for each of its options.{more}"
+        "number at the right is the percentage of these cases that agree with the paper. If the percentages "
+        f"of all options of an input are 0 % or 100 %, this input alone decides the outcome.{more}"
     )
 
 

@@ -79,10 +79,11 @@ def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
 
 
 def _filled(kind: str, numbers: list[list[str]]) -> str:
+    to = " … " if " to \0" in kind else " to "
     text, *rest = kind.split("\0")
     for place, after in enumerate(rest):
         distinct = sorted({row[place] for row in numbers}, key=float)
-        text += (distinct[0] if len(distinct) == 1 else f"{distinct[0]} … {distinct[-1]}") + after
+        text += (distinct[0] if len(distinct) == 1 else f"{distinct[0]}{to}{distinct[-1]}") + after
     return text
 
 
