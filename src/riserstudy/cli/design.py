@@ -124,7 +124,7 @@ def tension(
     check_targets(file.files, force, csv)
     if (share is None) != (dynamic_limit is None):
         alone = "--share" if dynamic_limit is None else "--dynamic-limit"
-        raise InputError(alone, "", "given alone", "Give both --dynamic-limit and --share")
+        raise InputError(alone, "", "given alone", "give both --dynamic-limit and --share")
     _check_rig(units, failed, weight, buoyancy)
     angle = quantity("--fleet-angle", fleet_angle, "rad")
     if not 0.0 <= angle < 0.5 * math.pi:
@@ -154,8 +154,8 @@ def tension(
 def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
     """Refuse a rig without a working unit, and tolerances that are not finite."""
     if failed >= units:
-        allowed = f"allowed are up to {units - 1} of {units}"
-        raise InputError("--failed", str(failed), "no unit is left", allowed)
+        allowed = f"give at most {units - 1}"
+        raise InputError("--failed", str(failed), "no working unit remains", allowed)
     for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
         if not math.isfinite(tolerance):  # the option's minimum accepts these
             raise InputError(option, str(tolerance), "not a finite number", "write, for example, 1.05")
@@ -289,9 +289,9 @@ def viv(
     """Screen a riser in a current for vortex-induced vibration: modes, lock-in regions, amplitudes, drag.
 
     The screening uses the natural modes about the static equilibrium, and does not simulate over time. Each
-    mode is treated as if it vibrated alone. The printed amplitude is divided by the diameter. At this
-    amplitude, lift supplies as much power as drag removes. The Strouhal number changes neither the lock-in
-    regions nor the amplitudes.
+    mode is treated as if it vibrated alone. The amplitude is printed as a ratio to the diameter: it is the
+    amplitude at which lift supplies as much power as drag removes. The Strouhal number changes neither the
+    lock-in regions nor the amplitudes.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv, plot)

@@ -70,8 +70,8 @@ PersistenceOption = Annotated[
     typer.Option(
         min=LEAST_PERSISTENCE,
         max=MOST_PERSISTENCE,
-        help="Hurst exponent of the yearly workable shares: how strongly they follow the shares of the "
-        "years before; with 0.5, years are independent",
+        help="Hurst exponent of the yearly workable hours: larger values mean that similar years follow each "
+        "other; 0.5: independent years",
     ),
 ]
 HoldBackOption = Annotated[

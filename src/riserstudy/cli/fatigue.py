@@ -91,7 +91,7 @@ def fatigue(
 
     For each fatigue detail, the table gives the place with the largest damage, and this damage without and
     with the safety factor. A second table lists the sea states that cause half of the damage of the
-    governing detail. Sea states outside the simulated range are refused.
+    governing detail. The command refuses sea states outside the simulated range.
     """
     reads = [path for path in (study, scatter, seas, without) if path]
     check_targets(reads, force, csv, plot)
@@ -143,7 +143,7 @@ def _check_apart(tables: dict[str, Path | None]) -> None:
         if path is None:
             continue
         if other := named.get(path.resolve()):
-            raise InputError(option, str(path), f"the file of {other}, too", "name another file")
+            raise InputError(option, str(path), f"is also the file of {other}", "name another file")
         named[path.resolve()] = option
 
 

@@ -162,7 +162,8 @@ def statistics(
     exposure: Annotated[
         str | None,
         typer.Option(
-            help="duration for which extremes are estimated, such as '3 h'; default: the whole record"
+            help="duration of the storm for which extremes are estimated, such as '3 h'; default: the whole "
+            "record"
         ),
     ] = None,
     over: Annotated[

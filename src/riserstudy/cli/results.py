@@ -34,7 +34,7 @@ def results(
     names: Annotated[
         list[str] | None,
         typer.Argument(
-            help="name of a study; or words, to list the points in which all these words are found",
+            help="name of a study, or words; lists the points that contain all these words",
             metavar="[STUDY | FILTER...]",
         ),
     ] = None,

@@ -43,7 +43,10 @@ GammaOption = Annotated[
 ]
 NearOption = Annotated[
     str | None,
-    typer.Option(help="use the nearest place of a netCDF file with several places", metavar="'LAT, LON'"),
+    typer.Option(
+        help="in a netCDF file with several locations, use the one nearest to this position",
+        metavar="'LAT, LON'",
+    ),
 ]
 ContourOption = Annotated[
     int | None,

@@ -26,17 +26,23 @@ def tune(
         typer.Option(help="tolerance, such as 1%; default: the tolerance of the study", metavar="PERCENT"),
     ] = None,
     points: Annotated[
-        int, typer.Option(min=FEWEST, max=256, help="number of points at which the settings are selected")
+        int, typer.Option(min=FEWEST, max=256, help="number of points that the search uses")
     ] = 12,
     seed: Annotated[int, typer.Option(min=0, help="seed (start value) of the random draw of points")] = 1,
-    write: Annotated[bool, typer.Option("--write", help="write the settings into the study file")] = False,
+    write: Annotated[
+        bool,
+        typer.Option(
+            "--write", help="write the mesh, time step and method that were found into the study file"
+        ),
+    ] = False,
 ) -> None:
     """Find the cheapest mesh, time step and method with which all points of a study meet a tolerance.
 
     The command selects mesh, time step and time integration method at a few points of the study, and checks
     them at other, random points.
 
-    The exit status is 3, and nothing is written, if study, scene or tables changed during the tuning.
+    If the study, its scene or its tables change during the tuning, the command writes nothing and its exit
+    status is 3.
     """
     from riserstudy.study.write_tuned import write_tuned
 
