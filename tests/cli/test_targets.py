@@ -348,4 +348,4 @@ def test_force_replaces_no_link_and_no_folder(commands, here, command, option, k
 
 def test_a_folder_for_a_study_is_made_where_nothing_is(commands, here):
     for name in (".", "results", "scene.yaml"):
-        assert "is there already" in refused(commands, ["new", name], here, name)
+        assert "exists and is not an empty folder" in refused(commands, ["new", name], here, name)

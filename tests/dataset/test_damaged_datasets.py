@@ -67,7 +67,7 @@ def test_commands_name_the_damaged_file(dataset, commands, tmp_path, monkeypatch
     (tmp_path / "spoilt.nc").write_bytes(spoilt)
     code, _, said = commands(words[0], "spoilt.nc", *words[1:])
     assert code == 2
-    assert "spoilt.nc: damaged; make it again" in said
+    assert "spoilt.nc: damaged; rerun the command that writes it" in said
     assert not (tmp_path / "x.csv").exists()
 
 

@@ -45,7 +45,7 @@ def test_a_heading_that_is_not_simulated_is_refused(heading, calm, tmp_path):
     """Also with calmer seas as the calmest, which is not offered for it."""
     of, _ = turned("degree")
     path = table(tmp_path, f"hs (m),heading (deg),share (%)\n2,{heading},50\n2,0,50\n")
-    with pytest.raises(InputError, match="outside of -90 to 180") as refused:
+    with pytest.raises(InputError, match="outside the simulated range -90 to 180") as refused:
         summed(of, path, calm=calm)
     assert "--calm" not in str(refused.value)
 
@@ -56,5 +56,5 @@ def test_an_offset_on_the_other_side_is_not_calmer(tmp_path):
     values = {str(v): {"platform.position.surge": f"{v} m"} for v in of["offset"].values.tolist()}
     of["offset"].attrs = {"units": "m", "sets": json.dumps(values)}
     path = table(tmp_path, "hs (m),offset (m),share (%)\n2,-5,50\n2,0,50\n")
-    with pytest.raises(InputError, match="outside of 0 to 20"):
+    with pytest.raises(InputError, match="outside the simulated range 0 to 20"):
         summed(of, path, calm=True)

@@ -292,4 +292,7 @@ def test_two_responses_to_one_heading_agree_in_each_motion_or_are_refused(
         return
     with pytest.raises(SystemExit):
         imported(source, *words)
-    assert "a response that differs from that at 0 deg, the same heading" in capsys.readouterr().err
+    assert (
+        "its response differs from the response at 0 deg, which is the same heading"
+        in capsys.readouterr().err
+    )

@@ -205,7 +205,7 @@ def test_spectra_of_sources_become_heights_periods_and_directions(tmp_path, made
         (
             lambda d: d.isel(latitude=0, longitude=0).rename(mwd="dir"),
             None,
-            "dir: a direction that does not state",
+            "dir: the convention of this direction",
         ),
         (lambda d: d.rename(valid_time="step"), Place(60.0, 2.0), "has no times"),
         (lambda d: d.rename(pp1d="mp2", mp2="pp1d"), Place(60.0, 2.0), "the two columns are exchanged"),

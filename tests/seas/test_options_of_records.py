@@ -44,8 +44,8 @@ def test_options_that_a_record_leaves_without_effect_are_refused(tmp_path, comma
 @pytest.mark.parametrize(
     "words, reason",
     [
-        (["--limit", "hs <= -1 m"], "a value that no sea has"),
-        (["--limit", "hs <= 90 m"], "allowed is 0 to 35 m"),
+        (["--limit", "hs <= -1 m"], "an impossible value"),
+        (["--limit", "hs <= 90 m"], "write a value from 0 to 35 m"),
         (["--limit", "hs <= nan m"], "hs <= nan m"),
         (["--limit", "hs <= 2 m", "--window", "-24 h"], "not above 0"),
         (["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"], "the record's interval of 1 h"),

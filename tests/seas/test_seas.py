@@ -70,7 +70,7 @@ def test_gaps_are_named_and_rows_without_a_value_are_neither_workable_nor_not(cs
         (["time,hs (s),tz (s)", *ROWS[1:]], "hs"),
         (["time,hs (m),period (s)", *ROWS[1:]], "period.*peak_period or zero_crossing_period"),
         (["time,hs (m),direction (deg)", *ROWS[1:]], "wave_from_direction"),
-        (["hour,hs (m),tz (s)", *ROWS[1:]], "time: no such column"),
+        (["hour,hs (m),tz (s)", *ROWS[1:]], "time: column missing"),
         (["time,hs (m),u10 (m/s),v10 (m/s)", *(f"{row},3" for row in ROWS[1:])], "u10, v10: parts"),
         (["time,tp (s),tz (s)", *ROWS[1:]], "significant_wave_height"),
         (["time,hs (m),hm0 (m)", *ROWS[1:]], "two columns"),

@@ -140,7 +140,7 @@ analysis: {duration: 5 s, output: {interval: 0.5 s}, mesh: {elements: 10}, step:
 def test_a_riser_that_stands_on_the_stack_is_not_let_go(tmp_path):
     text = RISER.replace("JOINT", "free").replace("tension: 2000 kN", "tension: 1300 kN")
     text = text.replace(", valve: {hold: 0.98, over: 2.5 s}", "")
-    with pytest.raises(SimulationError, match="presses on the stack"):
+    with pytest.raises(SimulationError, match="presses on the BOP stack"):
         simulate(scene(tmp_path, text))
 
 

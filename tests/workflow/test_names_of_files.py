@@ -82,7 +82,9 @@ def test_no_two_rules_write_one_file():
     for name in sorted(tables - {*read_yaml(STUDY)["figures"]}):
         before = STUDY.read_text()
         rename("moment_over_heave", name)
-        with pytest.raises(InputError, match=f"figures.{name}: its table {name}.csv is that of verdicts"):
+        with pytest.raises(
+            InputError, match=f"figures.{name}: its table {name}.csv has the name of the table"
+        ):
             Workplan.read(Path("config"), {})
         STUDY.write_text(before)
 

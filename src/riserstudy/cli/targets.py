@@ -108,7 +108,7 @@ def _check_place(output: Path, option: str) -> None:
     folder = output.resolve().parent
     taken = output.is_symlink() or (output.exists() and not output.is_file())
     if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
-        allowed = "allowed is a file in a folder that exists"
+        allowed = "name a file in an existing folder that you can write to"
         raise InputError(option, str(output), "cannot be written", allowed)
 
 

@@ -23,7 +23,7 @@ def pack(study: Path, target: Path) -> int:
     SimulationError when the zip cannot be written.
     """
     if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
-        found = "is there already" if target.exists() else "is not a new .zip file in an existing folder"
+        found = "exists already" if target.exists() else "is not a new .zip file in an existing folder"
         raise InputError("OUT.zip", str(target), found, "name a new file that ends in .zip")
     results = [study / name for name in outputs_of(study)]
     if not (study / "Snakefile").exists() or not results:

@@ -120,7 +120,7 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     except (sqlite3.Warning, ValueError, OverflowError) as error:
         raise InputError(where, "", str(error), allowed) from None
     if cursor.description is None:
-        raise InputError(where, "", "nothing that can be asked", allowed)
+        raise InputError(where, "", "not a query", allowed)
     return Answer([column[0] for column in cursor.description], rows)
 
 

@@ -43,7 +43,9 @@ def described(file: Path, folder: Path) -> File:
             raise ValueError
         return File(path, kind, file.stat().st_size, digest_of(file))
     except OSError as error:
-        raise InputError(file, "", error.strerror or "cannot be read", "make it again") from None
+        raise InputError(
+            file, "", error.strerror or "cannot be read", "rerun the command that writes it"
+        ) from None
     except (ValueError, KeyError):
         allowed = f"allowed are {', '.join(KINDS)} in {folder}"
         raise InputError(file, "", "no file of the results", allowed) from None

@@ -60,6 +60,6 @@ def joined_tables(papers: list[str], known: Table) -> Table:
         for name, about in chapter_table(paper).items():
             if (elsewhere := joined.get(name) or known.get(name, about)) != about:
                 found = f"has other attributes elsewhere: {elsewhere['long_name']!r}"
-                raise InputError(variables_of_chapter(paper), name, found, "Choose another name")
+                raise InputError(variables_of_chapter(paper), name, found, "choose another name")
             joined[name] = about
     return joined

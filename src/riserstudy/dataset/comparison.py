@@ -135,9 +135,9 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
         notes.append(f"the run is interpolated over {axis}")
     there = _both(theirs, mine, notes)
     if there.sum() < FEWEST:
-        found = f"{int(there.sum())} rows are between {known[0]:g} and {known[-1]:g} and have numbers"
+        found = f"only {int(there.sum())} rows have numbers between {known[0]:g} and {known[-1]:g}"
         why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
-        raise InputError(path, title, found, f"at least {FEWEST} are needed{why}")
+        raise InputError(path, title, found, f"at least {FEWEST} are required{why}")
     where = "" if place is None else f" at {place:g} m"
     where = where if cylinder is None else f" at cylinder {cylinder}"
     return Pair(title, name + where, axis, stored, along[there], theirs[there], mine[there], notes)

@@ -93,7 +93,9 @@ def _rows(path: Path) -> dict[str, dict[str, str]]:
         with table.open(newline="", encoding="utf-8") as stream:
             return {f"{row['paper']}/{row['id']}": row for row in csv.DictReader(stream)}
     except (OSError, UnicodeDecodeError, csv.Error, KeyError):
-        raise InputError(table, "", "no table of graded numbers", "make it again") from None
+        raise InputError(
+            table, "", "no table of graded numbers", "rerun the command that writes it"
+        ) from None
 
 
 def _datasets(path: Path) -> dict[str, Path]:

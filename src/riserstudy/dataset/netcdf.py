@@ -71,7 +71,7 @@ def refuse_damaged(path: Path) -> None:
         stream.seek(max(size, 0))
         line = stream.read()
         if line.startswith(MARK) and line[len(MARK) :].strip() != _digest(stream, size):
-            raise InputError(path, "", "damaged", "make it again")
+            raise InputError(path, "", "damaged", "rerun the command that writes it")
 
 
 def load(path: Path, **options: Any) -> xr.Dataset:

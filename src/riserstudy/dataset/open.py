@@ -49,5 +49,9 @@ def open_dataset(path: Path) -> xr.Dataset:
         return load(path, decode_times=False)
     except (OSError, ValueError, RuntimeError):
         scene = path.suffix in (".yaml", ".yml")
-        how = f"allowed is a dataset: riserstudy run {path} -o OUT.nc" if scene else "make it again"
+        how = (
+            f"allowed is a dataset: riserstudy run {path} -o OUT.nc"
+            if scene
+            else "rerun the command that writes it"
+        )
         raise InputError(path, "", "not a dataset", how) from None

@@ -25,10 +25,10 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
     """
     of, release = dataset.attrs, scene.disconnect
     if release is None:
-        allowed = "Add `disconnect: {at: 12 s}` and what follows it"
+        allowed = "add `disconnect: {at: 12 s}` and what follows it"
         raise InputError("disconnect", "", "absent: nothing disconnects", allowed)
     if "lift_max" not in of:
-        allowed = "Give analysis.duration some seconds more"
+        allowed = "give analysis.duration some seconds more"
         raise InputError("disconnect.at", f"{release.at:g} s", "not within the run", allowed)
     overpull = float(of["overpull"])
     rows: list[list[Cell]] = [

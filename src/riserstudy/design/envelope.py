@@ -115,7 +115,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     Raises InputError when its current has no surface speed that can be changed.
     """
     current = scene.current
-    allowed = "Give `current.profile` as a shape with surface_speed, or as points"
+    allowed = "give `current.profile` as a shape with surface_speed, or as points"
     if current is None:
         if speed == 0.0:
             return scene

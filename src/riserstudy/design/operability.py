@@ -134,7 +134,7 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     Raises InputError when the riser's top is not held horizontally, or the solver does not evaluate limits.
     """
     if solver := scene.analysis.solver:
-        raise InputError("analysis.solver", solver, "does not evaluate limits", "Leave it out")
+        raise InputError("analysis.solver", solver, "does not evaluate limits", "leave it out")
     scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
@@ -150,7 +150,7 @@ def moved(scene: Resolved, offset: float) -> Resolved:
             about = about.model_copy(update={"x": x})
             moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
         return scene.model_copy(update=moved)
-    allowed = "Give `held`, `platform` or `vessel`"
+    allowed = "give `held`, `platform` or `vessel`"
     raise InputError("top.x", f"{top.x or 'absent'}", "nothing holds the riser at an offset", allowed)
 
 

@@ -24,7 +24,7 @@ from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
-NO_VESSEL = "Replace it by `platform`, with `top.x: platform`"
+NO_VESSEL = "replace it by `platform`, with `top.x: platform`"
 
 
 class Allowance(NamedTuple):

@@ -111,8 +111,8 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
         allowed = "allowed is a scene with a current: without one no vortices are shed"
         raise InputError(file.source, "current", "missing", allowed)
     if scene.platform and scene.platform.cruise:
-        towed = "tows the riser through the water, which the screening leaves out"
-        allowed = "Remove it, and give the speed of the water past the riser as the current"
+        towed = "tows the riser, but the screening ignores the tow"
+        allowed = "remove it, and give the speed of the water past the riser as the current"
         raise InputError(file.source, "platform.cruise", towed, allowed)
     flow = flow_along(scene, given)
     found = modes_of(scene, FIRST)

@@ -50,21 +50,21 @@ def moves_off(scene: Resolved) -> None:
     """
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
-        allowed = "Give `vessel` (drift-off) or `platform.cruise` (drive-off)"
+        allowed = "give `vessel` (drift-off) or `platform.cruise` (drive-off)"
         raise InputError("vessel", "", "absent: nothing leaves the well", allowed)
     if scene.bottom.hold == "free":
         why = "limits of a riser that hangs from the vessel are checked by `riserstudy check`"
-        raise InputError("bottom.hold", "free: there is nothing to disconnect", why, "Give `wellhead`")
+        raise InputError("bottom.hold", "free: there is nothing to disconnect", why, "give `wellhead`")
     if scene.analysis.duration is None:
-        raise InputError("analysis.duration", "", "absent", "Give, for example, `300 s`")
+        raise InputError("analysis.duration", "", "absent", "give, for example, `300 s`")
     if scene.disconnect:
         found = f"{scene.disconnect.at:g} s"
         why = "after it, the limits would apply to a riser that hangs from the vessel"
-        raise InputError("disconnect.at", found, why, "Leave it out: `--set disconnect=null`")
+        raise InputError("disconnect.at", found, why, "leave it out: `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
         found = f"{scene.analysis.output.start:g} s"
         why = "a limit that is reached before this time would be missed"
-        raise InputError("analysis.output.start", found, why, "Leave it out")
+        raise InputError("analysis.output.start", found, why, "leave it out")
     if not scene.limits:
         allowed = "allowed is a list such as {output: lfj_angle, largest: 9 deg, mode: disconnect}"
         raise InputError("limits", "", "missing", allowed)

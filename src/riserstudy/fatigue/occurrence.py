@@ -218,7 +218,7 @@ def _summed(path: Path, shares: Array) -> tuple[str, ...]:
     total = float(shares.sum())
     if total > 1.0 + WHOLE:
         raise InputError(
-            path, "", f"shares of the time add to {100 * total:.4g} %", "allowed are up to 100 %"
+            path, "", f"shares of the time add up to {100 * total:.4g} %", "reduce them to at most 100 %"
         )
     if not total > 0.0:
         raise InputError(path, "", "nothing occurs", "allowed are shares above 0")
@@ -261,8 +261,8 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping
             raise InputError(
                 "sea states",
                 axis,
-                f"{100 * of.shares[outside].sum():.3g} % of the time is outside of {low:g} to {high:g}, "
-                f"which the study simulates: from {there.min():g} to {there.max():g}",
+                f"{100 * of.shares[outside].sum():.3g} % of the time has values outside the simulated range "
+                f"{low:g} to {high:g} (the sea states have {there.min():g} to {there.max():g})",
                 f"simulate more values of {axis}"
                 + (
                     ""

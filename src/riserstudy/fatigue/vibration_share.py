@@ -68,4 +68,4 @@ def _check(years: Years, without: Years) -> None:
             raise InputError("fatigue", "--without", found, allowed)
     if not any(sea.vibrates for sea in years.seas):
         found = "the first study has no vortex-induced vibration in these sea states"
-        raise InputError("fatigue", "--without", found, "Leave out --without")
+        raise InputError("fatigue", "--without", found, "leave out --without")

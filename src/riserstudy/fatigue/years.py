@@ -96,8 +96,8 @@ class Years(NamedTuple):
 def axes_of(study: xr.Dataset) -> list[str]:
     """Axes of a study; empty for a single run. Raises InputError when it has no damage."""
     if "damage_rate" not in study:
-        allowed = "allowed is a study or run of a scene with 'fatigue:', which keeps damage_rate"
-        raise InputError(_name(study), "damage_rate", "not there", allowed)
+        allowed = "use a study or run whose scene has 'fatigue:', and keep damage_rate"
+        raise InputError(_name(study), "damage_rate", "missing", allowed)
     return [str(dim) for dim in study["damage_rate"].dims if dim not in PLACES]
 
 
@@ -161,7 +161,7 @@ def _at(study: xr.Dataset, axes: list[str], occurs: Occurrence, at: Mapping[str,
     for axis in axes:
         if axis in at:
             if axis in occurs.values:
-                raise InputError("--at", axis, "in the table, too", "give only one of the two")
+                raise InputError("--at", axis, "also in the table", "give it only once")
             study = study.isel({axis: value_of(study, axis, at[axis])})
         elif study.sizes[axis] == 1 and axis not in occurs.values:
             study = study.isel({axis: 0})

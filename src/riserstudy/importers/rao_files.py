@@ -148,8 +148,10 @@ def _rows_of_wamit(path: Path) -> list[Row]:
         if not cells:
             continue
         if len(cells) != COLUMNS or cells[2] != int(cells[2]):
-            allowed = "allowed are period, heading, mode, modulus, phase, real and imaginary part"
-            raise InputError(path, f"line {number}", f"{len(cells)} numbers", allowed)
+            whole = f"{cells[2]:g} as mode, a whole number expected" if len(cells) == COLUMNS else ""
+            found = whole or f"{len(cells)} numbers, {COLUMNS} expected"
+            allowed = "write period, heading, mode, modulus, phase, real and imaginary part"
+            raise InputError(path, f"line {number}", found, allowed)
         value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
         if not abs(value - polar) <= ROUNDED * abs(value) + 1e-6:
             found = f"modulus and phase give {polar:.4g}, real and imaginary part {value:.4g}"
@@ -319,8 +321,8 @@ def _once_a_turn(path: Path, found: Operators) -> Operators:
         elif _same(found.columns, kept[twin], rows):
             found.left_out.append(f"heading {heading:g} deg: that of {twin:g} deg")
         else:
-            at = f"a response that differs from that at {twin:g} deg, the same heading"
-            raise InputError(path, f"heading {heading:g} deg", at, "give only one of the two")
+            at = f"its response differs from the response at {twin:g} deg, which is the same heading"
+            raise InputError(path, f"heading {heading:g} deg", at, "give only one")
     return found._replace(rows=[row for rows in kept.values() for row in rows])
 
 

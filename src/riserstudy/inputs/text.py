@@ -41,4 +41,4 @@ def read_text(path: Path, most: int) -> str:
         return content.decode("utf-8-sig")  # spreadsheets write a byte order mark first
     except UnicodeDecodeError as error:
         found = f"not UTF-8 text at byte {error.start}"
-        raise InputError(path, "", found, "allowed is text in UTF-8") from None
+        raise InputError(path, "", found, "save the file as UTF-8") from None

@@ -107,7 +107,9 @@ class Configuration:
             section = "figures" if name in self.files[paper].figures else "schematics"
             where = self.config / "studies" / f"{paper}.yaml", f"{section}.{name}"
             if name in GRADED:
-                raise InputError(*where, f"its table {name}.csv is that of verdicts, too", RENAME)
+                raise InputError(
+                    *where, f"its table {name}.csv has the name of the table of verdicts", RENAME
+                )
             if rule in RULES or rule in taken:
                 other = taken.get(rule, f"a rule named {rule}")
                 raise InputError(*where, f"as a target {rule!r} it is {other}, too", RENAME)

@@ -80,7 +80,7 @@ def flow(column: Column, duration: float) -> Flow:
     if run.status != 0:
         raise SimulationError(
             "disconnect.drain: the run cannot continue after all contents have drained, which happens "
-            f"{run.t_events[0][0]:.4g} s after the disconnect; shorten analysis.duration, or leave drain out"
+            f"{run.t_events[0][0]:.4g} s after the disconnect; shorten analysis.duration, or remove drain"
         )
     total, contents, speed = run.y
     acceleration = np.array([_acceleration(column, *y) for y in run.y.T])

@@ -67,8 +67,9 @@ def operator(
         raise InputError(
             "scene",
             "platform.response.operators",
-            f"no two headings enclose the direction of the waves, {math.degrees(heading):.4g} deg",
-            f"allowed are headings up to 90 deg apart; the operators have headings of {listed} deg",
+            "no two headings within 90 deg of each other enclose the direction of the waves, "
+            f"{math.degrees(heading):.4g} deg",
+            f"add headings (present: {listed} deg)",
         )
     share = (heading - below) / (above - below) if above - below > CLOSE else 0.0
     ends = [_over_frequency(response, turns[known], motion, frequency) for known in (below, above)]

@@ -202,8 +202,8 @@ def _rows(lines: list[list[str]], path: object, place: Place) -> list[Strict]:
         if not cells:
             continue
         if len(cells) != len(columns):
-            allowed = f"allowed are {len(columns)}, one for each column of the heading"
-            raise InputError(path, f"line {number}", f"{len(cells)} values", allowed)
+            found = f"{len(cells)} values, but {len(columns)} columns"
+            raise InputError(path, f"line {number}", found, "write one value for each column")
         values = zip(columns, (_number(path, number, cell) for cell in cells), units, strict=True)
         row = {column: f"{value} {unit}" for column, value, unit in values}
         rows.append(check(place.row, row, f"{path}: line {number}"))

@@ -142,7 +142,9 @@ def head(where: str, text: str) -> Head:
     try:
         return Head(quantity, key, to_si(f"1 {unit}", quantity.unit), unit)
     except ValueError as error:
-        raise InputError(where, text.strip(), str(error), f"as in {quantity.unit}") from None
+        raise InputError(
+            where, text.strip(), str(error), f"use a unit of the kind '{quantity.unit}'"
+        ) from None
 
 
 def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:

@@ -164,7 +164,7 @@ class Hours(NamedTuple):
 def sea_limit(text: str) -> SeaLimit:
     """The limit of a text such as ``hs <= 2.5 m``.
 
-    Raises InputError when it names no quantity of the sea, has no unit, or has a value that no sea has.
+    Raises InputError when it names no quantity of the sea, has no unit, or has an impossible value.
     """
     allowed = "write, for example, 'significant_wave_height <= 2.5 m'"
     match = _LIMIT.fullmatch(text)
@@ -177,7 +177,7 @@ def sea_limit(text: str) -> SeaLimit:
         raise InputError("--limit", text, str(error), allowed) from None
     if not quantity.least <= value <= quantity.most:
         possible = f"{quantity.least:g} to {quantity.most:g} {quantity.unit}"
-        raise InputError("--limit", text, "a value that no sea has", f"allowed is {possible}")
+        raise InputError("--limit", text, "an impossible value", f"write a value from {possible}")
     return SeaLimit(quantity, match["sign"] == "<=", value)
 
 

@@ -207,7 +207,8 @@ def _by_name(path: Path, name: str, standard: str) -> Column | None:
         return None
     if key in UNSURE:
         allowed = f"give it the standard_name {COMES_FROM} or {GOES_TO}"
-        raise InputError(path, name, "a direction that does not state whether waves come from it", allowed)
+        found = "the convention of this direction (waves from or towards) is not stated"
+        raise InputError(path, name, found, allowed)
     if key == "fp":
         return NAMES["peak_period"]
     return NAMES.get(SOURCES.get(key, key))

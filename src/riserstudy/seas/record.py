@@ -74,8 +74,8 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
         raise InputError(path, "--near", "a table has one place", "omit it")
     frame, notes = read_netcdf(path, near) if path.suffix == ".nc" else _from_csv(path)
     if "significant_wave_height" not in frame:
-        allowed = "allowed is a column such as 'significant_wave_height (m)'"
-        raise InputError(path, "significant_wave_height", "no such column", allowed)
+        allowed = "add a column such as 'significant_wave_height (m)'"
+        raise InputError(path, "significant_wave_height", "column missing", allowed)
     _check(path, frame)
     record = xr.Dataset.from_dataframe(frame)
     for one in COLUMNS:
@@ -202,7 +202,7 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
         raise InputError(path, "u10, v10", "parts of the wind towards east and north", allowed)
     at = next((k for k, one in enumerate(heads) if one.heading == "time"), None)
     if at is None:
-        raise InputError(path, "time", "no such column", "allowed is a column 'time', in UTC")
+        raise InputError(path, "time", "column missing", "add a column 'time', in UTC")
     columns = {"time": _times(path, cells.iloc[:, at], heads[at].unit)}
     for k, one in enumerate(heads):
         if one.quantity is None:
@@ -243,7 +243,7 @@ def _check_clock(path: Path, pattern: str) -> None:
     words = re.findall(r"[A-Za-z]+", reduce(lambda rest, one: rest.replace(one[0], ""), PATTERNS, pattern))
     known = all(word.lower() in ("t", *ZONES) for word in words)
     if not (known if "YYYY" in pattern else pattern.strip().lower() in ZONES):
-        allowed = "allowed are times in UTC: 'time (UTC)', or a pattern such as 'time (YYYY-MM-DD-HH)'"
+        allowed = "write 'time (UTC)', or a pattern such as 'time (YYYY-MM-DD-HH)'"
         raise InputError(path, f"time ({pattern})", "is neither UTC nor a pattern", allowed)
 
 
@@ -317,12 +317,12 @@ def _check_interval(path: Path, time: NDArray[np.datetime64], rows: NDArray[np.b
     closer = steps < CLOSER * usual
     if closer.mean() > MOST_CLOSER:
         row = int(closer.argmax())
-        found = f"{steps[row]:g} h after the row before, most rows {usual:g} h"
+        found = f"{steps[row]:g} h after the previous row, but most rows are {usual:g} h apart"
         raise InputError(
             f"{path}, row {int(np.flatnonzero(rows)[row + 1]) + 2}",
             "time",
             found,
-            "allowed are rows that are one interval apart, or further",
+            "use rows that are at least one interval apart",
         )
 
 

@@ -74,7 +74,7 @@ def sea_states(record: xr.Dataset) -> SeaStates:
             there = ", ".join(sorted(map(str, record.data_vars)))
             raise InputError("RECORD", name, "not in the record", f"there are {there}")
     if np.isfinite(_values(record)).all(axis=1).sum() < 2:
-        raise InputError("RECORD", " and ".join(NEEDED), "no two rows with both", "")
+        raise InputError("RECORD", " and ".join(NEEDED), "fewer than two rows have both values", "add rows")
     values = _values(with_calm_periods(record))
     known = np.isfinite(values).all(axis=1)
     values[known, 0] = np.maximum(values[known, 0], CALM)

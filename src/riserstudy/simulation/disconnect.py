@@ -40,14 +40,14 @@ def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
     pull = _overpull(model)
     if release.stack is None and pull < -STILL * float(abs(model.s.segment).max()):
         raise SimulationError(
-            f"disconnect: at {release.at:g} s the riser presses on the stack with {newtons(-pull)}, and "
-            "would fall once disconnected; raise top.tension, disconnect at another time, or give "
+            f"disconnect: at {release.at:g} s the riser presses on the BOP stack with {newtons(-pull)} and "
+            "would fall after the disconnect; increase top.tension, disconnect at another time, or give "
             "disconnect.stack"
         )
     if pull < -STILL * float(abs(model.s.segment).max()):
         facts["warnings"].append(
             f"disconnect: at {release.at:.4g} s the overpull is negative, {pull / 1e3:.4g} kN: the LMRP "
-            "presses on the stack and does not lift off; raise the top tension"
+            "presses on the BOP stack and does not lift off; increase the top tension"
         )
     before = energies(model.programs, model.state)[0]
     freed = released(model)

@@ -206,8 +206,8 @@ def effects_of(scene: Resolved) -> dict[str, str]:
     for name, because in called.items():
         if name not in SUPPORTED | LARGE_ANGLES:
             raise SimulationError(
-                f"analysis.solver hermite cannot simulate {name}, which {because} includes; remove it from "
-                "the scene, or use lumped masses"
+                f"analysis.solver hermite cannot simulate {name} ({because}); remove it from the scene, or "
+                "use lumped masses"
             )
     return {name: because for name, because in called.items() if name in SUPPORTED}
 

@@ -36,13 +36,13 @@ def refuse_departures(source: str, scene: Resolved) -> None:
     Raises InputError when the scene has one of them.
     """
     if scene.platform and scene.platform.cruise:
-        raise departure(source, "platform.cruise", "moves the platform away", "Remove it")
+        raise departure(source, "platform.cruise", "moves the platform away", "remove it")
     if scene.disconnect:
-        raise departure(source, "disconnect", "releases the riser", "Remove it")
+        raise departure(source, "disconnect", "releases the riser", "remove it")
     if scene.top.tension_loss:
-        raise departure(source, "top.tension_loss", "changes the tension", "Remove it")
+        raise departure(source, "top.tension_loss", "changes the tension", "remove it")
     if scene.top.tensioners and scene.top.tensioners.failing:
-        remedy = "Write `failed` instead"
+        remedy = "write `failed` instead"
         raise departure(source, "top.tensioners.failing", "changes the pull", remedy)
 
 
@@ -59,5 +59,5 @@ def refuse_drifts(source: str, scene: Resolved) -> None:
     if vessel.sway and scene.spatial:
         gains.append(thrusters.sway.gain if thrusters and thrusters.sway else 0.0)
     if not all(gain > 0.0 for gain in gains):
-        remedy = "Give it `thrusters` with a gain, or replace it by `platform`, with `top.x: platform`"
+        remedy = "give it `thrusters` with a gain, or replace it by `platform`, with `top.x: platform`"
         raise departure(source, "vessel", "drifts away", remedy)

@@ -70,7 +70,7 @@ class QuickTuner(Tuner):
                 best, least = found, work
         if best is None:
             raise SimulationError(
-                f"{self.study.where}: no setting is cheaper than requesting the accuracy at each point"
+                f"{self.study.where}: no setting is cheaper than a run with the tolerance at each point"
             )
         return best
 
@@ -124,7 +124,7 @@ def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tune
     work = tuner.work(setting, [place]) if not left else math.inf
     if work >= place.work_of_request:
         raise SimulationError(
-            f"{study.where}: no setting is cheaper than requesting the accuracy at each point"
+            f"{study.where}: no setting is cheaper than a run with the tolerance at each point"
         )
     return Tuned(
         accuracy=tuner.words,

@@ -134,7 +134,8 @@ class Study:
         assumed = {*self.base.assumed, *self.model.preview}
         if unknown := [path for path in leave if path not in assumed]:
             allowed = f"allowed are {', '.join(sorted(self.open_assumptions))}"
-            raise InputError(self.where, f"axes.{axis}.leave", f"no assumption {unknown[0]!r}", allowed)
+            found = f"{unknown[0]!r} is not an assumption of the scene"
+            raise InputError(self.where, f"axes.{axis}.leave", found, allowed)
 
     def _samples(self, axis: Samples) -> list[dict[str, Any]]:
         """Values that each sample sets; those of an interpretation replace assumptions at and below them."""

@@ -193,7 +193,7 @@ def as_study(
     made = dict(_axis(file, path, values) for path, values in axes.items())
     if len(made) < len(axes):
         allowed = "give the values of one of these axes as labels"
-        raise InputError("sweep", "axes", "two axes would have one name", allowed)
+        raise InputError("sweep", "axes", "two axes have the same name", allowed)
     fields = {
         "scene": "scene.yaml",
         "caption": file.tree.get("title", ""),

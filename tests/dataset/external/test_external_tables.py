@@ -155,7 +155,7 @@ def test_spoiled_tables_are_read_or_refused(tmp_path, seed):
 def test_a_table_of_utf_16_is_refused_with_the_remedy(tmp_path):
     path = tmp_path / "other.csv"
     path.write_text(HEAD + LONG, "utf-16")
-    with pytest.raises(InputError, match="allowed is text in UTF-8"):
+    with pytest.raises(InputError, match="save the file as UTF-8"):
         compared(run(), path)
 
 

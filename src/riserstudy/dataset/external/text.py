@@ -73,7 +73,9 @@ def _rows(path: Path, lines: list[str], mark: str) -> list[tuple[int, list[str]]
         return [(reader.line_num, row) for row in reader]
     except csv.Error as error:
         found = f"{error}"
-        raise InputError(path, f"line {reader.line_num}", found, "write cells of text") from None
+        raise InputError(
+            path, f"line {reader.line_num}", found, "correct this line of the CSV file"
+        ) from None
 
 
 def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> bool:
