@@ -8,10 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from riserstudy.cli.shared import AtOption, DatasetArgument, FigureOutput, UnitsOption, place_of, wrote
+from riserstudy.cli.shared import AtOption, DatasetArgument, FigureOutput, UnitsOption, pairs, place_of, wrote
 from riserstudy.cli.targets import ForceOption, check_output
 from riserstudy.dataset.unit_systems import UnitSystem, read_in, reading_in
-from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -93,15 +92,8 @@ def compare(
 
 def _called(settings: list[str] | None) -> dict[str, str]:
     """Headings in the terms of a run, by names of columns in the file."""
-    called = {}
-    for setting in settings or []:
-        name, equals, heading = setting.rpartition("=")
-        if not equals or not name.strip() or name.strip() in called:
-            found = "not NAME=HEADING" if name.strip() not in called else "given twice"
-            allowed = "allowed is 'Line 1 Te=effective_tension at 300 m (kN)'"
-            raise InputError("--column", setting, found, allowed)
-        called[name.strip()] = heading.strip()
-    return called
+    example = "'Line 1 Te=effective_tension at 300 m (kN)'"
+    return pairs("--column", settings, "NAME=HEADING", example, last=True)
 
 
 def _scene(of_run: xr.Dataset, index: dict[str, int]) -> Resolved | None:

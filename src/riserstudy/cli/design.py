@@ -16,6 +16,7 @@ from riserstudy.cli.shared import (
     check_targets,
     compile_as_needed,
     notify,
+    pairs,
     positive,
     quantity,
     require_limits,
@@ -356,20 +357,19 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
 
     added: dict[str, float] = {}
     used = {limit.output for limit in limits if limit.side != "mean"}
-    for one in given or []:
-        name, equals, text = (part.strip() for part in one.partition("="))
-        if not equals or name not in UNITS:
-            allowed = "allowed is OUTPUT=VALUE, of " + ", ".join(UNITS)
-            raise InputError("--allowance", one, "not an output that can have limits", allowed)
-        if name in added:
-            raise InputError("--allowance", one, "given twice", "give each output once")
+    for name, text in pairs("--allowance", given, "OUTPUT=VALUE", "lfj_angle='0.5 deg'").items():
+        option = f"--allowance {name}"
+        if name not in UNITS:
+            allowed = "allowed are " + ", ".join(UNITS)
+            raise InputError(option, text, "not an output that can have limits", allowed)
         if name not in used:
             found = "no largest or smallest value of this output is limited in the scene"
-            raise InputError("--allowance", one, found, f"allowed are {', '.join(sorted(used))}")
-        added[name] = quantity("--allowance", text, UNITS[name])
+            raise InputError(option, text, found, f"allowed are {', '.join(sorted(used))}")
+        added[name] = quantity(option, text, UNITS[name])
         if added[name] < 0.0:
-            allowed = "give the magnitude of the effect, also for a lower limit"
-            raise InputError("--allowance", one, "below 0", allowed)
+            raise InputError(
+                option, text, "below 0", "give the magnitude of the effect, also for a lower limit"
+            )
     return added
 
 

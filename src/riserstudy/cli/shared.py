@@ -76,6 +76,21 @@ UnitsOption = Annotated[
 ]
 
 
+def pairs(
+    option: str, texts: list[str] | None, form: str, example: str, *, last: bool = False
+) -> dict[str, str]:
+    """Values by name, of texts ``NAME=VALUE``, each divided at its first or last sign of equality."""
+    found: dict[str, str] = {}
+    for text in texts or []:
+        name, equals, value = (part.strip() for part in (text.rpartition if last else text.partition)("="))
+        if not equals or not name:
+            raise InputError(option, text, f"not {form}", f"allowed is {example}")
+        if name in found:
+            raise InputError(option, text, f"{name} is given twice", "give it once")
+        found[name] = value
+    return found
+
+
 def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None) -> Any:
     """Read a scene with the values of ``--set`` and the error of ``--accuracy``, and check it."""
     from riserstudy.inputs.plain_yaml import plain_yaml
@@ -83,14 +98,8 @@ def scene_of(path: Path, settings: list[str] | None, accuracy: str | None = None
     from riserstudy.simulation.simulate import at_accuracy
 
     check_name(path)
-    overrides: dict[str, Any] = {}
-    for setting in settings or []:
-        name, equals, text = setting.partition("=")
-        if not equals or not name.strip():
-            raise InputError("--set", setting, "not PATH=VALUE", "allowed is platform.heave.amplitude='3 m'")
-        if name.strip() in overrides:
-            raise InputError("--set", setting, f"{name.strip()} is given twice", "give each path once")
-        overrides[name.strip()] = plain_yaml(text, f"--set {name.strip()}")
+    given = pairs("--set", settings, "PATH=VALUE", "platform.heave.amplitude='3 m'")
+    overrides = {name: plain_yaml(text, f"--set {name}") for name, text in given.items()}
     file = read_scene(path).with_values(overrides, "--set")
     if accuracy is not None:
         file = at_accuracy(file, accuracy)
@@ -248,14 +257,7 @@ def recipe_lines(scene: Resolved) -> list[str]:
 
 def place_of(at: list[str] | None) -> dict[str, str]:
     """Values by axis, as text."""
-    given = [one.partition("=") for one in at or []]
-    if bad := [name for name, equals, _ in given if not equals]:
-        raise InputError("--at", bad[0], "not AXIS=VALUE", "allowed is heave_amplitude=5")
-    places = {name.strip(): value.strip() for name, _, value in given}
-    if len(places) < len(given):
-        found = ", ".join(at or [])
-        raise InputError("--at", found, "one axis is given twice", "give each axis once")
-    return places
+    return pairs("--at", at, "AXIS=VALUE", "heave_amplitude=5")
 
 
 def print_warnings(dataset: Any) -> None:
