@@ -18,7 +18,6 @@ TOO_FEW = "too few samples"
 #: words for one and for several verdicts
 PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
-    "calibrated": ("is met with a fitted input", "are met with a fitted input"),
     "holds": ("holds", "hold"),
     "depends": ("depends on inputs that the papers omit", "depend on inputs that the papers omit"),
     TOO_FEW: (
@@ -26,6 +25,7 @@ PLURALS = {
         "are true in all samples, which are too few for a verdict",
     ),
     "fails": ("fails", "fail"),
+    "calibrated": ("is met with a fitted input", "are met with a fitted input"),
     "not comparable": ("is defined differently in the paper", "are defined differently in the papers"),
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }
@@ -102,9 +102,13 @@ def totals(claims: list[Claim]) -> str:
     counts = Counter(TOO_FEW if _true_in_too_few(claim) else claim.verdict for claim in claims)
     order = sorted(counts, key=[*PLURALS, *counts].index)
     parts = [f"{counts[v]} {PLURALS[v][counts[v] > 1] if v in PLURALS else v}" for v in order]
-    first = sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")
-    left = sum(counts[verdict] for verdict in order[MOST:])
-    return f"{first} Of the remaining {left}, {listed(parts[MOST:])}." if parts[MOST:] else first
+    said = [sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")]
+    if parts[MOST:]:
+        left = sum(counts[verdict] for verdict in order[MOST:])
+        said.append(f"Of the remaining {left}, {listed(parts[MOST:])}.")
+    if counts[TOO_FEW]:
+        said.append("The tier standard (make study) has more samples.")
+    return " ".join(said)
 
 
 def _true_in_too_few(claim: Claim) -> bool:
