@@ -4,6 +4,7 @@ import hashlib
 import json
 import os
 import random
+import re
 import subprocess
 import sys
 import zipfile
@@ -228,6 +229,19 @@ def test_results_from_before_an_edit_are_told_whatever_its_date(study, tmp_path,
     assert code == 0
     assert f"note: {folder}/results/example/heave.nc and " in said
     assert "made before an edit" in said
+
+
+@pytest.mark.parametrize("units", ["si", "us", "field"])
+def test_figures_and_report_from_before_an_edit_of_the_units_are_told(study, tmp_path, units):
+    """A run makes just these again; `field` is what a study without units has."""
+    folder = tmp_path / "copy"
+    subprocess.run(["cp", "-a", study[0], folder], check=True)
+    file = folder / "config/config.yaml"
+    file.write_text(re.sub(r"(?m)^units:.*\n", "", file.read_text()) + f"units: {units}\n")
+    code, said = run_crate(folder, tmp_path / "study.zip", study[1])
+    told = "heave_lines.csv and 6 more: made before an edit of scene, study, units"
+    assert (code, told in said) == (0, units != "field"), said
+    assert bool(said) == (units != "field")
 
 
 def test_results_of_which_a_run_made_only_some_are_not_packed(study, tmp_path):

@@ -219,8 +219,8 @@ def crate(
     if former:
         more = f" and {len(former) - 1} more" if len(former) > 1 else ""
         print(
-            f"riserstudy: note: {study / former[0]}{more}: made before an edit of scene, study, published "
-            "values or code; run the study, and pack it again",
+            f"riserstudy: note: {study / former[0]}{more}: made before an edit of scene, study, units, "
+            "published values or code; run the study, and pack it again",
             file=sys.stderr,
         )
     wrote(output)

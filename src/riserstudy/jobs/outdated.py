@@ -1,7 +1,7 @@
 """``python -m riserstudy.jobs.outdated``: print the results here that a run would make again, after an edit.
 
-Results whose digest has changed are printed, one a line, without the results that are made from them. The
-study is that of the current folder. Its code is read, not run.
+Results whose digest or units have changed are printed, one a line, without the results that are made from
+them. The study is that of the current folder. Its code is read, not run.
 """
 
 from __future__ import annotations
@@ -18,10 +18,14 @@ from riserstudy.jobs.planned import CONFIG
 from riserstudy.jobs.workplan import Workplan
 
 HERE = Path()
+IN_UNITS = ("figure", "report")  # rules whose results are in the units of the configuration
 
 
 def outdated() -> Iterator[str]:
-    """Yield the results whose digest has changed. Raises InputError when the configuration is invalid."""
+    """Yield the results whose digest or units have changed.
+
+    Raises InputError when the configuration is invalid.
+    """
     made, tier = recorded(HERE), HERE / "results" / SEALS / "tier"
     settings = {"tier": tier.read_text("utf-8")} if tier.is_file() else {}
     plan = Workplan.read(CONFIG, settings, only=[])
@@ -31,7 +35,7 @@ def outdated() -> Iterator[str]:
 
 
 def _is_planned(plan: Workplan, output: str, rule: str, params: tuple[str, ...]) -> bool:
-    """Return whether the digest that a result was made with is the planned one."""
+    """Return whether the digest and the units that a result was made with are the planned ones."""
     path = Path(output)
     paper, name = path.parent.name, path.name.partition(".")[0]
     by_name: dict[str, Callable[[str, str], str]] = {
@@ -53,7 +57,8 @@ def _is_planned(plan: Workplan, output: str, rule: str, params: tuple[str, ...])
             return True
     except KeyError:  # the study or figure was removed
         return False
-    return any(digest in value for value in params)
+    in_units = rule not in IN_UNITS or repr(plan.units) in params
+    return in_units and any(digest in value for value in params)
 
 
 if __name__ == "__main__":
