@@ -7,7 +7,7 @@ drawn, which the surface does not use, and compared with it.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -55,8 +55,8 @@ def cover(
 ) -> Cover:
     """Simulate sea states of a record until responses at others are predicted within an error.
 
-    Raises InputError when the record's sea states are on a line, so that there is no area between them.
-    Raises SimulationError when ``most`` sea states do not suffice.
+    Raises InputError when the record's sea states are on a line, so that there is no area between them, or
+    ``most`` is too small from the start. Raises SimulationError when ``most`` sea states do not suffice.
 
     Parameters
     ----------
@@ -69,8 +69,9 @@ def cover(
     seed : seed of the draw of sea states for comparison.
     notify : function that receives a description of the next step.
     """
+    check_most([of], most)
     draw = np.random.default_rng(seed)
-    known = first(of)
+    known, reached = first(of), ""
     notify(f"{len(known)} sea states that enclose the record")
     responses = run(of.states[known])
     while True:
@@ -79,6 +80,7 @@ def cover(
         more = _next(of, surface, scale, error, set(known))
         if not len(more):
             held = _drawn(of, surface, allowed, scale, known, draw)
+            _refuse_more(len(known), len(held), most, reached)
             notify(f"{counted(len(held), 'sea state')} to check the interpolation between {len(known)}")
             came = run(of.states[held]) if held else responses[:0]
             predicted = surface.at(of.states[held])
@@ -88,19 +90,48 @@ def cover(
             if not failed and worst <= error:
                 return _whole(of, known, responses, held, came, off)
             more, found = held, came
+            reached = f" give an error of {worst:.1%}, above the tolerance of {error:.1%}, and"
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
+            reached = f" give an error of {worst:.1%}, above the tolerance of {error:.1%}, and"
+            _refuse_more(len(known), len(more), most, reached)
             notify(
                 f"{counted(len(more), 'further sea state')}: linear and cubic interpolation differ by "
                 f"{worst:.1%}, {len(known)} done"
             )
             found = run(of.states[more])
         known, responses = [*known, *more], np.concatenate([responses, found])
-        if len(known) > most:
-            raise SimulationError(
-                f"{len(known)} sea states give an error of {worst:.1%}, above the tolerance of {error:.1%}; "
-                "use a larger tolerance, or allow more sea states"
-            )
+
+
+def _refuse_more(known: int, more: int, most: int, reached: str) -> None:
+    """Refuse to simulate more sea states than allowed."""
+    if known + more > most:
+        raise SimulationError(
+            f"{known} sea states{reached} require {more} more, but at most {most} are allowed; use a larger "
+            "tolerance, or allow more sea states"
+        )
+
+
+def least(of: SeaStates) -> int:
+    """Number of sea states that are simulated if no more are needed, with those for comparison.
+
+    Raises InputError when the record's sea states are on a line.
+    """
+    chosen = first(of)
+    free = of.rows > 0
+    free[chosen] = False
+    return len(chosen) + min(HELD_OUT, int(free.sum()))
+
+
+def check_most(headings: Sequence[SeaStates], most: int) -> None:
+    """Check that ``most`` sea states can suffice in each heading.
+
+    Raises InputError if they cannot, or the sea states of a heading are on a line.
+    """
+    needed = max(map(least, headings), default=0)
+    if needed > most:
+        found = f"the record requires at least {needed} sea states"
+        raise InputError("--most", str(most), found, f"allowed are {needed} and more")
 
 
 def first(of: SeaStates) -> list[int]:

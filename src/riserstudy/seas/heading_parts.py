@@ -14,7 +14,7 @@ from riserstudy.records.numerals import duration
 from riserstudy.records.words import counted
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Half, states_between
-from riserstudy.seas.cover import HELD_OUT, Cover, corners, cover, first
+from riserstudy.seas.cover import Cover, check_most, corners, cover, first, least
 from riserstudy.seas.directions import Between, Directions
 from riserstudy.seas.mesh_of_seas import MeshOfSeas, checked, estimated, mesh_of_seas, on_mesh
 from riserstudy.seas.record import with_peak_period
@@ -120,9 +120,10 @@ def _half(
 def simulate(heading: Heading, record: xr.Dataset, effort: Effort, notify: Notify) -> Part:
     """Simulate sea states of one heading, until the response between them is known within the tolerance.
 
-    Raises InputError when the scene lacks inputs, or the sea states are on a line. Raises SimulationError
-    when the largest number of sea states does not suffice.
+    Raises InputError when the scene lacks inputs, the sea states are on a line, or their largest number is
+    too small from the start. Raises SimulationError when this number does not suffice.
     """
+    check_most([heading.of], effort.most)
     if not math.isnan(heading.angle):
         notify(f"heading {heading.angle:g} deg: {counted(int(heading.of.rows.sum()), 'row')}")
     accurate = RiserResponse(heading.file, effort.seeds, interval_of(record), effort.cores)
@@ -157,15 +158,14 @@ def riser_half_way(half: Half, part: Part) -> RiserResponse:
 
 def _price(of: SeaStates, riser: RiserResponse, effort: Effort) -> str:
     """Smallest time for a heading, in words, from one run."""
-    chosen = first(of)
-    least = len(chosen) + HELD_OUT
-    runs = least * effort.seeds
+    chosen, count = first(of), least(of)
+    runs = count * effort.seeds
     each = riser.seconds(of.states[chosen[-PRICED:]])
     seconds = runs * each / effort.cores
     known = f" of {duration(each)}, {duration(seconds)} on {counted(effort.cores, 'core')}"
     time = "" if math.isnan(each) else known
     return (
-        f"at least {least} sea states, {counted(runs, 'run')}{time}, minus stored runs; at most {effort.most}"
+        f"at least {count} sea states, {counted(runs, 'run')}{time}, minus stored runs; at most {effort.most}"
     )
 
 

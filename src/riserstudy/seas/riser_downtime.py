@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.seas.between_headings import Middle, compared, widened
+from riserstudy.seas.cover import check_most
 from riserstudy.seas.directions import FROM, Directions, directions_that_count
 from riserstudy.seas.downtime_dataset import dataset_of, largest_errors, summarise
 from riserstudy.seas.heading_parts import Effort, Part, headings, interval_of, riser_half_way, simulate
@@ -47,8 +48,8 @@ def riser_downtime(
 ) -> Downtime:
     """Workable hours of a record by the limits of a riser.
 
-    Raises InputError when the scene or the record lacks inputs. Raises SimulationError when ``most`` sea
-    states do not suffice.
+    Raises InputError when the scene or the record lacks inputs, or ``most`` is too small from the start.
+    Raises SimulationError when ``most`` sea states do not suffice.
 
     Parameters
     ----------
@@ -68,12 +69,11 @@ def riser_downtime(
     # refuses a scene that lacks inputs
     RiserResponse(file, seeds, interval_of(record), cores)
     directions = directions_that_count(directions, file, record)
-    parts: dict[int, Part] = {}
-    for number, heading in enumerate(headings(file, record, directions)):
-        if heading.of.rows.any():
-            parts[number] = simulate(heading, record, effort, notify)
-    if not parts:
+    found = {k: one for k, one in enumerate(headings(file, record, directions)) if one.of.rows.any()}
+    if not found:
         raise InputError("RECORD", FROM, "no row has a direction", "use the record without headings")
+    check_most([heading.of for heading in found.values()], most)
+    parts = {k: simulate(heading, record, effort, notify) for k, heading in found.items()}
     middles = []
     for part in parts.values():
         if half := part.heading.half:
