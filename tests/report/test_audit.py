@@ -11,7 +11,7 @@ from riserstudy.report.wording import counted, spaced
 
 TABLES = """
 create table parameters (point, path, value);
-create table studies (study, paper, name, caption, axes, table_name);
+create table studies (study, paper, name, caption, axes, table_name, accuracy);
 create table columns (table_name, column_name, role, position);
 create table wide (point);
 create table points (point integer primary key, study, place, error_displacement, error_moment,
@@ -47,7 +47,9 @@ def database(rows):
     db = sqlite3.connect(":memory:")
     db.executescript(TABLES)
     for point, (name, fixed, accuracy, *errors) in enumerate(rows):
-        db.execute("insert into studies values (?, 'paper', ?, '', '{}', 'wide')", (f"paper/{name}", name))
+        db.execute(
+            "insert into studies values (?, 'paper', ?, '', '{}', 'wide', null)", (f"paper/{name}", name)
+        )
         db.execute(
             "insert into points values (?, ?, '', ?, ?, ?, ?, '', 1, 0)",
             (point, f"paper/{name}", *errors, *[None] * (4 - len(errors))),
@@ -64,7 +66,7 @@ def database(rows):
 def kept(**studies):
     """A study file: what each study keeps, and why it may err."""
     models = {
-        name: SimpleNamespace(keep=keep, error_because=why, settings=None)
+        name: SimpleNamespace(keep=keep, error_because=why, settings=None, tuned=None)
         for name, (keep, why) in studies.items()
     }
     return {"paper": SimpleNamespace(studies=models)}
@@ -190,7 +192,7 @@ def test_a_dataset_is_told_by_the_worst_of_its_points_and_their_sum(seed):
     """Points in any order, of which some lack values."""
     draw = random.Random(seed)
     db = database([])
-    db.execute("insert into studies values ('paper/runs', 'paper', 'runs', 'a caption', '{}', 'wide')")
+    db.execute("insert into studies values ('paper/runs', 'paper', 'runs', 'a caption', '{}', 'wide', null)")
     points = []
     for point in range(draw.randint(3, 12)):
         errors = [draw.choice([None, draw.uniform(0.0, 0.02)]) for _ in range(4)]
@@ -222,3 +224,30 @@ def test_the_most_frequent_warning_is_told_first_with_its_datasets():
     assert [(one.points, one.datasets) for one in warned(db)] == [
         (2, ["paper/one", "paper/two"]), (1, ["paper/one"])
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_points_of_tuned_studies_have_the_tolerance_that_these_were_tuned_to(seed):
+    """By the record in the study file, or by the dataset of a study whose runs tune it."""
+    draw = random.Random(seed)
+    rows, files, off = [], kept(), 0
+    ways = [draw.choice(["record", "job", "neither"]) for _ in range(draw.randint(1, 6))]
+    percents = [draw.choice(["0.2 %", "1 %", "2 %", "5%", "12.5 %"]) for _ in ways]
+    for k, (way, percent) in enumerate(zip(ways, percents, strict=True)):
+        most = 0.01 if way == "neither" else float(percent.rstrip(" %")) / 100.0
+        error = most * draw.choice([0.5, 0.99, 1.01, 3.0])
+        off += error > most
+        rows.append((f"s{k}", True, None, error, None, None))
+        record = SimpleNamespace(accuracy=percent) if way == "record" else None
+        files["paper"].studies[f"s{k}"] = SimpleNamespace(
+            keep=None, error_because=None, settings="tuned" if way == "job" else None, tuned=record
+        )
+    db = database(rows)
+    db.executemany(
+        "update studies set accuracy = ? where name = ?", [(p, f"s{k}") for k, p in enumerate(percents)]
+    )
+    of = missed(db, files)
+    assert of.off == off
+    assert sum(row.off for row in audit(db, files)) == off
+    other = any(w != "neither" and p != "1 %" for w, p in zip(ways, percents, strict=True))
+    assert ("to which mesh and time step were tuned" in of.sentences) == (other and off > 0)

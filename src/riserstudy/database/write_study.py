@@ -68,11 +68,13 @@ def marks(count: int) -> str:
 
 def _write_head(db: sqlite3.Connection, about: About, table: str, contents: Contents) -> None:
     attributes, grid = contents.attributes, contents.grids[0][0]
-    scene = json.loads(attributes.get("scene", "{}"))
+    scene, tuned = (json.loads(attributes.get(name, "{}")) for name in ("scene", "settings"))
+    # points of a tuned study have its mesh and step, and the tolerance to which these were tuned
+    accuracy = scene.get("analysis", {}).get("accuracy") or tuned.get("accuracy")
     row = (
         *(about.study, about.paper, about.name, about.kind, about.caption),
         *(json.dumps({a.name: len(a.values) for a in grid.axes}), grid.cells),
-        *(attributes.get("scene_file"), attributes.get("tier"), scene.get("analysis", {}).get("accuracy")),
+        *(attributes.get("scene_file"), attributes.get("tier"), accuracy),
         *(attributes.get("engine"), table, about.path),
     )
     db.execute(f"insert into studies values ({marks(len(row))})", row)

@@ -15,6 +15,7 @@ from typing import Any, NamedTuple
 from riserstudy.records.words import counted, listed
 from riserstudy.report.without_points import WithoutPoints, without_points
 from riserstudy.report.wording import grouped, share, spaced
+from riserstudy.scene.fields import in_si
 from riserstudy.scene.limits import ANGLES
 from riserstudy.study.models import StudyFile, StudyModel
 
@@ -36,7 +37,7 @@ POINTS = f"""
 with prescribed as (select distinct point from parameters where path like 'analysis.mesh.%'),
   asked as (select point, value from parameters where path = 'analysis.accuracy')
 select points.*, points.point in prescribed as fixed, coalesce(asked.value, {TOLERANCE}) as tolerance,
-  studies.paper, studies.name, studies.caption
+  studies.paper, studies.name, studies.caption, studies.accuracy
 from points join studies using (study) left join asked using (point)
 """
 
@@ -86,6 +87,7 @@ class Missed(NamedTuple):
     where: str
     verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that use such a point
     without: WithoutPoints  # how these verdicts change without such points
+    tuned: bool = False  # whether a prescribed mesh or step was tuned to another tolerance
 
     @property
     def sentences(self) -> str:
@@ -117,10 +119,13 @@ class Missed(NamedTuple):
             f"Mesh and time step are prescribed, instead of a tolerance, at {points}. "
             f"The error was estimated at {spaced(self.estimated)} of these"
         )
+        most = share(TOLERANCE)
+        if self.tuned:
+            most += ", or the tolerance to which mesh and time step were tuned,"
         if not fixed:
-            return f"{requested}. {sentence} and is at most {share(TOLERANCE)}."
+            return f"{requested}. {sentence} and is at most {most}".rstrip(",") + "."
         return (
-            f"{requested}. {sentence} and exceeds {share(TOLERANCE)} at {fixed}. "
+            f"{requested}. {sentence} and exceeds {most} at {fixed}. "
             f"The largest estimated error is {share(self.worst)}, in the dataset {self.where}."
         )
 
@@ -156,14 +161,32 @@ def _points(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Iterator[dic
             because = study.error_because if study and study.error_because else NO_REASON
             counts = relevant_errors(study.keep if study else None)
             tuned = bool(study and study.settings)
-            of_study[point["study"]] = {"counts": counts, "because": because, "tuned": tuned}
+            tuned_to = _tuned_to(study, point["accuracy"])
+            of_study[point["study"]] = {
+                "counts": counts,
+                "because": because,
+                "tuned": tuned,
+                "tuned_to": tuned_to,
+            }
         point |= of_study[point["study"]]
-        if not point["fixed"]:
+        if point["fixed"]:
+            point["tolerance"] = point["tuned_to"]
+        else:
             point["counts"] = [name for name in point["counts"] if name not in NOT_LIMITED]
         errors = [point[f"error_{name}"] for name in point["counts"]]
         point["has_estimate"] = any(point[f"error_{name}"] is not None for name in ERRORS)
         point["error"] = max((error or 0.0 for error in errors), default=0.0)
         yield point
+
+
+def _tuned_to(study: StudyModel | None, accuracy: str | None) -> float:
+    """Return the tolerance for points with a prescribed mesh and step: the one to which these were tuned.
+
+    ``accuracy``: tolerance of the dataset, to which a job tuned them.
+    """
+    record = study.tuned if study else None
+    written = record.accuracy if record else accuracy if study and study.settings else None
+    return (in_si("analysis.accuracy", written)[0] if written else None) or TOLERANCE
 
 
 def _study(files: dict[str, StudyFile], point: dict[str, Any]) -> StudyModel | None:
@@ -246,6 +269,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         count["points"] += 1
         count["requested"] += not point["fixed"]
         count["missed by request"] += missing and not point["fixed"]
+        count["tuned"] += bool(point["fixed"] and point["tuned_to"] != TOLERANCE)
         count["estimated"] += bool(point["fixed"] and point["has_estimate"])
         count["not_estimated"] += not point["fixed"] and not point["has_estimate"]
         if missing:
@@ -274,6 +298,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         f"{worst['study']} ({_largest(worst)})" if worst else "",
         verdicts,
         without_points(db, verdicts, numbers),
+        bool(count["tuned"]),
     )
 
 
