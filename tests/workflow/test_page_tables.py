@@ -193,3 +193,21 @@ def test_tables_can_be_read_by_day_and_night(browser, scheme):
         found = browser.execute_script(CONTRAST, text)
     assert len(found) > 10
     assert min(found) > 4.5  # what WCAG asks of text
+
+
+SECTIONS = """
+return [...document.querySelectorAll(".contents ul ul")]
+  .filter((list) => getComputedStyle(list).display !== "none")
+  .map((list) => list.previousElementSibling.hash)
+"""
+
+
+def test_only_the_chapter_in_view_lists_its_sections_beside_the_report(browser):
+    links = browser.find_elements(By.CSS_SELECTOR, ".contents > details > ul > li > ul")
+    chapters = [link.find_element(By.XPATH, "preceding-sibling::a").get_attribute("hash") for link in links]
+    with screen(browser, 1440, 900):
+        for chapter in chapters:
+            browser.execute_script("document.querySelector(arguments[0]).scrollIntoView()", chapter)
+            wait(browser, lambda chapter=chapter: browser.execute_script(SECTIONS) == [chapter])
+    with screen(browser, 390, 844):
+        assert browser.execute_script(SECTIONS) == chapters
