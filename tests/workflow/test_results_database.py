@@ -67,3 +67,15 @@ def test_verify_is_content_with_what_the_workflow_made(asked, monkeypatch, capsy
     monkeypatch.setattr(sys, "argv", ["riserstudy", "verify"])
     main()
     assert capsys.readouterr().out.startswith("0 faults in ")
+    sealed = [seal.name for seal in Path("results/.seals").glob("*.*") if seal.is_file()]
+    assert "results.sqlite" in sealed
+    for name in sealed:
+        file = Path("results", name)
+        if not file.is_file():
+            continue
+        whole = file.read_bytes()
+        file.write_bytes(whole + b"\n")
+        with pytest.raises(SystemExit):
+            main()
+        assert f"{file}: changed since" in capsys.readouterr().out
+        file.write_bytes(whole)

@@ -140,7 +140,7 @@ def _show(answer: Any, csv: Path | None, as_json: bool, units: dict[str, str] | 
 
 
 def verify(folder: ResultsOption = IN_RESULTS) -> None:
-    """Compare every dataset, figure, table and stored point with its recorded checksum.
+    """Compare the report, every dataset, figure, table and stored point with its recorded checksum.
 
     The exit status is 1 if a file or stored point differs from its checksum.
     """

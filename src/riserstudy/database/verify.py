@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.database.ask import ask, connect
-from riserstudy.database.sources import KINDS, described, digest_of
+from riserstudy.database.sources import KINDS, described
 from riserstudy.errors import InputError, printable
-from riserstudy.folders import SEALS
+from riserstudy.folders import SEALS, fits_seal
 from riserstudy.study import store
 
 _KEY = re.compile(r"[0-9a-z]{1,64}")  # key of a stored point, which is the name of its file
@@ -35,11 +35,10 @@ def verify(database: Path) -> Verified:
         wrong = [f"{database}: {fault}" for (fault,) in db.execute("pragma integrity_check")]
         wrong = [line for line in wrong if not line.endswith(": ok")]
         wrong += [f"{database}: {row}" for row in db.execute("pragma foreign_key_check")]
-        wrong += [*_itself(database)]
         recorded = ask(db, "select path, sha256 from files").rows
         files = {str(path): str(digest) for path, digest in recorded}
         keys = [str(key) for (key,) in ask(db, "select distinct key from points").rows]
-    wrong += [*_files(database.parent, files)]
+    wrong += [*_sealed(database.parent, files), *_files(database.parent, files)]
     wrong += [f"{database}: {printable(repr(key))} is no key" for key in keys if not _KEY.fullmatch(key)]
     keys = [key for key in keys if _KEY.fullmatch(key)]
     damaged = [key for key in keys if store.has(key) and store.about(key) is None]
@@ -48,13 +47,15 @@ def verify(database: Path) -> Verified:
     return Verified(len(files), len(keys), wrong, gone)
 
 
-def _itself(database: Path) -> Iterator[str]:
-    """Yield a message if the database differs from what its job wrote; one built by hand has no seal."""
-    seal = database.parent / SEALS / database.name
-    if seal.exists():
-        digest = seal.read_text("utf-8").partition(" ")[0]
-        if digest_of(database) != digest:
-            yield f"{database}: changed since it was made; the next run makes it again"
+def _sealed(folder: Path, files: Collection[str]) -> Iterator[str]:
+    """Yield a message if the database, the report or a table of all papers differs from what its job wrote.
+
+    These files are not in the database. A file made by hand has no seal.
+    """
+    for seal in sorted((folder / SEALS).glob("*.*")):
+        file = folder / seal.name
+        if seal.is_file() and file.is_file() and seal.name not in files and not fits_seal(file, folder):
+            yield f"{file}: changed since it was made; the next run makes it again"
 
 
 def _files(folder: Path, files: dict[str, str]) -> Iterator[str]:
