@@ -168,7 +168,7 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     assert "The elapsed times of the simulations add up to" in text
     assert "Compiling the engine took 81.5 s" in text
     assert "CPU time" not in text  # each point has its elapsed time, whatever else the machine did
-    assert "One riser paper, simulated again" in text
+    assert "One paper on drilling risers, simulated again" in text
 
 
 def test_bars_count_what_the_tables_hold(sources):
