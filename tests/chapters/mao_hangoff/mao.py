@@ -4,6 +4,7 @@ from pathlib import Path
 
 from riserstudy.grading.words_file import read_words
 from riserstudy.scene.load import read_scene
+from riserstudy.scene.replaced_values import set_later
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
@@ -28,7 +29,8 @@ def small(name, **settings):
         "analysis.step": "0.5 s",
         "analysis.output": {"interval": "10 s"},
     }
-    study = planned(name, set=FILE.studies[name].set | coarse | settings, preview={})
+    sets = set_later(FILE.studies[name].set, coarse | settings)
+    study = planned(name, set=sets, preview={})
     return dataset_of(study, results_of(study, 1, lambda text: None)[0])
 
 
