@@ -125,7 +125,7 @@ def test_rows_without_waves_count_as_calm_with_or_without_a_period(seed):
     )
     assert found.worst[0].rate == pytest.approx(expected.worst[0].rate, rel=1e-12)
     assert any(f"{int(still.sum())} rows without waves" in line for line in found.notes)
-    with pytest.raises(InputError, match=f"{100 * still.mean():.3g} % of the time is outside"):
+    with pytest.raises(InputError, match=f"{100 * still.mean():.3g} % of the time has values outside"):
         summed(of, with_calm_periods(record))
 
 

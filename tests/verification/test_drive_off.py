@@ -24,7 +24,7 @@ ON_STEPS |= {"analysis.output.interval": "0.5 s"}
 
 
 def calm(path, **overrides):
-    return load_scene(path, **(CALM | overrides))
+    return load_scene(path, **CALM).with_values(overrides, "test")
 
 
 @cache

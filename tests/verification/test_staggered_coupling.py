@@ -28,7 +28,7 @@ CALM = {"wave": None, "top.telescopic_joint.stop": None, "vessel.thrusters.gain"
 
 
 def calm(path, **overrides):
-    return load_scene(path, **(CALM | overrides))
+    return load_scene(path, **CALM).with_values(overrides, "test")
 
 
 @cache
