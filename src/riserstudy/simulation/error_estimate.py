@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,10 +98,12 @@ def difference(coarse: Result, fine: Result) -> dict[str, float]:
         ("tension", ("effective_tension",)),
         ("moment", ("bending_moment",)),
     ):
-        pairs = [pair for field in fields for pair in _states(coarse.arrays, fine.arrays, field)]
-        pairs += [histories[field] for field in fields if field in histories]
+        states = [[*_states(coarse.arrays, fine.arrays, field)] for field in fields]
+        moving = [histories[field] for field in fields if field in histories]
+        pairs = [*chain.from_iterable(states), *moving]
         sizes = [(float(np.abs(up).max()), float(np.abs(up - low).max())) for low, up in pairs]
-        sizes += _lengths(coarse.arrays, fine.arrays, histories) if name == "displacement" else []
+        at_rest = [of_field[-1] for of_field in states if of_field]
+        sizes += _lengths(at_rest, moving) if name == "displacement" else []
         scale, off = (max((size[k] for size in sizes), default=0.0) for k in (0, 1))
         peaks = [largest_moment(one.arrays) for one in (coarse, fine)] if name == "moment" else []
         if peaks and peaks[0] and peaks[1]:
@@ -335,15 +338,13 @@ def _states(coarse: Arrays, fine: Arrays, field: str) -> Pairs:
 
 
 def _lengths(
-    coarse: Arrays, fine: Arrays, histories: dict[str, tuple[Array, Array]]
+    at_rest: list[tuple[Array, Array]], moving: list[tuple[Array, Array]]
 ) -> list[tuple[float, float]]:
     """Largest length of the displacement, and of its difference, at rest and over time (m).
 
-    Unlike the components, these do not depend on the direction of the axes.
+    Each list has the values of both runs by direction. Unlike components, lengths do not depend on the
+    direction of the axes.
     """
-    fields = [field for field in "xyz" if f"{field}_static" in fine]
-    at_rest = [[*_states(coarse, fine, field)][-1] for field in fields]
-    moving = [histories[field] for field in fields if field in histories]
     found = []
     for pairs in filter(None, (at_rest, moving)):
         low, up = (np.stack([pair[k] for pair in pairs]) for k in (0, 1))
