@@ -140,6 +140,14 @@ def natural_modes(programs: Packed, state: Packed, fixed: np.ndarray, count: int
     return np.sign(square[:k]) * np.sqrt(np.abs(square[:k])), shapes[:, :, : len(s.l0) + 1]
 
 
+def _linearised_with_mass(programs: Packed, state: Packed, fixed: np.ndarray) -> LinearisedModel:
+    """The linearised model; LinAlgError when a free node has no mass."""
+    model = linearise(programs, state, fixed)
+    if not (model.mass.diagonal() > 0.0).all():
+        raise np.linalg.LinAlgError("a node that moves has no mass")
+    return model
+
+
 def lowest_squares(
     programs: Packed, state: Packed, fixed: np.ndarray, count: int, below: float
 ) -> np.ndarray:
@@ -153,9 +161,7 @@ def lowest_squares(
     numpy.linalg.LinAlgError
         When a free node has no mass.
     """
-    model = linearise(programs, state, fixed)
-    if not (model.mass.diagonal() > 0.0).all():
-        raise np.linalg.LinAlgError("a node that moves has no mass")
+    model = _linearised_with_mass(programs, state, fixed)
     size = model.mass.shape[0]
     if size <= FEW or 2 * count >= size:
         last = [0, min(count, size) - 1]
@@ -191,9 +197,7 @@ def stable_step(programs: Packed, state: Packed, fixed: np.ndarray) -> float:
     numpy.linalg.LinAlgError
         When a free node has no mass.
     """
-    model = linearise(programs, state, fixed)
-    if not (model.mass.diagonal() > 0.0).all():
-        raise np.linalg.LinAlgError("a node that moves has no mass")
+    model = _linearised_with_mass(programs, state, fixed)
     stiff = model.stiffness()
     highest, _ = _largest(stiff, model.mass)
     if highest <= 0.0:
