@@ -380,15 +380,15 @@ def _ranges(limits: Sequence[Limit], found: Sequence[Offsets], added: Mapping[st
     from riserstudy.dataset.unit_systems import UnitSystem, read_in
     from riserstudy.scene.limits import UNITS
 
-    rows = [("limit", "allowable", "allowance", "offsets")]
+    shown = any(added.values())
+    rows = [("limit", "allowable", *["allowance"] * shown, "offsets")]
     for limit, between in zip(limits, found, strict=True):
         factor, unit = read_in(UNITS[limit.output], UnitSystem.FIELD)
         add = 0.0 if limit.side == "mean" else added.get(limit.output, 0.0)
         allowance = f"{factor * add:.4g} {unit}" if add else ""
-        rows.append((label(limit), f"{factor * limit.allowable:.4g} {unit}", allowance, _between(between)))
-    if any(allowance for _, _, allowance, _ in rows[1:]):
-        return aligned(rows)
-    return aligned([(name, allowable, offsets) for name, allowable, _, offsets in rows])
+        allowable = f"{factor * limit.allowable:.4g} {unit}"
+        rows.append((label(limit), allowable, *[allowance] * shown, _between(between)))
+    return aligned(rows)
 
 
 def _between(found: Offsets) -> str:
