@@ -10,6 +10,8 @@ from ruamel.yaml import YAML
 from riserstudy.importers.orcaflex import as_text, read_deck
 from riserstudy.inputs.plain_yaml import plain_yaml
 
+pytestmark = pytest.mark.filterwarnings("ignore::ruamel.yaml.error.MantissaNoDotYAML1_1Warning")
+
 DECKS = Path(__file__).parent / "decks"
 BREAKS = ("\n", "\r", "\r\n", "\x0b", "\x85", "\u2028", "\u2029")
 ENTRIES = ("note: another #", "bottom: null", "limits: [] #", "wave: {height: 30 m, period: 9 s} #")

@@ -25,6 +25,7 @@ from riserstudy.cli import (
     downtime,
     fatigue,
     files,
+    offsets,
     outputs,
     results,
     seas,
@@ -45,7 +46,7 @@ GROUPS: dict[str, tuple[Any, ...]] = {
         analyse.cost, analyse.effects, analyse.advise,
     ),
     "Design": (
-        design.tension, design.operability, design.envelope, design.viv,
+        design.tension, offsets.operability, offsets.envelope, design.viv,
         disconnect.watch_circles, disconnect.recoil, seas.seas, downtime.downtime, fatigue.fatigue,
     ),
     "Files": (files.import_deck, files.export_deck, files.new, files.schema),

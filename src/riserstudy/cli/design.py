@@ -1,4 +1,4 @@
-"""Design checks before a riser is deployed: tension, operability, envelope, vortex-induced vibration."""
+"""Checks of a design before any sea is simulated: top tension, vortex-induced vibration."""
 
 from __future__ import annotations
 
@@ -16,10 +16,8 @@ from riserstudy.cli.shared import (
     check_targets,
     compile_as_needed,
     notify,
-    pairs,
     positive,
     quantity,
-    require_limits,
     save_figure,
     scene_of,
     show,
@@ -29,14 +27,7 @@ from riserstudy.cli.targets import ForceOption
 from riserstudy.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     import xarray as xr
-
-    from riserstudy.design.operability import Offsets
-    from riserstudy.scene.limits import Limit
-
-SEEDS = 5  # default number of runs of a sea
 
 TensionRatioOption = Annotated[
     float,
@@ -88,12 +79,6 @@ OverpullOption = Annotated[
     typer.Option(
         help="tension required between LMRP and BOP stack, such as 200 kN; default: no requirement",
         metavar="FORCE",
-    ),
-]
-ReachOption = Annotated[
-    str,
-    typer.Option(
-        help="largest offset to search, to either side of the well, such as '100 m'", metavar="LENGTH"
     ),
 ]
 
@@ -160,98 +145,6 @@ def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
     for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
         if not math.isfinite(tolerance):  # the option's minimum accepts these
             raise InputError(option, str(tolerance), "not a finite number", "write, for example, 1.05")
-
-
-def operability(
-    scene: SceneArgument,
-    reach: ReachOption,
-    allowance: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="effect of waves on an output, such as lfj_angle='0.5 deg': added to the static value, or "
-            "subtracted if the limit is a lower limit; may be repeated",
-            metavar="OUTPUT=VALUE",
-        ),
-    ] = None,
-    settings: SetOption = None,
-) -> None:
-    """Compute the static offset range within which each limit is met.
-
-    For each limit, the table gives the allowable value, the allowance if there is one, and the offsets. The
-    exit status is 4 if a limit could not be evaluated.
-    """
-    file = scene_of(scene, settings)
-    require_limits(file)
-    riser, far = file.resolved(), positive("--reach", reach, "m")
-    added = _allowances(allowance, riser.limits or [])
-    compile_as_needed()
-    from riserstudy.design.operability import offsets
-
-    found = offsets(riser, far, added)
-    for line in _ranges(riser.limits or [], found, added):
-        print(line)
-    if any(between.missing for between in found):
-        raise typer.Exit(4)
-
-
-def envelope(
-    scene: SceneArgument,
-    reach: ReachOption,
-    current: Annotated[
-        list[str],
-        typer.Option(
-            help="current speed at the surface, such as '0.5 m/s'; may be repeated", metavar="SPEED"
-        ),
-    ],
-    sea: Annotated[
-        list[str] | None,
-        typer.Option(
-            help="significant wave height and peak period of a sea, such as '4 m, 10 s'; may be repeated; "
-            "default: no waves",
-            metavar="HEIGHT,PERIOD",
-        ),
-    ] = None,
-    seeds: Annotated[
-        int | None,
-        typer.Option(
-            min=5, help="number of runs of each sea, with different random phases; requires --sea; default: 5"
-        ),
-    ] = None,
-    settings: SetOption = None,
-    csv: CsvOption = None,
-    force: ForceOption = False,
-) -> None:
-    """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
-
-    At each offset, the static equilibrium is computed. To include a sea, an allowance is added to the static
-    value of each output, or subtracted for a lower limit. In nine of ten random realisations of the sea, the
-    change due to waves does not exceed this allowance. The allowance is computed from runs in the current and
-    at the offset of the scene. Limits on means have no allowance. The exit status is 4 if a limit could not
-    be evaluated.
-    """
-    file = scene_of(scene, settings)
-    check_targets(file.files, force, csv)
-    require_limits(file)
-    far = positive("--reach", reach, "m")
-    speeds = [quantity("--current", one, "m/s") for one in current]
-    pairs = [_sea(one) for one in sea or []]
-    if seeds is not None and not pairs:
-        raise InputError("envelope", "--seeds", str(seeds), "allowed only with --sea")
-    _once("--current", current, [(speed,) for speed in speeds])
-    _once("--sea", sea or [], pairs)
-    compile_as_needed()
-    from riserstudy.design.envelope import envelope as computed
-    from riserstudy.study.in_sea import Sea, in_sea
-
-    seas = [Sea(*pair) for pair in pairs]
-    for one in seas:
-        in_sea(file, one, 1).resolved()  # refuses a scene without a sea before any run
-    found = computed(file, far, speeds, seas, seeds or SEEDS, notify)
-    show(found.table, csv)
-    for name, why in found.missing.items():
-        print(f"{name}: not evaluated: {why}; rows with this note leave this limit out")
-    if found.missing:
-        raise typer.Exit(4)
 
 
 def viv(
@@ -332,71 +225,3 @@ def _show_modes(found: xr.Dataset, csv: Path | None) -> None:
     else:
         print("no mode may lock in")
         write_table(table, csv)  # which replaces the table of another current
-
-
-def _sea(text: str) -> tuple[float, float]:
-    """Significant height (m) and peak period (s)."""
-    parts = [part.strip() for part in text.split(",")]
-    if len(parts) != 2:
-        allowed = "allowed is a height and a period: '4 m, 10 s'"
-        raise InputError("--sea", text, f"{len(parts)} values", allowed)
-    return positive("--sea", parts[0], "m"), positive("--sea", parts[1], "s")
-
-
-def _once(option: str, texts: Sequence[str], values: Sequence[tuple[float, ...]]) -> None:
-    """Check that no value of an option, in SI, is given twice. Raises InputError with the second one."""
-    rounded = [[f"{part:.9g}" for part in value] for value in values]
-    for k, text in enumerate(texts):
-        if rounded[k] in rounded[:k]:
-            raise InputError(option, text, "given twice", "give each value once")
-
-
-def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, float]:
-    """Allowances in SI, by output; each output must have a limit that its allowance is added to."""
-    from riserstudy.scene.limits import UNITS
-
-    added: dict[str, float] = {}
-    used = {limit.output for limit in limits if limit.side != "mean"}
-    for name, text in pairs("--allowance", given, "OUTPUT=VALUE", "lfj_angle='0.5 deg'").items():
-        option = f"--allowance {name}"
-        if name not in UNITS:
-            allowed = "allowed are " + ", ".join(UNITS)
-            raise InputError(option, text, "not an output that can have limits", allowed)
-        if name not in used:
-            found = "no largest or smallest value of this output is limited in the scene"
-            raise InputError(option, text, found, f"allowed are {', '.join(sorted(used))}")
-        added[name] = quantity(option, text, UNITS[name])
-        if added[name] < 0.0:
-            raise InputError(
-                option, text, "below 0", "give the magnitude of the effect, also for a lower limit"
-            )
-    return added
-
-
-def _ranges(limits: Sequence[Limit], found: Sequence[Offsets], added: Mapping[str, float]) -> list[str]:
-    """A heading, and a line per limit: its allowable value, its allowance if any, and the offsets."""
-    from riserstudy.dataset.limits import label
-    from riserstudy.dataset.table import aligned
-    from riserstudy.dataset.unit_systems import UnitSystem, read_in
-    from riserstudy.scene.limits import UNITS
-
-    shown = any(added.values())
-    rows = [("limit", "allowable", *["allowance"] * shown, "offsets")]
-    for limit, between in zip(limits, found, strict=True):
-        factor, unit = read_in(UNITS[limit.output], UnitSystem.FIELD)
-        add = 0.0 if limit.side == "mean" else added.get(limit.output, 0.0)
-        allowance = f"{factor * add:.4g} {unit}" if add else ""
-        allowable = f"{factor * limit.allowable:.4g} {unit}"
-        rows.append((label(limit), allowable, *[allowance] * shown, _between(between)))
-    return aligned(rows)
-
-
-def _between(found: Offsets) -> str:
-    """Offsets between which a limit is met, in words."""
-    if found.missing:
-        return f"not evaluated: {found.missing}"
-    if math.isnan(found.low):
-        return "met at no offset"
-    ends = ["not reached" if math.isinf(end) else f"{end:+.1f} m" for end in (found.low, found.high)]
-    also = "" if math.isnan(found.also) else f"; also met at other offsets, such as {found.also:+.1f} m"
-    return f"{ends[0]} to {ends[1]}{also}"

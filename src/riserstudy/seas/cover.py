@@ -89,11 +89,10 @@ def cover(
             worst = float(np.nanmax(off, initial=0.0))
             if not failed and worst <= error:
                 return _whole(of, known, responses, held, came, off)
-            more, found = held, came
-            reached = f" give an error of {worst:.1%}, above the tolerance of {error:.1%}, and"
+            more, found, reached = held, came, _above(worst, error)
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
-            reached = f" give an error of {worst:.1%}, above the tolerance of {error:.1%}, and"
+            reached = _above(worst, error)
             _refuse_more(len(known), len(more), most, reached)
             notify(
                 f"{counted(len(more), 'further sea state')}: linear and cubic interpolation differ by "
@@ -101,6 +100,10 @@ def cover(
             )
             found = run(of.states[more])
         known, responses = [*known, *more], np.concatenate([responses, found])
+
+
+def _above(worst: float, error: float) -> str:
+    return f" give an error of {worst:.1%}, above the tolerance of {error:.1%}, and"
 
 
 def _refuse_more(known: int, more: int, most: int, reached: str) -> None:
