@@ -24,8 +24,8 @@ def written(folder, rows):
     return false_claims(folder)
 
 
-def row(verdict="fails", of_that="holds", accepted=0, subtle=0, how="sign", met=3, samples=128):
-    return ("paper", "C1", "it sinks", how, met, samples, verdict, of_that, accepted, subtle)
+def row(verdict="fails", of_that="holds", accepted=0, subtle=0, how="sign", met=3, samples=128, of="C1"):
+    return ("paper", of, "it sinks", how, met, samples, verdict, of_that, accepted, subtle)
 
 
 @pytest.mark.parametrize("count", [1, 20, 150])
@@ -39,7 +39,8 @@ def test_without_an_accepted_claim_the_bound_is_that_of_none_among_so_many(count
 
 
 def test_every_kind_of_verdict_is_counted_once(tmp_path):
-    rows = [row("holds", accepted=1, subtle=1)] * 2 + [row()] * 5 + [row("depends", "fails", subtle=1)] * 3
+    rows = [row("holds", accepted=1, subtle=1)] * 2 + [row(of="C2")] * 5
+    rows += [row("depends", "fails", subtle=1, of="C3")] * 3
     found = written(tmp_path, rows)
     said = found.sentences
     assert said.startswith(
@@ -48,7 +49,7 @@ def test_every_kind_of_verdict_is_counted_once(tmp_path):
     )
     assert "and 3 depend on unspecified inputs. The false-positive rate is 20 %" in said
     assert said.endswith(
-        "The same checks accept 7 of the original claims, from which the false claims were made."
+        "The same checks accept 2 of the 3 original claims, from which the false claims were made."
     )
     assert found.rows[0].share == "3 of 128"
     assert found.rows[0].how == "one sign changed"

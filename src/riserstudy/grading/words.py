@@ -97,7 +97,9 @@ def _answers(kind: Kind) -> dict[ReadingAnswer, str]:
 
 def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     """Sentences with the interpretations for each result, or with their number if they are many."""
-    words = _answers(kind) | {"no difference": "neither true nor false (no difference)"}
+    words = _answers(kind) | {
+        "no difference": "neither true nor false (the compared values are nearly equal)"
+    }
     subject = _capital(_JUDGED[kind])
     names: dict[ReadingAnswer, list[str]] = {}
     for reading in readings:
@@ -300,10 +302,8 @@ def _together(together: Together | None) -> Iterator[str]:
 
 
 def alone_in_words(together: Together) -> str:
-    """Number of samples or interpretations that meet a value judged alone."""
-    alone = together.alone
-    of = "samples" if alone.draws is not None else "interpretations"
-    return f"{alone.met} of {alone.samples} {of}"
+    """Number of samples, interpretations or cases that meet a value judged alone."""
+    return f"{together.alone.met} of {_all_of(together.alone)}"
 
 
 def _chosen(chosen: Chosen | None) -> Iterator[str]:
@@ -358,7 +358,7 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
         return values, "this counts as no difference"
     if together is not None:
         meets = "meets" if met else "does not meet"
-        return values, f"this case {meets} {listed(['this value', *together.others])} at once"
+        return values, f"this case {meets} {listed(['this value', *together.others])} together"
     return values, f"{judged} {true if met else false}"
 
 
@@ -373,8 +373,13 @@ def _share(share: Share, word: str) -> str:
     if share.low is not None and share.high is not None:
         percent += f", 95 % interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
     same = f", no difference in {share.same}" if share.same else ""
-    of = "samples" if share.draws is not None else "interpretations"
-    return f"{word} in {share.met} of {share.samples} {of} ({percent}){same}"
+    return f"{word} in {share.met} of {_all_of(share)} ({percent}){same}"
+
+
+def _all_of(share: Share) -> str:
+    """Number of samples, of interpretations, or of cases, which combine both."""
+    of = {None: "interpretations", share.samples: "samples"}.get(share.draws, "cases")
+    return f"{share.samples} {of}"
 
 
 def _plain(value: float) -> str:

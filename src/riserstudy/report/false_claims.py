@@ -75,7 +75,8 @@ def _summary(rows: list[dict[str, str]]) -> str:
     accepted = sum(row["accepted"] == "1" for row in rows)
     failing = sum(row["verdict"] == "fails" for row in rows)
     subtle = sum(row["subtle"] == "1" for row in rows)
-    believed = sum(row["verdict_of_that"] in BELIEVED for row in rows)
+    originals = {(row["paper"], row["made_from"]): row["verdict_of_that"] for row in rows}
+    believed = sum(verdict in BELIEVED for verdict in originals.values())
     high = 100.0 * binomtest(accepted, count).proportion_ci(method="exact").high
     undecided = sum(row["verdict"] == "depends" for row in rows)
     rest = count - accepted - failing - undecided
@@ -86,5 +87,6 @@ def _summary(rows: list[dict[str, str]]) -> str:
         f"The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
         f"and {undecided} depend on unspecified inputs.{others} The false-positive rate is "
         f"{100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). The same checks "
-        f"accept {believed} of the original claims, from which the false claims were made."
+        f"accept {believed or 'none'} of the {counted(len(originals), 'original claim')}, from which the "
+        "false claims were made."
     )

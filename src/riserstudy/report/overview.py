@@ -21,8 +21,8 @@ PLURALS = {
     "holds": ("holds", "hold"),
     "depends": ("depends on inputs that the papers omit", "depend on inputs that the papers omit"),
     TOO_FEW: (
-        "is true in all samples, which are too few for a verdict",
-        "are true in all samples, which are too few for a verdict",
+        "is true in all samples, but these are too few for the verdict “holds”",
+        "are true in all samples, but these are too few for the verdict “holds”",
     ),
     "fails": ("fails", "fail"),
     "calibrated": ("is met with a fitted input", "are met with a fitted input"),

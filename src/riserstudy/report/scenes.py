@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from riserstudy.grading.models import PrintedInput
 from riserstudy.grading.printed import printed_as, printed_inputs
 from riserstudy.records.words import counted
+from riserstudy.report.wording import unit
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, within
 from riserstudy.study.axes import Numbers
@@ -142,9 +143,9 @@ def _varied(dataset: xr.Dataset) -> list[str]:
         values = dataset[axis].values
         name = str(axis).replace("_", " ")
         if values.dtype.kind == "f":
-            unit = dataset[axis].attrs.get("units", "")
+            of = str(dataset[axis].attrs.get("units", ""))
             ends = " to ".join(dict.fromkeys((f"{values.min():g}", f"{values.max():g}")))
-            words.append(f"{name}: {counted(len(values), 'value')}, {ends} {unit}")
+            words.append(f"{name}: {counted(len(values), 'value')}, {ends}{unit(of)}")
         elif values.dtype.kind in "iu":
             words.append(f"{name}: {len(values)} samples of the unspecified inputs")
         else:

@@ -24,10 +24,14 @@ class WithoutPoints(NamedTuple):
 
     @property
     def turning(self) -> str:
-        """Number of verdicts that change, in words."""
-        many, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
-        graded = len(self.turned) + len(self.stand)
-        return f"If runs with too large errors are left out, {many} of {graded} verdicts change{ends}"
+        """Number of verdicts that use such points, and of those that change, in words."""
+        count = len(self.turned) + len(self.stand) + len(self.bound)
+        used = "1 verdict uses" if count == 1 else f"{count} verdicts use"
+        changed, ends = len(self.turned) or "none", "s" if len(self.turned) < 2 else ""
+        return (
+            f"{used} datasets with points whose error is above the tolerance, or above 1 % without a "
+            f"tolerance. If these points are left out, {changed} of the verdicts change{ends}"
+        )
 
     @property
     def left(self) -> str:
