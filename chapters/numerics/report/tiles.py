@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import Ranked, hard, never, others, price, ranking, without_time
+from chapters.numerics.answers import Price, Ranked, hard, never, others, price, ranking, without_time
 from chapters.numerics.figures.scenes import in_one_line
 from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
 from riserstudy.records.numerals import plain
@@ -16,6 +16,7 @@ from riserstudy.records.words import listed
 from riserstudy.report.wording import sentence
 
 if TYPE_CHECKING:
+    import numpy as np
     import xarray as xr
 
 WIDTH, HEIGHT = 240, 48  # of a small picture
@@ -44,17 +45,11 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
         return None
     scene = accuracy["request_scene"].values
     requested, seconds = accuracy["requested"].values, accuracy["request_seconds"].values
-    usual = seconds[(requested == found.coarse) & (seconds > 0.0)]
-    low, high = (plain(1e3 * time, 2) for time in (usual.min(), usual.max()))
-    answer = (
-        f"With a tolerance of {100 * found.coarse:g}\u00a0%, a simulation takes "
-        f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
-        f"With {100 * found.fine:g}\u00a0%, it takes {found.words} times as long."
-    )
+    answer = _times(found, scene[usual := (requested == found.coarse) & (seconds > 0.0)], seconds[usual])
     if peers := others(accuracy):
         answer += (
-            f" For an error of {100 * peers.error:g}\u00a0%, {peers.codes} other programs take "
-            f"{peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
+            f" For the surge of a riser with an error of {100 * peers.error:g}\u00a0%, {peers.codes} other "
+            f"programs take {peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
         )
     lines = []
     for name in dict.fromkeys(scene):
@@ -74,6 +69,20 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     time = f"{found.words}× the time" if found.high > EQUAL else "no more time"
     number = f"{time}, for {100 * found.fine:g}\u00a0% instead of {100 * found.coarse:g}\u00a0%"
     return number, answer, drawn + (_under(under) if drawn else "")
+
+
+def _times(found: Price, scenes: np.ndarray, seconds: np.ndarray) -> str:
+    """State run times (s) of scenes with the coarse tolerance, and how much longer the fine one takes."""
+    low, high = (plain(1e3 * time, 2) for time in (seconds.min(), seconds.max()))
+    one = len(scenes) == 1
+    what = (
+        f"a simulation of “{in_one_line(str(scenes[0]))}” takes" if one else f"{len(scenes)} test scenes take"
+    )
+    return (
+        f"With a tolerance of {100 * found.coarse:g}\u00a0%, {what} "
+        f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
+        f"With {100 * found.fine:g}\u00a0%, {'it takes' if one else 'they take'} {found.words} times as long."
+    )
 
 
 def _hard(stability: xr.Dataset) -> tuple[str, str, str]:

@@ -120,7 +120,7 @@ def test_variants_with_equal_stable_steps_share_a_line():
     said = [text.get_text() for text in figure.axes[0].texts]
     assert said == ["surge, drag × 50", "cylinders: measured 4.4 % longer"]
     assert headline(figure).startswith(
-        "The predicted stable step is exact in 2 of 3 variants, never too long"
+        "The predicted stable step is as measured in 2 of 3 variants, never too long"
     )
     assert_readable(figure)
 
