@@ -186,8 +186,8 @@ def _with_failures(verdict: xr.DataArray) -> str:
     if bool(worst.isin([1, 3]).all()):
         return f"{with_failed}, the LMRP re-contacts the BOP at every tested setting"
     if count == 0:
-        return f"{with_failed}, no tested setting avoids both BOP and end stops"
-    return f"{with_failed}, {100 * count / clear.size:.0f} % of the settings avoid BOP and end stops"
+        return f"{with_failed}, no tested setting avoids both re-contact and stroke-out"
+    return f"{with_failed}, {100 * count / clear.size:.0f} % of the settings avoid re-contact and stroke-out"
 
 
 def recoil_systems(recoil_liu2020: xr.Dataset, recoil_mao: xr.Dataset) -> Figure:

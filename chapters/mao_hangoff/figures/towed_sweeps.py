@@ -264,8 +264,7 @@ def _where_astern(astern: dict[float, tuple[float, float]]) -> str:
         return "Whether the LMRP is ahead of the platform depends on interpretation and track"
     if not (ahead and trailing):
         return f"The LMRP is {'ahead' if ahead else 'astern'} of the platform on all three tracks"
-    ends = f"ahead up to {max(ahead):g}° and astern at {min(trailing):g}°"
-    return f"In both interpretations the LMRP is {ends}"
+    return f"Up to {max(ahead):g}° the LMRP leads the platform; at {min(trailing):g}° it trails"
 
 
 def fig14(riser_length: xr.Dataset) -> Figure:

@@ -48,7 +48,7 @@ def test_the_title_of_tracks_names_those_on_which_the_lmrp_is_ahead(signs, doubt
     else:
         last = {1: "0°", 2: "45°"}[signs.count(-1.0)]
         first = {1: "45°", 2: "90°"}[signs.count(-1.0)]
-        assert said == f"In both interpretations the LMRP is ahead up to {last} and astern at {first}"
+        assert said == f"Up to {last} the LMRP leads the platform; at {first} it trails"
 
 
 def runs_of(axis, sensitivities):
