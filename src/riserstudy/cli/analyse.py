@@ -150,9 +150,9 @@ def modes(
 ) -> None:
     """Compute natural frequencies and mode shapes about the static equilibrium.
 
-    The mesh is that of the scene; without one, it has about 200 segments. The errors of frequencies are
-    estimated by meshes with two and four times as many. More segments (``analysis.mesh.elements``) give
-    smaller errors.
+    The mesh is prescribed by the scene, or has about 200 segments. The errors of frequencies are estimated
+    from two finer meshes, with two and four times as many segments. More segments
+    (``analysis.mesh.elements``) give smaller errors.
     """
     from rich.console import Console
     from rich.table import Table

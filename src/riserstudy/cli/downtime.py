@@ -109,7 +109,8 @@ ErrorOption = Annotated[
     typer.Option(
         min=0.001,
         max=0.5,
-        help="tolerance on the interpolated response, as a fraction of the allowable; default: 0.05",
+        help="tolerance on the interpolated response, as a fraction of the allowable, or of the response if "
+        "that is larger; default: 0.05",
     ),
 ]
 MostOption = Annotated[

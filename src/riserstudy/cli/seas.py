@@ -83,7 +83,7 @@ def seas(
     output: OutputOption = None,
     force: ForceOption = False,
 ) -> None:
-    """Read a record of sea states, summarise it, and write it as a labelled dataset.
+    """Read a record of sea states, summarise it, and write it as a netCDF dataset.
 
     The command lists gaps and never fills them. A CSV file has a header such as ``time,hs (m),tp (s)``;
     its times are in UTC.

@@ -20,7 +20,10 @@ FEWEST = 2  # smallest number of points for tuning
 
 def tune(
     studies: Annotated[Path, typer.Argument(help="study file (YAML)", metavar="STUDY.yaml")],
-    study: Annotated[str | None, typer.Argument(help="study of the file to tune", metavar="[STUDY]")] = None,
+    study: Annotated[
+        str | None,
+        typer.Argument(help="study to tune; may be omitted if the file has only one", metavar="[STUDY]"),
+    ] = None,
     accuracy: Annotated[
         str | None,
         typer.Option(help="tolerance, such as 1%; default: the tolerance of the study", metavar="PERCENT"),

@@ -119,8 +119,8 @@ class Detail(Strict):
     at one end of a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided
     by the bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress
     by tension is then neglected. The computed nominal stress is multiplied by ``stress_concentration``. The
-    default thickness is the wall thickness of the section. The factored damage is the damage times
-    ``safety_factor``.
+    default thickness is the wall thickness of the section; with ``stress_per_moment``, the thickness must be
+    given. The factored damage is the damage times ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]

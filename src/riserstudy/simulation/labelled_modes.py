@@ -22,7 +22,7 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
     """Compute the natural modes with the lowest frequencies, about the static equilibrium of a scene.
 
     The mesh is that of the scene; without one, it has about 200 segments. The errors of frequencies are
-    estimated by meshes with two and four times as many.
+    estimated from two finer meshes, with two and four times as many segments.
 
     Parameters
     ----------

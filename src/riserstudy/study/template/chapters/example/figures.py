@@ -15,7 +15,7 @@ def swing_over_heave(tension_swing: xr.Dataset) -> Figure:
     straight = amplitude * float(swing[0] / amplitude[0])
     ax.plot(amplitude, straight, "--", color=COLOURS[1], label="proportional to heave")
     ax.set_xlabel("heave amplitude (m)")
-    ax.set_ylabel("half of the range of top tension (kN)")
+    ax.set_ylabel("amplitude of top tension (kN)")
     ax.set_title("Range of the top tension over the heave amplitude")
     ax.legend()
     return figure
