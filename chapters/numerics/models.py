@@ -42,15 +42,16 @@ class EngineStudy(MeasuredModel):
 class Case(Strict):
     """A hard case: a scene, values set in it, and the outcome expected of a sound engine.
 
-    ``expect``: ``accurate``, to 1 %; ``unstable``, refused as physically unstable; ``told``, for cases that
-    prescribe a bad step, mesh or scheme: refused, accurate, with a warning, or with an estimate above 1 %.
+    ``expect``: ``accurate``, to 1 %; ``unstable``, refused as physically unstable; ``reported``, for cases
+    that prescribe a bad step, mesh or scheme: refused, accurate, with a warning, or with an estimate above
+    1 %.
     Absent set: the scene unchanged. Absent preview: not part of that tier. ``family``: source of difficulty.
     """
 
     scene: str
     about: str
     family: str
-    expect: Literal["accurate", "unstable", "told"]
+    expect: Literal["accurate", "unstable", "reported"]
     because: str | None = None
     set: dict[str, Any] = Field(default_factory=dict)
     preview: bool | None = None

@@ -180,5 +180,7 @@ def terminal(_: Files) -> Iterator[Row]:
     because = "the thin riser of the model pulls with a few newtons"
     now = float(run["platform_speed_x"])
     yield Row(case, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
-    went = float(run["platform_surge"])
-    yield Row(case, "distance after 400 s", "m", CLOSED, "integral of this speed", way, went, 1e-5, because)
+    distance = float(run["platform_surge"])
+    yield Row(
+        case, "distance after 400 s", "m", CLOSED, "integral of this speed", way, distance, 1e-5, because
+    )

@@ -44,7 +44,7 @@ def test_a_file_that_differs_is_named(mine, name, how):
     found = verify(workspace.DATABASE)
     (line,) = found.wrong
     assert str(path) in line
-    assert found.gone == 0
+    assert found.missing == 0
 
 
 def test_every_kind_of_damage_to_a_point_is_named_and_a_missing_one_counted(command):
@@ -182,7 +182,7 @@ def test_points_of_old_engines_go_and_all_that_studies_need_stays(command):
     assert f"3 files removed, {freed / 1e6:.1f} MB" in out
     assert command("prune", "--yes", "--all")[0] == 0
     assert {*points()} == {*needed}
-    assert verify(workspace.DATABASE).gone == 0
+    assert verify(workspace.DATABASE).missing == 0
 
 
 def test_points_that_only_the_database_speaks_of_stay(command):

@@ -51,9 +51,9 @@ def coverage(records: list[list[Year]], known: int, methods: tuple[Bands, ...]) 
     """Share of records, by method, in which the mean of later years is within the band of the first years."""
     held = np.zeros(len(methods))
     for years in records:
-        came = np.mean([year.share for year in years[known:]])
+        observed = np.mean([year.share for year in years[known:]])
         bands = [of(years[:known], len(years) - known) for of in methods]
-        held += [band.low <= came <= band.high for band in bands]
+        held += [band.low <= observed <= band.high for band in bands]
     return [float(count / len(records)) for count in held]
 
 

@@ -159,9 +159,9 @@ class Raised:
 
     def undocumented(self, function: ast.FunctionDef, docstring: str) -> list[str]:
         """Return the errors that a docstring does not document."""
-        said = {*re.findall(r"\bRaises\s+(\w+)", docstring)}
-        said |= words(docstring.partition("Raises\n------\n")[2])
-        missing = [e for e in sorted(self.by(function, set())) if not self.kinds[e] & said]
+        documented = {*re.findall(r"\bRaises\s+(\w+)", docstring)}
+        documented |= words(docstring.partition("Raises\n------\n")[2])
+        missing = [e for e in sorted(self.by(function, set())) if not self.kinds[e] & documented]
         return [f"no sentence 'Raises {error}'" for error in missing]
 
     def by(self, function: ast.FunctionDef, seen: set[str]) -> set[str]:

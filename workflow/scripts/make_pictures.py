@@ -97,9 +97,9 @@ def overview() -> Figure:
         for colour, time in zip(COLOURS, times, strict=False):
             shape = data.sel(time=time)
             ax.plot(shape["x"], shape["z"], color=colour, label=f"{time} s")
-        gone = float(data["x"].sel(time=times[-1])[-1] - rest["x"][-1])
+        distance = float(data["x"].sel(time=times[-1])[-1] - rest["x"][-1])
     ax.set_title(
-        f"(b) {gone:.0f} m away, {times[-1]} s after a drive-off began", loc="left", fontsize="medium"
+        f"(b) {distance:.0f} m away, {times[-1]} s after a drive-off began", loc="left", fontsize="medium"
     )
     ax.set(xlabel="x (m)", ylabel="elevation above the wellhead (m)")
     ax.grid(True, color="0.9", linewidth=0.6)

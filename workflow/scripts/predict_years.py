@@ -35,7 +35,7 @@ def main() -> None:
     options = parser.parse_args()
     record = read_record(options.record)
     if options.open:
-        write(OPENED, (*COLUMNS, "came", "inside"), opened(record))
+        write(OPENED, (*COLUMNS, "observed", "inside"), opened(record))
         return
     write(SEALED, COLUMNS, predicted(of_years(record, FIRST, FIRST + max(KNOWN))))
 
@@ -65,9 +65,9 @@ def opened(record: xr.Dataset) -> list[list[str]]:
     rows = []
     for limit, known, years, *band in sealed:
         first = FIRST + int(known)
-        came = hours(of_years(record, first, first + int(years)), [sea_limit(limit)]).share
-        inside = float(band[1]) <= came <= float(band[2])
-        rows.append([limit, known, years, *band, f"{came:.4f}", "yes" if inside else "no"])
+        observed = hours(of_years(record, first, first + int(years)), [sea_limit(limit)]).share
+        inside = float(band[1]) <= observed <= float(band[2])
+        rows.append([limit, known, years, *band, f"{observed:.4f}", "yes" if inside else "no"])
     return rows
 
 

@@ -147,10 +147,10 @@ def baselines(readings: xr.Dataset, surge: xr.Dataset, smaller: Word, later: Wor
     both = [m for m in WITHOUT if min(shares["Q2"][m], shares["Q8"][m]) >= ALMOST_ALWAYS]
     sentences = [_true_with(claim, each) for claim, each in shares.items()]
     share = f"in at least {100 * ALMOST_ALWAYS:.0f} % of the samples"
-    told = f"With {listed(f'“{model}”' for model in both)}, both Q2 and Q8 are true {share}."
+    sentence = f"With {listed(f'“{model}”' for model in both)}, both Q2 and Q8 are true {share}."
     if not both:
-        told = f"No definition makes both Q2 and Q8 true {share}."
-    return {"shares": " ".join(sentences), "both": told}
+        sentence = f"No definition makes both Q2 and Q8 true {share}."
+    return {"shares": " ".join(sentences), "both": sentence}
 
 
 def _true_with(claim: str, shares: dict[str, float]) -> str:

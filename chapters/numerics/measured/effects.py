@@ -55,9 +55,9 @@ def effects(study: EffectsStudy, setting: Setting) -> xr.Dataset:
     scenes = dict(study.scene_files(setting))
     of_tier = (study.repeats[setting.tier], study.budget[setting.tier])
     one = partial(_tried, *of_tier, study.left_out.get(setting.tier, []))
-    came = dict(zip(scenes, each(one, list(scenes.values()), setting.threads), strict=True))
-    tried = {name: outcome for name, outcome in came.items() if isinstance(outcome, Tried)}
-    refused = {name: outcome for name, outcome in came.items() if isinstance(outcome, str)}
+    outcomes = dict(zip(scenes, each(one, list(scenes.values()), setting.threads), strict=True))
+    tried = {name: outcome for name, outcome in outcomes.items() if isinstance(outcome, Tried)}
+    refused = {name: outcome for name, outcome in outcomes.items() if isinstance(outcome, str)}
     ablations = {name: outcome.ablation for name, outcome in tried.items()}
     spent = {name: outcome.costs for name, outcome in tried.items()}
     free = {name: outcome.freedom for name, outcome in tried.items() if outcome.freedom}

@@ -81,13 +81,14 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
             "allowed are fewer years",
         )
     first = recorded[-last.years]
-    known, came = (hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first))
-    predicted = known.next_years(*last)
-    inside = predicted.low <= came.band.share <= predicted.high
-    outcome = "" if math.isnan(predicted.low) else ": inside" if inside else ": outside"
-    print(
-        f"held back from {first} on: predicted {banded(predicted)}, observed {came.band.share:.2%}{outcome}"
+    known, observed = (
+        hours(sea.isel(time=np.flatnonzero(at)), limits) for at in (year < first, year >= first)
     )
+    predicted = known.next_years(*last)
+    inside = predicted.low <= observed.band.share <= predicted.high
+    outcome = "" if math.isnan(predicted.low) else ": inside" if inside else ": outside"
+    share = f"{observed.band.share:.2%}{outcome}"
+    print(f"held back from {first} on: predicted {banded(predicted)}, observed {share}")
 
 
 def banded(of: Band) -> str:

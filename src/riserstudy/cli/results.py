@@ -154,8 +154,10 @@ def verify(folder: ResultsOption = IN_RESULTS) -> None:
         f"{counted(len(verdict.wrong), 'fault')} in {counted(verdict.files, 'file')} "
         f"and {counted(verdict.points, 'point')}"
     )
-    if verdict.gone:
-        print(f"not in this store: {counted(verdict.gone, 'point')}; the datasets are complete without them")
+    if verdict.missing:
+        print(
+            f"not in this store: {counted(verdict.missing, 'point')}; the datasets are complete without them"
+        )
     if verdict.wrong:
         raise typer.Exit(1)
 

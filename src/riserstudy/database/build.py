@@ -139,10 +139,10 @@ def _update(db: sqlite3.Connection, sources: Sources, folder: Path) -> Built:
 def _remove(db: sqlite3.Connection, changed: set[str], wanted: object) -> None:
     """Delete studies whose dataset has changed or is no longer wanted."""
     held = db.execute("select study, path from studies").fetchall()
-    gone = [study for study, path in held if path in changed or path not in wanted]  # type: ignore[operator]
-    for study in gone:
+    outdated = [study for study, path in held if path in changed or path not in wanted]  # type: ignore[operator]
+    for study in outdated:
         remove_study(db, study)
-    if gone:
+    if outdated:
         remove_unused(db)
 
 

@@ -22,7 +22,7 @@ class Verified(NamedTuple):
     files: int
     points: int
     wrong: list[str]
-    gone: int
+    missing: int
 
 
 def verify(database: Path) -> Verified:
@@ -43,8 +43,8 @@ def verify(database: Path) -> Verified:
     keys = [key for key in keys if _KEY.fullmatch(key)]
     damaged = [key for key in keys if store.has(key) and store.about(key) is None]
     wrong += [f"point {key}: damaged; the next run that needs it simulates it again" for key in damaged]
-    gone = sum(not store.has(key) for key in keys)
-    return Verified(len(files), len(keys), wrong, gone)
+    missing = sum(not store.has(key) for key in keys)
+    return Verified(len(files), len(keys), wrong, missing)
 
 
 def _sealed(folder: Path, files: Collection[str]) -> Iterator[str]:

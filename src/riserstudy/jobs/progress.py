@@ -194,18 +194,18 @@ class Progress:
 
     def text(self) -> str:
         """Progress in words: steps done, time elapsed and left, number of cores, steps at work."""
-        gone = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
+        so_far = f"{self.steps or 'no step'} done, {lasting(self.clock() - self.began)}"
         if (left := self.seconds_left()) is not None:
             word = "at least" if self._untimed() else "about"
-            gone = f"{self.percent(left)} %, {gone}, {word} {lasting(left)} left"
+            so_far = f"{self.percent(left)} %, {so_far}, {word} {lasting(left)} left"
         at_work = ", ".join(_shortened(step.message) for step in self.at_work.values())
         cores = f"{self.cores} core{'s' if self.cores > 1 else ''}"
-        return f"{gone} on {cores}: {at_work}" if at_work else f"{gone} on {cores}"
+        return f"{so_far} on {cores}: {at_work}" if at_work else f"{so_far} on {cores}"
 
     def percent(self, left: float) -> int:
         """Elapsed share of the time (%), at most 99; ``left`` is the time left (s)."""
-        gone = self.clock() - self.began
-        return min(99, int(100.0 * gone / (gone + left))) if gone + left > 0.0 else 0
+        elapsed = self.clock() - self.began
+        return min(99, int(100.0 * elapsed / (elapsed + left))) if elapsed + left > 0.0 else 0
 
     def state(self) -> tuple[object, ...]:
         """State of the run, whose change makes a new line in a log: percentage, steps done and at work."""

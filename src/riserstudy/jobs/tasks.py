@@ -232,8 +232,8 @@ def draw(
     datasets = datasets_of(sources or [])
     check_unchanged(read_plan(None, [paper], only=[]).figure_digest(paper, name), expect)
     with reading_in(units):
-        what = (CONFIG, paper, name)
-        save(from_datasets(*what, datasets) if datasets else from_scene(*what), *targets)
+        place = (CONFIG, paper, name)
+        save(from_datasets(*place, datasets) if datasets else from_scene(*place), *targets)
     _seal(*targets)
 
 

@@ -75,7 +75,7 @@ def _drawn(motion: Motion) -> MovingRiser:
     )
     # on the side of the platform that has room where it ends
     ends_right = across * float(rig_x[-1] - low) > 0.5 * WIDTH - SIDE
-    beside = 'x="-30" y="-8" text-anchor="end"' if ends_right else 'x="30" y="-8"'
+    placed = 'x="-30" y="-8" text-anchor="end"' if ends_right else 'x="30" y="-8"'
     label = escape(motion.title)
     svg = f"""<svg viewBox="0 0 {WIDTH:g} {HEIGHT:g}" class="moving-riser" role="img" aria-label="{label}">
 <rect class="water" x="0" y="{SKY:g}" width="{WIDTH:g}" height="{HEIGHT - SKY - BED:g}"/>
@@ -84,7 +84,7 @@ def _drawn(motion: Motion) -> MovingRiser:
 <polyline class="riser" points="{shapes[-1]}">{moving}</polyline>
 <g transform="translate({rig[-1]})">{carried}
 <path class="rig" d="M-24-14H24V-6H18V4H10V-6H-10V4H-18V-6H-24ZM-5-14L-2-34H2L5-14Z"/>
-<text {beside}>platform</text></g>
+<text {placed}>platform</text></g>
 <text x="{WIDTH - 6:g}" y="{0.5 * (HEIGHT + SKY - BED):g}" text-anchor="end" class="named">riser</text>
 <text x="{WIDTH - 6:g}" y="{HEIGHT - 7:g}" text-anchor="end">seabed, {level:.0f} m deep</text>
 </svg>"""

@@ -102,13 +102,13 @@ def totals(claims: list[Claim]) -> str:
     counts = Counter(TOO_FEW if _true_in_too_few(claim) else claim.verdict for claim in claims)
     order = sorted(counts, key=[*PLURALS, *counts].index)
     parts = [f"{counts[v]} {PLURALS[v][counts[v] > 1] if v in PLURALS else v}" for v in order]
-    said = [sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")]
+    sentences = [sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")]
     if parts[MOST:]:
         left = sum(counts[verdict] for verdict in order[MOST:])
-        said.append(f"Of the remaining {left}, {listed(parts[MOST:])}.")
+        sentences.append(f"Of the remaining {left}, {listed(parts[MOST:])}.")
     if counts[TOO_FEW]:
-        said.append("The tier standard (make study) has more samples.")
-    return " ".join(said)
+        sentences.append("The tier standard (make study) has more samples.")
+    return " ".join(sentences)
 
 
 def _true_in_too_few(claim: Claim) -> bool:

@@ -69,13 +69,13 @@ def compared(half: Half, riser: RiserResponse, neighbours: Sequence[Cover]) -> M
     riser : riser in waves half-way between.
     neighbours : simulated sea states of the two headings.
     """
-    came = riser(half.states)
+    simulated = riser(half.states)
     expected = np.mean([one.surface.at(half.states) for one in neighbours], axis=0)
     scale = scale_of(riser.allowed, np.concatenate([one.responses for one in neighbours]))
-    error = np.nanmax(off_by(expected, came, scale), axis=0, initial=0.0)
+    error = np.nanmax(off_by(expected, simulated, scale), axis=0, initial=0.0)
     none = np.full(len(riser.limits), math.nan)
     deviation = np.array([riser.deviation.get((h, t), none) for h, t in half.states.tolist()])
-    return Middle(half.angle, riser, half.states, came, deviation, half.rows, scale, error)
+    return Middle(half.angle, riser, half.states, simulated, deviation, half.rows, scale, error)
 
 
 def widened(rows: Response, inside: NDArray[np.bool_], middle: Middle) -> Response:

@@ -82,14 +82,14 @@ def cover(
             held = _drawn(of, surface, allowed, scale, known, draw)
             _refuse_more(len(known), len(held), most, reached)
             notify(f"{counted(len(held), 'sea state')} to check the interpolation between {len(known)}")
-            came = run(of.states[held]) if held else responses[:0]
+            simulated = run(of.states[held]) if held else responses[:0]
             predicted = surface.at(of.states[held])
-            off = off_by(predicted, came, scale)
-            failed = (np.isnan(came) & ~np.isnan(predicted)).any()
+            off = off_by(predicted, simulated, scale)
+            failed = (np.isnan(simulated) & ~np.isnan(predicted)).any()
             worst = float(np.nanmax(off, initial=0.0))
             if not failed and worst <= error:
-                return _whole(of, known, responses, held, came, off)
-            more, found, reached = held, came, _above(worst, error)
+                return _whole(of, known, responses, held, simulated, off)
+            more, found, reached = held, simulated, _above(worst, error)
         else:
             worst = float(np.nanmax(surface.bend(of.states[more]) / scale))
             reached = _above(worst, error)
@@ -183,9 +183,9 @@ def scale_of(allowed: FloatArray, responses: FloatArray) -> FloatArray:
     return np.where(scale > 0.0, scale, 1.0)
 
 
-def off_by(predicted: FloatArray, came: FloatArray, scale: FloatArray) -> FloatArray:
+def off_by(predicted: FloatArray, simulated: FloatArray, scale: FloatArray) -> FloatArray:
     """Errors (m, k) of predictions, relative to the allowable, or to the response if it is larger."""
-    return np.asarray(np.abs(predicted - came) / np.maximum(scale, np.abs(came)))
+    return np.asarray(np.abs(predicted - simulated) / np.maximum(scale, np.abs(simulated)))
 
 
 def _next(of: SeaStates, surface: Surface, scale: FloatArray, error: float, known: set[int]) -> list[int]:
@@ -228,8 +228,13 @@ def _drawn(
 
 
 def _whole(
-    of: SeaStates, known: list[int], responses: FloatArray, held: list[int], came: FloatArray, off: FloatArray
+    of: SeaStates,
+    known: list[int],
+    responses: FloatArray,
+    held: list[int],
+    simulated: FloatArray,
+    off: FloatArray,
 ) -> Cover:
     largest = np.nanmax(off, axis=0, initial=0.0)
     flags = np.concatenate([np.zeros(len(known), bool), np.ones(len(held), bool)])
-    return Cover(of.states[[*known, *held]], np.concatenate([responses, came]), flags, largest)
+    return Cover(of.states[[*known, *held]], np.concatenate([responses, simulated]), flags, largest)

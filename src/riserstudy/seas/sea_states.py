@@ -58,8 +58,8 @@ def with_calm_periods(record: xr.Dataset) -> xr.Dataset:
     if not calm.any() or not known.size:
         return record
     filled = period.copy(data=np.where(calm, np.median(known), period.values))
-    told = f"{counted(int(calm.sum()), 'row')} without waves or a period: set to the median of the other rows"
-    filled.attrs["comment"] = "; ".join(filter(None, (period.attrs.get("comment"), told)))
+    note = f"{counted(int(calm.sum()), 'row')} without waves or a period: set to the median of the other rows"
+    filled.attrs["comment"] = "; ".join(filter(None, (period.attrs.get("comment"), note)))
     return record.assign(peak_period=filled)
 
 

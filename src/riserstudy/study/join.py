@@ -76,10 +76,10 @@ def write_study(
             if count and before is not None:
                 count(before + done, len(study.grid))
 
-        tell = _say_nothing if before is None else notify
+        report = _ignore if before is None else notify
         if settings:
-            return dataset_tuned(of, settings, as_tuned, processes, tell, counted)
-        results, _ = results_of(of, processes, tell, counted)
+            return dataset_tuned(of, settings, as_tuned, processes, report, counted)
+        results, _ = results_of(of, processes, report, counted)
         return dataset_of(of, results), results
 
     if len(study.grid) > AT_ONCE:
@@ -95,7 +95,7 @@ def write_study(
 Made = Callable[[Study, Study | None, int | None], tuple["xr.Dataset", list["Result"]]]
 
 
-def _say_nothing(_: str) -> None:
+def _ignore(_: str) -> None:
     """Receive a sentence about points that was already reported."""
 
 
