@@ -63,10 +63,10 @@ def database(rows):
     return db
 
 
-def kept(**studies):
-    """A study file: what each study keeps, and why it may err."""
+def kept(tuned=(), **studies):
+    """A study file: what each study keeps, why it may err, and whether a job tunes it."""
     models = {
-        name: SimpleNamespace(keep=keep, error_because=why, settings=None, tuned=None)
+        name: SimpleNamespace(keep=keep, error_because=why, settings=name in tuned, tuned=None)
         for name, (keep, why) in studies.items()
     }
     return {"paper": SimpleNamespace(studies=models)}
@@ -149,9 +149,25 @@ def test_no_point_without_an_estimate_is_said_to_be_within_its_tolerance(seed):
 def test_points_of_tuned_studies_without_an_estimate_do_not_meet_a_tolerance():
     rows = [("blow", True, None, 0.03, 0.03, None), ("asked", False, 0.02, 0.001, None, None)]
     rows += [(f"tuned{k}", False, 0.02, None, None, None) for k in range(3)]
-    said = missed(database(rows), kept(**{row[0]: (None, None) for row in rows})).sentences
+    tuned = [row[0] for row in rows[2:]]
+    said = missed(database(rows), kept(tuned, **{row[0]: (None, None) for row in rows})).sentences
     assert said.startswith("At 1 grid point with a tolerance, the estimated errors are within this tolerance")
     assert "At 3 other grid points with a tolerance, the error was not estimated, because their mesh" in said
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_points_without_an_estimate_are_tuned_only_in_studies_that_a_job_tunes(seed):
+    """All others are static massless springs, which one segment represents exactly."""
+    draw = random.Random(seed)
+    rows = [("blow", True, None, 0.03, 0.03, None), ("asked", False, 0.02, 0.001, None, None)]
+    rows += [(f"s{k}", False, 0.02, None, None, None) for k in range(draw.randint(2, 9))]
+    tuned = draw.sample([row[0] for row in rows[2:]], draw.randint(1, len(rows) - 3))
+    of = missed(database(rows), kept(tuned, **{row[0]: (None, None) for row in rows}))
+    assert (of.not_estimated, of.exact) == (len(tuned), len(rows) - 2 - len(tuned))
+    assert (
+        f"At {of.exact} other grid point{'s' * (of.exact > 1)}, the riser is a massless spring"
+        in of.sentences
+    )
 
 
 @pytest.mark.parametrize(
@@ -177,7 +193,7 @@ def test_points_of_both_kinds_that_miss_are_counted_apart_and_the_largest_error_
         ("stop", True, None, 0.02, None, None),
         ("fine", True, None, 0.001, None, None),
     ]
-    of = missed(database(rows), kept(**{row[0]: (None, None) for row in rows}))
+    of = missed(database(rows), kept(["none"], **{row[0]: (None, None) for row in rows}))
     assert of.sentences.replace("\N{NO-BREAK SPACE}", " ") == (
         "1 of 2 grid points with a tolerance have larger errors. At 1 other grid point with a tolerance, "
         "the error was not estimated, because its mesh and time step were tuned in advance. Mesh and time "

@@ -81,39 +81,28 @@ class Missed(NamedTuple):
     requested: int  # points with a requested accuracy
     missed_by_request: int
     estimated: int  # points with prescribed mesh and step and an estimated error
-    not_estimated: int  # other points without an estimated error, in tuned studies
+    not_estimated: int  # points of tuned studies without an estimated error
     reasons: list[tuple[str, int, list[str]]]  # reason for missing the tolerance, points, datasets
     worst: float
     where: str
     verdicts: list[tuple[str, str]]  # paper and id of numbers and claims that use such a point
     without: WithoutPoints  # how these verdicts change without such points
     tuned: bool = False  # whether a prescribed mesh or step was tuned to another tolerance
+    exact: int = 0  # other points with a requested accuracy and without an estimate: static massless springs
 
     @property
     def sentences(self) -> str:
         """The same in words."""
         fixed, prescribed = self.off - self.missed_by_request, self.points - self.requested
         if not self.off:
-            silent = self.not_estimated + prescribed - self.estimated
+            silent = self.not_estimated + self.exact + prescribed - self.estimated
             known = self.points - silent
             kept = (
                 f"At {counted(known, 'grid point', spaced)}, the estimated errors are within the tolerance."
             )
             other = f"At the other {spaced(silent)}, the error was not estimated."
             return f"{kept} {other}" if silent else kept
-        judged = counted(self.requested - self.not_estimated, "grid point", spaced)
-        requested = (
-            f"{spaced(self.missed_by_request)} of {judged} with a tolerance have larger errors"
-            if self.missed_by_request
-            else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
-        )
-        if self.not_estimated:
-            more = counted(self.not_estimated, "other grid point", spaced)
-            their = "its" if self.not_estimated == 1 else "their"
-            requested += (
-                f". At {more} with a tolerance, the error was not estimated, because {their} mesh and "
-                "time step were tuned in advance"
-            )
+        requested = self._with_a_tolerance
         points = counted(prescribed, "grid point", spaced)
         sentence = (
             f"Mesh and time step are prescribed, instead of a tolerance, at {points}. "
@@ -128,6 +117,27 @@ class Missed(NamedTuple):
             f"{requested}. {sentence} and exceeds {most} at {fixed}. "
             f"The largest estimated error is {share(self.worst)}, in the dataset {self.where}."
         )
+
+    @property
+    def _with_a_tolerance(self) -> str:
+        """Errors of the points with a requested accuracy, in words."""
+        judged = counted(self.requested - self.not_estimated - self.exact, "grid point", spaced)
+        text = (
+            f"{spaced(self.missed_by_request)} of {judged} with a tolerance have larger errors"
+            if self.missed_by_request
+            else f"At {judged} with a tolerance, the estimated errors are within this tolerance"
+        )
+        if self.not_estimated:
+            more = counted(self.not_estimated, "other grid point", spaced)
+            their = "its" if self.not_estimated == 1 else "their"
+            text += (
+                f". At {more} with a tolerance, the error was not estimated, because {their} mesh and "
+                "time step were tuned in advance"
+            )
+        if self.exact:
+            more = counted(self.exact, "other grid point", spaced)
+            text += f". At {more}, the riser is a massless spring in equilibrium, so its mesh causes no error"
+        return text
 
 
 def audit(db: sqlite3.Connection, files: dict[str, StudyFile]) -> list[Row]:
@@ -271,7 +281,9 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         count["missed by request"] += missing and not point["fixed"]
         count["tuned"] += bool(point["fixed"] and point["tuned_to"] != TOLERANCE)
         count["estimated"] += bool(point["fixed"] and point["has_estimate"])
-        count["not_estimated"] += not point["fixed"] and not point["has_estimate"]
+        silent = not point["fixed"] and not point["has_estimate"]
+        count["not_estimated"] += silent and point["tuned"]
+        count["exact"] += silent and not point["tuned"]
         if missing:
             off.append(point)
     worst = max(off, key=lambda p: p["error"], default=None)
@@ -299,6 +311,7 @@ def missed(db: sqlite3.Connection, files: dict[str, StudyFile]) -> Missed:
         verdicts,
         without_points(db, verdicts, numbers),
         bool(count["tuned"]),
+        count["exact"],
     )
 
 
