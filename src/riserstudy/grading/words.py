@@ -97,9 +97,7 @@ def _answers(kind: Kind) -> dict[ReadingAnswer, str]:
 
 def summary_by_reading(kind: Kind, readings: Sequence[Reading]) -> str:
     """Sentences with the interpretations for each result, or with their number if they are many."""
-    words = _answers(kind) | {
-        "no difference": "neither true nor false (the compared values are nearly equal)"
-    }
+    words = _answers(kind) | {"no difference": "not true (the compared values are nearly equal)"}
     subject = _capital(_JUDGED[kind])
     names: dict[ReadingAnswer, list[str]] = {}
     for reading in readings:
