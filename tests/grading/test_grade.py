@@ -69,7 +69,7 @@ def test_a_claim_is_graded_over_its_samples_and_tells_the_base_case():
     beside = row(
         {"base": dataset(4.0), "space": space, "other": dataset(3.0)},
         **about,
-        beside={"Settled": {"runs": "other"}},
+        further_cases={"Settled": {"runs": "other"}},
     )
     assert beside.note.endswith(
         "Base case: the value is 4; the claim is true. Settled: the value is 3; the claim is true."
@@ -115,7 +115,7 @@ def test_a_case_of_many_cells_is_told_by_its_range_its_share_and_what_decides():
     levers = ["in", "in", "out", "out"] * 4
     space = dataset([2.0, 2.01, 5.0, 7.0] * 4).merge(samples(lever=levers))
     tuned = {"base": dataset(2.0, **{"top.tension": "calibrated"}), "space": space}
-    found = number_row(tuned, beside={"Nothing tuned": {"runs": "space"}})
+    found = number_row(tuned, further_cases={"Nothing tuned": {"runs": "space"}})
     assert found.verdict == "calibrated"
     told = (
         "Nothing tuned: the values are 2 to 7; the published value is met in 8 of 16 samples (50 %), "
@@ -127,7 +127,7 @@ def test_a_case_of_many_cells_is_told_by_its_range_its_share_and_what_decides():
 def test_a_case_of_many_cells_is_told_at_the_base():
     space = dataset([2.0, 5.0]).rename(sample="reading").assign_coords(reading=["a", "b"])
     both = {"base": space, "space": space}
-    found = number_row(both, base={"reading": "a"}, beside={"Again": {"runs": "space"}})
+    found = number_row(both, base={"reading": "a"}, further_cases={"Again": {"runs": "space"}})
     assert found.note.endswith("Again: the value is 2; the published value is met.")
 
 

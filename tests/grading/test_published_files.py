@@ -31,7 +31,7 @@ def test_an_input_is_not_called_nothing():
         ({"check": None, "reads": {}}, "one of check, impossible and not_comparable"),
         ({"reads": {}}, "check and reads"),
         ({"over": {"other": "space"}}, "same arguments"),
-        ({"beside": {"Settled": {"other": "space"}}}, "same arguments"),
+        ({"further_cases": {"Settled": {"other": "space"}}}, "same arguments"),
         ({"rounding": 0.0}, "greater than 0"),
         ({"colour": "red"}, "Extra inputs"),
     ],

@@ -99,7 +99,7 @@ def test_without_samples_interpretations_are_told_by_the_fewest_axes_that_decide
 
 def test_a_further_case_over_interpretations_has_no_pooled_share():
     base = of_lines([1.0]).isel(sample=0, line=0, drop=True)
-    item = Item(**ABOUT, reads={"runs": "base"}, beside={"Open": {"runs": "space"}})
+    item = Item(**ABOUT, reads={"runs": "base"}, further_cases={"Open": {"runs": "space"}})
     check = lambda runs: judged(runs["x"], less(runs["x"], 1.0, SMALLER))  # noqa: E731
     space = of_lines([1.0, 0.0])
     note = row_of(graded("own", item, lambda _: check, {"base": base, "space": space})).note

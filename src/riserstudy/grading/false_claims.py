@@ -86,7 +86,7 @@ class Falsified(Strict):
             "statement": self.statement,
             "check": self.check or printed.check,
             "options": options,
-            "beside": {},
+            "further_cases": {},
             "note": "",
         }
         if self.published is not None:

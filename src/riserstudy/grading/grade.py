@@ -207,7 +207,7 @@ def _outcomes(task: Task, base: Found) -> Iterator[Outcome]:
 
     if item.published is None:
         yield of("Base case", base, task.about)
-    for name, reads in item.beside.items():
+    for name, reads in item.further_cases.items():
         found = task.look(reads)
         there = {dim: value for dim, value in item.base.items() if dim in found.value.dims}
         yield of(name, task.at_base(found, there), task.datasets[next(iter(reads.values()))])

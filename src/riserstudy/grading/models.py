@@ -74,8 +74,8 @@ class Item(Checked):
 
     ``over`` names the datasets that replace ``reads`` when the check is run over the unspecified inputs of
     the paper. Without ``over``, the dimensions of the check's result are these inputs, and ``base`` selects
-    the cell of the simulated value. ``beside`` names datasets of further cases for the note: one cell, or
-    many cells with their range and the share of hits. ``figure``: the published figures that contain it, or
+    the cell of the simulated value. ``further_cases`` names their datasets, for the note: one cell, or many
+    cells with their range and the share of hits. ``figure``: the published figures that contain it, or
     another place: `4a, 6 to 8, section 6.2`. ``impossible``: reason why no comparison is possible.
     ``not_comparable``: difference between the definitions of the published and the computed quantity.
     ``within``: tolerance as a share of the published value, such as `0.15 %`. Absent: 1 %. ``together``: IDs
@@ -91,7 +91,7 @@ class Item(Checked):
     within: Percent | None = None
     over: dict[str, str] = Field(default_factory=dict)
     base: dict[str, str | float] = Field(default_factory=dict)
-    beside: dict[str, dict[str, str]] = Field(default_factory=dict)
+    further_cases: dict[str, dict[str, str]] = Field(default_factory=dict)
     together: list[str] = Field(default_factory=list)
     chosen: ChosenBy | None = None
     impossible: str = ""
@@ -126,7 +126,7 @@ class Item(Checked):
             )
         if sum(map(bool, (self.check, self.impossible, self.not_comparable))) != 1:
             raise ValueError("needs one of check, impossible and not_comparable")
-        for name, reads in {"over": self.over, **self.beside}.items():
+        for name, reads in {"over": self.over, **self.further_cases}.items():
             if reads and set(reads) != set(self.reads):
                 raise ValueError(f"{name}: needs the same arguments as reads")
         return self
@@ -134,7 +134,7 @@ class Item(Checked):
     @property
     def datasets(self) -> set[str]:
         """Names of all datasets needed."""
-        more = {name for reads in self.beside.values() for name in reads.values()}
+        more = {name for reads in self.further_cases.values() for name in reads.values()}
         return {*self.reads.values(), *self.over.values(), *more}
 
 
