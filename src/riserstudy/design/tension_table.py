@@ -62,7 +62,7 @@ def tension_table(scene: Resolved, request: TensionRequest) -> Rows:
     ]
     of = formula.governing(scene, request.tolerances)
     totals = [Found("formula", of.tension, f"governed by the {names[of.end]}"), _engine(scene, request)]
-    units = f"with {request.rig.failed} of {request.rig.units} units out"
+    units = f"with {request.rig.failed} of {request.rig.units} units failed"
     least = Found("setting", setting(of.tension, request.rig), units)
     return Rows(ends, [*totals, least, *_window(scene, request, of.tension)])
 
@@ -71,7 +71,7 @@ def _engine(scene: Resolved, request: TensionRequest) -> Found:
     if missing := engine.lacks(scene):
         return Found("engine", None, ", ".join(missing))
     slack = engine.needed(scene, request.tolerances)
-    note = f"effective tension becomes negative first {slack.s:.4g} m from the bottom"
+    note = f"below it, effective tension becomes negative, first {slack.s:.4g} m from the bottom"
     if scene.top.tensioners:
         note += "; constant tension on the ring in place of the tensioners"
     return Found("engine", slack.tension, note)
@@ -92,8 +92,8 @@ def _window(scene: Resolved, request: TensionRequest, minimum: float) -> list[Fo
     of = window(minimum, lifted, request.rig, limit, share)
     note = f"{100.0 * share:g} % of the dynamic tension limit"
     rows.append(Found("ceiling", of.ceilings[of.ceiling], note))
-    text = "above the floor" if of.gap >= 0.0 else "no setting: the ceiling is below the floor"
-    return [*rows, Found("window", of.gap, f"{text}, {of.floor}")]
+    text = "from floor to ceiling" if of.gap >= 0.0 else "no setting: the ceiling is below the floor"
+    return [*rows, Found("window", of.gap, f"{text}; floor: {of.floor}")]
 
 
 def lines(rows: Rows) -> list[str]:
