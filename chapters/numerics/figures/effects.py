@@ -67,10 +67,10 @@ def ordered(ranked: list[Ranked]) -> list[Ranked]:
 def answer(effects: xr.Dataset) -> str:
     """Title: the effect that changes the results most surely, and one that changes none, in few words."""
     ranked = ranking(effects)
-    parts = [f"{one.name} changes the results in {one.changed} of {one.scenes} scenes" for one in ranked[:1]]
+    parts = [f"{one.name} affects {one.changed} of {one.scenes} scenes" for one in ranked[:1]]
     parts = parts if ranked and ranked[0].changed else []
-    parts += [f"{one.name} changes none" for one in never(ranked)[:1]]
-    words = "; ".join(parts if len(" ".join(parts).split()) <= WORDS else parts[:1])
+    parts += [f"{one.name} none" for one in never(ranked)[:1]]
+    words = ", ".join(parts if len(" ".join(parts).split()) <= WORDS else parts[:1])
     return words[:1].upper() + words[1:] or "Change of the results by one effect"
 
 

@@ -106,7 +106,7 @@ def _squares(ax: Axes, stability: xr.Dataset, families: list[str]) -> None:
     ax.text(-0.1, len(families) - 0.35, notes, va="top", fontsize="small")
     ax.set_xlim(-0.3, max(most, 12) + 9)  # room for the key at the longest row
     ax.set_ylim(len(families) - 0.4 + 0.55 * len(named), -0.6)
-    ax.set_yticks(range(len(families)), families)
+    ax.set_yticks(range(len(families)), families, fontsize="small")
     ax.set_xticks([])
     ax.tick_params(length=0)
     for side in ax.spines.values():
@@ -237,7 +237,7 @@ def _steps(ax: Axes, stability: xr.Dataset, families: list[str], methods: list[s
             )  # fmt: skip
     ax.axvline(1.0, color="0.5", linewidth=0.8, zorder=1)
     ax.set_xscale("log")
-    ax.set_yticks(range(len(families)), families)
+    ax.set_yticks(range(len(families)), families, fontsize="small")
     ax.set_ylim(len(families) - 0.5, -0.5)
     for edge in range(1, len(families)):
         ax.axhline(edge - 0.5, color="0.92", linewidth=0.8, zorder=0)

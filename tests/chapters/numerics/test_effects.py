@@ -109,7 +109,7 @@ def test_rows_are_ordered_by_the_share_that_the_figure_shows_and_few_scenes_come
         some[name][:2, 0] = 1e-3  # 38 of 40 scenes are still the most
     assert [one.name for one in ordered(ranking(some))] == ["e1", "e0"]
     figure = draw("numerics", "effects", {"effects": some})
-    assert figure.get_suptitle() == "E1 changes the results in 30 of 30 scenes"
+    assert figure.get_suptitle() == "E1 affects 30 of 30 scenes"
 
 
 def test_a_share_of_run_time_is_pale_where_the_middle_half_of_scenes_includes_zero():
