@@ -28,7 +28,7 @@ from chapters.fem_riser.claims import (
 from chapters.fem_riser.figures.shared import BLUE, DEFLECTION, HEIGHT, TIME
 from chapters.fem_riser.figures.trends import envelopes
 from riserstudy.figures.direct import label_ends
-from riserstudy.figures.insets import enlarge
+from riserstudy.figures.insets import enlarge, name_axes
 from riserstudy.figures.style import (
     COLOURS,
     GREY,
@@ -132,8 +132,7 @@ def _enlarge_last(ax: Axes, x: xr.DataArray) -> None:
     up = 2.0 * room * (float(x["s"][-1]) - s) / high  # as high as the lines' slope requires
     inset = enlarge(ax, (0.17, 0.24, 0.33, 0.4), (low - room, high + room), (s - up, s + up), widest=0.7)
     inset.locator_params(axis="x", nbins=2)
-    inset.set_xlabel("x (m)", fontsize="x-small", labelpad=1.0)
-    inset.text(1.05, 1.04, "s (m)", fontsize="x-small", transform=inset.transAxes)
+    name_axes(inset, "x (m)", "s (m)")
 
 
 def _mean(ax: Axes, motion: xr.Dataset) -> None:

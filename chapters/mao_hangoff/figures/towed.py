@@ -33,7 +33,7 @@ from chapters.mao_hangoff.figures.towed_shared import (
 from chapters.mao_hangoff.runs import STATED, at_nodes_of_paper
 from chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_ends, label_line, legible
-from riserstudy.figures.insets import enlarge
+from riserstudy.figures.insets import enlarge, name_axes
 from riserstudy.figures.style import GREY, PRINTED, headline, legend_below, panel_title, panels
 
 TIMES = (10.0, 40.0, 70.0, 100.0, 130.0)  # s, of Fig 9c
@@ -251,10 +251,11 @@ def _moment_of_base(
     )  # fmt: skip
     inset = enlarge(ax, (0.39, 0.29, 0.42, 0.42), (0.45 * most, 1.15 * most), UPPER, 1.5)
     inset.yaxis.tick_right()  # at the left, the curve would cross the tick labels
+    name_axes(inset, "moment (kN m)", "depth (m)")
     cycle = turn * base_runs["bending_moment"].sel(time=slice(STATED - HEAVE, STATED)) / 1e3
     band = inset.fill_betweenx(depth, cycle.min("time"), cycle.max("time"), color="0.8", lw=0.0)
     for values, of, place in (
-        (ours, FINE_MESH, (0.03, 0.62)), (theirs, MESH_OF_PAPER, (0.56, 0.94)),
+        (ours, FINE_MESH, (0.03, 0.62)), (theirs, MESH_OF_PAPER, (0.585, 0.94)),
     ):  # fmt: skip
         largest = values.isel(s=int(values.argmax("s")))
         inset.annotate(
@@ -262,9 +263,6 @@ def _moment_of_base(
             xytext=place, textcoords="axes fraction", fontsize="x-small", color=legible(OF_MESH[of]),
             va="center", arrowprops={"arrowstyle": "-", "lw": 0.6, "color": legible(OF_MESH[of])},
         )  # fmt: skip
-    inset.set_xlabel("moment (kN m)", fontsize="x-small", bbox={"fc": "white", "ec": "none", "pad": 0.5})
-    inset.set_ylabel("depth (m)", fontsize="x-small")
-    inset.yaxis.set_label_position("right")
     ax.annotate(
         f"printed: {moment:g} kN m", (moment, 0.04), xycoords=("data", "axes fraction"), xytext=(4.0, 0.0),
         textcoords="offset points", fontsize="small", va="bottom",

@@ -25,7 +25,7 @@ from chapters.mao_hangoff.figures.towed_shared import (
 from chapters.mao_hangoff.runs import STATED, as_drawn
 from chapters.mao_hangoff.towed import displacement
 from riserstudy.figures.direct import label_line
-from riserstudy.figures.insets import enlarge
+from riserstudy.figures.insets import enlarge, name_axes
 from riserstudy.figures.style import (
     GREY,
     PRINTED,
@@ -146,8 +146,8 @@ def _two_profiles(runs: xr.Dataset, axis: str, values: tuple[float, ...], label:
             f"the three thin lines\ndiffer by {abs(change):.1g} %", (0.97, 0.93), xycoords="axes fraction",
             ha="right", va="top", fontsize="small",
         )  # fmt: skip
-    inset = enlarge(axes[1], (0.44, 0.44, 0.36, 0.46), *UPPER, widest=THICK)
-    inset.set_xlabel("enlarged\n(m, kN m)", fontsize="x-small")  # above it, a leader would cross the words
+    inset = enlarge(axes[1], (0.42, 0.44, 0.36, 0.46), *UPPER, widest=THICK)
+    name_axes(inset, "|moment| (kN m)", "depth (m)")
     axes[0].plot([], [], color=GREY, lw=THICK, label=f"(a–d) {names[0]} (assumed)")
     axes[0].plot([], [], color=GREY, lw=THIN, label=f"(a, b) {names[-1]} (assumed)")
     key_below(figure, axes[0], 5)
@@ -216,8 +216,7 @@ def _top(ax: Axes) -> None:
     inset.tick_params(labelsize="x-small")
     inset.grid(True, color="0.9", linewidth=0.6)
     inset.set_title(f"upper {TOP:g} m", fontsize="x-small", pad=3.0)
-    inset.set_xlabel("|moment| (kN m)", fontsize="x-small")
-    inset.set_ylabel("depth (m)", fontsize="x-small")
+    name_axes(inset, "|moment| (kN m)", "depth (m)")
 
 
 def _ahead_and_astern(ax: Axes) -> None:

@@ -45,6 +45,15 @@ def enlarge(
     return inset
 
 
+def name_axes(inset: Axes, x: str, y: str) -> None:
+    """Write the labels of an enlarged part in small print, with y at the side of its tick labels."""
+    white = {"facecolor": "white", "edgecolor": "none", "pad": 0.5}  # hides lines of the panel
+    inset.set_xlabel(x, fontsize="x-small", labelpad=1.0, bbox=white)
+    inset.set_ylabel(y, fontsize="x-small", labelpad=2.0)
+    if inset.yaxis.get_ticks_position() == "right":
+        inset.yaxis.set_label_position("right")
+
+
 def _copy(line: Line2D, ax: Axes, inset: Axes, widest: float) -> Line2D:
     """A copy of a line of a panel in an enlarged part of it."""
     copy = Line2D(*line.get_data())
