@@ -104,7 +104,12 @@ def heave(s3: xr.Dataset) -> Figure:
     panel_title(axes[1], "change of length; below 0 the riser is longer")
     for ax in axes:
         ax.set_xlabel("time (s)")
+        ax.margins(x=0.0)
     axes[1].axhline(-most, color="black", linewidth=0.8, linestyle="--")
-    axes[1].margins(x=0.0)
+    axes[1].margins(y=0.1)
+    axes[1].annotate(
+        f"{most:.0f} mm longer", (1.0, -most), xycoords=("axes fraction", "data"), xytext=(-3, -3),
+        textcoords="offset points", ha="right", va="top", fontsize="small",
+    )  # fmt: skip
     headline(figure, f"Heave of ±{heaved:.2g} m stretches the riser by {most:.0f} mm in steady state")
     return figure

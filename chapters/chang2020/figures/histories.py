@@ -28,6 +28,7 @@ from riserstudy.figures.style import GREY, headline, key_below, panel_title, pan
 FOUR = (1.0, 3.0, 5.0, 10.0)  # m, amplitudes of Figs 11 and 12
 NAMED = (3.0, 10.0)  # m, amplitudes among them that the paper's text states
 LAST = 60.0  # s, plotted time of runs from rest: three periods of the platform
+CLOSE = 40.0  # s, plotted time where two such runs are compared
 #: dashes that keep coinciding lines distinguishable
 DASHES = (0, (4, 4)), (0, (7, 2)), (0, (1, 1.5)), (0, (6, 2, 1, 2))
 HEAVE, TENSION = "riser heave $x$ (m)", "riser tension (MN)"
@@ -63,19 +64,18 @@ def fig08(
         for ax, quantity, label in zip(axes[column::2], ("tension", "heave"), (TENSION, HEAVE), strict=True):
             for name, (run, colour, width) in runs.items():
                 ax.plot(run["time"], run[quantity], color=colour, linewidth=width, label=name)
-            panel_title(ax, f"{quantity}, {meant}")
             ax.set_ylabel(label)
             ax.margins(y=0.06)
             ranges = [float(np.ptp(run[quantity].values)) for run, *_ in runs.values()]
             states = ("from rest", "in steady state")
             found.append({s: 1.0 - part / ranges[0] for s, part in zip(states, ranges[1:], strict=True)})
-            _reductions(ax, found[-1], printed[quantity])
+            reduced = _reductions(found[-1], printed[quantity])
+            panel_title(ax, f"{quantity}, {meant}; reduced by\n{reduced}")
             bare, settled = (run[quantity] for run, *_ in (*runs.values(),)[::2])
             _printed_range(ax, bare, settled, printed[quantity])
     for row in (axes[:2], axes[2:]):
-        low, high = (pick(ax.get_ylim()[k] for ax in row) for k, pick in enumerate((min, max)))
-        for ax in row:
-            ax.set_ylim(low, high + 0.22 * (high - low))  # room for the reductions
+        row[0].sharey(row[1])
+        row[0].autoscale(axis="y")
     for ax in axes[2:]:
         ax.set_xlabel(TIME)
     axes[-1].set_xlim(0, 104)
@@ -94,14 +94,10 @@ def fig08(
     return figure
 
 
-def _reductions(ax: Axes, found: dict[str, float], printed: float) -> None:
-    """Write the reductions (fractions) of the peak-to-peak range: computed in each state, and published."""
-    states = ",\n".join(f"{100.0 * part:.0f} % {name}" for name, part in found.items())
-    ax.annotate(
-        f"peak-to-peak range reduced by {states}; printed: about {100.0 * printed:.0f} %",
-        (0.5, 0.955), xycoords="axes fraction", ha="center", va="top", fontsize="x-small",
-        bbox={"facecolor": "white", "edgecolor": GREY, "linewidth": 0.5},
-    )  # fmt: skip
+def _reductions(found: dict[str, float], printed: float) -> str:
+    """State the reductions (fractions) of the peak-to-peak range: computed in each state, and published."""
+    states = ", ".join(f"{100.0 * part:.0f} % {name}" for name, part in found.items())
+    return f"{states}; printed: about {100.0 * printed:.0f} %"
 
 
 def _printed_range(ax: Axes, bare: xr.DataArray, settled: xr.DataArray, reduction: float) -> None:
@@ -132,7 +128,7 @@ def fig10(from_rest: xr.Dataset, steady: xr.Dataset, lines_settled: xr.Dataset) 
             run = started.sel(tensioner_model=model, heave_amplitude=amplitude)
             ax.plot(run["time"], run[quantity], line, color=OF_MODEL[model], lw=1.1)
         ax.set_ylabel({"heave": HEAVE, "tension": TENSION}[quantity])
-        ax.set_xlim(0.0, LAST)
+        ax.set_xlim(0.0, CLOSE)
         ax.set_xlabel(TIME)
         panel_title(ax, f"{of_amplitude(amplitude)}, {STATES['from_rest']}")
     for amplitude, ax in zip(NAMED, axes[4:], strict=True):

@@ -266,6 +266,9 @@ def period_sweep(period_sweep: xr.Dataset) -> Figure:
             panel_title(ax, of_amplitude(amplitude))
     for ax in axes[-2:]:
         ax.set_xlabel("heave period of the platform (s)")
+        ax.set_xscale("log")
+        log_ticks(ax.xaxis)
+        ax.xaxis.set_major_formatter("{x:g}")
     for ax in axes[::2]:
         ax.set_yscale("log")
         log_ticks(ax.yaxis)

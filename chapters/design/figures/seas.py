@@ -9,6 +9,7 @@ import xarray as xr
 from matplotlib import colormaps
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from riserstudy.figures.style import headline, legend_below, panel_title, panels
@@ -21,10 +22,6 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
     envelope = operability_in_seas["envelope_offset"].sel(operation=MODE)
     muds, heights = envelope["mud_weight"].values, envelope["significant_height"].values
     figure, axes = panels(1, len(muds), 4.0, sharey=True)
-    lowest, highest = float(envelope.min()), float(envelope.max())
-    if highest > lowest:
-        span = highest - lowest
-        axes[0].set_ylim(lowest - 0.25 * span, highest + 0.05 * span)  # words are below the lines
     for ax, mud in zip(axes, muds, strict=True):
         widths = np.linspace(3.5, 1.2, len(heights))  # coinciding lines stay visible
         for colour, height, width in zip(_rising(len(heights)), heights, widths, strict=True):
@@ -37,20 +34,22 @@ def operability_in_seas(operability_in_seas: xr.Dataset, allowances: xr.Dataset)
             ):
                 ax.plot(speed, one, ".-", color=colour, lw=width, ms=5.0 + width, label=label)
             ax.fill_between(speed, low, high, color=colour, alpha=0.12, lw=0.0)
-            _mark_end(ax, low, high, f"$H_s$ = {height:g} m", colour)
+            _mark_end(ax, low, high, colour)
         ax.axhline(0.0, color="black", linewidth=0.6)
         ax.set_xlabel("surface current speed (m/s)")
         panel_title(ax, f"mud density {mud:g} kg/m³")
     axes[0].set_ylabel("platform offset, + down current (m)")
     handles, labels = axes[0].get_legend_handles_labels()
     shade = Patch(color="0.5", alpha=0.3, lw=0.0)
-    legend_below(figure, [*handles, shade], [*labels, "shaded: all drilling limits met"], 2)
+    none = Line2D([], [], linestyle="", marker="x", color="0.3")
+    words = ("shaded: all drilling limits met", "no offset meets all limits")
+    legend_below(figure, [*handles, shade, none], [*labels, *words], 2)
     headline(figure, _answer(operability_in_seas.sel(operation=MODE)))
     return figure
 
 
-def _mark_end(ax: Axes, low: xr.DataArray, high: xr.DataArray, sea: str, colour: Any) -> None:
-    """Close the range of offsets at the fastest current that has one, and name the next current."""
+def _mark_end(ax: Axes, low: xr.DataArray, high: xr.DataArray, colour: Any) -> None:
+    """Close the range of offsets at the fastest current that has one, and mark faster currents."""
     there = (low <= high).values
     speeds = low["surface_speed"].values
     if there.all() or not there.any():
@@ -58,12 +57,9 @@ def _mark_end(ax: Axes, low: xr.DataArray, high: xr.DataArray, sea: str, colour:
     last = int(np.flatnonzero(there)[-1])
     ends = float(low[last]), float(high[last])
     ax.plot([speeds[last]] * 2, ends, color=colour, lw=1.2)
-    if last + 1 < len(speeds):
-        ax.annotate(
-            f"{sea}: no offset\nat {speeds[last + 1]:g} m/s", (float(speeds[last]), float(np.mean(ends))),
-            (0.97, 0.04), textcoords="axes fraction", ha="right", fontsize="small", color=colour,
-            arrowprops={"arrowstyle": "->", "color": colour, "linewidth": 0.8},
-        )  # fmt: skip
+    beyond = speeds[last + 1 :]
+    level = np.full(beyond.size, 0.05)  # of the panel, below the lines
+    ax.plot(beyond, level, "x", color=colour, ms=6.0, mew=1.5, transform=ax.get_xaxis_transform())
 
 
 def _answer(of: xr.Dataset) -> str:
