@@ -24,24 +24,24 @@ export PYTHON
 help:  ## list the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "%-10s %s\n", $$1, $$2 }' Makefile
 
-environment: $(READY)  ## make .venv from the locks, and no more
+environment: $(READY)  ## make the Python environment .venv
 
-study: $(READY)  ## simulate, grade, draw and report everything (TIER=preview|standard|reference CORES=n)
+study: $(READY)  ## simulate, grade, draw and report all studies (TIER=preview|standard|reference CORES=n)
 	@exec $(STUDY)
 
-test: $(READY)  ## run the tests, except the slow ones, the cluster's and the browser's
+test: $(READY)  ## run the tests, without those of the other test targets
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --dist worksteal --benchmark-disable -m 'not slow and not cluster and not page'
 
 test-slow: $(READY)  ## run the slow tests
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'
 
-test-cluster: .venv/.slurm-$(ID)  ## run a study through a Slurm of one node (root; Debian: slurmctld slurmd slurm-client munge)
+test-cluster: .venv/.slurm-$(ID)  ## run a study on a Slurm installation with one node (root; Debian: slurmctld slurmd slurm-client munge)
 	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable -m cluster tests/workflow/test_cluster.py
 
 test-crate: .venv/.crate-$(ID)  ## check the run crate of a study against the profiles of run crates
 	@$(IN_ENVIRONMENT) RISERSTUDY_CRATE_PYTHON='$(CURDIR)/.venv/crate/bin/python' pytest -q --benchmark-disable tests/crate
 
-test-formats: .venv/.formats-$(ID)  ## read time series of other programs through qats (brings Qt, 0.7 GB)
+test-formats: .venv/.formats-$(ID)  ## read time series of other programs by qats (installs Qt, 0.7 GB)
 	@$(IN_ENVIRONMENT) pytest -q --benchmark-disable tests/dataset/external
 
 test-container: .venv/.container-$(ID)  ## lint Containerfile, run its steps in a clean root (root; Debian: mmdebstrap)
@@ -53,7 +53,7 @@ test-page: $(READY)  ## open the report in Chromium (Debian: chromium, chromium-
 check: $(READY)  ## check format, lint, types, import rules and spelling
 	@$(IN_ENVIRONMENT) sh workflow/scripts/check.sh
 
-lock:  ## resolve the dependencies anew into the hashed lock files (developers)
+lock:  ## resolve the dependencies again and write the lock files (developers)
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_locks.py
 
 docs: $(READY)  ## build the pages into build/docs, warnings as errors
@@ -62,29 +62,29 @@ docs: $(READY)  ## build the pages into build/docs, warnings as errors
 wheel:  ## build the package into dist/
 	@sh workflow/scripts/with_python.sh workflow/scripts/make_wheel.py
 
-test-wheel: $(READY)  ## install the wheel into an empty environment and run a study of one's own with it
+test-wheel: $(READY)  ## install the wheel into an empty environment and run a separate study with it
 	@$(IN_ENVIRONMENT) pytest -q -s tests/workflow/test_wheel.py
 
-test-hostile: $(READY)  ## meet hostile input at full count
+test-hostile: $(READY)  ## run the program with damaged and hostile input
 	@$(IN_ENVIRONMENT) python tests/fuzz/run.py
 	@RISERSTUDY_INVARIANTS=5000 $(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable tests/invariants
 
 test-faults: $(READY)  ## kill runs, fill disks, break caches; write docs/faults.md
 	@$(IN_ENVIRONMENT) python tests/faults/run.py --write docs/faults.md
 
-test-pythons: $(READY)  ## compare one core with two, and the Pythons 3.11 to 3.14 that are here
+test-pythons: $(READY)  ## compare results of one core and two cores, and of the installed Pythons 3.11 to 3.14
 	@$(IN_ENVIRONMENT) python tests/pythons/run.py python3.11 python3.12 python3.13 python3.14
 
-test-strangers: $(READY)  ## run a short study as machines differ: user, locale, memory, no git; write docs/machines.md
+test-strangers: $(READY)  ## run a short study with other users, locales and settings; write docs/machines.md
 	@$(IN_ENVIRONMENT) python tests/strangers/run.py --write docs/machines.md
 
-figures: $(READY)  ## draw the figures, simulating only what they miss
+figures: $(READY)  ## draw the figures, and simulate only missing points
 	@exec $(STUDY) figures
 
-references: $(READY)  ## compute reference solutions that are missing or solve another scene
+references: $(READY)  ## compute reference solutions that are missing or outdated
 	@$(IN_ENVIRONMENT) python -m chapters.numerics.reference $(CASES)
 
-bench: .venv/.bench-$(ID)  ## time the engine and other simulators in turns
+bench: .venv/.bench-$(ID)  ## time the engine and other simulators alternately
 	@$(IN_ENVIRONMENT) python benchmarks/run.py
 
 clean:  ## remove results and stored points; keep environment and compiled kernels

@@ -202,9 +202,10 @@ class Top(Strict):
     (no ``elevation``). Tension, tension loss, force, tensioners and body are absent if they are not given.
     With ``held_at_tension``, the top is held at the height at which this force is the vertical component of
     the pull on the static riser, below a body at the top. For this height, the platform is in its position in
-    calm water, and the current has its full speed. The rotation of the top follows the platform if ``x``
-    does. With a telescopic joint, the top is the upper end of the joint. ``tension``,
-    ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring, below the joint.
+    calm water, and the current has its full speed. If ``x`` follows the platform,
+    a joint or clamp at the top rotates with the platform. With a telescopic joint, the top is the upper end
+    of the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring,
+    below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None
