@@ -63,10 +63,10 @@ def test_patience_writes_the_best_result_so_far_and_says_so(command, tmp_path):
     wanted = ["--accuracy", "1e-5 %", "--patience", "0.02 min"]
     code, _, err = command("run", SURGE, "-o", target, *QUICK, *wanted)
     assert code == 0
-    assert "riserstudy: warning: accuracy not reached within patience of 1.2 s after " in err
+    assert "riserstudy: warning: accuracy not reached within the time limit of 1.2 s after " in err
     with xr.open_dataset(target) as found:
         assert found.attrs["ended_by"] == "patience of 1.2 s"
-        assert "within patience" in json.loads(found.attrs["warnings"])[-1]
+        assert "within the time limit" in json.loads(found.attrs["warnings"])[-1]
         assert float(found["time"][-1]) == 30.0
 
 

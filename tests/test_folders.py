@@ -27,14 +27,14 @@ def test_a_cache_that_anyone_can_write_to_is_refused(cache):
     assert cache_folder() == cache
     cache.chmod(0o777)
     folders._refuse_foreign.cache_clear()
-    with pytest.raises(InputError, match="anyone can write to the cache"):
+    with pytest.raises(InputError, match="any user can write to this cache folder"):
         cache_folder()
 
 
 def test_a_cache_that_others_of_a_group_can_write_to_is_refused(cache, monkeypatch):
     cache.chmod(0o775)
     monkeypatch.setattr(folders, "_group_of_one", lambda group: group != cache.stat().st_gid)
-    with pytest.raises(InputError, match="all of a group can write to the cache"):
+    with pytest.raises(InputError, match="a group of users can write to this cache folder"):
         cache_folder()
 
 
@@ -51,7 +51,7 @@ def test_compiled_kernels_that_others_can_replace_are_refused(cache):
     numba = cache / "numba"
     numba.mkdir()
     numba.chmod(0o777)
-    with pytest.raises(InputError, match="anyone can write to the cache"):
+    with pytest.raises(InputError, match="any user can write to this cache folder"):
         kernel_cache()
     cache.chmod(0o700)  # where they cannot get in
     assert kernel_cache().parent == numba

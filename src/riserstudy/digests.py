@@ -151,8 +151,8 @@ def data_of(file: Path) -> tuple[Path, ...]:
     found = tuple(file.parent / name for name in facts(file).data)
     for path in found:
         if not path.is_file():
-            found_none = f"no file {path.name} is next to it"
-            raise InputError(file, "DATA_FILES", found_none, "name the files that it reads")
+            found_none = f"the file {path.name} does not exist in this folder"
+            raise InputError(file, "DATA_FILES", found_none, "name only files that are next to this module")
     return found
 
 
@@ -223,7 +223,9 @@ def _parsed(content: bytes, file: Path) -> ast.Module:
         return ast.parse(content)
     except (SyntaxError, ValueError) as error:  # a null byte is a ValueError for older Pythons
         line = f"line {error.lineno}" if isinstance(error, SyntaxError) else ""
-        raise InputError(file, line, "this is not Python", str(error)) from None
+        raise InputError(
+            file, line, "this is not valid Python", f"correct the syntax error: {error}"
+        ) from None
 
 
 def _read(tree: ast.Module) -> Facts:

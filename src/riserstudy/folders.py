@@ -77,13 +77,16 @@ def _refuse_foreign(folder: Path) -> None:
         return
     if os.name != "posix":
         return
-    allowed = "name another folder by RISERSTUDY_CACHE, or remove the write permission of others (chmod go-w)"
+    allowed = (
+        "set the environment variable RISERSTUDY_CACHE to another folder, or remove the write permission of "
+        "others (chmod go-w)"
+    )
     if stat.st_uid != os.getuid():
-        raise InputError(folder, "", "the cache belongs to another user", allowed)
+        raise InputError(folder, "", "this cache folder belongs to another user", allowed)
     if stat.st_mode & S_IWOTH:
-        raise InputError(folder, "", "anyone can write to the cache", allowed)
+        raise InputError(folder, "", "any user can write to this cache folder", allowed)
     if stat.st_mode & S_IWGRP and not _group_of_one(stat.st_gid):
-        raise InputError(folder, "", "all of a group can write to the cache", allowed)
+        raise InputError(folder, "", "a group of users can write to this cache folder", allowed)
 
 
 def _group_of_one(group: int) -> bool:

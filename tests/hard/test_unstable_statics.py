@@ -53,7 +53,7 @@ HEAVY = {
 
 
 def test_a_riser_with_too_little_top_tension_is_called_unstable():
-    with pytest.raises(SimulationError, match=r"unstable.*raise the top tension"):
+    with pytest.raises(SimulationError, match=r"unstable.*increase the top tension"):
         simulate(changed(COLUMN, **HEAVY))
     simulate(changed(COLUMN, **(HEAVY | {"top__tension": "1200 kN"})))
 
@@ -89,5 +89,5 @@ def test_a_slack_cable_hangs_on_any_mesh(elements):
 
 
 def test_a_slack_string_under_compression_is_given_up():
-    with pytest.raises(PhysicallyUnstable, match=r"tension decreases to -.*buckles there at any"):
+    with pytest.raises(PhysicallyUnstable, match=r"tension decreases to -.*buckles at any"):
         simulate(from_file("hard/snap"))

@@ -130,7 +130,9 @@ def test_without_flow_an_accuracy_is_reached_on_meshes_that_are_found(seed):
 
 
 def test_a_run_that_ends_before_its_ramps_is_refused():
-    with pytest.raises(SimulationError, match=r"riser.viv: ramps end at .* Give a longer analysis.duration"):
+    with pytest.raises(
+        SimulationError, match=r"riser.viv: the ramps end at .* give a longer analysis.duration"
+    ):
         simulated({"riser[0].viv.diameter": "12 m"}, "TR-BDF2")
 
 

@@ -29,7 +29,7 @@ def test_an_entry_names_the_figures_it_was_written_from(seed):
     "text", ["Fig. 8", "figure 8", "8-10", "8 to", "10 to 8", "8 to 9 to 10", "8.2", "²"]
 )
 def test_an_entry_that_is_no_figure_is_refused(text):
-    with pytest.raises(ValueError, match="allowed is"):
+    with pytest.raises(ValueError, match="not the number of a figure"):
         figures_in(text)
 
 

@@ -89,7 +89,7 @@ def test_a_table_covers_a_stroke_that_ends_with_it_in_any_units(seed):
 
     assert cylinders()
     for beyond in ({"shorter": 1e-5}, {"longer": 1e-5}):
-        with pytest.raises(ValueError, match="must cover the stroke"):
+        with pytest.raises(ValueError, match="extend it to the whole stroke"):
             cylinders(**beyond)
 
 

@@ -13,12 +13,12 @@ SURGE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
 
 TABLES = {
     "no such file": (None, "No such file"),
-    "empty": ("", "line 1: 'nothing'"),
+    "empty": ("", "line 1: the table is empty"),
     "other columns": ("height (m), speed (m/s)\n0, 1\n1, 2\n", "depth (unit), speed (unit)"),
     "no units": ("elevation, speed\n0, 1\n1, 2\n", "elevation (unit) or depth (unit), speed (unit)"),
     "depth and elevation": ("depth (m), elevation (m), speed (m/s)\n0, 1, 1\n1, 0, 2\n", "line 1"),
-    "depths that fall": ("depth (m), speed (m/s)\n1, 1\n0, 2\n", "depths must increase"),
-    "elevations that fall": ("elevation (m), speed (m/s)\n1, 1\n0, 2\n", "elevations must increase"),
+    "depths that fall": ("depth (m), speed (m/s)\n1, 1\n0, 2\n", "depths do not increase"),
+    "elevations that fall": ("elevation (m), speed (m/s)\n1, 1\n0, 2\n", "the elevations do not increase"),
     "a depth in the air": ("depth (m), speed (m/s)\n-1, 1\n0, 2\n", "line 2: depth"),
     "a word": ("elevation (m), speed (m/s)\n0, fast\n", "line 2"),
     "a missing value": ("elevation (m), speed (m/s)\n0, 1\n1\n", "line 3"),
@@ -93,10 +93,14 @@ def test_a_jump_by_depth_has_the_water_above_first_and_one_by_elevation_the_wate
 @pytest.mark.parametrize(
     "points, levels, reason",
     [
-        ([{"depth": "0 m"}, {"depth": "9 m"}], {}, "depths need water.surface"),
+        ([{"depth": "0 m"}, {"depth": "9 m"}], {}, "depths require the elevation of the water surface"),
         ([{"depth": "0 m"}, {"elevation": "9 m"}], LEVELS, "in every line"),
-        ([{"depth": "0 m", "elevation": "533 m"}, {"depth": "9 m"}], LEVELS, "needs one of"),
-        ([{}, {"depth": "9 m"}], LEVELS, "needs one of"),
+        (
+            [{"depth": "0 m", "elevation": "533 m"}, {"depth": "9 m"}],
+            LEVELS,
+            "elevation or depth is required",
+        ),
+        ([{}, {"depth": "9 m"}], LEVELS, "elevation or depth is required"),
     ],
 )
 def test_points_of_a_current_that_cannot_be_meant_are_refused(points, levels, reason):

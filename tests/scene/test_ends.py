@@ -37,7 +37,7 @@ def test_a_cost_that_takes_long_is_told_of_and_ends(commands, monkeypatch):
     code, out, error = commands("cost", SURGE, "--set", "platform.surge.period=1e-5 s")
     assert (code, out) == (3, "")
     assert "segments, steps of" in error.splitlines()[0]
-    assert "no run within 2 s" in error.splitlines()[-1]
+    assert "within the time limit of 2 s" in error.splitlines()[-1]
 
 
 @pytest.mark.parametrize("option", ["--weight", "--buoyancy", "--tension-ratio"])

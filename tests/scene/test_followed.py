@@ -12,7 +12,7 @@ from riserstudy.scene.forcing import TILTS
 from riserstudy.scene.load import SceneFile
 
 OUTPUTS = ("x", "y", "z", "effective_tension", "ufj_angle")
-REFUSED = "moves nothing"
+REFUSED = "has no effect"
 ROW = {"surge": "1 m/m", "surge_phase": "0 deg", "pitch": "1 deg/m", "pitch_phase": "0 deg"}
 ROWS = [{"period": f"{period} s", **ROW} for period in (2, 30)]
 CENTRE = {"centre_of_rotation": {"elevation": "5 m"}}

@@ -52,23 +52,23 @@ def test_a_deck_that_closes_runs():
 SLIPS = {
     "feet for metres of riser": ({"riser[0].length": "980 ft"}, "too short between bottom.elevation -980 m"),
     "metres for feet of riser": ({"riser[0].length": "3215 m"}, "too long between bottom.elevation"),
-    "feet for metres of water": ({"water.seabed": "-1000 ft"}, "water.seabed: -304.8 m"),
-    "a top 250 m up": ({"top.elevation": "250 m", "riser[1].length": "230 m"}, "water.surface: 0 m"),
+    "feet for metres of water": ({"water.seabed": "-1000 ft"}, "the seabed at -304.8 m"),
+    "a top 250 m up": ({"top.elevation": "250 m", "riser[1].length": "230 m"}, "the surface is at 0 m"),
     "a joint of 50 m": ({"top.telescopic_joint.length": "50 m"}, "too long"),
     "a riser below its seabed": (
-        {"bottom.elevation": "-1080 m", "riser[0].length": "1080 m"}, "below it; allowed",
+        {"bottom.elevation": "-1080 m", "riser[0].length": "1080 m"}, "is below the seabed",
     ),
-    "a stack of 100 m": ({"bottom.elevation": "-900 m", "riser[0].length": "900 m"}, "up to 50 m above"),
+    "a stack of 100 m": ({"bottom.elevation": "-900 m", "riser[0].length": "900 m"}, "more than 50 m above"),
     "two sections of one name": ({"riser[1].name": "slick joints"}, "2 sections are named 'slick joints'"),
     "a current that ends above the foot": (
         {"current.profile": [{"depth": "0 m", "speed": "1 m/s"}, {"depth": "300 m", "speed": "0 m/s"}]},
-        "current.profile: reaches from -300 m to 0 m of elevation, the riser in water from -980 m to 0 m",
+        "from -300 m to 0 m only, but the riser is in water from -980 m",
     ),
     "depths given as elevations": (
         {"current.profile": [{"elevation": f"{z} m", "speed": "1 m/s"} for z in (0, 980)]},
-        "its elevations are from 0 m to 980 m, the surface is at 0 m",
+        "the elevations are from 0 m to 980 m, and the water surface is at 0 m",
     ),
-    "a section without weight": ({"riser[1].contents": None}, "'upper joints' has no weight"),
+    "a section without weight": ({"riser[1].contents": None}, "weight of section 'upper joints' is missing"),
 }  # fmt: skip
 
 
@@ -109,11 +109,8 @@ def test_contents_of_sea_water_give_the_weight_of_an_open_pipe():
     "levels, said",
     [
         ({"riser[0].contents.level": "-300 m"}, "riser\\[0\\].contents.level: -300 m differs"),
-        (
-            {"riser[0].contents.level": "-300 m", "riser[1].contents.level": "25 m"},
-            "'upper joints'; give the same level",
-        ),
-        ({"riser[1].contents.level": "-40 m"}, "below the section's upper end at 5 m"),
+        ({"riser[0].contents.level": "-300 m", "riser[1].contents.level": "25 m"}, "'upper joints'; give "),
+        ({"riser[1].contents.level": "-40 m"}, "below the upper end of the section at 5 m"),
     ],
 )
 def test_contents_are_one_column_with_one_level(levels, said):

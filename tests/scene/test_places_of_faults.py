@@ -80,6 +80,6 @@ def test_a_weld_between_other_than_two_sections_is_refused_by_their_number(names
     }
     detail |= {"curve": {"detail_class": "D", "environment": "air"}}
     tree["fatigue"] = {"angles": 8, "details": [detail]}
-    with pytest.raises(InputError, match=r"fatigue\.details\[0\]\.at: .*list should have at") as told:
+    with pytest.raises(InputError, match=r"fatigue\.details\[0\]\.at: .*the number of items is") as told:
         SceneFile("rig.yaml", tree).scene()
     assert told.value.field == "fatigue.details[0].at"

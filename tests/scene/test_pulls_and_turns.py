@@ -59,5 +59,5 @@ def test_valves_of_a_constant_tension_are_refused_beside_another_pull(seed, spat
     resolved(tree)
     where, name = (top, "tensioners") if pull == "top.tensioners" else (top["telescopic_joint"], "tension")
     where[name] = other
-    with pytest.raises(InputError, match=f"valve changes top.tension only; {pull} pulls, too"):
+    with pytest.raises(InputError, match=f"changes top.tension only, but {pull} also pulls"):
         resolved(tree)

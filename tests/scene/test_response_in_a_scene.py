@@ -61,9 +61,9 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
         ([HEADING.replace("heave", "lift"), "5,1,0", "9,1,0"], "line 1", "heave, heave_phase"),
         ([HEADING.replace("period", "wave"), "5,1,0", "9,1,0"], "line 1", "period"),
         ([HEADING + ",heave (m/m)", "5,1,0,1", "9,1,0,1"], "line 1", "period"),
-        ([HEADING, "5,1", "9,1,0"], "line 2", "but 3 columns"),
+        ([HEADING, "5,1", "9,1,0"], "line 2", "differs from the number of columns, 3"),
         ([HEADING, "5,much,0", "9,1,0"], "line 2", "numbers"),
-        (["period (s),heave (m/m)", "5,1", "9,1"], "table.csv: line 2", "go together"),
+        (["period (s),heave (m/m)", "5,1", "9,1"], "table.csv: line 2", "only one of heave and heave_phase"),
         ([HEADING, "9,1,0", "5,1,0", "9,1,0"], "platform.response", "a period occurs twice"),
         ([HEADING, "5,-1,0", "9,1,0"], "table.csv: line 2: heave", "greater"),
         ([HEADING, "5,1,0", "0,1,0"], "table.csv: line 3: period", "greater"),
@@ -72,7 +72,11 @@ FREQUENCY = HEADING.replace("period (s)", "frequency (Hz)")
         ([FREQUENCY.replace("Hz", "s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "dimension"),
         ([FREQUENCY.replace("Hz", "1/s"), "5,1,0", "9,1,0"], "table.csv: line 2: frequency", "rad"),
         ([FREQUENCY, "0.2,1,0", "0.2,1,0"], "platform.response", "a frequency occurs twice"),
-        ([FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"], "line 1", "period (unit) or frequency"),
+        (
+            [FREQUENCY + ",period (s)", "0.1,1,0,10", "0.2,1,0,5"],
+            "line 1",
+            "'period' and 'frequency' exclude each other",
+        ),
         ([HEADING + ",heading (m)", "5,1,0,0", "9,1,0,0"], "table.csv: line 2: heading", "dimension"),
         ([HEADING + ",heading (deg)", "5,1,0,0", "9,1,0,0"], "platform.response", "'towards' or 'from'"),
     ],
@@ -86,7 +90,7 @@ def test_tables_that_cannot_be_meant_are_refused(tmp_path, lines, field, reason)
 
 def test_headings_without_a_heading_are_refused(tmp_path):
     table = write(tmp_path / "table.csv", [HEADING, "5,1,0", "9,1,0"])
-    with pytest.raises(InputError, match="'towards' or 'from'"):
+    with pytest.raises(InputError, match="the operators have no headings"):
         loaded(operators=table, headings="from")
 
 
@@ -119,7 +123,7 @@ def test_a_table_says_the_same_in_every_convention(tmp_path, unit, factor, headi
 
 
 def test_a_response_without_wave_is_refused():
-    with pytest.raises(InputError, match="needs a wave"):
+    with pytest.raises(InputError, match="requires a wave"):
         loaded(wave=None)
 
 

@@ -19,10 +19,10 @@ def link(path):
 KINDS = {
     "a link": (link, "a symbolic link"),
     "a link to itself": (lambda path: path.symlink_to(path), "a symbolic link"),
-    "a pipe that nobody fills": (os.mkfifo, "no regular file"),
+    "a pipe that nobody fills": (os.mkfifo, "not a regular file"),
     "a folder": (lambda path: path.mkdir(), "directory"),
     "a large file": (lambda path: path.write_bytes(bytes(101)), "larger"),
-    "bytes": (lambda path: path.write_bytes(b"a\xff"), "not UTF-8 text at byte 1"),
+    "bytes": (lambda path: path.write_bytes(b"a\xff"), "byte 1 is not UTF-8 text"),
     "nothing": (lambda path: None, "No such file"),
 }
 

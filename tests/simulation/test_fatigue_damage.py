@@ -210,11 +210,11 @@ def scene_with(**changes):
 @pytest.mark.parametrize(
     "changes, said",
     [
-        ({"analysis.output.interval": "3 s"}, "misses peaks of stress"),
+        ({"analysis.output.interval": "3 s"}, "outputs miss peaks of stress"),
         ({"riser[0].contents": None, "riser[0].inner_diameter": None}, "young_modulus"),
         ({"fatigue.details[0].at": "nowhere"}, "no section 'nowhere'"),
-        ({"fatigue.details[0].curve.detail_class": "Z"}, "detail_class 'Z' is not known"),
-        ({"fatigue.details[0].stress_per_moment": "1 MPa/kN/m"}, "one of face and stress_per_moment"),
+        ({"fatigue.details[0].curve.detail_class": "Z"}, "detail_class 'Z' is not a class"),
+        ({"fatigue.details[0].stress_per_moment": "1 MPa/kN/m"}, "face or stress_per_moment is required"),
         ({"fatigue.angles": 6}, "fatigue.angles"),
         ({"fatigue.details[0].safety_factor": None}, "missing"),
         ({"analysis.duration": None, "analysis.output": None, "analysis.step": None}, "no stress cycles"),
@@ -227,7 +227,7 @@ def test_a_scene_that_tells_too_little_is_refused(changes, said):
 
 def test_a_run_that_ends_within_its_ramps_is_refused():
     file = scene_with(**{"platform.surge.ramp": "500 s"})
-    with pytest.raises(SimulationError, match="cycles are counted from 500 s"):
+    with pytest.raises(SimulationError, match="cycles are counted after the ramps, from 500 s"):
         run(file.resolved(), estimated=False)
 
 

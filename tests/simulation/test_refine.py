@@ -98,7 +98,7 @@ def test_patience_ends_with_the_finest_run_and_its_estimate(monkeypatch):
     assert facts["error_estimate"]["moment"] == pytest.approx(true, rel=0.2)
     assert facts["ended_by"] == "patience of 100 s"
     (warning,) = facts["warnings"]
-    assert warning.startswith("accuracy not reached within patience of 100 s after 6 runs")
+    assert warning.startswith("accuracy not reached within the time limit of 100 s after 6 runs")
     assert f"moment {100 * facts['error_estimate']['moment']:.2g} %, " in warning
     assert len(told) == 6
     assert told[0].startswith("run 1: ")
@@ -112,7 +112,9 @@ def test_patience_that_ends_before_there_is_an_estimate_says_so(monkeypatch):
 
 
 def test_patience_that_ends_before_the_first_run_is_an_error(monkeypatch):
-    with pytest.raises(TakesTooLong, match=r"^no run within 0.5 s: broken off$"):
+    with pytest.raises(
+        TakesTooLong, match=r"^no run was completed within the time limit of 0.5 s: broken off; "
+    ):
         patient(monkeypatch, 0.5)
 
 

@@ -66,13 +66,13 @@ def test_a_run_says_so(speed, said):
 
 def test_a_run_whose_modes_cannot_be_found_is_whole_and_says_so(monkeypatch):
     def fail(scene, count):
-        raise SimulationError("modes need mass")
+        raise SimulationError("modes require mass")
 
     monkeypatch.setattr("riserstudy.simulation.modes.modes_of", fail)
     facts = {"warnings": []}
     warn_of_rivals(scene().resolved(), facts)
     (warning,) = facts["warnings"]
-    assert warning.endswith("several competing modes failed: modes need mass")
+    assert warning.endswith("several competing modes failed: modes require mass")
 
 
 def test_of_a_riser_that_is_towed_nothing_is_claimed(monkeypatch):

@@ -49,7 +49,7 @@ def test_a_riser_between_held_ends_cannot_start_unstretched(seed):
     tree["top"] = {"x": "platform", "z": "held", "elevation": tree["top"]["elevation"]}
     tree["riser"][-1]["length"] += 15.0  # without its joint, up to the same elevation
     tree["analysis"] = timed(0.02, 0.01, 30, 0.01) | {"start": "unstretched"}
-    with pytest.raises(InputError, match=r"analysis\.start: 'unstretched' needs an end that is free"):
+    with pytest.raises(InputError, match=r"analysis\.start: 'unstretched' requires a riser end that is free"):
         SceneFile("start", written(tree), {}).resolved()
 
 

@@ -170,10 +170,10 @@ def test_a_run_with_few_outputs_after_its_ramps_is_not_judged():
 @pytest.mark.parametrize(
     "changes, says",
     [
-        ({"riser[0].drag": None}, "needs drag across the pipe"),
+        ({"riser[0].drag": None}, "requires drag across the pipe"),
         ({"current": None}, "water that flows past"),
-        ({"analysis.method": "explicit"}, "explicit stepping does not include vortices"),
-        ({"riser[0].viv.frequencies": [0.2, 0.1, 0.3]}, "must increase"),
+        ({"analysis.method": "explicit"}, "does not include vortex-induced vibration"),
+        ({"riser[0].viv.frequencies": [0.2, 0.1, 0.3]}, "do not increase"),
     ],
 )
 def test_what_it_cannot_do_is_refused(changes, says):

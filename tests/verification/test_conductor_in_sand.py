@@ -128,14 +128,14 @@ def test_a_softer_part_below_the_mudline_bends_more():
     "changes, said",
     [
         ({"soil.resistance": {"table": [{"depth": "0 m", "displacement": "1 m", "resistance": "1 N/m"}]}},
-         "from 0 m to the foot, 78 m"),
+         "from 0 m to the lower end of the conductor, 78 m"),
         ({"soil.resistance": {"table": [
             {"depth": "0 m", "displacement": "1 m", "resistance": "2 N/m"},
-            {"depth": "0 m", "displacement": "2 m", "resistance": "1 N/m"}]}}, "resistance must increase"),
-        ({"soil.mudline": "30 m", "water.seabed": "30 m"}, "is not within the sections below the flex joint"),
+            {"depth": "0 m", "displacement": "2 m", "resistance": "1 N/m"}]}}, "does not increase"),
+        ({"soil.mudline": "30 m", "water.seabed": "30 m"}, "is not on the conductor"),
         ({"riser[0].outer_diameter": None, "riser[0].inner_diameter": None, "riser[0].young_modulus": None,
           "riser[0].axial_stiffness": "1e10 N", "riser[0].bending_stiffness": "1e9 N*m^2"},
-         "soil needs the outer_diameter of section 'conductor'"),
+         "section 'conductor' is in the soil"),
     ],
 )  # fmt: skip
 def test_soil_that_cannot_be_meant_is_refused(changes, said):

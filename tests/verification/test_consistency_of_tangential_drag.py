@@ -86,5 +86,5 @@ def test_the_balance_of_energy_knows_it(tmp_path):
 
 
 def test_it_needs_water(tmp_path):
-    with pytest.raises(InputError, match="needs water"):
+    with pytest.raises(InputError, match="requires water"):
         run(tmp_path, HEAVING, water=None)

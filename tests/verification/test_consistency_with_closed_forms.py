@@ -127,5 +127,5 @@ def test_an_accuracy_asked_of_a_massless_beam_is_reached(name):
 
 
 def test_modes_without_mass_are_refused_with_the_reason():
-    with pytest.raises(SimulationError, match="need mass"):
+    with pytest.raises(SimulationError, match="modes require mass"):
         modes_of(scene("s1").resolved(), 3)

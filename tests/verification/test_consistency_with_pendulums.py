@@ -148,8 +148,8 @@ def test_refusals(scene):
     from riserstudy.errors import InputError
 
     for sets, text in (
-        ({"bottom.body.centre_below": None}, "rotary_inertia needs centre_below"),
-        ({"bottom.hold": "wellhead", "bottom.elevation": "-30 m"}, "needs 'hold: free'"),
+        ({"bottom.body.centre_below": None}, "rotary_inertia requires centre_below"),
+        ({"bottom.hold": "wellhead", "bottom.elevation": "-30 m"}, "write 'hold: free'"),
     ):
         with pytest.raises(InputError, match=text):
             scene(**sets).resolved()

@@ -150,7 +150,7 @@ def test_a_riser_that_stands_on_the_stack_is_not_let_go(tmp_path):
         (
             "top: {x: held, z: free, offset: 5 m, tension: 2000 kN}",
             "top: {x: held, z: held, elevation: 520 m}",
-            "valve needs top.tension",
+            "requires a constant top.tension",
         ),
         ("at: 2 s", "at: 40 s", "before the end"),
         (

@@ -160,7 +160,7 @@ def test_a_platform_lighter_than_the_riser_is_no_harder():
 
 
 def test_a_tension_that_does_not_carry_the_riser_is_refused():
-    with pytest.raises(SimulationError, match="raise the top tension"):
+    with pytest.raises(SimulationError, match="increase the top tension"):
         drive_off(**{"top.telescopic_joint.tension": "0.5 MN"})
 
 

@@ -105,7 +105,9 @@ def test_a_top_that_starts_with_a_speed_bends_the_riser_as_much_however_soon_aft
     ],
 )
 def test_no_accuracy_is_asked_for_where_a_top_starts_with_a_speed(scene, line, values):
-    with pytest.raises(InputError, match=rf"platform\.{line}: starts with a jump in velocity.*ramp"):
+    with pytest.raises(
+        InputError, match=rf"platform\.{line}: the motion starts with a jump in velocity.*ramp"
+    ):
         load_scene(scene, **values)
     load_scene(scene, **values, **OWN)
     damped = {"riser[0].structural_damping": {"ratio": 0.01, "at_period": "10 s"}}

@@ -64,7 +64,7 @@ def test_energy_balances_while_a_moving_riser_loses_half_its_tension():
 @pytest.mark.parametrize(
     "values, said",
     [
-        ({"analysis": {}}, "needs analysis.duration"),
+        ({"analysis": {}}, "has no effect on a static run"),
         ({"top.tension_loss.share": 1.2}, "top.tension_loss.share"),
         ({"top.tension_loss.over": "0 s"}, "top.tension_loss.over"),
     ],

@@ -292,22 +292,22 @@ def test_the_release_waits_for_its_phase(tmp_path, phase, at):
         (
             "platform: {heave: {amplitude: 1e-9 m, period: 10 s}}\ndisconnect: {at: 1 s,",
             "disconnect: {at: 1 s, phase: 0 deg,",
-            "phase: needs",
+            "phase: requires",
         ),
-        ("MORE", "drain: {friction: 0.02}", "those in sections from the lowest"),
+        ("MORE", "drain: {friction: 0.02}", "contents from the lowest section upwards"),
         ("MORE", VALVE[:-1] + ", failed: [5]}", "failed"),
         (
             "MORE",
             VALVE[:-1] + ", isolation: {after: 1 s, volume: 2000 m^3}}",
-            "not less than a cylinder's gas",
+            "not less than the gas volume of a cylinder",
         ),
         (
             "gas: {area: 0.1 m^2, pressure: 20 bar absolute, volume: 2000 m^3, exponent: 1.3}",
             "linear: {tension: 200 kN, stiffness: 1 kN/m}",
-            "needs tensioners with gas",
+            "requires top.tensioners with gas",
         ),
         ("count: 5", "count: 5\n    failing: {at: 5 s, cylinders: [0]}", "before the end"),
-        ("count: 5", "count: 5\n    failing: {at: 1 s, cylinders: [5]}", "numbered from 0"),
+        ("count: 5", "count: 5\n    failing: {at: 1 s, cylinders: [5]}", "use numbers from 0 to"),
     ],
 )
 def test_a_recoil_that_does_not_fit_is_refused(tmp_path, old, new, message):

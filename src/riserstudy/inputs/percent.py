@@ -13,7 +13,7 @@ NUMBER = re.compile(r"\s*[-+]?(\d+\.?\d*|\.\d+)([eE][-+]?\d+)?")
 def _percent(value: object) -> float:
     if isinstance(value, str) and (m := NUMBER.match(value)) and value[m.end() :].strip() == "%":
         return float(m.group()) / 100.0
-    raise ValueError(f"{value!r} is not a percentage; allowed is text such as '1 %'")
+    raise ValueError(f"{value!r} is not a percentage; write, for example, '1 %'")
 
 
 Percent = Annotated[float, BeforeValidator(_percent), WithJsonSchema({"type": "string"})]

@@ -20,6 +20,7 @@ from riserstudy.inputs.text import read_text
 
 MOST_BYTES = 1_000_000  # largest input file
 DEEPEST = 20  # most nesting levels
+TOO_DEEP = ("nested too deeply", f"use at most {DEEPEST} levels of fields within fields")
 MANY = 1000  # most brackets, which may be nested; the time of the parser grows as their square
 # Characters that begin tags, anchors and aliases, at a place where a value may begin.
 _SPECIAL = re.compile(r"(?:^|[\s\ufeff,\[{:?-])[!&*]")
@@ -27,7 +28,7 @@ _SPECIAL = re.compile(r"(?:^|[\s\ufeff,\[{:?-])[!&*]")
 _HALVES = re.compile(r"\\[uU](0000)?[dD][89a-fA-F]")
 # control characters, which change a terminal, and halves of characters, which no file can contain
 _NO_TEXT = re.compile(r"[\x00-\x08\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff]")
-NO_TEXT = "allowed are letters and signs. Leave it out"
+NO_TEXT = "remove this control character"
 
 
 def read_yaml(path: Path, *, keep: bool = False) -> Any:
@@ -64,10 +65,10 @@ def plain_yaml(text: str, source: object) -> Any:
     except YAMLError as error:
         mark = getattr(error, "problem_mark", None)
         where = f"line {mark.line + 1}" if mark else ""
-        problem = getattr(error, "problem", None) or "no YAML"
-        raise InputError(source, where, str(problem), "allowed is plain YAML") from None
+        problem = getattr(error, "problem", None) or "the file is not valid YAML"
+        raise InputError(source, where, str(problem), "correct the YAML syntax there") from None
     except (RecursionError, ValueError) as error:
-        raise InputError(source, "", f"cannot be read: {error}"[:200], "simplify it") from None
+        raise InputError(source, "", f"the YAML cannot be read: {error}"[:200], "correct the file") from None
     fault = plain_fault(data)
     if fault:
         raise InputError(source, *fault)
@@ -91,21 +92,21 @@ def _scan(text: str, source: object) -> None:
     for token in YAML(typ="safe", pure=True).scan(text):
         kind, place = type(token).__name__, f"line {token.start_mark.line + 1}"
         if kind in ("AliasToken", "AnchorToken", "TagToken"):
-            raise InputError(source, place, "a YAML tag, anchor or alias", "write it out")
+            raise InputError(source, place, "contains a YAML tag, anchor or alias", "write the value itself")
         depth += kind.endswith("StartToken") - kind.endswith("EndToken")
         if depth > DEEPEST + 1:  # the stream itself counts as one level
-            raise InputError(source, place, "nested too deeply", f"allowed are {DEEPEST} levels")
+            raise InputError(source, place, *TOO_DEEP)
 
 
 def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, str] | None:
     """Return the first place that is not plain data, as path, found and allowed; None without one."""
     if depth > DEEPEST:
-        return path, "nested too deeply", f"allowed are {DEEPEST} levels"
+        return path, *TOO_DEEP
     if isinstance(data, dict):
         for key, value in data.items():
             here = f"{path}.{key}" if path else str(key)
             if not isinstance(key, str):
-                return here, f"key {key!r} is no text", "allowed are names as keys"
+                return here, f"the key {key!r} is not text", "use a name as the key, or put it in quotes"
             if wrong := _NO_TEXT.search(key):
                 return here, _found(wrong), NO_TEXT
             if fault := plain_fault(value, here, depth + 1):
@@ -115,13 +116,14 @@ def plain_fault(data: Any, path: str = "", depth: int = 0) -> tuple[str, str, st
             if fault := plain_fault(value, f"{path}[{k}]", depth + 1):
                 return fault
     elif isinstance(data, float) and not math.isfinite(data):
-        return path, repr(data), "allowed are finite numbers"
+        return path, f"{data!r} is not a finite number", "give a finite number"
     elif isinstance(data, str) and (wrong := _NO_TEXT.search(data)):
         return path, _found(wrong), NO_TEXT
     elif not isinstance(data, str | int | float | bool | None):
-        return path, f"a {type(data).__name__}", "allowed are text, numbers, lists and mappings"
+        kind = type(data).__name__
+        return path, f"is read as a {kind}", "put it in quotes, or use a number, a list or fields"
     return None
 
 
 def _found(wrong: re.Match[str]) -> str:
-    return f"has the character U+{ord(wrong.group()):04X}"
+    return f"contains the character U+{ord(wrong.group()):04X}"

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from riserstudy.errors import InputError
 
+READABLE = "give the path of a file that you can read"
 #: flags for opening a file; a system may lack some
 FLAGS = ("O_NOFOLLOW", "O_NONBLOCK", "O_CLOEXEC", "O_BINARY")
 
@@ -26,19 +27,19 @@ def read_text(path: Path, most: int) -> str:
         handle = os.open(path, os.O_RDONLY | sum(getattr(os, name, 0) for name in FLAGS))
         with os.fdopen(handle, "rb") as stream:
             if not stat.S_ISREG(os.fstat(handle).st_mode):
-                raise InputError(path, "", "no regular file", "allowed is a readable file")
+                raise InputError(path, "", "this is not a regular file", READABLE)
             content = stream.read(most + 1)
     except OSError as error:
         link = error.errno == errno.ELOOP
-        reason = "a symbolic link" if link else error.strerror or "cannot be read"
-        allowed = "name the file itself" if link else "allowed is a readable file"
+        reason = "this is a symbolic link" if link else error.strerror or "cannot be read"
+        allowed = "give the path of the file that it points to" if link else READABLE
         raise InputError(path, "", reason, allowed) from None
     except ValueError:
-        raise InputError(repr(str(path)), "", "no file name", "allowed is a readable file") from None
+        raise InputError(repr(str(path)), "", "this is not a file name", READABLE) from None
     if len(content) > most:
-        raise InputError(path, "", f"larger than {most // 10**6} MB", "allowed is a smaller file")
+        raise InputError(path, "", f"the file is larger than {most // 10**6} MB", "give a smaller file")
     try:
         return content.decode("utf-8-sig")  # spreadsheets write a byte order mark first
     except UnicodeDecodeError as error:
-        found = f"not UTF-8 text at byte {error.start}"
+        found = f"byte {error.start} is not UTF-8 text"
         raise InputError(path, "", found, "save the file as UTF-8") from None

@@ -12,6 +12,27 @@ from riserstudy.inputs.misfit import Misfit, joined
 
 T = TypeVar("T", bound=BaseModel)
 TYPES = frozenset(("bool", "float", "int", "str"))  # as pydantic names them, among alternatives
+UNKNOWN_KEY = "correct its spelling or remove it; `riserstudy schema` prints the allowed keys"
+_GROUP = ("{value} is not a group of fields", "write fields, each as 'name: value'")
+_LIST = ("{value} is not a list", "write a list, such as '[first, second]'")
+#: value found and remedy of faults, by pydantic's name of the fault
+WORDS = {
+    "greater_than": ("{value} is too small", "give a value greater than {gt}"),
+    "greater_than_equal": ("{value} is too small", "give a value greater than or equal to {ge}"),
+    "less_than": ("{value} is too large", "give a value less than {lt}"),
+    "less_than_equal": ("{value} is too large", "give a value less than or equal to {le}"),
+    "literal_error": ("{value} is not one of the choices", "write {expected}"),
+    "float_type": ("{value} is not a plain number", "write a number without a unit and without quotes"),
+    "int_type": ("{value} is not a whole number", "write a whole number, such as 3"),
+    "bool_type": ("{value} is neither true nor false", "write true or false"),
+    "string_type": ("{value} is not text", "write text, in quotes if it looks like a number"),
+    "list_type": _LIST,
+    "tuple_type": _LIST,
+    "dict_type": _GROUP,
+    "model_type": _GROUP,
+    "too_short": ("the number of items is {actual_length}", "give at least {min_length}"),
+    "too_long": ("the number of items is {actual_length}", "give at most {max_length}"),
+}
 
 
 def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
@@ -48,21 +69,31 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
             where += f"[{step}]"
         elif not _names_alternative(step):
             where += f".{step}" if where else step
-    kind, found = first["type"], first["input"]
-    value_text = repr(found) if not isinstance(found, dict | list) else "the value found"
+    kind = first["type"]
     if kind == "extra_forbidden":
-        return InputError(source, where, "unknown key", "see `riserstudy schema` for what is allowed")
+        return InputError(source, where, "unknown key", UNKNOWN_KEY)
     if kind == "missing":
-        return InputError(source, where, "missing", "it has no default: add it")
+        return InputError(source, where, "missing", "add it, since it has no default")
     misfit = first.get("ctx", {}).get("error")
     if isinstance(misfit, Misfit):
         also = tuple(joined(where, path) for path in misfit.also)
         path = joined(where, misfit.path)
         return InputError(source, path, misfit.found, misfit.allowed, also)
-    message = first["msg"].removeprefix("Value error, ")
-    if kind == "value_error":
-        return InputError(source, where, "is inconsistent", message)
-    return InputError(source, where, value_text[:120], message[0].lower() + message[1:])
+    return InputError(source, where, *_in_words(first))
+
+
+def _in_words(fault: Any) -> tuple[str, str]:
+    """Return the value found and the remedy of an error that pydantic describes."""
+    message, given = fault["msg"].removeprefix("Value error, "), fault["input"]
+    if fault["type"] == "value_error":
+        found, _, remedy = message.partition("; ")
+        return (found, remedy) if remedy else ("the fields of this part contradict each other", message)
+    value = "the value" if isinstance(given, dict | list) else repr(given)[:120]
+    if fault["type"] in WORDS:
+        found, remedy = WORDS[fault["type"]]
+        facts = {"value": value, **fault.get("ctx", {})}
+        return found.format(**facts), remedy.format(**facts)
+    return f"{value} is not allowed", message[0].lower() + message[1:]
 
 
 def _names_alternative(step: object) -> bool:
@@ -78,5 +109,5 @@ def refuse_other_paper(paper: str, path: Path) -> None:
     Raises InputError if it does.
     """
     if paper != path.stem:
-        allowed = f"allowed is {path.stem!r}, the name of the file"
-        raise InputError(path, "paper", repr(paper), allowed)
+        found = f"{paper!r} differs from the name of the file, {path.stem!r}"
+        raise InputError(path, "paper", found, f"write 'paper: {path.stem}', or rename the file")

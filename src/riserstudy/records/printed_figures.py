@@ -23,12 +23,16 @@ def figures_in(text: str) -> frozenset[int]:
 def _numbers(part: str) -> range:
     first, _, rest = part.lower().partition(" ")
     if rest and first in ("fig", "fig.", "figs.", "figure", "figures"):
-        raise ValueError(f"{part!r}; allowed is only the number, such as 8, 8a or 6 to 8")
+        raise ValueError(
+            f"{part!r} is not the number of a figure; write the number only, such as 8, 8a or 6 to 8"
+        )
     if not part[:1].isdigit():  # another place: text, conclusions, section 6.2
         return range(0)
     ends = [end.rstrip("abcdefghijklmnopqrstuvwxyz") for end in part.split(" to ")]
     if len(ends) > 2 or not all(map(_is_number, ends)) or int(ends[0]) > int(ends[-1]):
-        raise ValueError(f"{part!r}; allowed is a figure, such as 8 or 8a, or several, such as 6 to 8")
+        raise ValueError(
+            f"{part!r} is not the number of a figure; write, for example, 8, 8a, or 6 to 8 for several"
+        )
     return range(int(ends[0]), int(ends[-1]) + 1)
 
 

@@ -13,6 +13,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
 
+USE_IMPLICIT = "choose an implicit analysis.method, such as TR-BDF2, or remove analysis.method"
 MOST_OUTPUTS = 1_000_000
 MOST_STEPS = 1_000_000_000
 # largest number of periods of the shortest motion, each of 24 time steps or more
@@ -70,7 +71,9 @@ class Output(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a >= b for a, b in pairwise(self.stations or [])):
-            raise ValueError("stations must increase from each to the next")
+            raise ValueError(
+                "the stations do not increase; list the arclengths from the lowest to the highest"
+            )
         return self
 
 
@@ -101,17 +104,23 @@ class Analysis(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.duration is None) != (self.output is None):
-            raise ValueError("give both duration and output for a dynamic run, or neither for a static run")
+            raise ValueError(
+                "only one of duration and output is given; give both (dynamic run) or neither (static run)"
+            )
         if self.accuracy is not None and (self.mesh or self.step):
-            raise ValueError("give accuracy, or mesh and step, not both")
+            raise ValueError(
+                "accuracy is given together with mesh or step; give accuracy alone, or mesh and step"
+            )
         if self.duration is not None and (self.mesh is None) != (self.step is None):
-            raise ValueError("give mesh and step together, or neither")
+            raise ValueError("only one of mesh and step is given; give both, or neither")
         if self.duration is None and (self.step or self.method):
-            raise ValueError("step and method need a duration")
+            raise ValueError(
+                "step and method apply to dynamic runs only; add duration and output, or remove them"
+            )
         if self.method == "explicit" and self.mesh is None:
-            raise ValueError("explicit stepping needs mesh and step")
+            raise ValueError("'method: explicit' requires mesh and step; add both")
         if self.solver and self.mesh is None:
-            raise ValueError("the Hermite beam needs a mesh, and for dynamics a step")
+            raise ValueError("'solver: hermite' requires a mesh; add mesh, and for a dynamic run also step")
         if self.duration is not None and self.output is not None:
             self._fits_in_time(self.duration, self.output)
         return self
@@ -121,29 +130,31 @@ class Analysis(Strict):
         if start > duration:
             raise Misfit(
                 "",
-                f"output.start {start:g} s is after the end of the run",
-                f"allowed is up to {duration:g} s",
+                f"output.start {start:g} s is after the end of the run at {duration:g} s",
+                "give an earlier start or a longer duration",
             )
         if output.interval > duration:
             raise Misfit(
                 "",
-                f"output.interval {output.interval:g} s gives no output after the start of the run",
-                f"allowed is up to the duration, {duration:g} s",
+                f"output.interval {output.interval:g} s is longer than the duration of the run",
+                f"give at most {duration:g} s",
             )
         if (duration - start) / output.interval > MOST_OUTPUTS:
             raise Misfit(
                 "",
-                f"output.interval {output.interval:g} s requires more than {MOST_OUTPUTS} outputs",
-                "take a longer one",
+                f"output.interval {output.interval:g} s gives more than {MOST_OUTPUTS} outputs",
+                "give a longer interval",
             )
         places = len(output.stations or []) or (self.mesh.elements if self.mesh else 1)
         if places * (duration - start) / output.interval > MOST_VALUES:
             raise Misfit(
                 "",
-                f"output of {places} places every {output.interval:g} s is more than {MOST_VALUES} values",
-                "give a longer interval, or fewer stations",
+                f"outputs at {places} places every {output.interval:g} s are more than {MOST_VALUES} values",
+                "give a longer output.interval, or fewer output.stations",
             )
         if self.step is not None and duration / self.step > MOST_STEPS:
             raise Misfit(
-                "", f"step {self.step:g} s requires more than {MOST_STEPS} time steps", "take a longer one"
+                "",
+                f"step {self.step:g} s gives more than {MOST_STEPS} time steps in this duration",
+                "give a longer step",
             )

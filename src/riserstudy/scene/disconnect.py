@@ -20,7 +20,8 @@ def too_late(times: Mapping[str, float], duration: float, *also: str) -> Iterato
     """Faults of events at some times (s), by path, that are not before the end of a run (s)."""
     for path, at in times.items():
         if not at < duration:
-            found, remedy = f"is at {at:g} s", "must be before the end of analysis.duration"
+            found = f"happens at {at:g} s, which is not before the end of the run at {duration:g} s"
+            remedy = "give an earlier time or a longer analysis.duration"
             yield Misfit(path, found, remedy, ("analysis.duration", *also))
 
 

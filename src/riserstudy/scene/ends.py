@@ -53,11 +53,15 @@ class Body(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if [self.submerged_weight, self.displaced_volume, self.density].count(None) < 2:
-            raise ValueError("give one of submerged_weight, displaced_volume and density")
+            raise ValueError(
+                "several of submerged_weight, displaced_volume and density are given; give only one"
+            )
         if self.rotary_inertia is not None and self.centre_below is None:
-            raise ValueError("rotary_inertia needs centre_below")
+            raise ValueError("rotary_inertia requires centre_below; add it")
         if self.centre_below is not None and not self.horizontal_mass:
-            raise ValueError("centre_below needs mass or added_mass.horizontal")
+            raise ValueError(
+                "centre_below requires a body with mass; give mass or added_mass.horizontal above 0"
+            )
         return self
 
     @property
@@ -112,11 +116,13 @@ class Bottom(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.hold != "free" and self.elevation is None:
-            raise ValueError("a held bottom needs its elevation")
+            raise ValueError(f"'hold: {self.hold}' requires an elevation; add it")
         if self.hold == "free" and (self.elevation is not None or self.rotation is not None):
-            raise ValueError("a free lower end has neither elevation nor rotation; leave them out")
+            raise ValueError("a free lower end has neither elevation nor rotation; remove them")
         if self.hold != "free" and self.body and self.body.centre_below:
-            raise ValueError("body.centre_below needs 'hold: free'")
+            raise ValueError(
+                "body.centre_below is only for a free lower end; write 'hold: free' or remove it"
+            )
         return self
 
 
@@ -135,7 +141,9 @@ class JointStop(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.stroke is None and self.collapse is None:
-            raise ValueError("needs stroke (outwards), collapse (inwards) or both")
+            raise ValueError(
+                "neither stroke nor collapse is given; give stroke (outwards), collapse (inwards) or both"
+            )
         return self
 
 
@@ -164,8 +172,8 @@ class TelescopicJoint(Strict):
     def _fits(self) -> Self:
         if self.stop and self.stop.collapse and self.stop.collapse >= self.length:
             raise ValueError(
-                f"stop.collapse {self.stop.collapse:g} m: must be less than the joint's length, "
-                f"{self.length:g} m"
+                f"stop.collapse {self.stop.collapse:g} m is not less than the length of the joint; "
+                f"give less than {self.length:g} m"
             )
         return self
 
@@ -224,30 +232,45 @@ class Top(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.body and self.body.centre_below:
-            raise ValueError("body.centre_below is for a free lower end")
+            raise ValueError("body.centre_below is only for a body at a free lower end; remove it")
         if self.elevation is not None and self.held_at_tension is not None:
-            raise ValueError("give elevation or held_at_tension, not both")
+            raise ValueError("elevation and held_at_tension are both given; give only one")
         if self.z == "free" and (self.elevation is not None or self.held_at_tension is not None):
-            raise ValueError("elevation and held_at_tension need a z that is held or on the platform")
+            raise ValueError(
+                "elevation and held_at_tension do not apply to 'z: free'; write 'z: held' or 'z: platform', "
+                "or remove them"
+            )
         if self.x == "free" and self.offset:
-            raise ValueError("offset needs an x that is held, or on the platform or a vessel")
+            raise ValueError(
+                "offset does not apply to 'x: free'; write 'x: held', 'x: platform' or 'x: vessel', or "
+                "remove offset"
+            )
         if self.tension_loss and self.tension is None:
-            raise ValueError("tension_loss needs tension")
+            raise ValueError("tension_loss requires tension; add it")
         pulled = self.tension is not None or self.tensioners is not None
         if self.telescopic_joint:
             if self.z == "free" or self.x == "free" or self.elevation is None:
                 raise ValueError(
-                    "above a telescopic_joint, x and z must be held or on the platform, at an elevation"
+                    "a telescopic_joint requires a held top with an elevation; give elevation, and write "
+                    "'held' or 'platform' for x and z"
                 )
             if not pulled and self.telescopic_joint.tension is None:
                 raise ValueError(
-                    "a telescopic_joint without tension or tensioners carries no tension; give one of them"
+                    "no tension holds the riser below the telescopic_joint; give tension or tensioners"
                 )
         elif self.z != "free" and pulled:
-            raise ValueError("tension and tensioners need 'z: free', or a telescopic_joint")
+            raise ValueError(
+                f"tension and tensioners have no effect with 'z: {self.z}'; write 'z: free', or give a "
+                "telescopic_joint"
+            )
         elif self.x != "free" and self.lateral_force is not None:
-            raise ValueError("lateral_force needs 'x: free', or a telescopic_joint")
+            raise ValueError(
+                "lateral_force has no effect on a held top; write 'x: free', or give a telescopic_joint"
+            )
         place = self.tensioners and self.tensioners.arrangement
         if place and place.ring_radius > 0.0 and not self.telescopic_joint:
-            raise ValueError("ring_radius above 0 needs a telescopic_joint, which carries the ring's moment")
+            raise ValueError(
+                "tensioners.arrangement.ring_radius above 0 requires a telescopic_joint, which carries the "
+                "moment of the ring; add it, or give a ring_radius of 0 m"
+            )
         return self

@@ -62,8 +62,8 @@ class OwnCurve(Strict):
         if exponents != sorted(set(exponents)):
             raise Misfit(
                 "slopes",
-                "has exponents that do not increase",
-                "exponents must increase, since the second line is for small stress ranges",
+                "the exponent does not increase from the first slope to the second",
+                "list the slope for large stress ranges first, which has the smaller exponent",
             )
         return self
 
@@ -92,9 +92,8 @@ class StandardCurve(Strict):
     @model_validator(mode="after")
     def _known(self) -> Self:
         if self.detail_class not in (known := sn_curves()["curves"]):
-            raise Misfit(
-                "", f"detail_class {self.detail_class!r} is not known", f"allowed are {', '.join(known)}"
-            )
+            found = f"detail_class {self.detail_class!r} is not a class of DNV-RP-C203"
+            raise Misfit("", found, f"use one of {', '.join(known)}")
         return self
 
     @property
@@ -135,15 +134,15 @@ class Detail(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.face is None) == (self.stress_per_moment is None):
-            raise ValueError("give one of face and stress_per_moment")
+            raise ValueError("face or stress_per_moment is required, not both; give one of them")
         if self.stress_per_moment and not place_of(self.at).startswith(ENDS):
             raise Misfit(
                 "stress_per_moment",
-                "needs the end of a section as its place",
-                f"allowed is a place such as 'at: {ENDS[0]}' and the name of a section",
+                "applies to the end of a section only",
+                f"give the end of a section, such as 'at: {ENDS[0]}' followed by the name of a section",
             )
         if self.stress_per_moment and self.thickness is None:
-            raise ValueError("stress_per_moment needs thickness")
+            raise ValueError("stress_per_moment requires the thickness of the detail; add thickness")
         return self
 
     def sections(self, names: Sequence[str]) -> list[str]:

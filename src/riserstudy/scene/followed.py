@@ -9,7 +9,7 @@ from riserstudy.scene.forcing import TILTS
 if TYPE_CHECKING:
     from riserstudy.scene.parts import Parts
 
-NOTHING = "moves nothing: neither the upper end nor a tensioner follows it"
+NOTHING = "has no effect: neither the upper end of the riser nor a tensioner follows it"
 
 
 def followed(scene: Parts) -> dict[str, bool]:

@@ -113,7 +113,7 @@ class TimeSeries(Strict, Generic[P]):
     def _fits(self) -> Self:
         if any(a.time >= b.time for a, b in pairwise(self.points)):
             raise Misfit(
-                "points", "has times that do not increase", "times must increase from point to point"
+                "points", "the times do not increase from point to point", "order the points by time"
             )
         return self
 
@@ -178,7 +178,7 @@ class Platform(Strict):
         given = self.response.moving if self.response else []
         turns = [t for t in TILTS if getattr(self, t) or getattr(self.position, t, None) or t in given]
         if turns and self.centre_of_rotation is None:
-            raise ValueError(f"{turns[0]} needs centre_of_rotation")
+            raise ValueError(f"{turns[0]} requires centre_of_rotation; add it")
         return self
 
     @property
@@ -232,7 +232,7 @@ class Point(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.elevation is None) == (self.depth is None):
-            raise ValueError("needs one of elevation and depth")
+            raise ValueError("elevation or depth is required, not both; give one of them")
         _within_a_turn("direction", self.direction)
         return self
 
@@ -241,7 +241,7 @@ def _within_a_turn(name: str, angle: float | None) -> None:
     """Check that an angle is at most a turn, and so no number of degrees in a column of radians."""
     if angle is not None and abs(angle) > TURN:
         raise Misfit(
-            "", f"{name}: {math.degrees(angle):.4g} deg is more than 360 deg", "allowed is up to 360 deg"
+            "", f"{name} {math.degrees(angle):.4g} deg is more than a full turn", "give at most 360 deg"
         )
 
 
@@ -266,13 +266,19 @@ class Shape(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.seabed is not None and self.surface is not None and self.seabed >= self.surface:
-            raise ValueError("seabed must be below surface")
+            raise ValueError("seabed is not below surface; correct their elevations")
         owners = {"power": "power", "scale": "exponential", "layer": "layer", "vanishes": "layer"}
         for name, needed in owners.items():
             if (getattr(self, name) is not None) != (self.shape == needed):
-                raise ValueError(f"{name} belongs to shape {needed!r}, and only to it")
+                given = self.shape != needed
+                found = f"{name} does not apply to" if given else f"{name} is required by"
+                remedy = f"remove it, or write 'shape: {needed}'" if given else "add it"
+                raise ValueError(f"{found} 'shape: {self.shape}'; {remedy}")
         if self.layer is not None and self.vanishes is not None and self.layer >= self.vanishes:
-            raise ValueError("layer must end above the depth where the current vanishes")
+            raise ValueError(
+                f"layer {self.layer:g} m is not less than the depth where the current vanishes; "
+                f"give less than {self.vanishes:g} m"
+            )
         return self
 
 
@@ -355,21 +361,22 @@ class Current(Strict):
         directed = {point.direction is not None for point in points}
         if len(directed) > 1:
             raise Misfit(
-                "profile", "has a direction in some lines only", "give direction in every line or in none"
+                "profile", "only some lines have a direction", "give direction in every line or in none"
             )
         _within_a_turn("heading", self.heading)
         if True in directed and self.heading is not None:
-            raise Misfit("heading", "the points already have directions", "leave it out")
+            found = "the points of the profile already have directions"
+            raise Misfit("heading", found, "remove heading, or the directions")
         if self.headings is not None and self.heading is None and directed != {True}:
             raise Misfit(
                 "headings",
-                "needs a heading or directions of the current",
-                "'towards' or 'from' is only for a current with a heading",
+                f"{self.headings!r} has no effect on a current without heading or directions",
+                "remove headings, or add heading",
             )
         if len({point.depth is None for point in points}) > 1:
             raise Misfit(
                 "profile",
-                "has elevation in some lines and depth in others",
+                "some lines have an elevation, others a depth",
                 "give elevation in every line, or depth in every line",
             )
         for name in ("elevation", "depth"):
@@ -379,7 +386,7 @@ class Current(Strict):
             ):
                 raise Misfit(
                     "profile",
-                    f"{name}s must increase from point to point",
-                    f"two points at one {name} define a jump",
+                    f"the {name}s do not increase from point to point",
+                    f"order the points by {name}, with at most two points (a jump) at one {name}",
                 )
         return self

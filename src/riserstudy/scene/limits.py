@@ -58,31 +58,32 @@ class Limit(Strict):
     @classmethod
     def _has_a_unit(cls, given: Any) -> Any:
         if isinstance(given, int | float):
-            raise Misfit("", f"{given} has no unit", "allowed is text such as '5 deg' or '100 kN'")
+            raise Misfit("", f"{given} has no unit", "write a value with a unit, such as '5 deg' or '100 kN'")
         return given
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.output not in UNITS:
-            allowed = f"allowed are {', '.join(UNITS)}"
-            raise Misfit("output", f"{self.output!r} is no output that can have limits", allowed)
+            allowed = f"use one of {', '.join(UNITS)}"
+            raise Misfit("output", f"{self.output!r} is not an output that can have a limit", allowed)
         if [self.largest, self.smallest, self.mean].count(None) != 2:
-            raise ValueError("give one of largest, smallest and mean")
+            raise ValueError("a limit has exactly one of largest, smallest and mean; give one")
         if self.at is not None and self.output not in ALONG:
-            allowed = f"allowed with {', '.join(ALONG)}"
-            raise Misfit("at", f"{self.output} is a quantity of one place, so it needs no 'at'", allowed)
+            allowed = f"remove it; 'at' is only for {', '.join(ALONG)}"
+            raise Misfit("at", f"{self.output} already belongs to one place", allowed)
         if self.mean is not None and self.output in ALONG and not self.place.startswith(ENDS):
             raise Misfit(
                 "mean",
-                f"of {self.output} at one place",
-                f"allowed is a place such as 'at: {ENDS[0]}' and the name of a section",
+                f"a limit on the mean of {self.output} requires one place",
+                f"give the end of a section, such as 'at: {ENDS[0]}' followed by the name of a section",
             )
         if self.output in SIGNED and (self.smallest is not None or self.allowable < 0.0):
-            found = "a smallest value" if self.smallest is not None else "a value below 0"
-            remedy = "write largest or mean, and a positive value"
-            raise Misfit(self.side, f"{found} of {self.output}, a magnitude", remedy)
+            found = "a smallest value" if self.smallest is not None else "a negative value"
+            found = f"limits on {self.output} apply to its magnitude, for which {found} has no meaning"
+            raise Misfit(self.side, found, "use largest or mean, with a positive value")
         if self.allowable == 0.0 and self.side != "smallest":
-            raise Misfit(self.side, "an allowable of 0 gives no utilisation", "allowed is any other value")
+            found = "with an allowable value of 0, the utilisation cannot be computed"
+            raise Misfit(self.side, found, "give a value other than 0")
         return self
 
     @property
@@ -130,11 +131,12 @@ def sections_at(at: str | list[str] | None, names: Sequence[str]) -> list[str]:
     if not at:
         return list(names)
     if missing := [end for end in ends if end not in names]:
-        raise Misfit("", f"no section {missing[0]!r}", f"allowed are {', '.join(map(repr, names))}")
+        found = f"the riser has no section {missing[0]!r}"
+        raise Misfit("", found, f"use one of {', '.join(map(repr, names))}")
     first, last = names.index(ends[0]), names.index(ends[-1])
     last += names[last] + ABOVE in names
     if first > last:
-        raise Misfit("", f"{ends[0]!r} is above {ends[-1]!r}", "allowed is the lowest section first")
+        raise Misfit("", f"{ends[0]!r} is above {ends[-1]!r}", "name the lowest section first")
     return list(names[first : last + 1])
 
 

@@ -11,7 +11,7 @@ from typing import Any
 from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
-from riserstudy.inputs.validate import check
+from riserstudy.inputs.validate import UNKNOWN_KEY, check
 from riserstudy.scene import paths
 from riserstudy.scene.error_source import attribute_error, is_known
 from riserstudy.scene.models import Scene
@@ -46,7 +46,7 @@ class SceneFile:
         """
         if lost := replaced(overrides):
             found = f"{lost[1]!r}, which is set after it, replaces it"
-            raise InputError(layer, lost[0], found, "leave one of them out")
+            raise InputError(layer, lost[0], found, "remove one of the two")
         touched = {first_step(path, layer) for path in overrides}
         tree = {k: _copied(v) if k in touched else v for k, v in self.tree.items()}
         origins = dict(self.origins)
@@ -55,12 +55,13 @@ class SceneFile:
             if faults:
                 raise InputError(layer, *faults[0])
             if plain is None and not is_known(path):
-                allowed = "see `riserstudy schema` for what is allowed"
-                raise InputError(layer, path, "unknown key, so null cannot remove it", allowed)
+                found = "unknown key, which null therefore cannot remove"
+                raise InputError(layer, path, found, UNKNOWN_KEY)
             try:
                 paths.put(tree, path, plain)
             except LookupError as error:
-                found, allowed = f"no {error.args[0]!r} there", "allowed are paths of the scene"
+                found = f"the scene has no item {error.args[0]!r} at this place"
+                allowed = "correct the path; items of a list are counted from 0"
                 raise InputError(layer, path, found, allowed) from None
             origins = {k: v for k, v in origins.items() if not paths.within(k, path)}
             origins |= statuses
@@ -139,7 +140,7 @@ def first_step(path: str, layer: str) -> str:
     try:
         return str(paths.steps(path)[0])
     except ValueError as error:
-        allowed = "allowed are names and indices, as in riser[0].length"
+        allowed = "write a path of names and indices, such as riser[0].length"
         found = f"{error.args[0]!r} is neither a name nor an index"
         raise InputError(layer, path, found, allowed) from None
 
@@ -151,7 +152,8 @@ def read_scene(path: str | Path, *, keep: bool = False) -> SceneFile:
     """
     data = read_yaml(Path(path), keep=keep)
     if not isinstance(data, dict):
-        raise InputError(path, "", "no mapping", "a scene starts with names such as 'title:'")
+        found = "this is not a scene"
+        raise InputError(path, "", found, "write fields, each as 'name: value', such as 'title: my riser'")
     tree, origins, faults = unwrap(data)
     if faults:
         raise InputError(path, *faults[0])

@@ -56,13 +56,15 @@ class Line(Strict):
     def _fits(self) -> Self:
         if self.inner_diameter >= self.outer_diameter:
             raise ValueError(
-                f"inner_diameter {self.inner_diameter:g} m must be smaller than "
-                f"outer_diameter {self.outer_diameter:g} m"
+                f"inner_diameter {self.inner_diameter:g} m is not smaller than outer_diameter "
+                f"{self.outer_diameter:g} m; correct one of them"
             )
         if (self.mass is None) == (self.wall_density is None):
-            raise ValueError("needs one of mass and wall_density")
+            raise ValueError("mass or wall_density is required, not both; give one of them")
         if (self.young_modulus is None) != (self.tension is None):
-            raise ValueError("give both young_modulus and tension ('shared' or 'sliding')")
+            raise ValueError(
+                "only one of young_modulus and tension is given; give both (tension: 'shared' or 'sliding')"
+            )
         return self
 
     @property

@@ -43,17 +43,20 @@ def _of_points(points: list[Any], duration: float) -> list[str]:
     sentences = []
     if first > 0.0 and points[0].value != points[1].value:
         sentences.append(
-            f"its points begin at {first:g} s, until when it keeps its first value; the run begins at 0 s"
+            f"its points begin at {first:g} s, so the motion keeps its first value from 0 s until then; add "
+            "earlier points, or shift the times"
         )
     if last < duration and points[-1].value != points[-2].value:
         sentences.append(
-            f"its points end at {last:g} s, from when it keeps its last value; the run ends at {duration:g} s"
+            f"its points end at {last:g} s, so the motion keeps its last value until the end of the run at "
+            f"{duration:g} s; add later points, or give a shorter analysis.duration"
         )
     steps = [b - a for a, b in pairwise(times)]
     usual, widest = median(steps), max(range(len(steps)), key=steps.__getitem__)
     if len(points) >= RECORDED and steps[widest] > WIDE * usual:
         sentences.append(
             f"a spline bridges the gap between its points at {times[widest]:g} s and "
-            f"{times[widest + 1]:g} s, and can exceed all of them; most points are {usual:.4g} s apart"
+            f"{times[widest + 1]:g} s, and can exceed all of them; add points there, since most points are "
+            f"{usual:.4g} s apart"
         )
     return sentences

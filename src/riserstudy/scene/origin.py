@@ -73,22 +73,23 @@ def _unwrap_one(tree: dict[str, Any], path: str, status: list[str]) -> Unwrapped
     faults = []
     unknown = set(tree) - {kind} - COMPANIONS[kind]
     if unknown:
-        allowed = f"allowed with '{kind}' are {', '.join(sorted(COMPANIONS[kind]))}"
+        allowed = f"with '{kind}', use only {', '.join(sorted(COMPANIONS[kind]))}"
         faults.append((path, f"unknown key {', '.join(sorted(map(str, unknown)))}", allowed))
     span = tree.get("range")
     if span is not None and not (isinstance(span, list) and len(span) == 2):
-        faults.append((f"{path}.range", repr(span), "allowed are two values, [lowest, highest]"))
+        faults.append((f"{path}.range", f"{span!r} is not a range", "write two values, [lowest, highest]"))
         span = None
     options = tree.get("options", [])
     if not isinstance(options, list):
-        faults.append((f"{path}.options", repr(options), "allowed is a list of values"))
+        faults.append((f"{path}.options", f"{options!r} is not a list", "write a list, [first, second]"))
         options = []
     if kind == "assumed" and "because" not in tree:
-        faults.append((path, "an assumption without evidence", "add 'because: one line'"))
+        faults.append((path, "the assumption has no reason", "add 'because:' with the reason in one line"))
     if kind == "chosen" and "because" not in tree:
-        faults.append((path, "a choice without a reason", "add 'because: one line'"))
+        faults.append((path, "the choice has no reason", "add 'because:' with the reason in one line"))
     if kind == "calibrated" and "to" not in tree:
-        faults.append((path, "no number that it is calibrated to", "add 'to: paper/ID' of this number"))
+        found = "the published value of the calibration is missing"
+        faults.append((path, found, "add 'to: paper/ID', such as 'to: liu2020/N3'"))
     why = str(tree.get("because") or tree.get("from") or tree.get("to") or "")
     origin = Origin(kind, tree[kind], tuple(span) if span else None, tuple(options), why)
     return tree[kind], {path: origin}, faults

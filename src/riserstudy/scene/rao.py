@@ -14,6 +14,7 @@ from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
 from riserstudy.scene.sea import Storm, Swell
 
+PLURAL = {"period": "periods", "frequency": "frequencies"}
 SHIFTS, TILTS = ("surge", "sway", "heave"), ("roll", "pitch", "yaw")
 MOTIONS = (*SHIFTS, *TILTS)
 Motion = Literal["surge", "sway", "heave", "roll", "pitch", "yaw"]
@@ -48,10 +49,10 @@ class Operator(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.period is None) == (self.frequency is None):
-            raise ValueError("needs one of period and frequency")
+            raise ValueError("period or frequency is required, not both; give one of them")
         for name in MOTIONS:
             if (getattr(self, name) is None) != (getattr(self, f"{name}_phase") is None):
-                raise ValueError(f"{name} and {name}_phase go together")
+                raise ValueError(f"only one of {name} and {name}_phase is given; give both, or neither")
         return self
 
     @property
@@ -133,7 +134,7 @@ class Response(Strict):
         if len(kinds) > 1:
             raise Misfit(
                 "operators",
-                "has period in some lines and frequency in others",
+                "some lines have a period, others a frequency",
                 "give period in every line, or frequency in every line",
             )
         kind = "frequency" if kinds == {True} else "period"
@@ -142,18 +143,18 @@ class Response(Strict):
                 raise Misfit(
                     "operators",
                     f"a {kind} occurs twice, {_place_of(twice[0])}{_at(heading, self.headings)}",
-                    "give each heading once; headings that differ by 360 deg are the same",
+                    f"give each {kind} once per heading; headings that differ by 360 deg are the same",
                 )
         if len(tables[0]) < 2 or any(not _same_frequencies(t, tables[0]) for t in tables):
             raise Misfit(
                 "operators",
-                "has different periods, or only one",
-                "every heading must have the same periods, at least two",
+                f"the headings have different {PLURAL[kind]}, or only one",
+                f"give the same {PLURAL[kind]} for every heading, at least two",
             )
         self._check_headings()
         if any(a.motions != b.motions for a, b in pairwise(self.operators)):
             raise Misfit(
-                "operators", "has different motions in its lines", "every line must have the same motions"
+                "operators", "the lines have different motions", "give the same motions in every line"
             )
         given = self.motions or []
         if again := next((name for k, name in enumerate(given) if name in given[:k]), None):
@@ -161,34 +162,39 @@ class Response(Strict):
         missing = set(given) - self.operators[0].motions
         if missing:
             raise Misfit(
-                "motions", "names a motion without operators", f"the operators have no {sorted(missing)[0]}"
+                "motions",
+                f"the operators have no column for {sorted(missing)[0]}",
+                "remove it from motions, or add it to the operators",
             )
         return self
 
     def _check_headings(self) -> None:
         if len(self.by_heading) > 1 and None in self.by_heading:
             raise Misfit(
-                "operators", "has a heading in some lines only", "give heading in every line or in none"
+                "operators", "only some lines have a heading", "give heading in every line or in none"
             )
         if (self.headings is None) != (None in self.by_heading):
             raise Misfit(
                 "headings",
-                "does not fit the headings of the operators",
-                "'towards' or 'from' needs a heading in every line of the operators",
+                *(
+                    ("missing, but the operators have headings", "write 'towards' or 'from'")
+                    if self.headings is None
+                    else ("the operators have no headings", "remove it, or give heading in every line")
+                ),
             )
         if self.symmetry and self.headings is None:
             raise Misfit(
-                "symmetry", "is given for operators without headings", "needs operators with headings"
+                "symmetry", "the operators have no headings", "remove it, or give heading in every line"
             )
         if self.heading is not None and self.wave is None:
             raise Misfit(
-                "heading", "is not needed", "leave it out, since the wave of the scene has a heading"
+                "heading", "the wave of the scene defines the heading", "remove heading from the response"
             )
         if self.heading is not None and self.headings is None:
             raise Misfit(
                 "heading",
-                "is given, but the operators have no headings and apply to waves of any heading",
-                "leave it out, or give operators with headings",
+                "the operators have no headings and apply to waves of any heading",
+                "remove heading, or give heading in every line of the operators",
             )
 
     @property

@@ -36,5 +36,5 @@ def check_sets(sets: dict[str, Any]) -> dict[str, Any]:
     """
     if lost := replaced(sets):
         path, later = lost
-        raise Misfit(path, f"{later!r}, which is set after it, replaces it", "leave one of them out")
+        raise Misfit(path, f"{later!r}, which is set after it, replaces it", "remove one of the two")
     return sets

@@ -57,16 +57,18 @@ def _loaded(scene: Resolved) -> Resolved:
         return scene
     path, sections = "buoyancy", scene.riser
     if scene.gravity is None or not all(s.mass for s in sections):
-        found, also = "needs gravity, and the mass of every section", ("gravity", "riser")
-        raise Misfit(path, found, "add them, or leave buoyancy out", also)
+        found, also = "requires gravity and the mass of every section", ("gravity", "riser")
+        raise Misfit(path, found, "add gravity and masses, or remove buoyancy", also)
     if any(s.modules or s.lines for s in sections):
-        found, remedy = "is given together with modules or lines of sections", "give one of them"
-        raise Misfit(path, found, remedy, ("riser",))
+        found = "does not work with modules or lines of sections"
+        raise Misfit(path, found, "remove buoyancy, or the modules and lines", ("riser",))
     if any(s.submerged_weight is not None for s in sections) or scene.top.tension is not None:
-        found = "is given together with submerged_weight or top.tension, which follow from it"
-        raise Misfit(path, found, "give one of them", ("riser", "top.tension"))
+        found = "determines submerged_weight and top.tension, which are also given"
+        remedy = "remove buoyancy, or remove submerged_weight and top.tension"
+        raise Misfit(path, found, remedy, ("riser", "top.tension"))
     if scene.top.z != "free" or scene.top.tensioners:
-        found, remedy = "gives the top tension", "needs 'top.z: free' without tensioners"
+        found = "determines the top tension, which requires 'top.z: free' without tensioners"
+        remedy = "write 'top.z: free' and remove top.tensioners, or remove buoyancy"
         raise Misfit(path, found, remedy, ("top.z", "top.tensioners"))
     riser, tension = scene.buoyancy.loads(sections, scene.gravity)
     top = scene.top.model_copy(update={"tension": tension + scene.ring_weight})
@@ -87,21 +89,26 @@ def _carried(scene: Resolved) -> Resolved:
     if rig is None or rig.carried is None:
         return scene
     if scene.bottom.hold != "free":
-        found, remedy = "needs a hung-off riser", "write 'bottom.hold: free'"
+        found = "requires a hung-off riser, whose weight the tensioners carry"
+        remedy = "write 'bottom.hold: free', or give another tensioner law"
         raise Misfit(path, found, remedy, ("bottom.hold",))
     if scene.gravity is None:
-        raise Misfit(path, "needs gravity", "add gravity", ("gravity",))
+        found = "requires gravity, from which the weight of the riser is computed"
+        raise Misfit(path, found, "add gravity", ("gravity",))
     weight, mass = scene.hanging
     if weight <= 0.0:
-        raise Misfit(path, f"{weight:g} N is the weight that they carry", "must be above 0 N", ("riser",))
+        found = f"the submerged weight of the hung-off riser is {weight:g} N, so the tensioners carry nothing"
+        raise Misfit(path, found, "increase the weight of riser and body above 0 N", ("riser",))
     place, joint = rig.arrangement, scene.top.telescopic_joint
     for other, pull in (("top.tension", scene.top.tension), (JOINT, joint and joint.tension)):
         if pull:
-            found = f"{newtons(pull)} would lift the riser, whose weight the tensioners carry"
-            raise Misfit(other, found, "leave it out, or give the tensioners linear", (path,))
+            found = f"{newtons(pull)} would lift the riser, since top.tensioners.carried carries its weight"
+            remedy = "remove it, or replace 'carried' by 'linear' in top.tensioners"
+            raise Misfit(other, found, remedy, (path,))
     ring = (scene.top.elevation or 0.0) - (joint.length if joint else 0.0)
     if place and place.deck_elevation <= ring:
-        found, remedy = f"{place.deck_elevation:g} m is not above the ring", f"allowed is above {ring:g} m"
+        found = f"{place.deck_elevation:g} m is not above the tension ring at {ring:g} m"
+        remedy = f"give an elevation above {ring:g} m"
         raise Misfit("top.tensioners.arrangement.deck_elevation", found, remedy, ("top.elevation",))
     top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass, ring)})
     return scene.model_copy(update={"top": top})
@@ -114,8 +121,9 @@ def _timed(scene: Resolved) -> Resolved:
         return scene
     heave = scene.platform.heave if scene.platform else None
     if not isinstance(heave, Translation):
-        found, also = "needs platform.heave with a single harmonic", ("platform.heave",)
-        raise Misfit(path, found, "give it, or give the time instead", also)
+        found = "requires a platform.heave that is a single harmonic (amplitude and period)"
+        remedy = "write such a platform.heave, or remove phase"
+        raise Misfit(path, found, remedy, ("platform.heave",))
     timed = release.timed(heave.period, heave.phase or 0.0)
     times, duration = {path: timed.at} | timed.times, scene.analysis.duration or 0.0
     if fault := next(too_late(times, duration, "platform.heave"), None):
@@ -130,9 +138,11 @@ def _valved(scene: Resolved) -> Resolved:
         return scene
     left = 1.0 - release.valve.hold * scene.hanging[0] / scene.top.tension
     if not left > 0.0:
-        hanging = f"{release.valve.hold:g} of the {newtons(scene.hanging[0])} that hang"
-        found = f"{hanging} is not less than top.tension"
-        allowed = f"allowed is less than {newtons(scene.top.tension)}"
+        found = (
+            f"{release.valve.hold:g} times the suspended weight {newtons(scene.hanging[0])} is not less than "
+            f"top.tension {newtons(scene.top.tension)}"
+        )
+        allowed = "give a smaller hold, or a larger top.tension"
         raise Misfit("disconnect.valve.hold", found, allowed, ("top.tension",))
     share = (1.0 - (release.valve.failed or 0.0)) * left
     loss = TensionLoss.model_construct(share=share, at=release.at, over=release.valve.over)

@@ -43,11 +43,12 @@ class Drag(Strict):
         if any(a > b for (a, _), (b, _) in pairwise(self.table)):
             raise Misfit(
                 "coefficient",
-                "has elevations that decrease",
-                "elevations must not decrease from point to point",
+                "the elevations decrease from point to point",
+                "order the points from the lowest elevation to the highest",
             )
         if any(a == c for (a, _), (c, _) in zip(self.table, self.table[2:], strict=False)):
-            found, remedy = "has three points at one elevation", "two points define a jump"
+            found = "three points have one elevation"
+            remedy = "give at most two points (a jump) at one elevation"
             raise Misfit("coefficient", found, remedy)
         return self
 
@@ -87,7 +88,7 @@ class AddedMass(Strict):
 def _must_rise(frequencies: list[float]) -> None:
     if any(a >= b for a, b in pairwise(frequencies)):
         raise Misfit(
-            "frequencies", f"{frequencies} do not increase", "lowest, free and highest must increase"
+            "frequencies", f"{frequencies} do not increase", "order them from the lowest to the highest"
         )
 
 
@@ -249,34 +250,42 @@ class Section(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.length is None) == (self.joints is None):
-            raise ValueError("needs one of length and joints")
+            raise ValueError("length or joints is required, not both; give one of them")
         outer, inner = self.outer_diameter, self.inner_diameter
         if inner is not None and outer is None:
-            raise ValueError("inner_diameter needs outer_diameter")
+            raise ValueError("inner_diameter is given without outer_diameter; add outer_diameter")
         if inner is not None and outer is not None and inner >= outer:
             raise ValueError(
-                f"inner_diameter {self.inner_diameter:g} m must be smaller than "
-                f"outer_diameter {self.outer_diameter:g} m"
+                f"inner_diameter {self.inner_diameter:g} m is not smaller than outer_diameter "
+                f"{self.outer_diameter:g} m; correct one of them"
             )
         if self.wall_density and (self.mass or self.inner_diameter is None):
-            raise ValueError("wall_density needs outer_diameter and inner_diameter, and no mass")
+            raise ValueError(
+                "wall_density gives the mass from the diameters; add outer_diameter and inner_diameter, and "
+                "remove mass"
+            )
         tube = self.young_modulus is not None
         if tube and (self.outer_diameter is None or self.inner_diameter is None):
-            raise ValueError("young_modulus needs outer_diameter and inner_diameter")
+            raise ValueError("young_modulus requires the diameters; add outer_diameter and inner_diameter")
         if self.shear_modulus and self.inner_diameter is None:
-            raise ValueError("shear_modulus needs outer_diameter and inner_diameter")
+            raise ValueError("shear_modulus requires the diameters; add outer_diameter and inner_diameter")
         if tube and (self.axial_stiffness or self.bending_stiffness):
-            raise ValueError("give young_modulus, or the stiffnesses, not both")
+            raise ValueError(
+                "young_modulus is given together with axial_stiffness or bending_stiffness; "
+                "give young_modulus, or the stiffnesses, not both"
+            )
         if not tube and self.axial_stiffness is None:
-            raise ValueError("needs young_modulus with diameters, or axial_stiffness")
+            raise ValueError(
+                "the axial stiffness is missing; give young_modulus with diameters, or axial_stiffness"
+            )
         if self.contents and self.inner_diameter is None:
-            raise ValueError("contents need inner_diameter")
+            raise ValueError("contents require inner_diameter; add it")
         if (self.modules or self.lines) and not (self.mass or self.wall_density):
-            raise ValueError("modules and lines need the mass of the pipe, or its wall_density")
+            raise ValueError("modules and lines require the mass of the pipe; add mass or wall_density")
         if self.modules and self.buoyancy_lift is not None:
-            raise ValueError("give modules or buoyancy_lift, not both, since modules also give lift")
+            raise ValueError("modules and buoyancy_lift both give lift; give only one of them")
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
-            raise Misfit("lines", "has two lines with one name", "names must differ")
+            raise Misfit("lines", "two lines have the same name", "give each line a different name")
         if self.wall_density:
             return self.model_copy(update={"mass": self.wall_density * self.wall_area})
         return self

@@ -35,7 +35,7 @@ class Swell(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.height is None) == (self.amplitude is None):
-            raise ValueError("needs one of height and amplitude")
+            raise ValueError("height or amplitude is required, not both; give one of them")
         return self
 
     @property
@@ -108,7 +108,10 @@ class WindDrift(Strict):
         if (self.component == "both") != (self.hemisphere is not None):
             raise Misfit(
                 "hemisphere",
-                "does not fit the component",
-                "'northern' or 'southern' is only for 'component: both'",
+                *(
+                    ("missing, but 'component: both' requires it", "write 'northern' or 'southern'")
+                    if self.hemisphere is None
+                    else (f"has no effect with 'component: {self.component}'", "remove it")
+                ),
             )
         return self

@@ -77,8 +77,8 @@ class TabulatedSoil(Strict):
         if depths != sorted(set(depths)):
             raise Misfit(
                 "table",
-                "has depths that do not increase",
-                "depths must increase, with all rows of one depth together",
+                "the depths do not increase",
+                "order the rows by depth, with all rows of one depth together",
             )
         for depth, rows in self.curves.items():
             for name, values in zip(("displacement", "resistance"), zip(*rows, strict=True), strict=True):
@@ -86,8 +86,8 @@ class TabulatedSoil(Strict):
                 if any(step < 0.0 or (step == 0.0 and name == "displacement") for step in steps):
                     raise Misfit(
                         "table",
-                        f"has a {name} that does not increase",
-                        f"{name} must increase at the depth of {depth:g} m",
+                        f"the {name} does not increase at the depth of {depth:g} m",
+                        "order the rows of this depth by displacement and check the values",
                     )
         return self
 
@@ -126,7 +126,8 @@ class Soil(Strict):
             return self
         linear, where = isinstance(self.resistance, ElasticSoil), "damping.at_displacement"
         if linear and self.damping.at_displacement is not None:
-            raise Misfit(where, "springs of constant stiffness need none", "leave it out")
+            raise Misfit(where, "has no effect on soil springs of constant stiffness", "remove it")
         if not linear and self.damping.at_displacement is None:
-            raise Misfit(where, "is missing", "the stiffness of these springs depends on it")
+            found = "missing, but the stiffness of these soil springs varies with displacement"
+            raise Misfit(where, found, "add it")
         return self

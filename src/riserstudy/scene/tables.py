@@ -152,8 +152,8 @@ def _rows_of(name: object, place: Place, folder: Path, held: Mapping[str, str] |
 def _held(name: object, held: Mapping[str, str]) -> str:
     """Text of a table that a dataset contains; a scene from a dataset reads no other table."""
     if not isinstance(name, str) or name not in held:
-        allowed = "a scene in a dataset reads only the tables that the dataset holds"
-        raise InputError("dataset", "file", f"no table {name!r} in it", allowed)
+        allowed = "use a table that is stored in the dataset, or start from the scene file"
+        raise InputError("dataset", "file", f"the dataset contains no table {name!r}", allowed)
     return held[name]
 
 
@@ -166,11 +166,12 @@ def _with(tree: dict[str, Any], way: tuple[str, ...], value: Any) -> dict[str, A
 def _file(folder: Path, name: object, field: str = "file") -> Path:
     """File of a table. Only tables are read, so a foreign scene cannot reveal other files of a machine."""
     if not isinstance(name, str) or not name.endswith(".csv"):
-        allowed = "allowed is the path of a .csv file, relative to the scene"
-        raise InputError(folder, field, repr(name), allowed)
+        allowed = "give the path of a .csv file, relative to the folder of the scene"
+        raise InputError(folder, field, f"{name!r} is not a CSV file", allowed)
     if "\\" in name or PureWindowsPath(name).drive:
-        allowed = "use / between folders and no drive letter, so every system finds the file"
-        raise InputError(folder, field, repr(name), allowed)
+        found = f"{name!r} is a path for Windows only"
+        allowed = "write a path relative to the scene, with / between folders and without a drive letter"
+        raise InputError(folder, field, found, allowed)
     return folder / name
 
 
@@ -196,13 +197,13 @@ def _rows(lines: list[list[str]], path: object, place: Place) -> list[Strict]:
     """Checked rows of the lines of a table; ``path`` names it in errors."""
     columns, units = _heading(path, lines[0] if lines else [], place)
     if len(lines) > MOST_ROWS:
-        raise InputError(path, "", f"{len(lines)} lines", f"allowed are at most {MOST_ROWS}")
+        raise InputError(path, "", f"the table has {len(lines)} lines", f"give at most {MOST_ROWS} lines")
     rows = []
     for number, cells in enumerate(lines[1:], start=2):
         if not cells:
             continue
         if len(cells) != len(columns):
-            found = f"{len(cells)} values, but {len(columns)} columns"
+            found = f"the number of values, {len(cells)}, differs from the number of columns, {len(columns)}"
             raise InputError(path, f"line {number}", found, "write one value for each column")
         values = zip(columns, (_number(path, number, cell) for cell in cells), units, strict=True)
         row = {column: f"{value} {unit}" for column, value, unit in values}
@@ -214,7 +215,7 @@ def _lines(path: object, text: str) -> list[list[str]]:
     try:
         return list(csv.reader(io.StringIO(text, newline=""), strict=True))
     except csv.Error as error:
-        raise InputError(path, "", f"is no CSV file: {error}", "allowed is a CSV file") from None
+        raise InputError(path, "", f"this is not a valid CSV file: {error}", "save it as CSV") from None
 
 
 def _heading(path: object, cells: Sequence[str], place: Place) -> tuple[list[str], list[str]]:
@@ -225,14 +226,14 @@ def _heading(path: object, cells: Sequence[str], place: Place) -> tuple[list[str
     if wrong:
         wanted = ", ".join(" or ".join(f"{n} (unit)" for n in names) for names in place.columns)
         wanted += f", and any of {', '.join(place.optional)}" if place.optional else ""
-        raise InputError(path, "line 1", wrong, f"allowed are the columns {wanted}")
+        raise InputError(path, "line 1", wrong, f"write a heading with the columns {wanted}")
     return columns, [m.group(2).strip() for m in named]
 
 
 def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
     """The fault of a heading: an unknown or a missing column; "" if it has none."""
     if not cells:
-        return repr("nothing")
+        return "the table is empty"
     if len(columns) < len(cells):
         return (
             repr(next(c.strip() for c in cells if not _HEADING.fullmatch(c)))
@@ -242,15 +243,18 @@ def _wrong(cells: Sequence[str], columns: Sequence[str], place: Place) -> str:
     if unknown := [name for name in columns if name not in known]:
         return f"unknown column {unknown[0]!r}"
     if twice := [name for name in columns if columns.count(name) > 1]:
-        return f"two columns {twice[0]!r}"
+        return f"column {twice[0]!r} occurs twice"
     for names in place.columns:
         there = [name for name in names if name in columns]
         if len(there) != 1:
-            return " and ".join(map(repr, there)) or f"no column {' or '.join(map(repr, names))}"
+            if there:
+                return f"columns {' and '.join(map(repr, there))} exclude each other"
+            return f"column {' or '.join(map(repr, names))} is missing"
     return ""
 
 
 def _number(path: object, line: int, cell: str) -> str:
     if number_in(cell) is None:
-        raise InputError(path, f"line {line}", repr(cell), "allowed are numbers")
+        found = f"{cell!r} is not a number"
+        raise InputError(path, f"line {line}", found, "write numbers only; units belong into line 1")
     return cell.strip()

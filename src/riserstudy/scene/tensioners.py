@@ -112,11 +112,16 @@ class Linearised(Strict):
     def _fits(self) -> Self:
         ranged = self.by != "tangent"
         if ranged != (self.shortest is not None) or ranged != (self.longest is not None):
-            raise ValueError("least squares and a chord need shortest and longest; a tangent takes neither")
+            needed = "requires both shortest and longest; give both" if ranged else "has no range"
+            remedy = "" if ranged else "; remove shortest and longest"
+            raise ValueError(f"'by: {self.by}' {needed}{remedy}")
         if ranged and self.at is not None:
-            raise ValueError("at is only for a tangent")
+            raise ValueError(f"'at' has no effect with 'by: {self.by}'; remove it, or write 'by: tangent'")
         if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
-            raise ValueError("shortest must be below longest")
+            raise ValueError(
+                f"shortest {self.shortest:g} m is not less than longest {self.longest:g} m; "
+                "correct one of them"
+            )
         return self
 
 
@@ -130,7 +135,10 @@ class Stroke(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if not self.shortest < 0 < self.longest:
-            raise ValueError("shortest must be below zero and longest above")
+            raise ValueError(
+                f"shortest {self.shortest:g} m and longest {self.longest:g} m do not enclose mid-stroke, "
+                "0 m; give a negative shortest and a positive longest"
+            )
         return self
 
 
@@ -167,9 +175,10 @@ class Arrangement(Strict):
 def fault_of_numbers(numbers: list[int], count: int) -> tuple[str, str] | None:
     """The value found and the allowed values, if numbers are not those of different cylinders."""
     if any(c >= count for c in numbers):
-        return f"{numbers} of {count} cylinders", "cylinders are numbered from 0"
+        found = f"{numbers} names a cylinder that does not exist"
+        return found, f"use numbers from 0 to {count - 1}, since there are {count} cylinders"
     if twice := [c for c in numbers if numbers.count(c) > 1]:
-        return f"{twice[0]} occurs twice", "name each cylinder once"
+        return f"cylinder {twice[0]} occurs twice", "list each cylinder once"
     return None
 
 
@@ -217,21 +226,26 @@ class Tensioners(Strict):
             if fault := fault_of_numbers(numbers, self.count):
                 raise Misfit(path, *fault)
         if len(failed) == self.count:
-            raise Misfit("failed", f"{failed} of {self.count} cylinders", "one must work at least")
+            found = f"all {self.count} cylinders have failed"
+            raise Misfit("failed", found, "leave at least one cylinder that works")
         if both := [c for c in failing if c in failed]:
-            found = f"{both[0]} is in 'failed', too"
-            raise Misfit("failing.cylinders", found, "allowed are cylinders that work until then")
+            found = f"cylinder {both[0]} is also listed in 'failed'"
+            raise Misfit("failing.cylinders", found, "list only cylinders that work at the start")
         laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
         if laws.count(None) != len(laws) - 1:
-            raise ValueError("needs one of gas, two_chamber_gas, linear, table and carried")
+            given = "none" if laws.count(None) == len(laws) else "more than one"
+            raise ValueError(
+                f"{given} of gas, two_chamber_gas, linear, table and carried is given; give exactly one"
+            )
         if isinstance(self.damping, DampingRatio) and self.carried is None:
-            raise Misfit("", "damping.ratio needs carried", "give N*s/m for other laws")
+            found = "damping.ratio applies to tensioners with 'carried' only"
+            raise Misfit("", found, "give damping as a value, such as '1 N*s/m'")
         if self.table:
             self._serves(self.table)
         elif self.interpolation:
-            raise Misfit("interpolation", "is only for a table", "add table, or leave it out")
+            raise Misfit("interpolation", "has no effect without a table", "add table, or remove it")
         if self.linearised and self.any_gas is None:
-            raise ValueError("linearised needs gas or two_chamber_gas")
+            raise ValueError("linearised requires gas or two_chamber_gas; add one of them")
         for part in ("stroke", "linearised"):
             for end in ("shortest", "longest", "at"):
                 self._stays_open(f"{part}.{end}", getattr(getattr(self, part), end, None))
@@ -242,12 +256,13 @@ class Tensioners(Strict):
         reach, force = [row.reach for row in table], [row.force for row in table]
         for k in range(1, len(table)):
             if reach[k] <= reach[k - 1]:
-                raise Misfit("table", f"reach {reach[k]:g} m in row {k + 1}", "must increase from row to row")
+                found = f"the reach {reach[k]:g} m in row {k + 1} is not greater than in the row before"
+                raise Misfit("table", found, "order the rows by reach")
             if force[k] < force[k - 1]:
                 raise Misfit(
                     "table",
-                    f"force decreases to {force[k]:g} N in row {k + 1}",
-                    "the force must not decrease as the cylinder gets longer",
+                    f"the force decreases to {force[k]:g} N in row {k + 1}",
+                    "give forces that do not decrease as the cylinder extends",
                 )
         first, last = reach[0], reach[-1]
         if self.stroke:
@@ -256,12 +271,13 @@ class Tensioners(Strict):
             if first > shortest + close or last < longest - close:
                 raise Misfit(
                     "table",
-                    f"from {reach[0]:g} m to {reach[-1]:g} m",
-                    f"must cover the stroke, {shortest:g} m to {longest:g} m",
+                    f"covers a reach from {reach[0]:g} m to {reach[-1]:g} m only",
+                    f"extend it to the whole stroke, {shortest:g} m to {longest:g} m",
                 )
             first, last = shortest, longest
         if not first < 0 < last:
-            raise Misfit("table", f"from {first:g} m to {last:g} m", "must have mid-stroke, 0 m, within it")
+            found = f"covers a reach from {first:g} m to {last:g} m, without mid-stroke"
+            raise Misfit("table", found, "give rows below and above a reach of 0 m")
 
     def _stays_open(self, part: str, reach: float | None) -> None:
         """Refuse an extension at which a gas volume would be zero or less."""
@@ -272,12 +288,13 @@ class Tensioners(Strict):
         room = pulling.volume / pulling.area
         if reach >= room:
             raise ValueError(
-                f"{part} {reach:g} m is beyond the end of the gas volume, which is zero at {room:g} m"
+                f"at {part} {reach:g} m no gas volume is left; give less than {room:g} m, or a larger "
+                "gas volume"
             )
         if pushing and reach <= -pushing.volume / pushing.area:
             raise ValueError(
-                f"{part} {reach:g} m is beyond the end of the low-pressure volume, "
-                f"which is zero at {-pushing.volume / pushing.area:g} m"
+                f"at {part} {reach:g} m no low-pressure gas volume is left; "
+                f"give more than {-pushing.volume / pushing.area:g} m, or a larger volume"
             )
 
     def carrying(self, weight: float, mass: float, ring: float) -> Tensioners:

@@ -41,13 +41,13 @@ def to_si(text: str, unit: str) -> float:
     Raises ValueError when the text is no finite number with a unit of the same dimension; the message states
     what was found and what is allowed.
     """
-    allowed = f"allowed is a number with a unit such as '1 {unit}'"
+    allowed = f"write a number with a unit, such as '1 {unit}'"
     plain, offset = text.strip(), 0.0
     if unit == "Pa":
-        allowed = "allowed is an absolute or a gauge pressure, such as '190.2 bar absolute' or '1 Pa gauge'"
+        allowed = "write an absolute or a gauge pressure, such as '190.2 bar absolute' or '1 Pa gauge'"
         kind = re.search(r"\b(absolute|gauge)$", plain)
         if not kind:
-            raise Misfit("", f"{text!r} is marked neither absolute nor gauge", allowed)
+            raise Misfit("", f"{text!r} is marked neither 'absolute' nor 'gauge'", allowed)
         plain = plain[: kind.start()].strip()
         offset = ATMOSPHERE if kind.group() == "gauge" else 0.0
     number = NUMBER.match(plain)
@@ -57,15 +57,18 @@ def to_si(text: str, unit: str) -> float:
     if len(name) > LONGEST_UNIT or not _UNIT.fullmatch(name):
         raise Misfit("", f"{text!r} has a unit that is not known", allowed)
     if not name:
-        raise Misfit("", f"{text!r} has no unit", allowed)
+        remedy = allowed if unit == "Pa" else f"write, for example, '{plain} {unit}'"
+        raise Misfit("", f"{text!r} has no unit", remedy)
     try:
         value = float(number.group()) * _factor(name, unit) + offset
+    except Misfit as fault:
+        raise Misfit("", f"{text!r} {fault.found}", fault.allowed) from None
     except ValueError as error:
         raise Misfit("", f"{text!r} {error}", allowed) from None
     if not math.isfinite(value):
         raise Misfit("", f"{text!r} is not finite", allowed)
     if abs(value) > MOST:
-        raise Misfit("", f"{text!r} is {value:.3g} {unit}", f"allowed is at most {MOST:g} {unit}")
+        raise Misfit("", f"{text!r} is {value:.3g} {unit}", f"give at most {MOST:g} {unit}")
     return value
 
 
@@ -107,9 +110,10 @@ def factor(name: str, unit: str) -> float:
     except Exception:
         raise ValueError("has a unit that is not known") from None
     if odd := [name for name in given._units if _is_no_quantity(name)]:
-        raise Misfit("", f"has {odd[0]!r}", "the only units allowed here are deg, rad and %")
+        raise ValueError(f"contains {odd[0]!r}, which is not a unit of a quantity")
     if not same:
-        raise ValueError("must contain '/deg' or '/rad', deg or rad")
+        needed = "must contain" if _angle_power(wanted._units) else "must not contain"
+        raise ValueError(f"{needed} an angle, deg or rad")
     return float(value)
 
 
@@ -163,7 +167,8 @@ class Unit:
         """The value of a field in its SI unit."""
         if isinstance(value, str):
             return to_si(value, self.name)
-        raise Misfit("", f"{value!r} has no unit", f"allowed is text such as '1 {self.name}'")
+        number = value if isinstance(value, int | float) and not isinstance(value, bool) else 1
+        raise Misfit("", f"{value!r} has no unit", f"write, for example, '{number} {self.name}'")
 
     def __get_pydantic_core_schema__(self, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
         return core_schema.no_info_before_validator_function(self.read, handler(source))

@@ -126,38 +126,41 @@ class Coupling(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tolerance is not None and self.scheme == "staggered":
-            raise Misfit("tolerance", "a staggered exchange has no iterations", "leave it out")
+            found = "has no effect with 'scheme: staggered', which does not iterate"
+            raise Misfit("tolerance", found, "remove it, or write 'scheme: iterated'")
         return self
 
     def misfits(self, analysis: Analysis) -> Iterator[Misfit]:
         """Faults of an analysis in which platform and riser cannot be solved alternately."""
         if analysis.duration is None:
-            found, also = "a static scene has no exchange", ("analysis.duration",)
-            yield Misfit("", found, "needs analysis.duration", also)
+            found, also = "applies to dynamic runs only", ("analysis.duration",)
+            yield Misfit("", found, "add analysis.duration, or remove coupling", also)
             return
         also = ("analysis",)
         if isinstance(analysis.method, str):
-            found = f"analysis.method {analysis.method} does not work with an exchange"
-            yield Misfit("", found, "use generalised-alpha or Newmark's method", also)
+            found = f"does not work with analysis.method {analysis.method}"
+            remedy = "use generalised-alpha (analysis.method.rho_inf) or Newmark's method (beta and gamma)"
+            yield Misfit("", found, remedy, also)
         if analysis.solver:
-            found = f"analysis.solver {analysis.solver} has no vessel"
-            yield Misfit("", found, "leave it out", also)
+            found = f"does not work with analysis.solver {analysis.solver}"
+            yield Misfit("", found, "remove analysis.solver, or coupling", also)
         if analysis.start not in (None, "equilibrium"):
-            found = f"analysis.start {analysis.start} uses time steps that do not fit the exchange interval"
-            yield Misfit("", found, "start from equilibrium", also)
+            found = f"does not work with 'analysis.start: {analysis.start}'"
+            yield Misfit("", found, "write 'start: equilibrium', or remove analysis.start", also)
         path, interval, step = "interval", f"{self.interval:g} s", analysis.step
         if self.interval > analysis.duration:
-            allowed = f"allowed is up to analysis.duration, {analysis.duration:g} s"
+            allowed = f"give at most analysis.duration, {analysis.duration:g} s"
             yield Misfit(path, f"{interval} is longer than the run", allowed, also)
         if analysis.duration / self.interval > MOST_TURNS:
-            found = f"{interval} requires more than {MOST_TURNS} exchanges"
-            yield Misfit(path, found, "take a longer one", also)
+            found = f"{interval} gives more than {MOST_TURNS} intervals in the run"
+            yield Misfit(path, found, "give a longer interval", also)
         if step and self.interval / step > MOST_STEPS_A_TURN:
-            found = f"{interval} has more than {MOST_STEPS_A_TURN} steps of {step:g} s"
-            yield Misfit(path, found, "take a shorter one", also)
+            found = f"{interval} contains more than {MOST_STEPS_A_TURN} time steps of {step:g} s"
+            yield Misfit(path, found, "give a shorter interval", also)
         if step and STEPS_A_TURN * step > self.interval * (1.0 + 1e-9):
-            found = f"{interval} is too short, since runs with longer time steps estimate the error"
-            yield Misfit(path, found, f"allowed is at least {STEPS_A_TURN} times analysis.step", also)
+            found = f"{interval} is too short for the estimate of the error, which uses longer time steps"
+            remedy = f"give at least {STEPS_A_TURN} times analysis.step, {STEPS_A_TURN * step:g} s"
+            yield Misfit(path, found, remedy, also)
 
 
 class Vessel(Strict):
@@ -191,13 +194,13 @@ class Vessel(Strict):
     def _fits(self) -> Self:
         thrusters = self.thrusters
         if self.yaw and self.sway is None:
-            raise ValueError("yaw needs sway")
+            raise ValueError("yaw requires sway; add sway")
         if thrusters and thrusters.sway and self.sway is None:
-            raise ValueError("thrusters.sway needs sway")
+            raise ValueError("thrusters.sway requires a vessel that can sway; add sway")
         if thrusters and thrusters.yaw and self.yaw is None:
-            raise ValueError("thrusters.yaw needs yaw")
+            raise ValueError("thrusters.yaw requires a vessel that can yaw; add yaw")
         if self.sway is None and (self.heading or _oblique(thrusters)):
-            raise ValueError("a heading of the hull or of the command needs sway")
+            raise ValueError("a heading of the hull or of the thrusters' command requires sway; add sway")
         return self
 
     @property

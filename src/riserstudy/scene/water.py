@@ -25,5 +25,5 @@ class Water(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.surface is not None and self.seabed is not None and self.seabed >= self.surface:
-            raise ValueError("seabed must be below surface")
+            raise ValueError("seabed is not below surface; correct their elevations")
         return self

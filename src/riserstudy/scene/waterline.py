@@ -37,23 +37,24 @@ def cut(scene: Parts) -> list[Section]:
         output = scene.analysis.output
         if output and output.stress_in == section.name:
             found = f"{section.name!r} crosses the water surface, where it is divided"
-            remedy = "give two sections, one above and one below the surface"
+            remedy = "divide it into two sections at the surface, and name one of them"
             raise Misfit("analysis.output.stress_in", found, remedy, ("riser", "water.surface"))
         above: dict[str, Any] = {"flex_joint_below": None, "guide_below": None}
         if section.submerged_weight is not None:
             if section.outer_diameter is None:
                 raise Misfit(
                     f"{section.line}.outer_diameter",
-                    f"{section.name!r} reaches through the water's surface, and what it displaces is not "
-                    "known",
-                    "give it, or two sections with their weights",
+                    f"missing, but section {section.name!r} crosses the water surface, so its buoyancy must "
+                    "be known",
+                    "add outer_diameter, or divide it into two sections with their weights",
                     ("riser", "water.surface"),
                 )
             displaced = scene.water.density * 0.25 * math.pi * section.outer_diameter**2
             above["submerged_weight"] = section.submerged_weight + displaced * scene.gravity
         if section.name + ABOVE in [other.name for other in scene.riser]:
-            found = f"{section.name!r} reaches through the water's surface, where it is divided"
-            remedy = f"name no other section {section.name + ABOVE!r}"
+            found = f"section {section.name!r} is divided at the water surface, which needs the name "
+            found += f"{section.name + ABOVE!r} for its upper part"
+            remedy = "rename the other section of this name"
             raise Misfit(f"{section.line}.name", found, remedy, ("riser", "water.surface"))
         upper = _part(section, section.name + ABOVE, ends[1] - surface)
         lower = _part(section, section.name, surface - ends[0])

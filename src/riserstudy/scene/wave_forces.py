@@ -18,7 +18,7 @@ def without_inertia(scene: Resolved) -> list[str]:
         return []
     return [
         f"{section.line}.added_mass: {section.name!r} has drag in waves but no added mass, so the water's "
-        "acceleration exerts no force on it; a coefficient of 0 gives the Froude-Krylov force alone"
+        "acceleration exerts no force on it; add added_mass (its coefficient 0 gives the Froude-Krylov force)"
         for section in scene.riser
         if section.drag is not None and section.added_mass is None
     ]

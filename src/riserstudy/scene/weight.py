@@ -40,9 +40,8 @@ def weighed(scene: Parts) -> list[Section]:
         if None in (scene.gravity, section.mass, section.inner_diameter, section.contents):
             raise Misfit(
                 f"{section.line}.submerged_weight",
-                f"riser section {section.name!r} has no weight",
-                "give it, or mass, outer_diameter, inner_diameter and contents, from which it follows with "
-                "gravity and water",
+                f"the weight of section {section.name!r} is missing",
+                "add submerged_weight, or add gravity and the mass, diameters and contents of this section",
                 ("gravity", "water", "riser"),
             )
         weight = (scene.gravity or 0.0) * ((section.mass or 0.0) - _displaced(scene, k))
@@ -58,14 +57,14 @@ def with_attachments(scene: Parts) -> list[Section]:
     if not any(section.modules or section.lines for section in scene.riser):
         return scene.riser
     if scene.gravity is None:
-        found = "modules and lines of riser sections need gravity"
-        raise Misfit("riser", found, "add gravity", ("gravity",))
+        found = "modules and lines of a section require gravity in the scene"
+        raise Misfit("riser", found, "add gravity, or remove modules and lines", ("gravity",))
     modular = any(section.modules for section in scene.riser)
     sections = list(scene.riser)
     for k, section in enumerate(scene.riser):
         if section.submerged_weight is None:
-            found = f"modules and lines need {section.line}.submerged_weight"
-            remedy = "give the submerged weight of the pipe"
+            found = "missing, but sections with modules or lines require it"
+            remedy = "add the submerged weight of the pipe alone"
             raise Misfit(f"{section.line}.submerged_weight", found, remedy, ("riser",))
         bare = section.buoyancy_lift is None and modular
         more: dict[str, float] = {"buoyancy_lift": 0.0} if bare else {}
@@ -97,15 +96,15 @@ def doubts(scene: Parts) -> list[str]:
         if (section.submerged_weight or 0.0) > most + DOUBTED * dry:
             weight = f"{plain(section.submerged_weight or 0.0, 4)} N/m"
             sentences.append(
-                f"{section.line}.submerged_weight: {weight} of {section.name!r} is more than its mass less "
-                f"the water that its outer diameter displaces, {plain(most, 4)} N/m; give it "
+                f"{section.line}.submerged_weight: {weight} of section {section.name!r} is more than the "
+                f"weight of its mass minus the displaced water, {plain(most, 4)} N/m; give the weight "
                 "without contents, which the engine adds"
             )
         if _dry(scene, k) and (section.submerged_weight or 0.0) < dry - DOUBTED * dry:
             sentences.append(
-                f"{section.line}.submerged_weight: {section.name!r} is above the water and weighs "
-                f"{plain(section.submerged_weight or 0.0, 4)} N/m, which is less than its mass times "
-                f"gravity, {plain(dry, 4)} N/m; give its weight in air"
+                f"{section.line}.submerged_weight: section {section.name!r} is above the water, but its "
+                f"weight {plain(section.submerged_weight or 0.0, 4)} N/m is less than mass times gravity, "
+                f"{plain(dry, 4)} N/m; give its weight in air"
             )
     return sentences
 
@@ -114,8 +113,8 @@ def _weightless(scene: Parts) -> list[str]:
     """A warning for each body of some mass that has no weight, in a scene with gravity."""
     ends = {"bottom.body": scene.bottom.body, "top.body": scene.top.body}
     return [
-        f"{path}: {body.name!r} has a mass of {body.mass:g} kg, but its weight in water is not given and "
-        "counts as zero; give its submerged_weight, displaced_volume or density"
+        f"{path}: {body.name!r} has a mass of {body.mass:g} kg, but no weight, which therefore counts as "
+        "zero; give its submerged_weight, displaced_volume or density"
         for path, body in ends.items()
         if body and body.mass and scene.gravity and body.weightless
     ]

@@ -142,19 +142,19 @@ def _failed(scene: Resolved, mesh: Mesh, failure: NoEquilibrium, reached: float)
     under = [f"under {failure.load:.0%} of the current"] if scene.current else []
     if any(way := _aside(scene, 1.0)):
         under.append(f"for top offsets beyond {reached:.1%} of {np.hypot(*way):.4g} m")
-    remedy = "the riser may lack tension or a support: check top tension, weights and supports of the ends"
+    remedy = "check top tension, weights and supports of the ends"
     if scene.soil and (scene.bottom.elevation or 0.0) + s <= scene.soil.mudline:
         depth = scene.soil.mudline - (scene.bottom.elevation or 0.0) - s
         where += f", {depth:.4g} m below the mudline"
-        remedy = "the soil may be too weak, or the conductor too short: check soil, offset and top tension"
+        remedy = "check the strength of the soil, the length of the conductor, offset and top tension"
     causes = " ".join(["", *under])
     if isinstance(failure, Folded):
         return SimulationError(
-            f"the only static equilibrium found{causes} folds the riser back on itself within one segment "
-            f"at {where}: it buckles there for lack of tension; raise the top tension, or use a finer "
-            f"mesh; {remedy}"
+            f"in the only static equilibrium found{causes}, the riser folds back on itself in one segment "
+            f"at {where}, where it buckles for lack of tension; increase the top tension, or give more "
+            f"analysis.mesh.elements; {remedy}"
         )
     return SimulationError(
-        f"no static equilibrium found{causes}: the residual at {where} is {newtons(failure.residual)}; "
-        f"{remedy}"
+        f"no static equilibrium was found{causes}: an unbalanced force of {newtons(failure.residual)} "
+        f"remains at {where}; {remedy}"
     )

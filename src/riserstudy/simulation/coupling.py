@@ -147,9 +147,9 @@ def _turn(sides: Sides, coupling: Coupling, method: Method, record: Packed, sums
             return outcome, rounds
         sides.force.load[:] = seen.probe[:, sides.reaction]
     raise SimulationError(
-        f"vessel.coupling: the iteration of riser and vessel did not converge in the interval from "
-        f"{sides.motion.time[0]:.6g} s: the last of {MOST_ROUNDS} iterations changed the motion by "
-        f"{moved:.3g} m; use a shorter interval or a larger tolerance, or leave coupling out"
+        f"vessel.coupling: the iteration between riser and vessel did not converge in the interval from "
+        f"{sides.motion.time[0]:.6g} s, where the last of {MOST_ROUNDS} iterations changed the motion by "
+        f"{moved:.3g} m; give a shorter interval or a larger tolerance, or remove coupling"
     )
 
 

@@ -40,9 +40,9 @@ def let_go(scene: Resolved, mesh: Mesh, facts: RunFacts, model: Model) -> Model:
     pull = _overpull(model)
     if release.stack is None and pull < -STILL * float(abs(model.s.segment).max()):
         raise SimulationError(
-            f"disconnect: at {release.at:g} s the riser presses on the BOP stack with {newtons(-pull)} and "
-            "would fall after the disconnect; increase top.tension, disconnect at another time, or give "
-            "disconnect.stack"
+            f"disconnect: at {release.at:g} s the riser presses on the BOP stack with {newtons(-pull)}, so "
+            "it would fall after the disconnect; increase top.tension, disconnect at another time, or "
+            "give disconnect.stack"
         )
     if pull < -STILL * float(abs(model.s.segment).max()):
         facts["warnings"].append(

@@ -104,12 +104,12 @@ def _equilibrium(
     if scene.top.z == "free" and lowest < -1e-3 * float(mesh.l0.sum()):
         raise PhysicallyUnstable(
             "the riser falls over, because the top tension does not carry its weight: in equilibrium, its "
-            f"lowest point would be {-lowest:.4g} m below its lower end"
+            f"lowest point would be {-lowest:.4g} m below its lower end; increase the top tension"
         )
     if equilibrium.unstable or not _stands_sideways(scene, mesh, model, elevation):
         raise PhysicallyUnstable(
-            "the static equilibrium is unstable when the riser can move sideways: "
-            "it buckles under its own weight; raise the top tension or hold the ends"
+            "the static equilibrium is unstable, because the riser buckles sideways under its own weight; "
+            "increase the top tension, or hold the ends"
         )
     return model, equilibrium
 

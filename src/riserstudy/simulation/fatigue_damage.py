@@ -104,8 +104,8 @@ def since(scene: Resolved) -> float:
     start = max(a.output.start or 0.0, scene.built_up, vortex_vibration.since(scene) or 0.0)
     if a.duration <= start:
         raise SimulationError(
-            f"fatigue: cycles are counted from {start:.4g} s, when all ramps have ended, but the run ends at "
-            f"{a.duration:.4g} s. Give a longer analysis.duration"
+            f"fatigue: stress cycles are counted after the ramps, from {start:.4g} s, but the run ends at "
+            f"{a.duration:.4g} s; give a longer analysis.duration"
         )
     return start
 
@@ -135,8 +135,8 @@ def enter(scene: Resolved, mesh: Mesh, arrays: Arrays, facts: RunFacts) -> None:
     time = float(arrays["time"][-1] - arrays["time"][min(first, len(arrays["time"]) - 1)])
     if not time > 0.0:
         raise SimulationError(
-            f"fatigue: cycles are counted from {start:.4g} s, and fewer than two outputs follow. "
-            "Give a longer analysis.duration"
+            f"fatigue: stress cycles are counted from {start:.4g} s, but fewer than two outputs follow; "
+            "give a longer analysis.duration"
         )
     histories = {name: arrays[name][first:] for name in USED if name in arrays}
     sides = _Sides(scene, mesh, histories, of.angles)
@@ -208,8 +208,8 @@ def _lost(often: float, seldom: float) -> float:
 def too_large() -> SimulationError:
     """The error for a run whose histories at all nodes do not fit into memory."""
     return SimulationError(
-        "fatigue: histories at all nodes do not fit into memory. Give a longer analysis.output.interval, "
-        "fewer segments, or several shorter runs with other seeds"
+        "fatigue: stress histories at all nodes do not fit into memory; give a longer "
+        "analysis.output.interval, fewer segments, or several shorter runs with other seeds"
     )
 
 
@@ -292,7 +292,7 @@ def refuse_coarse(scene: Resolved, facts: RunFacts) -> None:
             needed = interval * math.sqrt(0.5 * CUT_OFF / row["error_of_outputs"])
             raise SimulationError(
                 f"fatigue: outputs every {interval:g} s miss about {100 * row['error_of_outputs']:.0f} % of "
-                f"the damage of {row['detail']!r}. Give an analysis.output.interval of {at_most(needed, 2)} s"
+                f"the damage of {row['detail']!r}; give an analysis.output.interval of {at_most(needed, 2)} s"
             )
 
 

@@ -60,7 +60,7 @@ def solve_small_angle(scene: Resolved, mesh: Mesh, step: float | None) -> Result
         rest = statics(in_still_water(beam) if undeflected else beam)
         moving = _moving(scene, beam, step) if step else None
     except HermiteError as error:
-        raise SimulationError(f"Hermite beam: {error}") from None
+        raise SimulationError(f"analysis.solver hermite: {error}") from None
     tension = np.append(beam.tension[:, 0], beam.tension[-1, 1])
     elevation = (scene.bottom.elevation or 0.0) + mesh.s
     arrays = {"s_node": mesh.s, "l0": mesh.l0, "zero_x": np.zeros(len(mesh.s)), "zero_z": elevation}
@@ -206,8 +206,8 @@ def effects_of(scene: Resolved) -> dict[str, str]:
     for name, because in called.items():
         if name not in SUPPORTED | LARGE_ANGLES:
             raise SimulationError(
-                f"analysis.solver hermite cannot simulate {name} ({because}); remove it from the scene, or "
-                "use lumped masses"
+                f"analysis.solver hermite cannot simulate {name} ({because}); remove this effect from the "
+                "scene, or remove analysis.solver"
             )
     return {name: because for name, because in called.items() if name in SUPPORTED}
 
@@ -250,8 +250,8 @@ def _refuse(scene: Resolved) -> None:
     for name, there in reasons.items():
         if there:
             raise SimulationError(
-                f"analysis.solver hermite cannot simulate {name}; remove it from the scene, or use lumped "
-                "masses"
+                f"analysis.solver hermite cannot simulate {name}; remove this part from the scene, or remove "
+                "analysis.solver"
             )
 
 

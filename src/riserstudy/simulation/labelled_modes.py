@@ -49,7 +49,7 @@ def modes(scene: SceneFile | str | Path, count: int = 10) -> xr.Dataset:
         When there is no equilibrium, or a node that moves has no mass.
     """
     if count < 1:
-        raise InputError("modes", "count", str(count), "allowed is 1 or more")
+        raise InputError("modes", "count", f"{count} is not a number of modes", "give 1 or more")
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     dataset = modes_of(file.resolved(), count)
     errors = frequency_errors(file.resolved(), dataset["frequency"].values)

@@ -42,8 +42,8 @@ def modes_of(scene: Resolved, count: int) -> xr.Dataset:
         frequency, shape = natural_modes(model.programs, model.state, model.fixed, count)
     except np.linalg.LinAlgError:
         raise SimulationError(
-            "modes need mass at every node that moves: give every section its mass, or a massless "
-            "spring a single segment"
+            "modes require mass at every node that moves; add mass to every section, or divide a section "
+            "without mass into one segment only"
         ) from None
     shape = _upright(shape)
     size = np.abs(shape).max(axis=2)

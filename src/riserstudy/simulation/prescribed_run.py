@@ -50,7 +50,8 @@ def run_prescribed(scene: Resolved, estimated: bool, watch: Watch) -> Result:
         result = single(scene, own, a.step, watch=watch)
     except TakesTooLong as late:
         raise TakesTooLong(
-            f"analysis.mesh, analysis.step: the run exceeds the time limit of {watch.patience:g} s, {late}"
+            f"analysis.mesh, analysis.step: the run exceeds the time limit of {watch.patience:g} s, {late}; "
+            "give fewer segments, a longer step, or a longer time limit"
         ) from None
     if not estimated:
         return result
@@ -113,9 +114,8 @@ def refuse_unseen_periods(scene: Resolved) -> None:
     if step > longest * (1.0 + ROUNDING):
         raise SimulationError(
             f"analysis.step: {step:g} s is more than a quarter of {shortest:g} s, the shortest period of "
-            "platform and waves: the run, or a run with doubled steps that shows its error, can miss the "
-            f"motion; give a step of at most {at_most(longest)} s, or omit mesh and step, and the program "
-            "chooses them"
+            f"platform and waves, so the run can miss the motion; give a step of at most {at_most(longest)} "
+            "s, or remove mesh and step, which the engine then chooses"
         )
 
 

@@ -110,7 +110,10 @@ class Refinement:
             reached = self._refine()
         except TakesTooLong as late:
             if self.finest is None:
-                raise TakesTooLong(f"no run within {self.watch.patience:g} s: {late}") from None
+                raise TakesTooLong(
+                    f"no run was completed within the time limit of {self.watch.patience:g} s: {late}; allow "
+                    "more time, or give a shorter analysis.duration or a larger analysis.accuracy"
+                ) from None
             reached = False
             self._out_of_patience(self.finest)
         finest = self.finest

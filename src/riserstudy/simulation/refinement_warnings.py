@@ -17,12 +17,14 @@ def missed_accuracy(facts: RunFacts, runs: int) -> str:
 
     ``facts``: facts of the finest run, with ``ended_by`` if the refinement did not end by the number of runs.
     """
-    why = f" within {facts['ended_by']}" if "ended_by" in facts else ""
+    why = f" within the {facts['ended_by'].replace('patience', 'time limit')}" if "ended_by" in facts else ""
     errors = f"estimated errors are {in_words(facts['error_estimate'])}"
     if not facts["error_estimate"]:
         errors = "errors are not estimated, which requires more runs"
     count = f"{runs} run{'s' if runs > 1 else ''}"
-    return f"accuracy not reached{why} after {count}, the last on {facts['elements']} segments: {errors}"
+    remedy = "give a larger analysis.accuracy" + (" or more time (--patience)" if why else "")
+    last = f"the last on {facts['elements']} segments"
+    return f"accuracy not reached{why} after {count}, {last}: {errors}; {remedy}"
 
 
 def sparse_outputs(scene: Resolved, finest: Result) -> list[str]:

@@ -284,9 +284,8 @@ def explicitly(model: Model, step: float, limit: float, duration: float, record:
     """
     if step > limit:
         raise SimulationError(
-            f"analysis.step {step:.4g} s is above the stable step {limit:.4g} s of explicit "
-            f"stepping on {len(model.s.l0)} segments; take a smaller step, fewer segments, or an "
-            "implicit method"
+            f"analysis.step {step:.4g} s is above the stable step {limit:.4g} s of 'method: explicit' with "
+            f"{len(model.s.l0)} segments; give a shorter step, fewer segments, or an implicit method"
         )
     count = steps_in(duration, step)
     return int(

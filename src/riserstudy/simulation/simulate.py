@@ -81,13 +81,13 @@ def seconds(patience: float | str | None) -> float:
 
     Raises InputError when it is not a positive time.
     """
-    allowed = "allowed is a positive number of seconds, or text such as '10 min'"
+    allowed = "give a positive number of seconds, or text such as '10 min'"
     try:
         value = math.inf if patience is None else _number(str(patience).strip())
     except ValueError:
-        raise InputError("patience", "", repr(patience), allowed) from None
+        raise InputError("patience", "", f"{patience!r} is not a time", allowed) from None
     if not value > 0.0:
-        raise InputError("patience", "", repr(patience), allowed)
+        raise InputError("patience", "", f"{patience!r} is not above 0 s", allowed)
     return value
 
 

@@ -71,9 +71,9 @@ def raise_if_buckling(scene: Resolved, finer: Result, excess: list[float]) -> No
     if facts["directions"] > 1 and facts["smallest_tension"] < -rounding(scene):
         raise PhysicallyUnstable(
             f"effective tension decreases to {newtons(facts['smallest_tension'])} at s = "
-            f"{facts['smallest_tension_s']:.4g} m, and without bending stiffness the riser buckles there at "
-            f"any wavelength: its peaks did not converge in {len(excess)} runs on finer meshes; give every "
-            "section bending stiffness, or give analysis.mesh and step"
+            f"{facts['smallest_tension_s']:.4g} m, where a riser without bending stiffness buckles at any "
+            f"wavelength, so peaks did not converge in {len(excess)} runs on finer meshes; give bending "
+            "stiffness to every section, or set analysis.mesh and step yourself"
         )
 
 

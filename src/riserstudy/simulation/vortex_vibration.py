@@ -44,7 +44,7 @@ def since(scene: Resolved) -> float | None:
     start = built_up + (1.0 - LATER) * (duration - built_up)
     if duration <= built_up:
         raise SimulationError(
-            f"riser.viv: ramps end at {built_up:.4g} s, but the run ends at {duration:.4g} s. Give a "
+            f"riser.viv: the ramps end at {built_up:.4g} s, but the run ends at {duration:.4g} s; give a "
             "longer analysis.duration, or a shorter riser.viv.ramp"
         )
     return start

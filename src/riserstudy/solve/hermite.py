@@ -63,8 +63,8 @@ def statics(beam: Beam) -> Response:
     if bad >= 0 or small.any():
         where = beam.s[max(bad, int(np.argmax(small))) // 2]
         raise HermiteError(
-            f"s = {where:.6g} m: pivot of the stiffness not positive, so the beam is unstable;"
-            " raise the tension or the stiffness, or hold an end"
+            f"the beam is unstable at s = {where:.6g} m, where its stiffness is not positive;"
+            " increase the tension or the bending stiffness, or hold an end"
         )
     substitute(mesh.stiffness_band, force)
     u += force
@@ -100,7 +100,10 @@ def frequencies(beam: Beam, count: int) -> tuple[Array, Array]:
     dense = [_dense(band)[np.ix_(free, free)] for band in (mesh.stiffness_band, mesh.mass_band)]
     square, vectors = eigh(*dense, subset_by_index=(0, count - 1))
     if not square[0] > 0.0:
-        raise HermiteError(f"lowest eigenvalue {square[0]:.3g} 1/s2 is not positive: the beam is unstable")
+        raise HermiteError(
+            f"the beam is unstable, since its lowest eigenvalue {square[0]:.3g} 1/s2 is not positive; "
+            "increase the tension or the bending stiffness, or hold an end"
+        )
     modes = np.zeros((count, 2 * len(beam.s)))
     modes[:, free] = vectors.T
     modes = modes[:, ::2]
@@ -156,8 +159,8 @@ def dynamics(
     motion, taken, failed = march(mesh, sea, damping, first, _prescribed(beam, grid), steps)
     if failed >= 0:
         raise HermiteError(
-            f"t = {grid[failed]:.6g} s: not converged in {most} iterations or not finite;"
-            " reduce the step, or use drag='newton', beta 1/4, gamma 1/2"
+            f"the iteration at t = {grid[failed]:.6g} s did not converge in {most} iterations;"
+            " reduce the step, or use Newmark's method with beta 0.25 and gamma 0.5 (drag='newton')"
         )
     tension = np.ascontiguousarray(beam.tension)
     moment, shear = section_forces(mesh, sea, times, motion, tension, *stepping.rayleigh)
@@ -173,25 +176,27 @@ def _check_stepping(times: Array, step: float, stepping: Stepping) -> None:
     """Refuse times that are not equally spaced from zero, and invalid time steps and iterations."""
     gaps = np.diff(times)
     if times.size < 2 or times[0] != 0.0 or not np.allclose(gaps, gaps[0]) or not gaps[0] > 0.0:
-        raise HermiteError("times must be at least two, start at zero and be equally spaced")
+        raise HermiteError("the times are not valid; give two or more, from zero on at equal intervals")
     if not step > 0.0:
-        raise HermiteError(f"step {step} s must be positive")
+        raise HermiteError(f"the time step {step} s is not positive; give a step above 0 s")
     if stepping.drag not in DRAG:
-        raise HermiteError(f"drag {stepping.drag!r} must be one of {', '.join(DRAG)}")
+        raise HermiteError(f"drag {stepping.drag!r} is not known; use one of {', '.join(DRAG)}")
 
 
 def _mesh(beam: Beam) -> Mesh:
     """Check the input of the beam, and integrate its elements."""
     n = len(beam.s) - 1
     if n < 1 or not (np.diff(beam.s) > 0.0).all():
-        raise HermiteError("s: at least two nodes, strictly ascending")
+        raise HermiteError("s: the nodes are not valid; give two or more, in ascending order")
     for name in ("bending_stiffness", "tension", "load", "mass", "added_mass", "drag"):
         array = np.asarray(getattr(beam, name))
         shape = (n, 2) if name in ("bending_stiffness", "tension", "load") else (n,)
         if array.shape != shape or not np.isfinite(array).all():
-            raise HermiteError(f"{name}: shape {array.shape}, wanted {shape}, all values finite")
+            raise HermiteError(
+                f"{name}: the array of shape {array.shape} is not valid; give finite values of shape {shape}"
+            )
         if name not in ("tension", "load") and (array < 0.0).any():
-            raise HermiteError(f"{name}: smallest value {array.min():.6g}, must not be negative")
+            raise HermiteError(f"{name}: the smallest value {array.min():.6g} is negative; give 0 or more")
     value, slope, curve = (_shapes(beam, d, POINT) for d in range(3))
     weight = WEIGHT * np.diff(beam.s)[:, None]
 
@@ -204,7 +209,7 @@ def _mesh(beam: Beam) -> Mesh:
     force, mass_band, stiffness_band = _add(loads), _band(mass), _band(stiffness)
     for end, dof in ((beam.bottom, 0), (beam.top, 2 * n)):
         if not end.rotation_stiffness >= 0.0 or not 0.0 <= end.mass < np.inf:
-            raise HermiteError(f"{end}: stiffness and mass must not be negative")
+            raise HermiteError(f"{end}: stiffness or mass is negative; give 0 or more")
         mass_band[dof, 0] += end.mass
         force[dof] += end.force
         if end.rotation_stiffness < np.inf:
@@ -228,7 +233,7 @@ def _prescribed(beam: Beam, times: Array) -> Prescribed:
             motions.append(still)
     forced = np.array(motions).reshape(len(dofs), 3, len(times)).swapaxes(0, 1)
     if not np.isfinite(forced).all():
-        raise HermiteError("the prescribed motion of an end is not finite")
+        raise HermiteError("the prescribed motion of an end is not finite; correct the motion")
     return Prescribed(np.array(dofs, dtype=np.int64), forced)
 
 
@@ -255,7 +260,7 @@ def _sea(beam: Beam, mesh: Mesh) -> Sea:
         waves.frequency, waves.number, waves.phase, waves.ramp,
     )  # fmt: skip
     if not all(np.isfinite(part).all() for part in sea):
-        raise HermiteError("current or waves: not finite at some elevation of the beam")
+        raise HermiteError("current or waves are not finite at some elevation of the beam; correct them")
     return sea
 
 

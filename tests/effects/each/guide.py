@@ -57,5 +57,5 @@ def test_a_guide_is_there_where_something_moves_aside(tmp_path, offset, there):
 def test_a_guide_at_a_held_end_is_refused(tmp_path):
     file = tmp_path / "scene.yaml"
     file.write_text(SCENE.replace("length: 60 m,", "length: 60 m, guide_below: {stiffness: 2 kN/m},"))
-    with pytest.raises(InputError, match="guide a section above"):
+    with pytest.raises(InputError, match="give it to a section above"):
         load_scene(file).resolved()

@@ -20,7 +20,7 @@ def stations(scene: Parts) -> Iterator[Misfit]:
     places = (scene.analysis.output and scene.analysis.output.stations) or []
     for s in places:
         if not 0.0 <= s <= length * (1.0 + 1e-9):
-            remedy = f"allowed is from 0 to {length:g} m"
+            remedy = f"give arclengths from 0 m to {length:g} m"
             yield Misfit("analysis.output.stations", f"{s:g} m is not on the riser", remedy, ("riser",))
 
 
@@ -29,8 +29,8 @@ def sees_the_disconnect(scene: Parts) -> Iterator[Misfit]:
     release, output = scene.disconnect, scene.analysis.output
     start = (output and output.start) or 0.0
     if release and start > release.at:
-        found = f"{start:g} s is after the disconnect, and misses lift and clearance before that time"
-        remedy = f"allowed is up to {release.at:g} s"
+        found = f"{start:g} s is after the disconnect, so lift and clearance before that time are lost"
+        remedy = f"give at most the time of the disconnect, {release.at:g} s"
         yield Misfit("analysis.output.start", found, remedy, ("disconnect.at",))
 
 
@@ -39,9 +39,9 @@ def gauge(scene: Parts) -> Iterator[Misfit]:
     section = scene.analysis.output and scene.analysis.output.stress_in
     walls = [s.name for s in scene.riser if s.young_modulus]
     if section and section not in walls:
-        found = f"no section {section!r} with young_modulus and diameters"
-        remedy = "leave it out: no section has them"
-        allowed = f"allowed are {', '.join(map(repr, walls))}" if walls else remedy
+        found = f"{section!r} is not a section with young_modulus and diameters, which stress requires"
+        remedy = "remove stress_in, or give a section these inputs"
+        allowed = f"use one of {', '.join(map(repr, walls))}" if walls else remedy
         yield Misfit("analysis.output.stress_in", found, allowed, ("riser",))
 
 
@@ -55,8 +55,8 @@ def ends(scene: Parts) -> Iterator[Misfit]:
         return
     if duration / MOST_PERIODS > shortest:
         found = (
-            f"{duration:g} s contains more than {MOST_PERIODS} periods of {shortest:g} s, the shortest of "
-            "platform and waves"
+            f"{duration:g} s contains more than {MOST_PERIODS} periods of {shortest:g} s, the shortest "
+            "period of platform and waves"
         )
         remedy = "give a shorter duration or a longer period"
         yield Misfit("analysis.duration", found, remedy, ("platform", "wave"))
@@ -66,8 +66,8 @@ def starts_unstretched(scene: Parts) -> Iterator[Misfit]:
     """A riser between two held ends cannot start unstretched: their distance is not its own length."""
     free = scene.bottom.hold == "free" or scene.top.z == "free" or scene.top.telescopic_joint
     if scene.analysis.start == "unstretched" and not free:
-        found = "'unstretched' needs an end that is free in z, or a telescopic joint"
-        yield Misfit("analysis.start", found, "choose another start", ("top.z", "bottom.hold"))
+        found = "'unstretched' requires a riser end that is free in z, or a telescopic joint"
+        yield Misfit("analysis.start", found, "write 'start: equilibrium'", ("top.z", "bottom.hold"))
 
 
 def starts_gently(scene: Parts) -> Iterator[Misfit]:
@@ -83,9 +83,9 @@ def starts_gently(scene: Parts) -> Iterator[Misfit]:
     if release and release.over is None and not damped:
         yield Misfit(
             "disconnect",
-            "opens the connector without a ramp, and the riser has no structural damping: peaks of tension "
-            "then converge on no mesh",
-            "give disconnect.over, structural_damping, or analysis.mesh and step",
+            "the connector opens without a ramp on a riser without structural damping, so peaks of tension "
+            "do not converge on any mesh",
+            "give disconnect.over or structural_damping, or set analysis.mesh and step yourself",
         )
     if scene.platform is None or (damped and later):
         return
@@ -93,7 +93,8 @@ def starts_gently(scene: Parts) -> Iterator[Misfit]:
         if (scene.top.z if motion == "heave" else scene.top.x) in ("platform", "vessel"):
             yield Misfit(
                 f"platform.{line}",
-                "starts with a jump in velocity: peaks of moment and tension then converge on no mesh",
-                "give it a ramp, or structural_damping and a later analysis.output.start, or analysis.mesh "
-                "and step",
+                "the motion starts with a jump in velocity, so peaks of moment and tension do not converge "
+                "on any mesh",
+                "give the motion a ramp, or give structural_damping and a later analysis.output.start, or "
+                "set analysis.mesh and step yourself",
             )

@@ -20,8 +20,8 @@ def acts(scene: Parts) -> Iterator[Misfit]:
     """A current requires drag, since it acts by drag alone."""
     in_water = any(s.drag for s in scene.riser) or (scene.vessel and scene.vessel.hull_drag)
     if scene.current and not in_water:
-        found = "needs a riser section with drag, or a vessel with hull_drag"
-        yield Misfit("current", found, "add one, or leave current out", ("riser", "vessel"))
+        found = "has no effect: no riser section has drag, and no vessel has hull_drag"
+        yield Misfit("current", found, "add drag to a section, or remove current", ("riser", "vessel"))
 
 
 def levels(scene: Parts) -> Iterator[Misfit]:
@@ -30,14 +30,16 @@ def levels(scene: Parts) -> Iterator[Misfit]:
     if flow is None or water is None:
         return
     if flow.by_depth and water.surface is None:
-        found = "depths need water.surface"
-        yield Misfit("current.profile", found, "add it, or give elevations", ("water.surface",))
+        found = "depths require the elevation of the water surface"
+        remedy = "add water.surface, or give elevations instead of depths"
+        yield Misfit("current.profile", found, remedy, ("water.surface",))
     if None not in (water.surface, water.seabed):
         return
     for part in flow.parts:
         if not (isinstance(part, Shape) and None not in (part.seabed, part.surface)):
-            found, also = "needs water.surface and water.seabed", ("water.surface", "water.seabed")
-            yield Misfit("current.profile", found, "add both", also)
+            found = "this profile requires the elevations of water surface and seabed"
+            also = ("water.surface", "water.seabed")
+            yield Misfit("current.profile", found, "add water.surface and water.seabed", also)
             return
 
 
@@ -59,10 +61,10 @@ def covers(scene: Parts) -> Iterator[Misfit]:
     if low > needs_low + slip or high < needs_high - slip:
         yield Misfit(
             "current.profile",
-            f"reaches from {low:g} m to {high:g} m of elevation, the riser in water from {needs_low:g} m to "
-            f"{needs_high:g} m",
-            "give the rest of the profile, or state the current there, as 'current.beyond: hold' (its end "
-            "values) or 'zero' (still water)",
+            f"covers elevations from {low:g} m to {high:g} m only, but the riser is in water from "
+            f"{needs_low:g} m to {needs_high:g} m",
+            "extend the profile, or write 'current.beyond: hold' (the end values apply beyond) or "
+            "'current.beyond: zero' (still water beyond)",
             ("water", "riser", "bottom.elevation", "top.elevation"),
         )
 
@@ -75,9 +77,9 @@ def _in_water(scene: Parts, flow: Current) -> Iterator[Misfit]:
     if surface is not None and elevations and min(elevations) >= surface:
         yield Misfit(
             "current.profile",
-            f"has no point in the water: its elevations are from {min(elevations):g} m to "
-            f"{max(elevations):g} m, the surface is at {surface:g} m",
-            "allowed are points below it, or 'depth'",
+            f"no point is in the water: the elevations are from {min(elevations):g} m to "
+            f"{max(elevations):g} m, and the water surface is at {surface:g} m",
+            "give elevations below the surface, or write 'depth' instead of 'elevation'",
             ("water.surface",),
         )
 

@@ -22,13 +22,15 @@ def disconnect(scene: Parts) -> Iterator[Misfit]:
     if release is None:
         return
     if scene.bottom.hold != "wellhead":
-        found, remedy = ("needs 'bottom.hold: wellhead', from which the riser disconnects", "write it")
+        found = f"a riser with 'bottom.hold: {scene.bottom.hold}' has no wellhead to disconnect from"
+        remedy = "write 'bottom.hold: wellhead', or remove disconnect"
         yield Misfit("disconnect", found, remedy, ("bottom.hold",))
     if scene.bottom.body and scene.bottom.body.reach:
-        found, remedy = "needs a body at a point", "leave out bottom.body's reach"
-        yield Misfit("disconnect", found, remedy, ("bottom.body.reach",))
+        found, remedy = "does not work with bottom.body.centre_below", "remove centre_below"
+        yield Misfit("disconnect", found, remedy, ("bottom.body.centre_below",))
     if release.valve and (scene.top.tension is None or scene.top.tension_loss):
-        found, remedy = "valve needs top.tension", "give it, and leave out top.tension_loss"
+        found = "requires a constant top.tension without tension_loss"
+        remedy = "give top.tension, and remove top.tension_loss"
         yield Misfit("disconnect.valve", found, remedy, ("top.tension", "top.tension_loss"))
     if release.valve:
         yield from _shared_pull(scene)
@@ -44,7 +46,8 @@ def _shared_pull(scene: Parts) -> Iterator[Misfit]:
     others = {"top.tensioners": top.tensioners, "top.telescopic_joint.tension": joint and joint.tension}
     for path, pull in others.items():
         if pull is not None:
-            found, remedy = f"valve changes top.tension only; {path} pulls, too", "give it all as top.tension"
+            found = f"changes top.tension only, but {path} also pulls"
+            remedy = f"give all tension as top.tension, and remove {path}"
             yield Misfit("disconnect.valve", found, remedy, ("top.tension", path))
 
 
@@ -53,31 +56,33 @@ def _throttled(scene: Parts, valve: RecoilValve) -> Iterator[Misfit]:
     rig, path, also = scene.top.tensioners, "disconnect.recoil_valve", ("top.tensioners",)
     gas = rig.pulling if rig else None
     if rig is None or gas is None or rig.linearised:
-        found = "needs tensioners with gas or two_chamber_gas, not linearised"
-        yield Misfit(path, found, "use tensioners with gas, or remove the recoil valve", also)
+        found = "requires top.tensioners with gas or two_chamber_gas that is not linearised"
+        yield Misfit(path, found, "give such tensioners, or remove recoil_valve", also)
         return
     if fault := fault_of_numbers(valve.failed or [], rig.count):
         yield Misfit(f"{path}.failed", *fault, also)
     if valve.isolation and not valve.isolation.volume < gas.volume:
-        found = f"{valve.isolation.volume:g} m^3 is not less than a cylinder's gas volume"
-        yield Misfit(f"{path}.isolation.volume", found, f"allowed is less than {gas.volume:g} m^3", also)
+        found = f"{valve.isolation.volume:g} m^3 is not less than the gas volume of a cylinder"
+        yield Misfit(f"{path}.isolation.volume", found, f"give less than {gas.volume:g} m^3", also)
 
 
 def _drains(scene: Parts) -> Iterator[Misfit]:
     """Draining contents must be one uniform column from the lower end upwards, in a sea of known level."""
     path, filled = "disconnect.drain", [s for s in scene.riser if s.contents]
     if not filled or any(s.contents for s in scene.riser[len(filled) :]):
-        found, remedy = ("needs contents", "allowed are those in sections from the lowest one upwards")
+        found = "requires contents from the lowest section upwards, without a gap"
+        remedy = "give contents to these sections, or remove drain"
         yield Misfit(path, found, remedy, ("riser",))
         return
     inside = [s.contents for s in filled if s.contents]
     same = alike(c.density for c in inside) and alike(c.level for c in inside)
     if not (same and alike(s.inner_diameter for s in filled)):
-        found = "contents or bore differ"
-        remedy = "needs the same contents and bore in all sections with contents"
+        found = "contents or inner_diameter differ between sections"
+        remedy = "give the same contents and inner_diameter to all sections with contents"
         yield Misfit(path, found, remedy, ("riser",))
     if scene.water is None or scene.water.surface is None:
-        found, remedy = ("needs water.surface", "add it: the pressure of the sea acts against the contents")
+        found = "requires the elevation of the water surface, for the pressure of the sea at the lower end"
+        remedy = "add water.surface"
         yield Misfit(path, found, remedy, ("water.surface",))
 
 
@@ -85,7 +90,8 @@ def events(scene: Parts) -> Iterator[Misfit]:
     """Events must be before the end of the run, and require an integrator that can stop at them."""
     a, times = scene.analysis, _times(scene)
     if a.duration is None:
-        found, remedy = "needs analysis.duration", "add it: a static scene has no events"
+        found = "an event requires a dynamic run"
+        remedy = "add analysis.duration and output, or remove the event"
         for path in times:
             yield Misfit(path.rpartition(".")[0], found, remedy, ("analysis.duration",))
     else:
@@ -95,13 +101,13 @@ def events(scene: Parts) -> Iterator[Misfit]:
     path = next(path for path, there in _sudden(scene).items() if there)
     if a.method == "explicit" or a.solver:
         found, also = (
-            "requires an implicit method, and the lumped-mass solver",
+            "requires an implicit method and the lumped-mass solver",
             ("analysis.method", "analysis.solver"),
         )
-        yield Misfit(path, found, "omit analysis.method and analysis.solver", also)
+        yield Misfit(path, found, "remove analysis.method and analysis.solver", also)
     if scene.vessel and scene.vessel.coupling:
-        found = "is not possible with vessel.coupling"
-        yield Misfit(path, found, "leave coupling out", ("vessel.coupling",))
+        found = "does not work with vessel.coupling"
+        yield Misfit(path, found, "remove vessel.coupling", ("vessel.coupling",))
 
 
 def _times(scene: Parts) -> dict[str, float]:

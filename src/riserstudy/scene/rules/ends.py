@@ -17,23 +17,26 @@ def held(scene: Parts) -> Iterator[Misfit]:
     """A riser must be held at one end at least, and must have the inputs that its supports require."""
     bottom, top = scene.bottom, scene.top
     if bottom.hold == "free" and top.z == "free" and not top.tensioners:
-        remedy = "hold one, or hang the top on tensioners"
-        yield Misfit("bottom.hold", "both ends are free", remedy, ("top.z", "top.tensioners"))
+        remedy = "write 'bottom.hold: wellhead', or hold the top ('top.z'), or give top.tensioners"
+        found = "both ends of the riser are free to move vertically"
+        yield Misfit("bottom.hold", found, remedy, ("top.z", "top.tensioners"))
     if scene.lateral and top.x is None:
-        yield Misfit("top.x", f"is needed, because of {scene.lateral}", "add it", (scene.lateral,))
+        found = f"missing, but the scene has lateral loads or motion ({scene.lateral})"
+        yield Misfit("top.x", found, "add top.x, such as 'x: platform'", (scene.lateral,))
     if top.z != "free" and bottom.hold == "free" and top.elevation is None:
-        remedy = "add it"
-        yield Misfit("top.elevation", "a hung-off riser needs top.elevation", remedy, ("bottom.hold",))
+        found = "missing, but a hung-off riser requires it"
+        yield Misfit("top.elevation", found, "add it", ("bottom.hold",))
     for name in ("x", "z"):
         if scene.platform is None and getattr(top, name) == "platform":
-            found, remedy = "top is on the platform: needs platform", "add platform"
-            yield Misfit(f"top.{name}", found, remedy, ("platform",))
+            found = "the top follows the platform, but the scene has no platform"
+            yield Misfit(f"top.{name}", found, "add platform, or write 'held'", ("platform",))
     if top.telescopic_joint and top.telescopic_joint.mid_stroke and bottom.hold == "free":
-        found, remedy = "needs a lower end that is held", "give the joint's length alone"
+        found, remedy = "requires a riser that is held at its lower end", "remove mid_stroke"
         yield Misfit("top.telescopic_joint.mid_stroke", found, remedy, ("bottom.hold",))
     rig = top.tensioners
     if rig and rig.mid_stroke == "riser in equilibrium" and bottom.hold == "free":
-        found, remedy = "needs a lower end that is held", "write 'riser unstretched'"
+        found = f"{rig.mid_stroke!r} requires a riser that is held at its lower end"
+        remedy = "write 'mid_stroke: riser unstretched'"
         yield Misfit("top.tensioners.mid_stroke", found, remedy, ("bottom.hold",))
 
 
@@ -53,7 +56,10 @@ def moves(scene: Parts) -> Iterator[Misfit]:
         end = "z" if name == "heave" else "x"
         for path in (path for path, value in paths.items() if value and not is_followed):
             yield Misfit(
-                path, f"{name} of the platform {NOTHING}", f"write 'top.{end}: platform'", (f"top.{end}",)
+                path,
+                f"{name} of the platform {NOTHING}",
+                f"write 'top.{end}: platform', or remove this motion",
+                (f"top.{end}",),
             )
     if response and not any(follows[name] for name in response.moving):
         also = ("top.x", "top.z")

@@ -38,8 +38,8 @@ def names(scene: Parts) -> Iterator[Misfit]:
     for k, section in enumerate(scene.riser):
         if not section.name.strip() or section.name.startswith(ENDS_OF_SECTIONS):
             found = f"{section.name!r} does not name a section"
-            remedy = "give a name that is not empty and does not start with 'lower end of '"
-            yield Misfit(f"riser[{k}].name", found, f"{remedy} or 'upper end of '")
+            remedy = "give a name that is not empty and does not start with 'lower end of' or 'upper end of'"
+            yield Misfit(f"riser[{k}].name", found, remedy)
     for name, count in Counter(section.name for section in scene.riser).items():
         if count > 1:
             found = f"{count} sections are named {name!r}"
@@ -65,15 +65,16 @@ def reaches(scene: Parts) -> Iterator[Misfit]:
     stiff = all(s.young_modulus or s.bending_stiffness for s in scene.riser)
     fault, allowed = "", ""
     if length < upright - spare or (joint is None and length < apart - spare):
-        fault, allowed = "short", f"from {upright - spare:.6g} m"
+        fault, allowed = "short", f"at least {upright - spare:.6g} m"
     elif stiff and aside < FAR * length and length > apart + spare:
-        fault, allowed = "long", f"up to {apart + spare:.6g} m"
+        fault, allowed = "long", f"at most {apart + spare:.6g} m"
     if fault:
         yield Misfit(
             "riser",
-            f"{length:.6g} m{', with top.telescopic_joint,' if joint else ''} is too {fault} between "
-            f"bottom.elevation {bottom:g} m and top.elevation {top:g} m, {apart:.6g} m apart",
-            f"allowed is {allowed}: check lengths, elevations and their units",
+            f"the length {length:.6g} m{' with top.telescopic_joint' if joint else ''} is too {fault} "
+            f"between bottom.elevation {bottom:g} m and top.elevation {top:g} m, which are {apart:.6g} m "
+            "apart",
+            f"give {allowed}, or correct the elevations or units",
             (*ENDS, "top.telescopic_joint", "top.offset", "platform.position"),
         )
 
@@ -89,15 +90,16 @@ def filled(scene: Parts) -> Iterator[Misfit]:
                 f"{level:g} m differs from the level of the highest section with contents, "
                 f"{scene.riser[highest].name!r}"
             )
-            remedy = "give the same level: only that of the highest section is used"
+            used = levels[highest]
+            remedy = "remove this level" if used is None else f"give {used:g} m, or remove this level"
             yield Misfit(f"riser[{k}].contents.level", found, remedy, (path,))
     bottom, level = scene.bottom.elevation, levels.get(highest)
     if level is None or bottom is None:
         return
     upper = bottom + sum(section.total_length for section in scene.riser[: highest + 1])
     if level < upper - ROUNDED - SLIDES * (upper - bottom):
-        found = f"{level:g} m is below the section's upper end at {upper:g} m"
-        remedy = "give a level at or above it: contents fill a section completely"
+        found = f"{level:g} m is below the upper end of the section at {upper:g} m"
+        remedy = f"give {upper:g} m or more, or divide the section at the level of the contents"
         yield Misfit(path, found, remedy, ("bottom.elevation",))
 
 
@@ -111,9 +113,9 @@ def levels(scene: Parts) -> Iterator[Misfit]:
     if surface is not None and not surface - KEEL <= ends.top <= surface + DECK:
         yield Misfit(
             "water.surface",
-            f"{surface:g} m, but the riser's upper end is at {ends.top:g} m",
-            f"allowed is from {KEEL:g} m below the surface to {DECK:g} m above it: check water.surface, "
-            "elevations and lengths",
+            f"the surface is at {surface:g} m, but the upper end of the riser is at {ends.top:g} m",
+            f"correct elevations or lengths: the upper end must be between {KEEL:g} m below the surface and "
+            f"{DECK:g} m above it",
             (*ENDS, "riser"),
         )
     if seabed is None:
@@ -121,15 +123,16 @@ def levels(scene: Parts) -> Iterator[Misfit]:
     if scene.bottom.hold != "foot" and ends.bottom < seabed - drawn:
         yield Misfit(
             "water.seabed",
-            f"{seabed:g} m, but the riser's lower end is at {ends.bottom:g} m, below it",
-            "allowed below the seabed is the foot of a conductor alone ('bottom.hold: foot')",
+            f"the lower end of the riser, at {ends.bottom:g} m, is below the seabed at {seabed:g} m",
+            "correct the elevations, or write 'bottom.hold: foot' for a conductor in the soil",
             (*ENDS, "riser"),
         )
     if scene.bottom.hold == "wellhead" and ends.bottom > seabed + STACK:
         yield Misfit(
             "water.seabed",
-            f"{seabed:g} m, but the riser's lower end is held at {ends.bottom:g} m",
-            f"allowed is up to {STACK:g} m above the seabed: check water.seabed and bottom.elevation",
+            f"the lower end of the riser is held at {ends.bottom:g} m, more than {STACK:g} m above the "
+            f"seabed at {seabed:g} m",
+            "correct water.seabed or bottom.elevation",
             (*ENDS, "riser"),
         )
 
@@ -146,21 +149,21 @@ def foot(scene: Parts) -> Iterator[Misfit]:
             low[k] = section
         head += section.total_length
     if not ends.bottom < mudline <= head + ROUNDED:
-        found = f"{mudline:g} m is not within the sections below the flex joint, or within the lowest section"
-        remedy = f"allowed is above {ends.bottom:g} m and up to {head:g} m"
+        found = f"{mudline:g} m is not on the conductor (the sections below the flex joint)"
+        remedy = f"give an elevation above {ends.bottom:g} m and up to {head:g} m"
         yield Misfit("soil.mudline", found, remedy, (*ENDS, "riser"))
     for k, section in low.items():
         if section.outer_diameter is None:
-            found = f"soil needs the outer_diameter of section {section.name!r}"
-            yield Misfit(f"riser[{k}].outer_diameter", found, "add it", ("soil",))
+            found = f"missing, but section {section.name!r} is in the soil"
+            yield Misfit(f"riser[{k}].outer_diameter", found, "add outer_diameter", ("soil",))
     deepest = mudline - ends.bottom
     if isinstance(soil.resistance, TabulatedSoil):
         depths = [*soil.resistance.curves]
         if depths[0] > 0.0 or depths[-1] < deepest - ROUNDED:
-            found = f"reaches from {depths[0]:g} m to {depths[-1]:g} m below the mudline"
-            remedy = f"allowed is from 0 m to the foot, {deepest:g} m"
+            found = f"covers depths from {depths[0]:g} m to {depths[-1]:g} m below the mudline only"
+            remedy = f"give rows from 0 m to the lower end of the conductor, {deepest:g} m"
             yield Misfit("soil.resistance.table", found, remedy, ("soil.mudline", *ENDS))
     seabed = scene.water.seabed if scene.water else None
     if seabed is not None and mudline > seabed + ROUNDED:
-        found = f"{mudline:g} m is above water.seabed {seabed:g} m"
-        yield Misfit("soil.mudline", found, "allowed is up to the seabed", ("water.seabed",))
+        found = f"{mudline:g} m is above the seabed at {seabed:g} m"
+        yield Misfit("soil.mudline", found, "correct soil.mudline or water.seabed", ("water.seabed",))

@@ -25,8 +25,8 @@ def limits(scene: Parts) -> Iterator[Misfit]:
         except Misfit as fault:
             yield fault.below(f"limits[{k}].at")
         if limit.output == "stroke" and scene.top.telescopic_joint:
-            found = "'stroke' is measured from the static state"
-            remedy = "write 'joint_stroke', which is measured from the joint's length"
+            found = "'stroke' is measured from the static equilibrium, not from the length of the joint"
+            remedy = "write 'joint_stroke', which is measured from the length of the joint"
             yield Misfit(f"limits[{k}].output", found, remedy, ("top.telescopic_joint",))
 
 
@@ -36,27 +36,27 @@ def fatigue(scene: Parts) -> Iterator[Misfit]:
     if scene.fatigue is None:
         return
     if a.duration is None or a.output is None:
-        found, also = "needs analysis.duration", ("analysis.duration",)
-        yield Misfit("fatigue", found, "add it: a static run has no stress cycles", also)
+        found, also = "a static run has no stress cycles", ("analysis.duration",)
+        yield Misfit("fatigue", found, "add analysis.duration and output, or remove fatigue", also)
         return
     if a.solver:
-        yield Misfit("fatigue", "not with analysis.solver", "leave out the solver", ("analysis.solver",))
+        found, remedy = "does not work with analysis.solver", "remove analysis.solver"
+        yield Misfit("fatigue", found, remedy, ("analysis.solver",))
     if scene.events or scene.top.tension_loss:
-        found, remedy = (
-            "not with events such as a disconnect",
-            "leave them out: fatigue needs loads that recur",
-        )
+        found = "requires loads that recur, so it excludes events such as a disconnect or a tension loss"
+        remedy = "remove fatigue, or the events"
         yield Misfit("fatigue", found, remedy, ("disconnect", "top"))
     shortest = scene.shortest_period
     if shortest and a.output.interval > shortest / A_PERIOD:
-        found = f"{a.output.interval:g} s misses peaks of stress, from which fatigue is computed"
+        found = f"{a.output.interval:g} s is too long: outputs miss peaks of stress, which fatigue requires"
         longest = at_most(shortest / A_PERIOD)
-        remedy = f"allowed are {A_PERIOD} outputs in the shortest period, {longest} s"
+        remedy = f"give at most {longest} s, which is {A_PERIOD} outputs in the shortest period"
         yield Misfit("analysis.output.interval", found, remedy, ("fatigue", "wave", "platform"))
     known: set[str] = set()
     for k, detail in enumerate(scene.fatigue.details):
         if detail.name in known:
-            yield Misfit(f"fatigue.details[{k}].name", f"{detail.name!r} occurs twice", "give another name")
+            found = f"two details are named {detail.name!r}"
+            yield Misfit(f"fatigue.details[{k}].name", found, "give each detail a different name")
         known.add(detail.name)
         yield from (fault.below(f"fatigue.details[{k}]") for fault in _detail(scene, detail))
 
@@ -70,4 +70,5 @@ def _detail(scene: Parts, detail: Detail) -> Iterator[Misfit]:
         return
     lacking = [lack for s in scene.riser if s.name in names for lack in range_lacks(scene, s)]
     if detail.face is not None and lacking:
-        yield Misfit("face", f"the wall stress cannot be computed without {lacking[0]}", "give it")
+        found = f"the wall stress cannot be computed without {lacking[0]}"
+        yield Misfit("face", found, "add this input, or choose other sections by 'at'")

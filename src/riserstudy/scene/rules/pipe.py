@@ -19,6 +19,11 @@ def bends(scene: Parts) -> list[bool]:
     return [bool(s.young_modulus or s.bending_stiffness) for s in scene.riser]
 
 
+def _without(part: str) -> tuple[str, str]:
+    """Fault and remedy of an input that requires another part of the scene."""
+    return f"requires {part} in the scene", f"add {part}, or remove this input"
+
+
 def water(scene: Parts) -> Iterator[Misfit]:
     """Drag, added mass and a current require water."""
     if scene.water is not None:
@@ -26,12 +31,12 @@ def water(scene: Parts) -> Iterator[Misfit]:
     for k, section in enumerate(scene.riser):
         for name in ("drag", "tangential_drag", "added_mass"):
             if getattr(section, name):
-                yield Misfit(f"riser[{k}].{name}", "needs water", "add water, or leave it out", ("water",))
+                yield Misfit(f"riser[{k}].{name}", *_without("water"), ("water",))
     for name, body in (("bottom.body", scene.bottom.body), ("top.body", scene.top.body)):
         if body and body.drag_area:
-            yield Misfit(f"{name}.drag_area", "needs water", "add water, or leave it out", ("water",))
+            yield Misfit(f"{name}.drag_area", *_without("water"), ("water",))
     if scene.current:
-        yield Misfit("current", "needs water", "add water, or leave current out", ("water",))
+        yield Misfit("current", *_without("water"), ("water",))
 
 
 def gravity(scene: Parts) -> Iterator[Misfit]:
@@ -41,13 +46,14 @@ def gravity(scene: Parts) -> Iterator[Misfit]:
         rig = scene.top.tensioners
         heavy = [*filled, *(["top.tensioners.piston_mass"] if rig and rig.piston_mass else [])]
         for path in heavy:
-            yield Misfit(path, "needs gravity", "add gravity, or leave it out", ("gravity",))
+            yield Misfit(path, *_without("gravity"), ("gravity",))
     if scene.gravity is not None and scene.water is not None:
         return
     for end, body in (("bottom", scene.bottom.body), ("top", scene.top.body)):
         if body and (body.displaced_volume is not None or body.density):
-            found = "displaced_volume or density needs gravity and water"
-            yield Misfit(f"{end}.body", found, "add both, or leave it out", ("gravity", "water"))
+            found = "displaced_volume and density require gravity and water in the scene"
+            remedy = "add gravity and water, or give submerged_weight instead"
+            yield Misfit(f"{end}.body", found, remedy, ("gravity", "water"))
 
 
 def mass(scene: Parts) -> Iterator[Misfit]:
@@ -55,25 +61,27 @@ def mass(scene: Parts) -> Iterator[Misfit]:
     if scene.analysis.duration and not (
         all(s.mass for s in scene.riser) or scene.top.body or scene.bottom.body
     ):
-        remedy = "give every section its mass, or an end a body"
-        yield Misfit("riser", "dynamics need mass", remedy, ("analysis.duration",))
+        found, remedy = "a dynamic run requires the mass of every section", "add mass to the sections"
+        yield Misfit("riser", found, remedy, ("analysis.duration",))
     if scene.top.tension_loss and scene.analysis.duration is None:
-        found = "needs analysis.duration"
-        yield Misfit("top.tension_loss", found, "statics are before it", ("analysis.duration",))
+        found = "has no effect on a static run"
+        remedy = "add analysis.duration and output, or remove tension_loss"
+        yield Misfit("top.tension_loss", found, remedy, ("analysis.duration",))
 
 
 def bending(scene: Parts) -> Iterator[Misfit]:
     """Bending stiffness and damping must be given in all sections alike, or in none."""
     stiff = bends(scene)
     if any(stiff) and not all(stiff):
-        found = f"{scene.riser[stiff.index(False)].name!r} has no bending stiffness, others have"
-        yield Misfit("riser", found, "give bending stiffness to all sections or to none")
+        found = f"section {scene.riser[stiff.index(False)].name!r} has no bending stiffness, but others have"
+        yield Misfit("riser", found, "give bending stiffness to all sections, or to none")
     damping = [s.structural_damping for s in scene.riser]
     if not alike(d.time if d else None for d in damping):
-        found = "structural_damping differs"
-        yield Misfit("riser", found, "structural_damping must be the same in all sections")
+        found = "structural_damping differs between sections"
+        yield Misfit("riser", found, "give the same structural_damping to all sections")
     if scene.top.telescopic_joint and not all(stiff):
-        found, remedy = "needs bending stiffness in the riser", "give it to all sections"
+        found = "requires a riser with bending stiffness"
+        remedy = "give young_modulus and diameters, or bending_stiffness, to all sections"
         yield Misfit("top.telescopic_joint", found, remedy, ("riser",))
 
 
@@ -84,7 +92,7 @@ def turning(scene: Parts) -> Iterator[Misfit]:
     for name, rotation in (("bottom", scene.bottom.rotation), ("top", scene.top.rotation)):
         if rotation == "fixed" or (isinstance(rotation, FlexJoint) and rotation.stiffness):
             found = "has no effect on a riser without bending stiffness"
-            remedy = "leave it out, or give bending stiffness to all sections"
+            remedy = "remove it, or give bending stiffness to all sections"
             yield Misfit(f"{name}.rotation", found, remedy, ("riser",))
 
 
@@ -92,9 +100,17 @@ def joint(scene: Parts) -> Iterator[Misfit]:
     """One flex joint is possible, between sections that bend; a guide is not possible at a held lower end."""
     joints = [k for k, s in enumerate(scene.riser) if s.flex_joint_below]
     if joints and (not all(bends(scene)) or len(joints) > 1 or joints[0] == 0):
-        found = f"{len(joints)} in the riser" if len(joints) > 1 else "not between sections that bend"
-        remedy = "allowed is one, between sections that bend; the lower end has bottom.rotation"
+        if len(joints) > 1:
+            found = f"{len(joints)} sections have a flex joint below them"
+            remedy = "keep one; a joint at the lower end of the riser is bottom.rotation"
+        elif joints[0] == 0:
+            found = "the lowest section has no section below it"
+            remedy = "give the joint at the lower end of the riser as bottom.rotation"
+        else:
+            found = "a flex joint requires sections with bending stiffness"
+            remedy = "give bending stiffness to all sections, or remove the joint"
         yield Misfit(f"riser[{joints[-1]}].flex_joint_below", found, remedy)
     if scene.riser[0].guide_below and scene.bottom.hold != "free":
-        found, remedy = "the bottom is held there", "guide a section above"
+        found = "a guide has no effect at a held lower end"
+        remedy = "remove it, or give it to a section above"
         yield Misfit("riser[0].guide_below", found, remedy, ("bottom.hold",))

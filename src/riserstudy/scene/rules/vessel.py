@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.scene.analysis import USE_IMPLICIT
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -18,25 +19,31 @@ def moored(scene: Parts) -> Iterator[Misfit]:
     """A vessel requires a riser's top that follows it, and forces that the engine can compute."""
     vessel, top = scene.vessel, scene.top
     if (vessel is None) != (top.x != "vessel"):
-        remedy = "give both or neither"
-        yield Misfit("vessel", "vessel and 'top.x: vessel' go together", remedy, ("top.x",))
+        if vessel is None:
+            found = "missing, but 'top.x: vessel' requires it"
+            remedy = "add vessel, or write 'top.x: platform'"
+        else:
+            found = "the upper end of the riser does not follow the vessel"
+            remedy = "write 'top.x: vessel', or remove vessel"
+        yield Misfit("vessel", found, remedy, ("top.x",))
     if vessel is None:
         return
     if scene.platform:
         yield from _first_order(scene, vessel, scene.platform)
     if vessel.yaw and scene.spatial and scene.analysis.method == "explicit":
-        found = "explicit stepping does not include the forces of a turning hull"
-        yield Misfit("vessel.yaw", found, "use an implicit method", ("analysis.method",))
+        found = "'analysis.method: explicit' does not include the forces of a turning hull"
+        yield Misfit("vessel.yaw", found, USE_IMPLICIT, ("analysis.method",))
     for name in ("yaw", "coupling") if top.tensioners and top.tensioners.arrangement else ():
         if getattr(vessel, name, None):
-            found = "not simulated with top.tensioners.arrangement, whose cylinders pull at the vessel"
-            remedy = f"leave out vessel.{name} or the arrangement"
+            found = "does not work with top.tensioners.arrangement, whose cylinders pull at the vessel"
+            remedy = f"remove vessel.{name}, or the arrangement"
             yield Misfit(f"vessel.{name}", found, remedy, ("top.tensioners.arrangement",))
     if scene.current and scene.current.ramp and (vessel.hull_drag or vessel.yaw):
-        found = "the current acts on the hull of the vessel from the start"
-        yield Misfit("current.ramp", found, "leave it out", ("vessel",))
+        found = "does not work with a vessel with hull drag or yaw, on which the current acts from the start"
+        yield Misfit("current.ramp", found, "remove current.ramp", ("vessel",))
     if vessel.hull_drag and scene.water is None:
-        yield Misfit("vessel.hull_drag", "needs water", "add water", ("water",))
+        found, remedy = "requires water in the scene", "add water, or remove hull_drag"
+        yield Misfit("vessel.hull_drag", found, remedy, ("water",))
 
 
 def coupled(scene: Parts) -> Iterator[Misfit]:
@@ -51,16 +58,23 @@ def coupled(scene: Parts) -> Iterator[Misfit]:
         return
     for name in ("body", "lateral_force", "tensioners"):
         if getattr(scene.top, name) is not None:
-            found = f"top.{name} acts on the platform beside the riser"
-            remedy = "put a telescopic_joint between, or leave coupling out"
+            found = (
+                f"requires that only the end of the riser acts on the vessel, but top.{name} acts on it, too"
+            )
+            remedy = f"add top.telescopic_joint, or remove vessel.coupling or top.{name}"
             yield Misfit("vessel.coupling", found, remedy, (f"top.{name}",))
 
 
 def soil(scene: Parts) -> Iterator[Misfit]:
     """Soil and a foot require each other."""
     if (scene.bottom.hold == "foot") != (scene.soil is not None):
-        remedy = "give both or neither"
-        yield Misfit("soil", "soil and 'bottom.hold: foot' go together", remedy, ("bottom.hold",))
+        if scene.soil is None:
+            found = "missing, but 'bottom.hold: foot' (a conductor in the soil) requires it"
+            remedy = "add soil, or write 'bottom.hold: wellhead'"
+        else:
+            found = f"has no effect on a riser with 'bottom.hold: {scene.bottom.hold}'"
+            remedy = "write 'bottom.hold: foot' for a conductor in the soil, or remove soil"
+        yield Misfit("soil", found, remedy, ("bottom.hold",))
 
 
 def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[Misfit]:
@@ -68,26 +82,26 @@ def _first_order(scene: Parts, vessel: Vessel, platform: Platform) -> Iterator[M
     explicit = scene.analysis.method == "explicit"
     position = platform.position
     remedies: dict[str, tuple[object, str]] = {
-        "platform.cruise": (platform.cruise, "the motion of the vessel is computed; leave the cruise out"),
+        "platform.cruise": (platform.cruise, "remove it, since the motion of the vessel is computed"),
         "vessel.yaw": (
             vessel.yaw,
-            "first-order motions are defined for a constant heading; leave out vessel.yaw or the platform",
+            "remove vessel.yaw or the platform, whose first-order motions require a constant heading",
         ),
         "vessel.coupling": (
             vessel.coupling,
-            "an exchange does not include first-order motions; leave out vessel.coupling or the platform",
+            "remove vessel.coupling, or the first-order motions of platform",
         ),
-        "analysis.method": (explicit, "explicit stepping has no first-order motions; use an implicit method"),
+        "analysis.method": (explicit, USE_IMPLICIT),
         "platform.position.surge": (
             position and position.surge,
-            "the vessel rests at top.offset; give top.offset",
+            "give top.offset instead, which is the position of the vessel",
         ),
         "platform.position.sway": (
             position and position.sway,
-            "the vessel rests at top.offset; leave it out",
+            "remove it; top.offset is the position of the vessel",
         ),
     }
     for path, (there, remedy) in remedies.items():
         if there:
-            found, also = "is not possible with a vessel and a platform", ("vessel", "platform")
+            found, also = "does not work in a scene with vessel and platform", ("vessel", "platform")
             yield Misfit(path, found, remedy, also)
