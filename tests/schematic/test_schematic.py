@@ -281,7 +281,9 @@ def test_cylinders_that_the_scene_arranges_are_not_made_to_stand(tmp_path):
     head, sep, rest = text.partition("schematics:\n  fig01:\n")
     assert sep
     path.write_text(f"{head}{sep}    cylinders: standing\n{rest}", "utf-8")
-    with pytest.raises(InputError, match=r"schematics\.fig01\.cylinders: .*arranges its tensioners"):
+    with pytest.raises(
+        InputError, match=r"schematics\.fig01\.cylinders: .*has an arrangement of its tensioners"
+    ):
         from_scene(tmp_path / "config", "liu2020", "fig01")
 
 

@@ -33,7 +33,7 @@ def test_a_study_names_its_scene_as_every_system_does(tmp_path, name):
     file = tmp_path / "study/config/studies/example.yaml"
     text = file.read_text("utf-8").replace("scene: scenes/riser.yaml", f"scene: '{name}'")
     file.write_text(text, "utf-8")
-    with pytest.raises(InputError, match=r"studies\.tension\.scene: .*(below the folder|/ between)"):
+    with pytest.raises(InputError, match=r"studies\.tension\.scene: .*(below this folder|/ between)"):
         read_studies(tmp_path / "study/config", "example")
 
 

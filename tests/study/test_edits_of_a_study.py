@@ -43,7 +43,7 @@ STUDY = {
         "analysis.mesh": {"elements": 4},
     },
     "limits": [
-        LIMIT | {"smallest": {"assumed": "350 kN", "because": "a rule"}},
+        LIMIT | {"smallest": {"assumed": "350 kN", "because": "the workflow uses itself"}},
         LIMIT | {"largest": "2 MN"},
         {"output": "lower_end_tension", "largest": "2 MN", "mode": "disconnect"},
     ],

@@ -121,17 +121,17 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
 @pytest.mark.parametrize(
     "said, changed",
     [
-        ("runs return no 'bending_momnet'", {"keep": ["bending_momnet"]}),
-        ("axes.stroke: the name of a variable", {"axes": {"stroke": AMPLITUDE}}),
-        ("axes.x_max: the name of a variable", {"axes": {"x_max": AMPLITUDE}}),
-        ("axes.s_node: the name of a variable", {"axes": {"s_node": AMPLITUDE}}),
-        ("axes.use_of_limit: the name of a variable", {"axes": {"use_of_limit": AMPLITUDE}}),
-        ("axes.s_of_statistic: the name", {"axes": {"s_of_statistic": AMPLITUDE}}),
-        ("axes.statistic: the name of a variable", {"axes": {"statistic": AMPLITUDE}}),
-        ("axes.elements: the name of a variable", {"axes": {"elements": AMPLITUDE}}),
-        ("axes.warnings: the name of a variable", {"axes": {"warnings": AMPLITUDE}}),
-        ("axes.failure: the name of a variable", {"axes": {"failure": AMPLITUDE}}),
-        ("axes.assumed_mass: samples have", {"axes": {"assumed_mass": AMPLITUDE}}),
+        ("'bending_momnet' is not an output of a run", {"keep": ["bending_momnet"]}),
+        ("axes.stroke: this is also the name of an output", {"axes": {"stroke": AMPLITUDE}}),
+        ("axes.x_max: this is also the name of an output", {"axes": {"x_max": AMPLITUDE}}),
+        ("axes.s_node: this is also the name of an output", {"axes": {"s_node": AMPLITUDE}}),
+        ("axes.use_of_limit: this is also the name of an output", {"axes": {"use_of_limit": AMPLITUDE}}),
+        ("axes.s_of_statistic: this is also the name", {"axes": {"s_of_statistic": AMPLITUDE}}),
+        ("axes.statistic: this is also the name of an output", {"axes": {"statistic": AMPLITUDE}}),
+        ("axes.elements: this is also the name of an output", {"axes": {"elements": AMPLITUDE}}),
+        ("axes.warnings: this is also the name of an output", {"axes": {"warnings": AMPLITUDE}}),
+        ("axes.failure: this is also the name of an output", {"axes": {"failure": AMPLITUDE}}),
+        ("axes.assumed_mass: names that start with 'assumed_'", {"axes": {"assumed_mass": AMPLITUDE}}),
         (
             "axes.b.calm: sets 'platform.surge.amplitude', where axis 'a' has its numbers",
             {"axes": {"a": AMPLITUDE, "b": {"as it is": {}, "calm": {AMPLITUDE["path"]: "1 m"}}}},
@@ -150,10 +150,10 @@ AMPLITUDE = {"path": "platform.surge.amplitude", "unit": "m", "values": [1.0, 2.
             },
         ),
         (
-            "axes.b: sets 'platform.surge.amplitude', and so does axis 'a'",
+            "axes.b: sets 'platform.surge.amplitude', which axis 'a' also sets",
             {"axes": {"a": AMPLITUDE, "b": AMPLITUDE}},
         ),
-        ("and so does axis 'a'", {"axes": {"a": AMPLITUDE | {"path": "platform.surge"}, "b": AMPLITUDE}}),
+        ("which axis 'a' also sets", {"axes": {"a": AMPLITUDE | {"path": "platform.surge"}, "b": AMPLITUDE}}),
     ],
 )
 def test_names_and_paths_that_clash_are_refused_before_any_run(said, changed):
@@ -175,7 +175,7 @@ def test_labels_may_set_what_numbers_are_within_before_them_and_what_is_beside(a
 
 
 def test_steps_reach_their_stop_or_are_refused():
-    with pytest.raises(ValidationError, match=r"allowed is 0\.6, 1\.2, or another step"):
+    with pytest.raises(ValidationError, match=r"give 0\.6 or 1\.2, or another step"):
         Steps(start=0.0, stop=1.0, step=0.6)
     assert Steps(start=0.0, stop=0.3, step=0.1).values == [0.0, 0.1, 0.2, 0.3]
 
@@ -190,13 +190,13 @@ def test_steps_are_counted_in_the_digits_that_they_are_written_in(seed):
     found = Steps(start=start, stop=stop, step=by).values
     assert found == [float(f"{first + k * step}e{power}") for k in range(count + 1)]
     short = float(f"{first + count * step + rng.randint(1, 9) / 10 * step}e{power}")
-    with pytest.raises(ValidationError, match="no whole number of steps"):
+    with pytest.raises(ValidationError, match="not a whole number of steps"):
         Steps(start=start, stop=short, step=by)
 
 
 def test_an_axis_whose_factor_is_nothing_is_refused():
     axis = {"path": "platform.surge.amplitude", "unit": "m", "factor": 0, "values": [1, 2]}
-    with pytest.raises(ValidationError, match="sets every value of the axis to the same"):
+    with pytest.raises(ValidationError, match="all values of the axis are equal"):
         StudyModel.model_validate(OF_SURGE | {"axes": {"a": axis}})
 
 

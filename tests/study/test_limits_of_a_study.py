@@ -110,9 +110,9 @@ def test_where_nothing_is_used_the_point_that_comes_nearest_is_told(tmp_path):
 
 
 def test_limits_that_cannot_be_meant_are_refused(tmp_path):
-    with pytest.raises(ValueError, match="only one of the two"):
+    with pytest.raises(ValueError, match="remove one of the two"):
         study(tmp_path, set={"limits": LIMITS})
-    with pytest.raises(InputError, match="'colour' is no output that can have limits"):
+    with pytest.raises(InputError, match="'colour' is not an output that can have a limit"):
         dataset(tmp_path, limits=[{"output": "colour", "largest": "1 m", "mode": "drilling"}])
     modes = {mode: {"limits": [LIMITS[0] | {"mode": mode}]} for mode in ("drilling", "connected")}
     with pytest.raises(InputError, match="same outputs"):

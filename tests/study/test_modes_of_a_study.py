@@ -175,17 +175,17 @@ def test_what_is_needed_of_the_store_are_modes_too(tmp_path):
 
 def test_a_scene_without_mass_has_no_modes(tmp_path):
     massless = {"riser[0].mass": None}
-    with pytest.raises(SimulationError, match="need mass"):
+    with pytest.raises(SimulationError, match="modes require mass"):
         made(tmp_path, set=massless, modes=2)
     file = read_scene(tmp_path / "string.yaml").with_values(massless, "test")
-    with pytest.raises(SimulationError, match="need mass"):
+    with pytest.raises(SimulationError, match="modes require mass"):
         riserstudy.sweep(file, {"top.tension": ["900 kN", "1 MN"]}, modes=2, cores=1, progress=False)
 
 
 def test_a_sweep_has_modes_and_none_where_a_point_fails(tmp_path):
     axes = {"mass": {"some": {}, "none": {"riser[0].mass": None}}}
     found = riserstudy.sweep(tmp_path / "string.yaml", axes, modes=2, cores=1, progress=False)
-    assert "need mass" in str(found["failure"].sel(mass="none").item())
+    assert "modes require mass" in str(found["failure"].sel(mass="none").item())
     assert np.isfinite(found["natural_period"].sel(mass="some")).all()
     assert np.isnan(found["natural_period"].sel(mass="none")).all()
 
@@ -193,7 +193,7 @@ def test_a_sweep_has_modes_and_none_where_a_point_fails(tmp_path):
 def test_an_axis_may_be_called_mode_where_no_modes_are_asked_for(tmp_path):
     axes = {"mode": {"soft": {}, "hard": {"top.tension": "2 MN"}}}
     assert study(tmp_path, axes=axes).axes["mode"]
-    with pytest.raises(ValueError, match=r"axes\.mode: the name of a variable of modes"):
+    with pytest.raises(ValueError, match=r"axes\.mode: this is also the name of an output of modes"):
         study(tmp_path, axes=axes, modes=2)
 
 

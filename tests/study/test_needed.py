@@ -99,5 +99,5 @@ def test_a_point_that_another_study_overwrote_meanwhile_is_simulated_again(study
 
 def test_points_that_vanish_each_time_are_an_error(study, monkeypatch):
     monkeypatch.setattr(store, "put", lambda *_: None)
-    with pytest.raises(collect.SimulationError, match="were deleted from the store"):
+    with pytest.raises(collect.SimulationError, match="were deleted from the cache"):
         results_of(study(["x"]), 1, lambda _: None)

@@ -97,10 +97,10 @@ def test_a_run_without_a_coarser_one_is_run_anew(tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     "at, said",
     [
-        ({}, "surge_amplitude: not given; allowed are 1.0, 2.0"),
-        ({"surge_amplitude": "3"}, "3; allowed are 1.0, 2.0"),
-        ({"surge_amplitude": "two"}, "two; allowed are 1.0, 2.0"),
-        ({"heave": "1"}, "no axis of the dataset; allowed are surge_amplitude"),
+        ({}, "surge_amplitude=VALUE with one of 1.0, 2.0"),
+        ({"surge_amplitude": "3"}, "the axis has no value 3; use one of 1.0, 2.0"),
+        ({"surge_amplitude": "two"}, "the axis has no value two; use one of 1.0, 2.0"),
+        ({"heave": "1"}, "no axis of this name; use one of surge_amplitude"),
     ],
 )
 def test_a_point_that_is_not_there_is_refused(dataset, at, said):
@@ -109,5 +109,5 @@ def test_a_point_that_is_not_there_is_refused(dataset, at, said):
 
 
 def test_a_dataset_that_was_not_simulated_is_refused():
-    with pytest.raises(InputError, match="does not contain a scene"):
+    with pytest.raises(InputError, match="contains no scene"):
         rerun(xr.Dataset({"x": 1.0}), {})

@@ -112,7 +112,7 @@ def test_of_values_of_the_command_line_none_is_lost(seed, spatial, commands, tmp
 def test_limits_of_a_study_do_not_replace_an_allowable_that_it_sets():
     fields = {"scene": "rig.yaml", "caption": "a rig", "axes": {}, "limits": [LIMIT]}
     for path in ("limits", "limits[0].largest"):
-        with pytest.raises(InputError, match="also in set"):
+        with pytest.raises(InputError, match="also sets limits"):
             check(StudyModel, fields | {"set": {path: "2 deg"}}, "study.yaml")
 
 

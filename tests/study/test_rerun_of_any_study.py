@@ -117,7 +117,7 @@ def test_statistics_of_a_point_are_those_of_its_run(seed, tmp_path, monkeypatch)
     dataset = several(seed, tmp_path, monkeypatch)
     for k, what in enumerate(dataset["what"].values):
         if what == "rest":
-            with pytest.raises(InputError, match="a static run"):
+            with pytest.raises(InputError, match="the run is static"):
                 of_a_run(complete(dataset.isel(what=k)), 0.0, None)
             continue
         run = rerun(dataset, {"what": str(what)}).run

@@ -71,5 +71,5 @@ def test_a_range_in_two_units_is_refused(ends):
 
 
 def test_samples_without_assumptions_are_refused():
-    with pytest.raises(InputError, match="without open assumptions"):
+    with pytest.raises(InputError, match="require a scene with assumptions"):
         sample({}, 8, 1)

@@ -96,7 +96,7 @@ def test_settings_are_read_as_they_were_written(tmp_path, setting):
 @pytest.mark.parametrize("damage", ["", "{}", '{"setting": {"elements": 3}}', "[1, 2"])
 def test_settings_that_are_not_whole_are_refused(tmp_path, damage):
     (tmp_path / "one.json").write_text(damage)
-    with pytest.raises(InputError, match="incomplete tuned settings"):
+    with pytest.raises(InputError, match="tuned settings in this file are incomplete"):
         read_settings(tmp_path / "one.json")
 
 
@@ -203,7 +203,7 @@ def test_points_that_estimate_nothing_are_served_as_their_nearest_is(study_of, m
 
 
 @pytest.mark.parametrize(
-    "name, said", [("own_mesh", "analysis.mesh"), ("rest", "only dynamic runs are tuned")]
+    "name, said", [("own_mesh", "analysis.mesh"), ("rest", "only dynamic runs can be tuned")]
 )
 def test_what_cannot_be_tuned_is_refused_before_any_job(study_of, name, said):
     with pytest.raises(InputError, match=said):

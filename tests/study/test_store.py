@@ -125,5 +125,5 @@ def test_a_point_of_a_former_format_is_none(point):
 def test_a_store_that_cannot_be_written_is_told_with_a_remedy(tmp_path, monkeypatch):
     (tmp_path / "points").touch()
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path))
-    with pytest.raises(SimulationError, match=r"cannot be written: .*RISERSTUDY_CACHE$"):
+    with pytest.raises(SimulationError, match=r"cannot be written: .*RISERSTUDY_CACHE to another folder$"):
         store.put(KEY, Result({}, {}), SceneFile("a.yaml", {}))

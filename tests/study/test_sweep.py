@@ -206,7 +206,7 @@ def test_a_point_that_cannot_be_completed_has_no_numbers_and_says_why():
     """30 kN do not carry a riser of 75 kN in water."""
     found = swept({"top.tension": [30, 2000]}, keep=["x", "ufj_angle"])
     weak, strong = (found.isel(top_tension=k) for k in (0, 1))
-    assert "buckles under its own weight" in str(weak["failure"].item())
+    assert "buckles sideways under its own weight" in str(weak["failure"].item())
     assert strong["failure"].item() == ""
     for name in ("x", "ufj_angle", "largest_bending_moment", "smallest_tension", "wall_seconds"):
         assert np.isnan(weak[name]).all(), name
@@ -245,20 +245,20 @@ def test_failing_points_of_a_study_are_told_by_their_values_and_words(seed, monk
 @pytest.mark.parametrize(
     "axes, options, fault",
     [
-        ({}, {}, "name at least one path"),
+        ({}, {}, "give at least one path"),
         ({"top.tension": []}, {}, "different values"),
         ({"top.tension": [1, 1]}, {}, "different values"),
-        ({"top.tension": [1600, "1700 kN"]}, {}, "give all of them a unit, or none"),
+        ({"top.tension": [1600, "1700 kN"]}, {}, "give a unit to all values, or to none"),
         ({"top.tension": ["2 MN", "3 m"]}, {}, "wrong dimension"),
         ({"top.pull": [1, 2]}, {}, "pull"),
         ({"platform.surge.period": [8, -8]}, {}, "platform.surge.period"),
         ({"platform.surge.phase": [0, 90]}, {}, "platform.surge.phase"),  # no unit is there
         ({"top.tension": [2000]}, {"keep": ["moment"]}, "moment"),
-        ({"top.tension": [2000]}, {"on_error": "skip"}, "'nan' and 'raise'"),
+        ({"top.tension": [2000]}, {"on_error": "skip"}, "'nan' or 'raise'"),
         ({"top.tension": [2000]}, {"cores": 0}, "a whole number from 1"),
         ({"top.tension": [2000]}, {"cores": -2}, "a whole number from 1"),
         ({"top.tension": [2000]}, {"cores": 1.5}, "a whole number from 1"),
-        ({"x": TWO_WAYS}, {}, "variable"),
+        ({"x": TWO_WAYS}, {}, "name of an output"),
         ({"top.tension": 2000.0}, {}, "a list of numbers or texts"),
         ({"top.tension": "2 MN"}, {}, "a list of numbers or texts"),
         ({"top.tension": [[1600, 1700]]}, {}, "a list of numbers or texts"),
@@ -276,7 +276,7 @@ def test_the_notebook_of_its_page_runs_as_it_stands(tmp_path, monkeypatch):
     (picture,) = (output for cell in cells for output in cell.get("outputs", []))
     assert picture["data"]["image/png"].startswith("iVBOR")  # as PNG begins in base64
     assert (tmp_path / "sweep.png").stat().st_size > 5_000
-    assert "raise the top tension" in printed
+    assert "increase the top tension" in printed
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -136,10 +136,10 @@ def test_points_that_a_setting_is_held_against_are_none_that_it_was_tuned_on(fil
 @pytest.mark.parametrize(
     "name, said",
     [
-        ("rest", "only dynamic runs are tuned"),
-        ("stepped", "sets analysis.step, which the tuning chooses"),
+        ("rest", "only dynamic runs can be tuned"),
+        ("stepped", "sets analysis.step, which the tuning itself chooses"),
         ("few", "3 points, fewer than twice"),
-        ("newmark", "which is not tuned"),
+        ("newmark", "cannot be tuned"),
         ("absent", "no study 'absent'"),
     ],
 )

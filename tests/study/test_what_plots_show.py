@@ -34,23 +34,23 @@ def read(folder, figure=None, keep=None, axis=None, analysis=MOVING, scene=SCENE
 @pytest.mark.parametrize(
     "plot, quantity, keep, said",
     [
-        ("lines", "moment", None, "studies have no 'moment'"),
-        ("lines", "stroke", ["x"], "'stroke' is not kept; keep of 'runs' has x"),
-        ("lines", "x_max", ["x_min"], "'x_max' is not kept"),
+        ("lines", "moment", None, "'moment' is not an output of a study"),
+        ("lines", "stroke", ["x"], "'stroke' is not stored; add it to keep of 'runs', which has x"),
+        ("lines", "x_max", ["x_min"], "'x_max' is not stored"),
         ("lines", "tensioner_force", None, "whose scene has no top.tensioners"),
         ("lines", "y", None, "whose scene has no load or motion out of the plane"),
         ("lines", "platform_surge", None, "whose scene has no vessel"),
-        ("time series", "x_max", None, "'x_max' has no history"),
-        ("time series", "shear_force", None, "'shear_force' has no history"),
+        ("time series", "x_max", None, "'x_max' has no time history"),
+        ("time series", "shear_force", None, "'shear_force' has no time history"),
         ("time series", "largest_bending_moment", None, "is a single number per point"),
         ("envelope", "lfj_angle", None, "has no values along the riser"),
-        ("envelope", "bending_moment", ["bending_moment"], "is not kept"),
-        ("envelope", "x_min", ["x_max"], "'x_min' is not kept"),
-        ("lines", "z", ["z_max"], "'z' is not kept"),
-        ("lines", "x_static", ["x"], "'x_static' is not kept"),
+        ("envelope", "bending_moment", ["bending_moment"], "is not stored"),
+        ("envelope", "x_min", ["x_max"], "'x_min' is not stored"),
+        ("lines", "z", ["z_max"], "'z' is not stored"),
+        ("lines", "x_static", ["x"], "'x_static' is not stored"),
         ("lines", "von_mises_stress", None, "no section with diameters and contents"),
-        ("lines", "thrust_y_static", None, "has no value at rest"),
-        ("lines", "stroke_static", None, "has no value at rest"),
+        ("lines", "thrust_y_static", None, "has no value in static equilibrium"),
+        ("lines", "stroke_static", None, "has no value in static equilibrium"),
         ("envelope", "effective_tension_absmax", None, "its sign has a meaning"),
     ],
 )
@@ -107,7 +107,7 @@ def test_what_one_label_of_an_axis_calls_for_is_there(tmp_path):
 
 def test_runs_at_rest_have_no_history(tmp_path):
     still = {"plot": "time series", "of": ["x"]}
-    with pytest.raises(InputError, match="are at rest"):
+    with pytest.raises(InputError, match="are static"):
         read(tmp_path, still, analysis={"mesh": {"elements": 4}})
 
 

@@ -109,7 +109,7 @@ def test_a_study_that_its_runs_tune_is_refused_before_tuning(commands, tmp_path,
     code, out, said = commands("tune", path, "heave", "--write")
     assert (code, out, calls, said.count("\n")) == (2, "", [], 1)
     assert "studies.heave.settings" in said
-    assert "leave out --write" in said
+    assert "omit --write" in said
     assert path.read_bytes() == before
     assert commands("tune", path, "heave")[0] == 0
     assert calls == [1]

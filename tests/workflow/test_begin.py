@@ -167,7 +167,7 @@ def test_many_are_told_in_short(results):
 @pytest.mark.skipif(os.name != "posix" or os.getuid() == 0, reason="root may write anywhere")
 def test_a_folder_that_cannot_be_written_is_told(results):
     results[0].parent.chmod(0o500)
-    with pytest.raises(InputError, match="can be written"):
+    with pytest.raises(InputError, match="allow writing to this folder"):
         start(results[1:])
     results[0].parent.chmod(0o700)
 

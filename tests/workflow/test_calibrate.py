@@ -79,7 +79,7 @@ def test_fitting_improves_on_where_it_began_and_tells_what_it_found(nearest, ite
 
 def test_without_a_range_or_a_number_there_is_nothing_to_fit(nearest, items):
     bare = replace(nearest, model=nearest.model.model_copy(update={"set": {}}))
-    with pytest.raises(InputError, match="no calibrated values with a range"):
+    with pytest.raises(InputError, match="no value is calibrated within a range"):
         calibrate.calibrate(bare, items, {}, 1)
     with pytest.raises(InputError, match="no published numbers"):
         calibrate.calibrate(nearest, [], {}, 1)

@@ -222,8 +222,8 @@ def test_a_file_where_one_works_is_behind_nothing_of_the_package(chapter, tmp_pa
 @pytest.mark.parametrize(
     "text, told",
     [
-        ("DATA_FILES = ('absent.csv',)\n", "figures.py: DATA_FILES: no file absent.csv"),
-        ("x = 1\ny = (\n", "figures.py: line 2: this is not Python"),
+        ("DATA_FILES = ('absent.csv',)\n", "figures.py: DATA_FILES: the file absent.csv does not exist"),
+        ("x = 1\ny = (\n", "figures.py: line 2: this is not valid Python"),
         ("x = '\0'\n", "figures.py"),
     ],
 )

@@ -152,7 +152,7 @@ def test_a_range_in_another_unit_or_without_its_value_is_refused(study_of, value
 @pytest.mark.parametrize(
     "more, said",
     [
-        ({"reads": {"runs": "fit", "more": "another"}}, "reads another, fit"),
+        ({"reads": {"runs": "fit", "more": "another"}}, "reads several datasets, another, fit"),
         ({"unit": "deg", "with": {"output": "lfj_angle", "unit": "rad"}}, "N1.unit"),
         ({"value": 0.0, "rounding": 0.1}, "other than 0"),
     ],
@@ -165,5 +165,5 @@ def test_a_number_that_the_study_does_not_give_is_not_fitted(study_of, more, sai
 
 
 def test_a_number_that_is_not_published_is_refused_although_another_is():
-    with pytest.raises(InputError, match="no N99"):
+    with pytest.raises(InputError, match="no number N99"):
         calibrate.fit_study(calibrate.CONFIG, "mao_hangoff/nearest", ["N1", "N99"], "standard", 1)

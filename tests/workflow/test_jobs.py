@@ -87,7 +87,7 @@ def test_what_a_job_says_and_its_exit_status_reach_the_asker(folder):
     (folder / "other").write_text("a,c\n")
     with ask(folder, *JOIN, "joined", "one", "other") as asker:
         text = asker.stderr.read()
-    assert text.startswith("riserstudy: joined: tables with different columns;")
+    assert text.startswith("riserstudy: joined: the tables to join have different columns;")
     assert asker.returncode == 2
     with ask(folder, *JOIN, "joined", "missing") as asker:
         text = asker.stderr.read()

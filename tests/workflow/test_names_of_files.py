@@ -47,7 +47,7 @@ def test_names_in_another_case_are_refused_where_they_are_one_file(section, one,
     if section == "studies":
         STUDY.write_text(STUDY.read_text().replace(f"reads: [{other}]", f"reads: [{name}]"))
     monkeypatch.setattr(configuration, "ignores_case", lambda file: True)
-    with pytest.raises(InputError, match=f"{section}: '{one}' and '{name}' are one file"):
+    with pytest.raises(InputError, match=f"{section}: '{one}' and '{name}' are the same file name"):
         Workplan.read(Path("config"), {})
     monkeypatch.setattr(configuration, "ignores_case", lambda file: False)
     Workplan.read(Path("config"), {})
@@ -58,7 +58,7 @@ def test_papers_in_another_case_are_refused_where_they_are_one_folder(monkeypatc
     papers = {"papers": ["example", "Example"]}
     Workplan.read(Path("config"), papers)
     monkeypatch.setattr(configuration, "ignores_case", lambda file: True)
-    with pytest.raises(InputError, match="papers: 'example' and 'Example' are one file"):
+    with pytest.raises(InputError, match="papers: 'example' and 'Example' are the same file name"):
         Workplan.read(Path("config"), papers)
 
 
@@ -83,7 +83,7 @@ def test_no_two_rules_write_one_file():
         before = STUDY.read_text()
         rename("moment_over_heave", name)
         with pytest.raises(
-            InputError, match=f"figures.{name}: its table {name}.csv has the name of the table"
+            InputError, match=f"figures.{name}: its table {name}.csv would have the name of the table"
         ):
             Workplan.read(Path("config"), {})
         STUDY.write_text(before)

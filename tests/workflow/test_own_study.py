@@ -117,12 +117,12 @@ STUDY = "config/studies/example.yaml"
 @pytest.mark.parametrize(
     "said, added",
     [
-        ("figures.a: no plot is named for it", "{caption: c, reads: [heave]}"),
-        ("'heave' has 1 axes", "{caption: c, reads: [heave], plot: heat map}"),
-        ("does not have one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
-        ("has an effect only with plot", "{caption: c, reads: [heave], of: [x]}"),
+        ("figures.a: the figure has no plot", "{caption: c, reads: [heave]}"),
+        ("'heave' has 1", "{caption: c, reads: [heave], plot: heat map}"),
+        ("a plot shows exactly one dataset", "{caption: c, reads: [heave, heave_and_current], plot: lines}"),
+        ("has no effect without plot", "{caption: c, reads: [heave], of: [x]}"),
         ("pie", "{caption: c, reads: [heave], plot: pie}"),
-        ("studies have no 'moment'", "{caption: c, reads: [heave], plot: lines, of: [moment]}"),
+        ("'moment' is not an output of a study", "{caption: c, reads: [heave], plot: lines, of: [moment]}"),
     ],
 )
 def test_a_figure_that_cannot_be_meant_stops_before_any_job(folder, said, added):
@@ -142,7 +142,7 @@ def test_a_chapter_that_would_need_code_is_refused(folder):
 
 
 def test_a_chapter_cannot_take_the_name_of_a_rule(folder):
-    with pytest.raises(InputError, match="'report' is the name of a rule"):
+    with pytest.raises(InputError, match="'report' is a name that the workflow uses"):
         Workplan.read(folder / "config", {"papers": ["report"]}, only=[])
 
 
@@ -155,7 +155,7 @@ def test_targets_of_two_chapters_cannot_have_one_name(folder):
             f"figures: {{{figure}: {{caption: c, reads: [one], plot: envelope}}}}\n"
         )
         (folder / f"config/studies/{paper}.yaml").write_text(text, "utf-8")
-    with pytest.raises(InputError, match=r"'a_b_c' it is figure b_c of a, too"):
+    with pytest.raises(InputError, match=r"'a_b_c' is also the name of figure b_c of a"):
         Workplan.read(folder / "config", {"papers": ["a", "a_b"]}, only=[])
     assert Workplan.read(folder / "config", {"papers": ["a_b"]}, only=[]).figures()
 
@@ -187,7 +187,7 @@ def test_a_folder_that_holds_something_is_left_alone(folder, monkeypatch, capsys
     with pytest.raises(SystemExit) as stopped:
         main()
     assert stopped.value.code == 2
-    assert "exists and is not an empty folder" in capsys.readouterr().err
+    assert "already contains files" in capsys.readouterr().err
     assert before == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 

@@ -52,7 +52,7 @@ def test_a_plain_value_that_the_paper_does_not_print_is_refused(folder, seed):
     one = random.Random(seed).choice([m for m in numbers if m[1] not in ("0", "1500")])
     wrong = f"{float(one[1]) * 0.9924:.6g} {one[2]}"
     (folder / SCENE).write_text(text[: one.start()] + wrong + text[one.end() :])
-    with pytest.raises(InputError, match=re.escape(f"{wrong} has no stated origin, like a printed value")):
+    with pytest.raises(InputError, match=re.escape(f"{wrong} has no origin, which marks it as published")):
         Workplan.read(folder / "config", {})
     origin = f'{{chosen: {wrong}, because: "to see"}}'
     (folder / SCENE).write_text(text[: one.start()] + origin + text[one.end() :])

@@ -60,7 +60,10 @@ def _price(scene: Resolved, share: float | None, notify: Notify | None, first: b
     started = clock.perf_counter()
     facts = run(scene, PATIENCE, notify=notify).facts
     if "ended_by" in facts:
-        raise TakesTooLong(f"a run does not reach {_requested(share)} within {PATIENCE:g} s")
+        raise TakesTooLong(
+            f"no run meets the tolerance ({_requested(share)}) within {PATIENCE:g} s; give a shorter "
+            "analysis.duration"
+        )
     seconds = clock.perf_counter() - started
     estimated = deciding(facts.get("error_estimate", {}))
     return Price(share, estimated, facts["elements"], facts.get("step"), seconds, False)

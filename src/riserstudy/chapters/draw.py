@@ -34,7 +34,7 @@ def draw(
         if variable is None or not lacking:
             raise
         there = [(one, sorted(map(str, datasets[one].data_vars))) for one in lacking]
-        has = "; ".join(f"{one} has {', '.join(variables)}" for one, variables in there)
+        has = "use one of these: " + "; ".join(f"{one} has {', '.join(of)}" for one, of in there)
         found = f"the figure draws {variable!r}, which is not in {' or '.join(lacking)}"
         raise InputError(f"{paper}, figure {name}", "", found, has) from error
     return figure

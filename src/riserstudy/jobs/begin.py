@@ -63,7 +63,7 @@ def begin(papers: list[str], outputs: Iterable[str], at_work: bool, tier: str) -
         remade += mend.drop(records, SNAKEMAKE)
         _remove(dropped)
     except OSError as error:
-        allowed = "allowed is a folder that can be written"
+        allowed = "allow writing to this folder"
         raise InputError(error.filename, "", os.strerror(error.errno or 0), allowed) from None
     return remade, lines
 

@@ -78,15 +78,19 @@ def free_values(study: Study) -> list[Free]:
             where = f"set.{path}"
             start, low, high = (_parts(study, where, one) for one in (value["calibrated"], *value["range"]))
             if not start[1] == low[1] == high[1]:
-                allowed = "allowed are a value and the ends of its range in one unit"
-                found = ", ".join(map(str, (value["calibrated"], *value["range"])))
+                allowed = "give the value and its range in one unit"
+                found = "the units differ in "
+                found += ", ".join(map(str, (value["calibrated"], *value["range"])))
                 raise InputError(study.where, where, found, allowed)
             if not (low[0] < high[0] and low[0] <= start[0] <= high[0]):
-                found = f"{value['calibrated']}, with the range {value['range'][0]} to {value['range'][1]}"
-                raise InputError(study.where, where, found, "allowed is a value within a range [low, high]")
+                found = f"{value['calibrated']} is not in the range "
+                found += f"{value['range'][0]} to {value['range'][1]}"
+                raise InputError(study.where, where, found, "give a value within a range [low, high]")
             free.append(Free(path, start[0], low[0], high[0], start[1]))
     if not free:
-        raise InputError(study.where, "set", "no calibrated values with a range", "add range")
+        found = "no value is calibrated within a range"
+        allowed = "write, for example, {calibrated: 4.5 m, to: paper/N1, range: [0 m, 25 m]}"
+        raise InputError(study.where, "set", found, allowed)
     return free
 
 
@@ -96,8 +100,8 @@ def _parts(study: Study, where: str, value: Any) -> tuple[float, str]:
     try:
         return float(number), unit.strip()
     except ValueError:
-        allowed = "allowed is a number with its unit"
-        raise InputError(study.where, where, repr(value), allowed) from None
+        allowed = "write a number with its unit, such as '4.5 m'"
+        raise InputError(study.where, where, f"{value!r} does not start with a number", allowed) from None
 
 
 def with_values(study: Study, free: Sequence[Free], shares: Shares) -> Study:
@@ -127,8 +131,9 @@ def values_of(
         cell = {dim: at for dim, at in item.base.items() if dim in found.value.dims}
         value = task.at_base(found, cell).value
         if value.size != 1:
-            allowed = "allowed is one value: select it by 'base'"
-            raise InputError(study.where, item.id, f"{value.size} values along {value.dims}", allowed)
+            along = " and ".join(map(str, value.dims))
+            why = f"the check returns {value.size} values along {along}"
+            raise InputError(study.where, item.id, why, "select one of them by 'base'")
         values[item.id] = float(value)
     return values
 
@@ -158,8 +163,9 @@ def _read(study: Study, item: Item, name: str, derived: dict[str, Derived], runs
     if derived[name].reads == [study.name]:
         settings = with_printed(derived[name].settings, CONFIG, study.paper)
         return derive(study.paper, name, {study.name: runs}, settings)
-    allowed = f"allowed is a study, or a dataset that is derived from {study.name} alone"
-    raise InputError(f"config/published/{study.paper}.yaml", f"{item.id}.reads", name, allowed)
+    allowed = f"give a study, or a dataset that is derived from {study.name} alone"
+    found = f"{name} is derived from other datasets"
+    raise InputError(f"config/published/{study.paper}.yaml", f"{item.id}.reads", found, allowed)
 
 
 def worst_miss(found: dict[str, float], items: Sequence[Item]) -> float:
@@ -173,17 +179,17 @@ def _check_items(study: Study, items: Sequence[Item], derived: dict[str, Derived
     Raises InputError when a number has no published value or zero, or its check reads several datasets.
     """
     if not items or any(item.published is None for item in items):
-        raise InputError(study.where, "", "no published numbers to fit to", "name some by ID")
+        found = "no published numbers are given to which values are fitted"
+        raise InputError(study.where, "", found, "give the IDs of published numbers")
     if zero := [item.id for item in items if item.published == 0.0]:
-        found, allowed = f"{', '.join(zero)}: 0", "a relative error requires a number other than 0"
+        found = f"{', '.join(zero)} is 0, for which no relative error exists"
+        allowed = "fit to numbers other than 0"
         raise InputError(study.where, "published", found, allowed)
     for item in items:
         read = {*item.reads.values()}
         if len(read) > 1:
-            found = f"its check reads {', '.join(sorted(read))}"
-            raise InputError(
-                study.where, item.id, found, f"allowed is one dataset, for which {study.name} stands"
-            )
+            found = f"its check reads several datasets, {', '.join(sorted(read))}"
+            raise InputError(study.where, item.id, found, "fit to numbers whose check reads one dataset")
         if read - {study.name, *derived}:
             print(f"{item.id}: its check reads the runs of {study.name} in place of {', '.join(read)}")
 
@@ -214,7 +220,9 @@ def calibrate(study: Study, items: Sequence[Item], derived: dict[str, Derived], 
     fit = search(miss, [(one.start - one.low) / (one.high - one.low) for one in free], most)
     if fit.miss >= NO_RUN:
         values(fit.shares)  # which raises the cause
-        raise SimulationError(f"{study.where}: a check finds no finite number at any value of the ranges")
+        raise SimulationError(
+            f"{study.where}: a check returns no finite number at any value of the ranges; change the ranges"
+        )
     for one, share in zip(free, fit.shares, strict=True):
         print(f"{one.path}: {one.value(share)}")
     reached = values(fit.shares)
@@ -307,11 +315,14 @@ def fit_study(config: Path, study: str, ids: list[str], tier: str, most: int | N
     paper, _, name = study.partition("/")
     file = read_studies(config, paper)
     if name not in file.studies:
-        raise InputError(config / "studies" / f"{paper}.yaml", "studies", f"no study {name!r}", "")
+        allowed = f"use one of {', '.join(file.studies)}"
+        where = config / "studies" / f"{paper}.yaml"
+        raise InputError(where, "studies", f"the file has no study {name!r}", allowed)
     published = read_published(config, paper, set(file.datasets))
     if missing := [one for one in ids if one not in {item.id for item in published.items}]:
-        allowed = f"allowed are {', '.join(item.id for item in published.items if item.kind == 'number')}"
-        raise InputError(config / "published" / f"{paper}.yaml", "", f"no {', '.join(missing)}", allowed)
+        allowed = f"use one of {', '.join(item.id for item in published.items if item.kind == 'number')}"
+        where = config / "published" / f"{paper}.yaml"
+        raise InputError(where, "", f"the file has no number {', '.join(missing)}", allowed)
     items = [item for item in published.items if item.id in ids]
     made = Study(paper, name, file.studies[name], config, tier, None, file.readings)  # type: ignore[arg-type]
     return calibrate(made, items, dict(file.derived), most or MOST)

@@ -93,7 +93,8 @@ class Configuration:
         path = config / "config.yaml"
         settings = read_yaml(path, keep=True)
         if not isinstance(settings, dict):
-            raise InputError(path, "", "not a mapping", "it starts with names such as 'papers:'")
+            found = "this is not a configuration"
+            raise InputError(path, "", found, "write fields, each as 'name: value', such as 'papers: [own]'")
         return cls(config, settings | overrides, only)
 
     def _refuse_equal_names(self) -> None:
@@ -108,11 +109,11 @@ class Configuration:
             where = self.config / "studies" / f"{paper}.yaml", f"{section}.{name}"
             if name in GRADED:
                 raise InputError(
-                    *where, f"its table {name}.csv has the name of the table of verdicts", RENAME
+                    *where, f"its table {name}.csv would have the name of the table of verdicts", RENAME
                 )
             if rule in RULES or rule in taken:
                 other = taken.get(rule, f"a rule named {rule}")
-                raise InputError(*where, f"as a target {rule!r} it is {other}, too", RENAME)
+                raise InputError(*where, f"its target {rule!r} is also the name of {other}", RENAME)
             taken[rule] = label
 
     def _refuse_names_in_another_case(self) -> None:
@@ -126,7 +127,7 @@ class Configuration:
             known: dict[str, str] = {}
             for name in names:
                 if (other := known.setdefault(name.lower(), name)) != name:
-                    found = f"{other!r} and {name!r} are one file on this system"
+                    found = f"{other!r} and {name!r} are the same file name on this system"
                     raise InputError(where, field, found, RENAME)
 
     @cached_property

@@ -29,7 +29,7 @@ def from_datasets(config: Path, paper: str, name: str, datasets: dict[str, xr.Da
         return draw_plot(model, datasets[model.reads[0]])
     except InputError as error:
         where = config / f"studies/{paper}.yaml"
-        found = f"{error.found} in {model.reads[0]}"
+        found = f"{error.found} (dataset {model.reads[0]!r})"
         raise InputError(where, f"figures.{name}.of", found, error.allowed) from None
 
 
@@ -49,12 +49,14 @@ def from_scene(config: Path, paper: str, name: str) -> Figure:
     bearing = [*labelled(scene)]
     for path in model.remarks:
         if path not in bearing:
-            found, allowed = "no part that can have a remark", f"allowed are {', '.join(bearing)}"
+            found = "no part of the drawing has this name"
+            allowed = f"use one of {', '.join(bearing)}"
             raise InputError(where, f"schematics.{name}.remarks.{path}", found, allowed)
     rig = scene.top.tensioners
     if standing and (rig is None or rig.arrangement):
-        found = "standing, but the scene " + ("arranges its tensioners" if rig else "has no tensioners")
-        allowed = "tensioners without an arrangement, or 'hanging'"
+        found = "'standing' does not apply, since the scene "
+        found += "has an arrangement of its tensioners" if rig else "has no tensioners"
+        allowed = "remove cylinders, or write 'hanging'" if rig else "remove cylinders"
         raise InputError(where, f"schematics.{name}.cylinders", found, allowed)
     return schematic(
         scene, standing=standing, remarks=model.remarks, assumed=file.assumed, calibrated=file.calibrated

@@ -31,8 +31,8 @@ def refuse_unprinted(config: Path, scenes: Iterable[SceneFile]) -> None:
         inputs = inputs_of(paper) if isinstance(paper, str) else []
         for path, value in unprinted(inputs, scene) if inputs else []:
             listed = published_path(config, str(paper))
-            found = f"{value} has no stated origin, like a printed value, and {listed} has no such input"
-            allowed = f"list it under `inputs`, or state its origin, as {{chosen: {value}, because: ...}}"
+            found = f"{value} has no origin, which marks it as published, but {listed} does not list it"
+            allowed = f"list it there under `inputs`, or state its origin: {{chosen: {value}, because: ...}}"
             raise InputError(scene.source, path, found, allowed)
 
 
@@ -47,9 +47,9 @@ def refuse_unknown_claims(
         ids = known.get(paper, set())
         for name, figure in file.figures.items():
             for one in [one for one in figure.claims if one not in ids]:
-                allowed = f"allowed are the IDs of {published_path(config, paper)}"
+                allowed = f"use IDs of {published_path(config, paper)}"
                 where = config / f"studies/{paper}.yaml"
-                raise InputError(where, f"figures.{name}.claims", f"no {one!r}", allowed)
+                raise InputError(where, f"figures.{name}.claims", f"there is no claim {one!r}", allowed)
 
 
 def refuse_settings(study: Study) -> None:
@@ -62,8 +62,8 @@ def refuse_settings(study: Study) -> None:
     analysis = study.base.tree.get("analysis") or {}
     for name in ("mesh", "step", "method"):
         if analysis.get(name) is not None:
-            found = f"tuned, though analysis.{name} is {analysis[name]!r}"
-            allowed = f"put `analysis.{name}: null` into set, or leave settings out"
+            found = f"the study is to be tuned, but the scene gives analysis.{name}, {analysis[name]!r}"
+            allowed = f"write `analysis.{name}: null` under set, or remove settings"
             raise InputError(study.where, "settings", found, allowed)
     check_tunable(study, study.tuned_at[0])
 

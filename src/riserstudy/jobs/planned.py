@@ -33,7 +33,7 @@ def check_unchanged(digest: str, expected: str) -> None:
     """
     if digest != expected:
         changed = "scene, study or code changed while the workflow was running"
-        raise SimulationError(f"{changed}; run it again")
+        raise SimulationError(f"{changed}; repeat the command")
 
 
 def datasets_of(sources: list[Path]) -> dict[str, xr.Dataset]:
@@ -48,7 +48,7 @@ def text_of(source: Path) -> str:
     try:
         return source.read_text("utf-8")
     except OSError as error:
-        raise InputError(source, "", str(error.strerror), "run its job again") from None
+        raise InputError(source, "", str(error.strerror), "repeat `make study`, which writes it") from None
 
 
 class PointsDone:

@@ -77,7 +77,8 @@ def compile_kernels(group: Annotated[str | None, typer.Argument()] = None) -> No
     elif group in GROUPS:
         print(compile_group(group))
     else:
-        raise InputError("job", "group", group, f"allowed is one of {', '.join(GROUPS)}")
+        found = f"{group!r} is not a group of compiled code"
+        raise InputError("job", "group", found, f"use one of {', '.join(GROUPS)}")
 
 
 @job
@@ -280,7 +281,9 @@ def join_tables(target: Path, sources: list[Path]) -> None:
     texts = [text_of(source) for source in sources]
     headers = {text.partition("\n")[0] for text in texts}
     if len(headers) > 1:
-        raise InputError(target, "", "tables with different columns", "join tables with the same")
+        raise InputError(
+            target, "", "the tables to join have different columns", "join tables with equal columns"
+        )
     rows = "".join(text.partition("\n")[2] for text in texts)
     write_whole(target, ("".join(f"{header}\n" for header in headers) + rows).encode())
     _seal(target)

@@ -20,8 +20,10 @@ def refuse_arguments(
     needed, taken = arguments_of(chapter_modules(paper, part), function)
     names = {*given}
     if unknown := sorted(names - taken if taken is not None else ()):
-        allowed = "allowed are " + ", ".join(sorted(taken or ()))
-        raise InputError(path, field, f"{function} has no argument {unknown[0]!r}", allowed)
+        allowed = "use only " + ", ".join(sorted(taken or ()))
+        found = f"the function {function} has no argument {unknown[0]!r}"
+        raise InputError(path, field, found, allowed)
     if missing := sorted(needed - names):
-        allowed = "name it in `reads` or `with`"
-        raise InputError(path, field, f"{function} needs {missing[0]!r}", allowed)
+        allowed = "add it to `reads` or `with`"
+        found = f"the function {function} requires the argument {missing[0]!r}"
+        raise InputError(path, field, found, allowed)

@@ -29,11 +29,14 @@ class Steps(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
-            raise ValueError(f"stop must be above start, by at most {MOST_VALUES} steps")
+            raise ValueError(
+                f"stop {self.stop:g} is below start {self.start:g} or too far above it; give a stop above "
+                f"start, by at most {MOST_VALUES} steps"
+            )
         last = self._at(self._count)
         if abs(self.stop - last) > 1e-6 * self.step + 1e-15 * abs(self.stop):
-            found = f"{self.stop:g} is no whole number of steps from start"
-            allowed = f"allowed is {last:g}, {self._at(self._count + 1):g}, or another step"
+            found = f"{self.stop:g} is not a whole number of steps from start"
+            allowed = f"give {last:g} or {self._at(self._count + 1):g}, or another step"
             raise Misfit("stop", found, allowed)
         return self
 
@@ -67,16 +70,22 @@ class Numbers(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.factor == 0.0:
-            raise Misfit("factor", "0 sets every value of the axis to the same", "leave it out")
+            raise Misfit(
+                "factor", "with 0 all values of the axis are equal", "remove it, or give another factor"
+            )
         numbers = self.numbers("standard")
         if not numbers or len(set(numbers)) != len(numbers):
-            raise Misfit("values", "is empty or repeats a value", "give one or more different values")
+            raise Misfit(
+                "values", "the list is empty or repeats a value", "give different values, one or more"
+            )
         if self.preview is not None:
             some = set(self.preview)
             if not some <= set(numbers):
-                raise Misfit("preview", "has a value that is not in values", "give some of the values")
+                found = "the list has a value that is not in values"
+                raise Misfit("preview", found, "list only values of this axis")
             if not some or len(some) != len(self.preview):
-                raise Misfit("preview", "is empty or repeats a value", "give some of the values, each once")
+                found = "the list is empty or repeats a value"
+                raise Misfit("preview", found, "list some of the values, each once")
         return self
 
     def numbers(self, tier: Tier) -> list[float]:
@@ -111,7 +120,8 @@ class Samples(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if missing := [tier for tier in TIERS if tier not in self.count]:
-            raise Misfit("count", f"has no number of samples for the tier {missing[0]!r}", "add it")
+            found = f"the number of samples for the tier {missing[0]!r} is missing"
+            raise Misfit("count", found, f"add '{missing[0]}: 20' or another number")
         return self
 
 

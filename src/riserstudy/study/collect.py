@@ -73,7 +73,7 @@ def results_of(
     notify(f"{study.paper}/{study.name}: {simulated}")
     if absent:
         raise SimulationError(
-            f"{study.where}: points were deleted from the store during the run. Run it again"
+            f"{study.where}: results were deleted from the cache during the run; repeat the run"
         )
     return [kept[point.key] for point in wanted], made
 

@@ -47,11 +47,12 @@ class Config(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.tier not in self.tiers:
-            raise Misfit("tiers", f"lacks the tier {self.tier!r}", "add the tier that is to run")
+            found = f"the tier {self.tier!r}, which is to run, is missing here"
+            raise Misfit("tiers", found, f"add {self.tier!r}, or choose another tier")
         if len(set(self.papers)) != len(self.papers):
-            raise Misfit("papers", "names a paper twice", "name each once")
+            raise Misfit("papers", "a paper occurs twice", "name each paper once")
         if taken := RULES.intersection(self.papers):
             raise Misfit(
-                "papers", f"{taken.pop()!r} is the name of a rule of the workflow", "use another name"
+                "papers", f"{taken.pop()!r} is a name that the workflow uses itself", "give another name"
             )
         return self

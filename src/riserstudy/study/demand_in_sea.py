@@ -29,8 +29,9 @@ def check_seeds(seeds: int) -> None:
     Raises InputError if it is neither.
     """
     if seeds != 1 and seeds < FEWEST_SEEDS:
-        allowed = f"allowed are 1, whose extremes are used directly, and {FEWEST_SEEDS} or more"
-        raise InputError("--seeds", str(seeds), "too few for a distribution", allowed)
+        allowed = f"give {FEWEST_SEEDS} or more, or 1 to use the extremes of one run directly"
+        found = f"{seeds} runs are too few for a distribution of extremes"
+        raise InputError("command line", "--seeds", found, allowed)
 
 
 def demand(values: FloatArray, side: str, runs: float) -> Demand:

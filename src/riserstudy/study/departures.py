@@ -21,7 +21,7 @@ def check_stays(file: SceneFile) -> None:
     for k, limit in enumerate(scene.limits or []):
         few = lacks_outputs(scene) if limit.side == "mean" else ""
         if missing := lacks(scene, limit) or [few] * bool(few):
-            found = f"{label(limit)} cannot be evaluated"
+            found = f"the limit on {label(limit)} cannot be evaluated without further inputs"
             raise InputError(file.source, f"limits[{k}]", found, f"give {', '.join(missing)}")
 
 
@@ -38,12 +38,12 @@ def refuse_departures(source: str, scene: Resolved) -> None:
     if scene.platform and scene.platform.cruise:
         raise departure(source, "platform.cruise", "moves the platform away", "remove it")
     if scene.disconnect:
-        raise departure(source, "disconnect", "releases the riser", "remove it")
+        raise departure(source, "disconnect", "disconnects the riser", "remove it")
     if scene.top.tension_loss:
         raise departure(source, "top.tension_loss", "changes the tension", "remove it")
     if scene.top.tensioners and scene.top.tensioners.failing:
-        remedy = "write `failed` instead"
-        raise departure(source, "top.tensioners.failing", "changes the pull", remedy)
+        remedy = "write `failed` instead, for cylinders that have failed before the run"
+        raise departure(source, "top.tensioners.failing", "changes the tension", remedy)
 
 
 def refuse_drifts(source: str, scene: Resolved) -> None:
@@ -59,5 +59,5 @@ def refuse_drifts(source: str, scene: Resolved) -> None:
     if vessel.sway and scene.spatial:
         gains.append(thrusters.sway.gain if thrusters and thrusters.sway else 0.0)
     if not all(gain > 0.0 for gain in gains):
-        remedy = "give it `thrusters` with a gain, or replace it by `platform`, with `top.x: platform`"
-        raise departure(source, "vessel", "drifts away", remedy)
+        remedy = "give it `thrusters` with a gain, or replace it by `platform` and `top.x: platform`"
+        raise departure(source, "vessel", "the vessel drifts away", remedy)

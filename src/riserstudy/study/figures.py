@@ -45,13 +45,15 @@ class FigureModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.plot and len(self.reads) != 1:
-            raise Misfit("plot", "does not have one dataset", "give one name in reads")
+            raise Misfit("plot", "a plot shows exactly one dataset", "give one name in reads")
         if self.of and not self.plot:
-            raise Misfit("of", "has an effect only with plot", "add plot, or leave it out")
+            raise Misfit("of", "has no effect without plot", "add plot, or remove it")
         if self.of and self.plot == "utilisation":
-            raise Misfit("of", "not with this plot, which shows all limits of the study", "leave it out")
+            found = "has no effect on this plot, which shows all limits of the study"
+            raise Misfit("of", found, "remove it")
         if self.of and self.plot in OF_SEAS:
-            raise Misfit("of", f"not with {self.plot!r}, which shows all modes", "leave it out")
+            found = f"has no effect on the plot {self.plot!r}, which shows all modes of operation"
+            raise Misfit("of", found, "remove it")
         if self.settings and self.plot:
-            raise Misfit("with", "not with plot, which has no arguments", "leave it out")
+            raise Misfit("with", "has no effect on a plot, which has no arguments", "remove it")
         return self

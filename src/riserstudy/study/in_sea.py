@@ -84,9 +84,9 @@ def _seas(file: SceneFile) -> dict[str, Storm]:
     there = {"platform.response.wave": response and response.wave, "wave": scene.wave}
     seas = {path: sea for path, sea in there.items() if isinstance(sea, Storm)}
     if not seas:
-        allowed = "give `platform.response.wave` with significant_height, or `wave`"
-        raise InputError(file.source, "wave", "no irregular sea", allowed)
+        allowed = "give `platform.response.wave` or `wave` with significant_height and peak_period"
+        raise InputError(file.source, "wave", "the scene has no irregular sea", allowed)
     if scene.analysis.duration is None:
-        allowed = "give the time of each run in a sea, such as `1 h`"
-        raise InputError(file.source, "analysis.duration", "absent", allowed)
+        allowed = "add the duration of each run in a sea, such as `1 h`"
+        raise InputError(file.source, "analysis.duration", "missing", allowed)
     return seas

@@ -58,8 +58,8 @@ def add_limits(dataset: xr.Dataset, study: Study, results: list[Result]) -> None
     ]
     names = labels(rows[0])
     if any(labels(row) != names for row in rows):
-        allowed = "allowed are the same outputs, places and modes at all points"
-        raise InputError(study.where, "limits", "differ between points", allowed)
+        allowed = "give limits on the same outputs and places, with the same modes, at all points"
+        raise InputError(study.where, "limits", "the limits differ between points of the study", allowed)
     shape = (*(len(steps) for steps in study.axes.values()), len(names))
     dims = (*study.axes, "limit")
     for name, (of, kind) in OVER_LIMITS.items():

@@ -73,10 +73,10 @@ def measured_models(path: Path, paper: str, trees: dict[str, Any]) -> dict[str, 
         field = f"measured.{name}"
         if name not in models:
             found = f"MODELS in chapters/{paper}/models.py has no {name!r}"
-            allowed = f"allowed are {', '.join(models)}" if models else "leave it out, or add it"
+            allowed = f"use one of {', '.join(models)}" if models else "add it there, or remove it here"
             raise InputError(path, field, found, allowed)
         if defining(chapter_modules(paper, "measured"), name) is None:
             found = f"chapters/{paper}/measured.py defines no function {name}"
-            raise InputError(path, field, found, "leave it out, or define it")
+            raise InputError(path, field, found, "define the function, or remove this entry")
         measured[name] = check(models[name], tree, path, field)
     return measured

@@ -19,12 +19,13 @@ from riserstudy.scene.paths import within
 from riserstudy.study.axes import Axis, AxisName, Labels, Numbers, Samples, Sets
 from riserstudy.study.figures import NEEDS, OF_SEAS, FigureModel
 from riserstudy.study.measured import MeasuredModel
-from riserstudy.study.seas_model import SeasModel
+from riserstudy.study.seas_model import OUTSIDE, SeasModel
 
 MOST_MODES = 1000
 #: settings of the analysis that may be coarser in a preview
 SETTINGS = ("analysis.accuracy", "analysis.mesh", "analysis.method", "analysis.step")
 RENAME = "give one of them another name"
+NEW_NAME = "give the axis another name"
 #: names of papers, datasets and figures, which become names of files
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_-]{0,99}$")]
 
@@ -115,30 +116,32 @@ class StudyModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if PureWindowsPath(self.scene).anchor or ".." in PureWindowsPath(self.scene).parts:
-            raise Misfit("scene", "lies in another folder", "must lie below the folder of the configuration")
+            raise Misfit("scene", *OUTSIDE)
         if "\\" in self.scene:
-            raise Misfit("scene", "has a backslash", "allowed is / between folders, on every system")
+            found = "the path contains a backslash"
+            raise Misfit("scene", found, "write / between folders, also on Windows")
         for name in self.keep or []:
             if not of_runs(name):
-                allowed = "allowed are " + ", ".join(sorted(OF_RUNS)) + ", each with endings"
-                raise Misfit("keep", f"runs return no {name!r}", allowed)
+                allowed = "use " + ", ".join(sorted(OF_RUNS)) + ", each also with an ending such as _max"
+                raise Misfit("keep", f"{name!r} is not an output of a run", allowed)
         if self.settings and self.tuned:
-            raise Misfit("settings", "also tuned in the file", "allowed is one of settings and tuned")
+            raise Misfit("settings", "settings and tuned are both given", "remove one of them")
         self._only_coarser()
         if self.limits and any(within(path, "limits") for path in self.set):
-            raise Misfit("limits", "are also in set", "give only one of the two")
+            raise Misfit("limits", "'set' of the study also sets limits", "remove one of the two")
         for name in self.axes:
             ours = name in DIMENSIONS or name in about_points()
             if ours or of_runs(name) or name.endswith(("_of_limit", "_of_statistic")):
-                raise Misfit(f"axes.{name}", "the name of a variable of runs", "take another")
+                raise Misfit(f"axes.{name}", "this is also the name of an output", NEW_NAME)
             if self.modes and name in OF_MODES:
-                raise Misfit(f"axes.{name}", "the name of a variable of modes", "take another")
+                raise Misfit(f"axes.{name}", "this is also the name of an output of modes", NEW_NAME)
             if name.startswith("assumed_"):
-                raise Misfit(f"axes.{name}", "samples have variables of such names", "take another")
+                found = "names that start with 'assumed_' are reserved for samples"
+                raise Misfit(f"axes.{name}", found, NEW_NAME)
         for (one, first), (other, second) in combinations(self._numbers.items(), 2):
             for path in first:
                 if any(meets(path, own) for own in second):
-                    found = f"sets {path!r}, and so does axis {one!r}"
+                    found = f"sets {path!r}, which axis {one!r} also sets"
                     raise Misfit(f"axes.{other}", found, "give each axis a different path")
         self._keep_apart()
         return self
@@ -147,12 +150,12 @@ class StudyModel(Strict):
         """Refuse preview settings that change more than the analysis, or that an axis would replace."""
         for path in self.preview:
             if not any(within(path, setting) for setting in SETTINGS):
-                allowed = "allowed are " + ", ".join(SETTINGS)
-                raise Misfit("preview", f"sets {path!r}, which is no setting of the analysis", allowed)
+                allowed = "set only " + ", ".join(SETTINGS)
+                raise Misfit("preview", f"sets {path!r}, which is not a setting of the analysis", allowed)
             for name, axis in self.axes.items():
                 if any(meets(path, own) for own in _paths_of(axis)):
-                    found = f"sets {path!r}, and so does axis {name!r}"
-                    raise Misfit("preview", found, "allowed are paths that no axis sets")
+                    found = f"sets {path!r}, which axis {name!r} also sets"
+                    raise Misfit("preview", found, f"remove {path!r} from preview")
 
     def _keep_apart(self) -> None:
         """Refuse labels that replace a value which an earlier axis sets.
@@ -170,7 +173,7 @@ class StudyModel(Strict):
                 for own, there in before.items():
                     if own == path or own.startswith((f"{path}.", f"{path}[")):
                         found = f"sets {path!r}, where {there}"
-                        allowed = f"put axis {name!r} first, or leave the path to one of them"
+                        allowed = f"put axis {name!r} first, or set the path in one of the two axes only"
                         raise Misfit(f"axes.{name}.{label}", found, allowed)
             before |= {path: f"axis {name!r} has its own" for _, path in put}
 
@@ -263,39 +266,44 @@ class StudyFile(Strict):
                 for reading in [axis_name] if axis == "readings" else wanted:
                     if reading not in self.readings:
                         where = f"{name}.axes.{axis_name}"
-                        yield Misfit(where, f"no readings {reading!r}", _among(self.readings))
+                        found = f"the file has no readings {reading!r}"
+                        yield Misfit(where, found, _among(self.readings))
         if self.in_motion and self.in_motion.study not in self.studies:
-            found = f"no study {self.in_motion.study!r}"
+            found = f"the file has no study {self.in_motion.study!r}"
             yield Misfit("in_motion.study", found, _among(self.studies))
         for name in sorted(set(self.schematics) & set(self.figures)):
-            yield Misfit(f"schematics.{name}", "a figure of that name", "give it another name")
+            yield Misfit(f"schematics.{name}", "a figure has the same name", RENAME)
         for name in sorted(n for n in set(self.datasets) if self.datasets.count(n) > 1):
-            yield Misfit(name, "the name of two datasets", RENAME)
+            yield Misfit(name, "two datasets have this name", RENAME)
         known = [*self.studies, *self.seas, *self.derived]
         for name, derived in self.derived.items():
             for source in sorted(set(derived.reads).difference(known)):
-                yield Misfit(f"derived.{name}", f"no study or derived dataset {source!r}", _among(known))
+                found = f"the file has no study or derived dataset {source!r}"
+                yield Misfit(f"derived.{name}", found, _among(known))
         try:
             [*TopologicalSorter({n: d.reads for n, d in self.derived.items()}).static_order()]
         except CycleError as error:
             ring = " reads ".join(reversed(error.args[1]))
-            yield Misfit("derived", ring, "a dataset may read only datasets that do not depend on it")
+            found = f"datasets depend on each other in a circle: {ring}"
+            yield Misfit("derived", found, "remove one of these names from reads")
         for name, figure in self.figures.items():
             for dataset in set(figure.reads).difference(self.datasets):
-                yield Misfit(f"figures.{name}.reads", f"no dataset {dataset!r}", _among(self.datasets))
+                found = f"the file has no dataset {dataset!r}"
+                yield Misfit(f"figures.{name}.reads", found, _among(self.datasets))
             if figure.plot and (figure.plot in OF_SEAS) != (figure.reads[0] in self.seas):
                 plots = OF_SEAS if figure.reads[0] in self.seas else set(NEEDS) - OF_SEAS
-                found = f"{figure.plot!r} does not fit {figure.reads[0]!r}"
+                found = f"the plot {figure.plot!r} cannot show the dataset {figure.reads[0]!r}"
                 yield Misfit(f"figures.{name}.plot", found, _among(plots))
             for quantity in figure.of or [] if set(figure.reads) <= set(self.studies) else []:
                 if not (of_runs(quantity) or of_points(quantity)):
-                    yield Misfit(f"figures.{name}.of", f"studies have no {quantity!r}", _among(OF_RUNS))
+                    found = f"{quantity!r} is not an output of a study"
+                    yield Misfit(f"figures.{name}.of", found, _among(OF_RUNS))
             for study in set(figure.reads).intersection(self.studies):
                 count, least = len(self.studies[study].axes), NEEDS.get(figure.plot or "lines", 0)
                 if figure.plot and count < least:
-                    found = f"{study!r} has {count} axes"
-                    yield Misfit(f"figures.{name}.plot", found, f"allowed are {least} or more")
+                    found = f"the plot requires a study with {least} axes or more, but {study!r} has {count}"
+                    yield Misfit(f"figures.{name}.plot", found, "choose another plot, or add an axis")
 
 
 def _among(names: Iterable[str]) -> str:
-    return "allowed are " + ", ".join(sorted(names))
+    return "use one of " + ", ".join(sorted(names))

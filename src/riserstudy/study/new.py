@@ -17,10 +17,10 @@ def new_study(folder: Path) -> None:
     """
     from riserstudy.study.schemas import schema_files
 
-    allowed = "name a new or empty folder"
+    allowed = "give the name of a new or empty folder"
     try:
         if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-            raise InputError("new", str(folder), "exists and is not an empty folder", allowed)
+            raise InputError("new", str(folder), "the folder already contains files", allowed)
         try:
             shutil.copytree(TEMPLATE, folder, dirs_exist_ok=True)
             schemas = folder / "config/schemas"

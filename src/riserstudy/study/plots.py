@@ -41,7 +41,7 @@ USUAL: dict[Plot, tuple[str, ...]] = {
 SIDES = ("_max", "_min", "_absmax")
 #: prefixes of quantities that exist over time only, not at rest
 _MOVING = ("platform_", "thrust_", "riser_reaction_", "environment_force_", "lift", "stroke")
-ANOTHER = "name another quantity or plot"
+ANOTHER = "choose another quantity or plot"
 
 
 class Reason(NamedTuple):
@@ -79,17 +79,18 @@ def reason_to_leave_out(plot: Plot, quantity: str, study: Study) -> Reason | Non
     if of_points(quantity):
         return None if over_grid else Reason(f"is a single number per point, which {_a(plot)} does not show")
     if plot == "envelope" and stem not in ALONG:
-        return Reason("has no values along the riser", f"allowed are {', '.join(ALONG)}")
+        return Reason("has no values along the riser", f"use one of {', '.join(ALONG)}")
     if plot == "time series" and (quantity != stem or stem in ALONG[-2:]):
-        return Reason("has no history", "lines and envelopes show extremes")
+        return Reason("has no time history", "choose plot 'lines' or 'envelope', which show extremes")
     if quantity.endswith("_static") and stem.startswith(_MOVING):
-        return Reason("has no value at rest")
+        return Reason("has no value in static equilibrium")
     if plot == "envelope" and quantity.endswith("_absmax") and stem not in SIGNED:
         return Reason("has no magnitude along the riser, since its sign has a meaning")
     if not _is_kept(plot, quantity, stem, study):
         kept = study.model.keep
-        has = f"keep of {study.name!r} has {', '.join(kept)}" if kept else "at rest it has no extremes"
-        return Reason("is not kept", has)
+        if not kept:
+            return Reason("has no extremes, since the runs are static")
+        return Reason("is not stored", f"add it to keep of {study.name!r}, which has {', '.join(kept)}")
     return _reason_not_returned(plot, stem, study)
 
 
@@ -119,7 +120,7 @@ def _reason_not_returned(plot: Plot, stem: str, study: Study) -> Reason | None:
     """Why no run of a study returns a quantity; None if a run may return it."""
     scenes = [*_scenes(study)]
     if scenes and plot == "time series" and all(s.analysis.duration is None for s in scenes):
-        return Reason(f"has no history: the runs of {study.name!r} are at rest")
+        return Reason(f"has no time history, since the runs of {study.name!r} are static")
     of = QUANTITIES.get(stem)
     if of and scenes and not any(map(of.is_in, scenes)):
         why = f"is not returned by runs of {study.name!r}, whose scene has no {of.needs}"

@@ -36,8 +36,8 @@ def forks() -> bool:
 def check_cores(where: str, cores: int | None) -> None:
     """Check a number of processes; None is the number of cores. Raises InputError if it is below 1."""
     if cores is not None and not (cores >= 1 and cores == int(cores)):
-        allowed = "allowed is a whole number from 1, or None for the number of cores"
-        raise InputError(where, "cores", repr(cores), allowed)
+        allowed = "give a whole number from 1, or leave it out to use all cores"
+        raise InputError(where, "cores", f"{cores!r} is not a number of cores", allowed)
 
 
 def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator[R]:
@@ -57,8 +57,8 @@ def each(task: Callable[[T], R], items: Sequence[T], processes: int) -> Iterator
                 yield from pool.map(_do, range(first, min(first + AT_ONCE, len(items))))
         except BrokenProcessPool:
             raise SimulationError(
-                "a process was killed, possibly by the system for lack of memory; "
-                "run it again: completed points are kept"
+                "a process was killed, possibly because the memory is full; "
+                "repeat the command, which continues after the completed points"
             ) from None
 
 

@@ -70,7 +70,8 @@ class QuickTuner(Tuner):
                 best, least = found, work
         if best is None:
             raise SimulationError(
-                f"{self.study.where}: no setting is cheaper than a run with the tolerance at each point"
+                f"{self.study.where}: no mesh and time step takes less time than runs with the tolerance; "
+                "run the study with analysis.accuracy"
             )
         return best
 
@@ -124,7 +125,8 @@ def quick_tune(study: Study, seed: int, notify: Notify = lambda _: None) -> Tune
     work = tuner.work(setting, [place]) if not left else math.inf
     if work >= place.work_of_request:
         raise SimulationError(
-            f"{study.where}: no setting is cheaper than a run with the tolerance at each point"
+            f"{study.where}: no mesh and time step takes less time than runs with the tolerance; "
+            "run the study with analysis.accuracy"
         )
     return Tuned(
         accuracy=tuner.words,

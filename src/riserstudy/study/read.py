@@ -63,15 +63,15 @@ def _refuse_calls(file: StudyFile, path: Path, paper: str) -> None:
     for name, derived in file.derived.items():
         if defining(chapter_modules(paper, "derived"), name) is None:
             found = f"chapters/{paper}/derived.py defines no function {name}"
-            raise InputError(path, f"derived.{name}", found, "leave it out, or define it")
+            raise InputError(path, f"derived.{name}", found, "define the function, or remove this entry")
         given = [*derived.reads, *derived.settings]
         refuse_arguments(path, f"derived.{name}", paper, "derived", name, given)
     for name, figure in file.figures.items():
         if figure.plot:
             continue
         if defining(chapter_modules(paper, "figures"), name) is None:
-            allowed = "allowed are plot: " + ", ".join(NEEDS)
-            raise InputError(path, f"figures.{name}", "no plot is named for it", allowed)
+            found = f"the figure has no plot, and chapters/{paper}/figures.py defines no function {name}"
+            raise InputError(path, f"figures.{name}", found, "add 'plot:' with one of " + ", ".join(NEEDS))
         given = [*figure.reads, *(figure.settings or {})]
         refuse_arguments(path, f"figures.{name}", paper, "figures", name, given)
 

@@ -20,7 +20,8 @@ def sample(assumptions: dict[str, Origin], count: int, seed: int) -> list[dict[s
     assumption to vary, or the ends of a range have different units.
     """
     if not assumptions:
-        raise InputError("study", "axes", "samples of a scene without open assumptions", "remove it")
+        found = "samples require a scene with assumptions that have a range or options"
+        raise InputError("study", "axes", found, "remove the axis of samples, or add ranges to the scene")
     return [
         {
             path: value_at(path, origin, x)
@@ -61,7 +62,7 @@ def value_at(path: str, origin: Origin, x: float) -> Any:
         return low + x * (high - low)
     parts = _PARTS.fullmatch(str(low)), _PARTS.fullmatch(str(high))
     if not parts[0] or not parts[1] or parts[0].group(2) != parts[1].group(2):
-        allowed = "allowed are two values in the same unit"
-        raise InputError("scene", f"{path}.range", f"[{low}, {high}]", allowed)
+        found = f"[{low}, {high}] are not two numbers in one unit"
+        raise InputError("scene", f"{path}.range", found, "give two values in the same unit")
     a, b = float(parts[0].group(1)), float(parts[1].group(1))
     return f"{a + x * (b - a)!r} {parts[0].group(2)}"

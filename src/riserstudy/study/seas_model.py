@@ -13,6 +13,7 @@ from riserstudy.scene.units import to_si
 from riserstudy.study.axes import Axis, AxisName, Sets
 from riserstudy.study.persistence import LEAST_PERSISTENCE, MOST_AHEAD, MOST_PERSISTENCE, PERSISTENCE
 
+OUTSIDE = ("the file is outside the folder of the configuration", "move it below this folder")
 HEADING = "heading"  # the axis of headings, to which directions of a record are converted
 
 
@@ -70,15 +71,14 @@ class SeasModel(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.headings and HEADING in self.axes:
-            raise Misfit(f"axes.{HEADING}", "headings give it", "give only one of the two")
+            found = "the heading is also given by 'headings'"
+            raise Misfit(f"axes.{HEADING}", found, "remove one of the two")
         if isinstance(self.record, str):
             path = PureWindowsPath(self.record)
             if path.anchor or ".." in path.parts:
-                raise Misfit(
-                    "record", "lies in another folder", "must lie below the folder of the configuration"
-                )
+                raise Misfit("record", *OUTSIDE)
         if len({to_si(text, "s") for text in self.windows}) < len(self.windows):
-            raise Misfit("windows", "repeats a length", "give each once, in any unit")
+            raise Misfit("windows", "a length occurs twice", "give each length once, in any unit")
         if len({*self.return_periods}) < len(self.return_periods):
-            raise Misfit("return_periods", "repeats a period", "give each once")
+            raise Misfit("return_periods", "a period occurs twice", "give each period once")
         return self

@@ -90,7 +90,8 @@ class SeasStudy:
             file = self.parts.grid.file(point.index)
             phases_of(file, 1)  # refuses a scene without a sea, or a static scene
             if not file.resolved().limits:
-                raise InputError(self.settings.where, "limits", "none", "give the limits of the riser")
+                found = "missing, but the downtime is computed from them"
+                raise InputError(self.settings.where, "limits", found, "add the limits of the riser")
             check_stays(file)
 
     @cached_property
@@ -107,9 +108,9 @@ class SeasStudy:
             return ""
         try:
             if record.exists() and not record.is_file():  # reading a device or a pipe may never end
-                raise OSError(0, "no regular file")
+                raise OSError(0, "this is not a regular file")
             with record.open("rb") as file:
                 return hashlib.file_digest(file, "sha256").hexdigest()
         except OSError as error:
-            found = f"{record}: {error.strerror}"
-            raise InputError(self.settings.where, "record", found, "allowed is a file") from None
+            found = f"{record} cannot be read: {error.strerror}"
+            raise InputError(self.settings.where, "record", found, "give the path of a record") from None

@@ -83,7 +83,7 @@ def read_settings(path: Path) -> Settings:
         return from_plain(json.loads(path.read_text("utf-8")))
     except (OSError, ValueError, TypeError, KeyError):
         raise InputError(
-            path, "", "incomplete tuned settings", "delete the file; the next run tunes again"
+            path, "", "the tuned settings in this file are incomplete", "delete it; the next run tunes again"
         ) from None
 
 

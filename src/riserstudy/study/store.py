@@ -103,8 +103,8 @@ def put(key: str, result: Result, file: SceneFile, keep: Collection[str] | None 
         write_whole(target, packed(key, result, file, names))
     except OSError as error:
         raise SimulationError(
-            f"{cache_folder()} cannot be written: {error.strerror}; see whether the disk is full, or name "
-            "another folder by RISERSTUDY_CACHE"
+            f"{cache_folder()} cannot be written: {error.strerror}; see whether the disk is full, or set the "
+            "environment variable RISERSTUDY_CACHE to another folder"
         ) from None
 
 

@@ -125,15 +125,15 @@ class Study:
         names: dict[str, str] = {}
         for path in open_values:
             if (other := names.setdefault(as_name(path), path)) != path:
-                found = f"{other!r} and {path!r} would be one variable, assumed_{as_name(path)}"
-                raise InputError(self.where, "axes", found, "give the interpretation another name")
+                found = f"{other!r} and {path!r} would both be named assumed_{as_name(path)} in results"
+                raise InputError(self.where, "axes", found, "give one of them another name")
         return sample(open_values, axis.count[self.tier], axis.seed)
 
     def _refuse_unknown(self, leave: list[str], axis: str) -> None:
         """Refuse assumptions to leave out that the scene does not have, since all would be varied."""
         assumed = {*self.base.assumed, *self.model.preview}
         if unknown := [path for path in leave if path not in assumed]:
-            allowed = f"allowed are {', '.join(sorted(self.open_assumptions))}"
+            allowed = f"use one of {', '.join(sorted(self.open_assumptions))}"
             found = f"{unknown[0]!r} is not an assumption of the scene"
             raise InputError(self.where, f"axes.{axis}.leave", found, allowed)
 
@@ -161,7 +161,8 @@ class Study:
         """The scenes of all points. Raises InputError when there are too many."""
         axes = self._sets
         if (points := math.prod(map(len, axes))) > MOST_VALUES:
-            raise InputError(self.where, "axes", f"{points} points", f"allowed are at most {MOST_VALUES}")
+            found = f"the axes give {points} points"
+            raise InputError(self.where, "axes", found, f"give at most {MOST_VALUES} points")
         return Grid(self.base, axes, self.where)
 
     @cached_property

@@ -119,7 +119,8 @@ def sweep(
         When no point can be completed; with ``on_error="raise"``, when any point cannot be completed.
     """
     if on_error not in ("nan", "raise"):
-        raise InputError("sweep", "on_error", repr(on_error), "allowed are 'nan' and 'raise'")
+        found = f"{on_error!r} is not one of the choices"
+        raise InputError("sweep", "on_error", found, "write 'nan' or 'raise'")
     check_cores("sweep", cores)
     file = scene if isinstance(scene, SceneFile) else read_scene(scene)
     study = as_study(file, axes, None if keep is None else list(keep), modes)
@@ -149,7 +150,7 @@ def _stored(study: Study, points: list[Point], failures: Mapping[str, object]) -
     stored = {p.key: store.get(p.key, study.model.keep) for p in points if p.key not in failures}
     results = {key: result for key, result in stored.items() if result}
     if len(results) < len(stored):
-        raise SimulationError("sweep: points were deleted from the store during the run. Run it again")
+        raise SimulationError("sweep: results were deleted from the cache during the run; repeat the run")
     return results
 
 
@@ -189,7 +190,7 @@ def as_study(
 ) -> Sweep:
     """A grid over a scene as a study; axes as in `sweep`. Raises InputError when an axis is invalid."""
     if not axes:
-        raise InputError("sweep", "axes", "none", "name at least one path with its values")
+        raise InputError("sweep", "axes", "no axis is given", "give at least one path with its values")
     made = dict(_axis(file, path, values) for path, values in axes.items())
     if len(made) < len(axes):
         allowed = "give the values of one of these axes as labels"
@@ -209,22 +210,25 @@ def _axis(file: SceneFile, path: str, values: Values | Labelled) -> tuple[str, A
     """Name of a dimension, and its axis in the form of study files."""
     if isinstance(values, Mapping):
         return path, {label: dict(sets) for label, sets in values.items()}
-    allowed = "allowed is a list of numbers or texts, such as [8, 10] or ['8 s', '10 s']"
+    allowed = "give a list of numbers or texts, such as [8, 10] or ['8 s', '10 s']"
     if isinstance(values, str) or not isinstance(values, Iterable):
-        raise InputError("sweep", f"axes.{path}", repr(values), allowed)
+        raise InputError("sweep", f"axes.{path}", f"{values!r} is not a list of values", allowed)
     listed = [v.item() if isinstance(v, np.generic) else v for v in values]
     if not all(isinstance(v, int | float | str | bool | None) for v in listed):
-        raise InputError("sweep", f"axes.{path}", repr(listed), allowed)
+        found = f"{listed!r} contains something other than numbers and texts"
+        raise InputError("sweep", f"axes.{path}", found, allowed)
     if not listed or len(set(listed)) < len(listed):
-        raise InputError("sweep", f"axes.{path}", str(listed), "give one or more different values")
+        found = f"the list {listed} is empty or repeats a value"
+        raise InputError("sweep", f"axes.{path}", found, "give different values, one or more")
     name = as_name(path)
     plain = [isinstance(v, int | float) and not isinstance(v, bool) for v in listed]
     if all(plain):
         return name, {"path": path, "unit": _unit_at(file, path), "values": listed}
     parts = [_QUANTITY.fullmatch(v) if isinstance(v, str) else None for v in listed]
     if any(plain) and any(parts):
-        allowed = "give all of them a unit, or none: values without a unit have the scene's unit"
-        raise InputError("sweep", f"axes.{path}", str(listed), allowed)
+        allowed = "give a unit to all values, or to none (they then have the unit of the scene)"
+        found = f"only some of the values {listed} have a unit"
+        raise InputError("sweep", f"axes.{path}", found, allowed)
     quantities = [(float(part[1]), part[2]) for part in parts if part]
     if len(quantities) < len(listed) or in_si(path, listed[0])[0] is None:
         return name, {str(value): {path: value} for value in listed}
@@ -238,7 +242,8 @@ def _in_one_unit(path: str, quantities: list[tuple[float, str]]) -> list[float]:
         return [x if own == unit else float(f"{x * factor(own, unit):.15g}") for x, own in quantities]
     except ValueError as error:
         units = ", ".join(dict.fromkeys(own for _, own in quantities))
-        raise InputError("sweep", f"axes.{path}", f"{units}: {error}", "use one unit") from None
+        found = f"the units {units} cannot be combined: {error}"
+        raise InputError("sweep", f"axes.{path}", found, "use one unit for all values") from None
 
 
 def _unit_at(file: SceneFile, path: str) -> str:

@@ -84,26 +84,23 @@ def check_tunable(study: Study, count: int) -> None:
         raise InputError(
             where,
             "analysis",
-            "no duration, and only dynamic runs are tuned",
-            "run its points with a tolerance (analysis.accuracy)",
+            "the runs are static, but only dynamic runs can be tuned",
+            "run the study with a tolerance (analysis.accuracy)",
         )
     for name, tuned in (("solver", (None,)), ("method", TUNED)):
         if analysis.get(name) not in tuned:
-            found = f"{analysis[name]!r}, which is not tuned"
-            raise InputError(where, f"analysis.{name}", found, "leave it out to tune")
+            found = f"{analysis[name]!r} cannot be tuned"
+            raise InputError(where, f"analysis.{name}", found, f"remove analysis.{name} to tune")
     own = {"analysis"} | {f"analysis.{name}" for name in (*OWN, "solver")}
     for axis, values in study.axes.items():
         for path in (path for _, sets in values for path in sets):
             if path in own or path.startswith("analysis.mesh."):
-                found = f"sets {path}, which the tuning chooses"
-                raise InputError(where, f"axes.{axis}", found, "name another study")
+                found = f"sets {path}, which the tuning itself chooses"
+                raise InputError(where, f"axes.{axis}", found, "tune a study without this axis")
     if (points := len(study.grid)) < 2 * count:
-        found = f"{points} points, fewer than twice the {count} points to tune on"
+        found = f"the study has {points} points, fewer than twice the {count} points to tune on"
         raise InputError(
-            where,
-            "axes",
-            found,
-            "run its points with a tolerance (analysis.accuracy), or give fewer --points",
+            where, "axes", found, "run the study with a tolerance (analysis.accuracy), or give fewer --points"
         )
 
 
@@ -133,8 +130,8 @@ def tune(study: Study, accuracy: str | None, count: int, seed: int, notify: Noti
         seen += fresh
         places += checks
     raise SimulationError(
-        f"{study.where}: each of {ROUNDS} tuned settings exceeded the tolerance at other points; tune on "
-        "more points with --points, or run all points with a tolerance (analysis.accuracy)"
+        f"{study.where}: {ROUNDS} attempts to tune failed, because errors at other points exceeded the "
+        "tolerance; give more --points, or run the study with a tolerance (analysis.accuracy)"
     )
 
 
@@ -183,8 +180,8 @@ class Tuner:
         if self._over(requested.facts["error_estimate"]) > 1.0 or self._over(unsure) > UNSURE:
             found = f"estimated {_percent(requested.facts['error_estimate'])}, true {_percent(off)}"
             raise SimulationError(
-                f"{where} a run with the tolerance does not meet it ({found}), so no setting can be "
-                "compared with this run; give a larger --accuracy"
+                f"{where} a run with the tolerance has a larger error ({found}), so mesh and time step "
+                "cannot be tuned; give a larger --accuracy"
             )
         work = sum(map(work_of, requested.facts["refinements"]))
         return Place(index, file, best, unsure, work)
@@ -255,8 +252,8 @@ class Tuner:
                     best, least = found, work
         if best is None:
             raise SimulationError(
-                f"{self.study.where}: no mesh, time step and method meets the tolerance at all points "
-                "with less work than runs with the tolerance; run its points with analysis.accuracy"
+                f"{self.study.where}: no mesh, time step and method meets the tolerance at all points in "
+                "less time than runs with the tolerance; run the study with analysis.accuracy"
             )
         return best
 

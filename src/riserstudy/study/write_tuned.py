@@ -28,7 +28,7 @@ def write_tuned(path: Path, study: Study, tuned: Tuned, about: dict[str, Any]) -
     entry = pairs_of(pairs_of(tree_of(text))["studies"].value)[study.name].value
     edits = _edits(text, entry, study, tuned.setting.analysis, line_of("tuned", about))
     if not os.access(path, os.W_OK):
-        raise InputError(path, "", "Permission denied", "make it writable")
+        raise InputError(path, "", "the file is read-only", "allow writing to it")
     with whole_file(path) as partial:
         partial.write_text(applied(text, edits), "utf-8", newline="")
         shutil.copymode(path, partial)
