@@ -170,7 +170,7 @@ def test_a_result_that_is_not_as_its_job_wrote_it_is_not_packed(study, commands,
     file.write_bytes(file.read_bytes() + b"x")
     code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
     assert code == 2
-    assert f"{file}: was changed after its job wrote it" in said
+    assert f"{file}: the file was changed after the study wrote it" in said
     assert not (tmp_path / "study.zip").exists()
 
 
@@ -185,7 +185,7 @@ def test_results_of_a_run_that_did_not_end_are_not_packed(study, commands, tmp_p
     file.unlink()
     code, _, said = commands("crate", tmp_path / "study.zip", "--study", folder)
     assert code == 2
-    assert f"{file}: is absent" in said
+    assert f"{file}: missing, because" in said
     assert not (tmp_path / "study.zip").exists()
 
 
@@ -254,7 +254,7 @@ def test_results_of_which_a_run_made_only_some_are_not_packed(study, tmp_path):
     assert status == 0, said
     code, said = run_crate(folder, tmp_path / "study.zip", environment)
     assert code == 2
-    assert "was made from former results" in said
+    assert "the file is older than its inputs" in said
     assert not (tmp_path / "study.zip").exists()
     status, said = snakemake(folder, environment)
     assert status == 0, said
@@ -266,7 +266,7 @@ def test_only_a_new_archive_is_written(study, commands, tmp_path, name):
     (tmp_path / "there.zip").write_text("what somebody needs")
     code, _, said = commands("crate", tmp_path / name, "--study", study[0])
     assert code == 2
-    assert "name a new file" in said
+    assert "name a new .zip file" in said
     assert (tmp_path / "there.zip").read_text() == "what somebody needs"
 
 
@@ -274,7 +274,7 @@ def test_a_folder_without_results_is_refused_and_nothing_written(commands, tmp_p
     lay_out(tmp_path / "new")
     code, _, said = commands("crate", tmp_path / "study.zip", "--study", tmp_path / "new")
     assert code == 2
-    assert "run the study here first" in said
+    assert "run the study in this folder first" in said
     assert not (tmp_path / "study.zip").exists()
 
 

@@ -102,7 +102,7 @@ def test_an_answer_that_would_fill_the_memory_is_refused(here, monkeypatch):
     for name, most in (("MOST_CELLS", 3000), ("MOST_TEXT", 3000)):
         with monkeypatch.context() as patch, ask.connect("results/results.sqlite") as db:
             patch.setattr(ask, name, most)
-            with pytest.raises(ask.InputError, match="add a limit"):
+            with pytest.raises(ask.InputError, match="add `limit 1000`"):
                 ask.ask(db, ENDLESS + "select i, 'text' from n")
             assert len(ask.ask(db, ENDLESS + "select i, 'text' from n limit 500").rows) == 500
 
@@ -128,7 +128,7 @@ def test_verify_reads_nothing_but_files_of_the_results(commands, tmp_path, monke
         db.execute("insert into about values ('1', 'test')")
         db.execute("insert into files values (?, 'table', 1, ?)", (path, "0" * 64))
     code, out, _ = commands("verify")
-    assert (code, "no file of the results" in out) == (1, True)
+    assert (code, "not a file of results" in out) == (1, True)
 
 
 @pytest.mark.parametrize("key", ["../../x", "/etc/passwd", "k" * 5000, "a\0b", "a\nb", "", "..", 7, b"x"])

@@ -88,7 +88,7 @@ def test_axes_of_one_name_and_several_dimensions_are_refused(mine):
     path = "platform.surge.period"
     add_study("other", {"amplitude": {"path": path, "unit": "s", "values": [9.5, 11.0]}})
     chosen = [int(keys(study)["point"][0]) for study in ("plain/surge", "plain/other")]
-    with pytest.raises(InputError, match="plain/other: amplitude: is in 's', and in another study in 'm'"):
+    with pytest.raises(InputError, match="plain/other: amplitude: the unit is 's', but 'm' in another study"):
         dataset_of(chosen)
 
 
@@ -168,23 +168,25 @@ def test_a_point_with_another_table_than_its_scene_has_now_is_refused(mine, monk
     before = open_point(key)
     assert json.loads(before.attrs["provenance"])["tables"] == {"current.csv": texts[0]}
     table.write_text(texts[1])
-    with pytest.raises(InputError, match="was simulated with other tables than those beside"):
+    with pytest.raises(InputError, match="was simulated with other tables than the present"):
         open_point(key)
     table.write_text(texts[0])
     assert open_point(key).identical(before)
     with monkeypatch.context() as edited:  # an engine that came later reads the points of the former one
-        edited.setattr(store, "engine_digest", lambda: "another engine")
-        edited.setattr("riserstudy.digests.engine_digest", lambda: "another engine")
+        edited.setattr(store, "engine_digest", lambda: "another version of the engine")
+        edited.setattr("riserstudy.digests.engine_digest", lambda: "another version of the engine")
         assert open_point(key).identical(before)
         table.write_text(texts[1])
-        with pytest.raises(InputError, match=r"other tables than those beside .*, or by an engine that"):
+        with pytest.raises(
+            InputError, match=r"other tables than the present .*, or by another version of the engine"
+        ):
             open_point(key)
 
 
 def test_another_engine_does_not_tell_the_rest_of_a_point(mine, monkeypatch):
     key = keys("plain/sampled")["key"][2]
-    monkeypatch.setattr(store, "engine_digest", lambda: "another engine")
-    with pytest.raises(InputError, match="another engine"):
+    monkeypatch.setattr(store, "engine_digest", lambda: "another version of the engine")
+    with pytest.raises(InputError, match="another version of the engine"):
         open_point(key, whole=True)
 
 
@@ -197,11 +199,11 @@ def test_a_point_that_is_gone_or_damaged_is_told(mine, damage):
     held.path.write_bytes(content)
     if damage == "gone":
         held.path.unlink()
-    with pytest.raises(InputError, match="no whole point"):
+    with pytest.raises(InputError, match="does not contain the complete results"):
         open_point(key)
 
 
 def test_no_such_point_is_told_whatever_is_asked_for(here):
     for key in ("", "ab", "../../../etc/passwd", "'; drop"):
-        with pytest.raises(InputError, match="no whole point"):
+        with pytest.raises(InputError, match="does not contain the complete results"):
             open_point(key)

@@ -74,7 +74,7 @@ def test_a_name_with_two_meanings_is_refused_and_the_same_twice_is_not(place, se
 def test_another_meaning_of_a_name_is_refused_by_file_and_name(place, name):
     write(place, "first", {"own": {"long_name": "mine", "units": "m"}})
     write(place, "second", {name: {"long_name": "another", "units": "m"}})
-    with pytest.raises(InputError, match=rf"second/variables\.yaml: {name}: has other attributes"):
+    with pytest.raises(InputError, match=rf"second/variables\.yaml: {name}: this variable is also"):
         variables()
 
 

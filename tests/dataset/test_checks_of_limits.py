@@ -132,11 +132,14 @@ def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
         ({"output": "lfj_angle", "at": "lower", "largest": "4 deg", "mode": "drilling"}, "one place"),
         ({"output": "x", "at": "middle", "largest": "4 m", "mode": "drilling"}, "no section 'middle'"),
         ({"output": "x", "largest": "4 m", "smallest": "0 m", "mode": "drilling"}, "one of largest"),
-        ({"output": "x", "largest": "0 m", "mode": "drilling"}, "no utilisation"),
-        ({"output": "x", "smallest": "-4 m", "mode": "drilling"}, "a smallest value of x"),
+        ({"output": "x", "largest": "0 m", "mode": "drilling"}, "the utilisation cannot be computed"),
+        (
+            {"output": "x", "smallest": "-4 m", "mode": "drilling"},
+            "for which a smallest value has no meaning",
+        ),
         ({"output": "lfj_angle", "smallest": "1 deg", "mode": "drilling"}, "a smallest value"),
-        ({"output": "lfj_angle", "mean": "-1 deg", "mode": "drilling"}, "a value below 0"),
-        ({"output": "x", "largest": "-4 m", "mode": "drilling"}, "a value below 0 of x, a magnitude"),
+        ({"output": "lfj_angle", "mean": "-1 deg", "mode": "drilling"}, "a negative value"),
+        ({"output": "x", "largest": "-4 m", "mode": "drilling"}, "limits on x apply to its magnitude"),
     ],
 )
 def test_a_limit_that_cannot_be_meant_is_refused(limit, said):

@@ -101,7 +101,7 @@ def test_values_along_the_riser(table):
     "headings, said",
     [
         (["time (s)", "wall_tension at 300 m (kN)"], "T_e = T_w"),
-        (["time (s)", "end_force (kN)"], "effective tension at that end"),
+        (["time (s)", "end_force (kN)"], "the force at that end"),
         (["time (s)", "effective_tension (kN)"], "give the place"),
         (["time (s)", "effective_tension at 400 m (kN)"], "is not on the riser"),
         (["time (s)", "tension at 300 m (kN)"], "has no tension over time"),
@@ -116,7 +116,7 @@ def test_what_cannot_be_compared_is_refused_with_the_remedy(table, headings, sai
 
 
 def test_tables_that_do_not_overlap_or_rise_are_refused(table):
-    for times, said in ((TIME + 1e3, "only 0 rows have numbers between"), (-TIME, "does not rise")):
+    for times, said in ((TIME + 1e3, "only 0 rows have numbers between"), (-TIME, "do not increase")):
         with pytest.raises(InputError, match=said):
             compared(run(), table(["time (s)", "ufj_angle (deg)"], times, TIME))
 

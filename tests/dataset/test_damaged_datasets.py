@@ -54,7 +54,7 @@ def test_a_tree_of_results_has_no_damaged_dataset(dataset, tmp_path):
         spoilt = bytearray(whole)
         spoilt[place] ^= 1 << draw.randrange(8)
         copy.write_bytes(spoilt)
-        with pytest.raises(InputError, match=r"copy\.nc: damaged"):
+        with pytest.raises(InputError, match=r"copy\.nc: the file is damaged"):
             open_results(tmp_path)
 
 
@@ -67,7 +67,7 @@ def test_commands_name_the_damaged_file(dataset, commands, tmp_path, monkeypatch
     (tmp_path / "spoilt.nc").write_bytes(spoilt)
     code, _, said = commands(words[0], "spoilt.nc", *words[1:])
     assert code == 2
-    assert "spoilt.nc: damaged; rerun the command that writes it" in said
+    assert "spoilt.nc: the file is damaged; repeat the command that writes it" in said
     assert not (tmp_path / "x.csv").exists()
 
 

@@ -104,4 +104,4 @@ def test_a_file_that_declares_terabytes_is_one_error(tmp_path, commands, inside)
     for words in (("table", path, "-o", tmp_path / "x.csv"), ("seas", path)):
         code, out, said = commands(*words)
         assert (code, out) == (2, "")
-        assert "huge.nc: 8000 GB of values" in " ".join(said.split())
+        assert "huge.nc: the values require 8000 GB" in " ".join(said.split())

@@ -320,5 +320,5 @@ def test_a_start_leaves_two_outputs_or_the_error_names_the_latest_that_does(seed
         if start <= time[-2]:
             list(_histories(run, start))
         else:
-            with pytest.raises(InputError, match=f"allowed is up to {time[-2]:g} s"):
+            with pytest.raises(InputError, match=f"give at most {time[-2]:g} s"):
                 list(_histories(run, start))

@@ -155,7 +155,7 @@ def test_a_body_of_some_mass_that_weighs_nothing_is_told_of():
     ring = dict(zip(table.columns, table.rows[0], strict=True))
     assert ring["wet weight"] is ring["uplift"] is None
     (said,) = json.loads(simulate(without).attrs["warnings"])
-    assert said.startswith("top.body: 'ring' has a mass of 20000 kg, but its weight in water is not given")
+    assert said.startswith("top.body: 'ring' has a mass of 20000 kg, but no weight")
     assert json.loads(simulate(SceneFile("pulled.yaml", PULLED)).attrs["warnings"]) == []
 
 

@@ -178,7 +178,7 @@ def test_utilisation_tells_of_what_is_exceeded_and_of_what_nobody_evaluated():
     assert "6 of 6 points exceed" in drawn("utilisation", beyond).get_suptitle()
     beyond["use_of_limit"] = np.nan * beyond["use_of_limit"]
     assert drawn("utilisation", beyond).get_suptitle() == "no limit is evaluated at any point"
-    with pytest.raises(InputError, match="no use of limits"):
+    with pytest.raises(InputError, match="no utilisations"):
         drawn("utilisation", beyond.drop_vars("use_of_limit"))
 
 
@@ -213,7 +213,7 @@ def test_large_grids_are_shown_by_a_few_points():
 
 @pytest.mark.parametrize("plot", sorted(set(OF_GRIDS) - {"utilisation"}))  # which shows all limits
 def test_what_is_not_there_is_said(plot):
-    with pytest.raises(InputError, match=r"no 'colour'.*there are bending_moment"):
+    with pytest.raises(InputError, match=r"no 'colour'.*use one of bending_moment"):
         drawn(plot, grid("heave_amplitude", "tug"), ["colour"])
 
 

@@ -104,7 +104,7 @@ def test_nothing_is_clipped(kind):
     "kind, moving, of, said",
     [
         ("time-series", False, None, "analysis.duration"),
-        ("shape", True, ["bending_moment"], "positions alone"),
+        ("shape", True, ["bending_moment"], "shows positions only"),
         ("range", True, ["colour"], "no 'colour'"),
     ],
 )
@@ -114,7 +114,7 @@ def test_what_cannot_be_shown_is_said(kind, moving, of, said):
 
 
 def test_a_riser_that_moves_along_itself_has_no_shape():
-    with pytest.raises(InputError, match="only axial motion"):
+    with pytest.raises(InputError, match="motion is axial only"):
         draw("shape", run().drop_vars(["x", "x_max", "x_min", "x_static"]))
 
 
@@ -137,7 +137,7 @@ def test_the_command_draws_a_point_of_a_study(tmp_path, monkeypatch, capsys):
     assert status("-o", out, "--at", "heave=5", "--kind", "time-series") == 0
     assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
     assert status("-o", out) == 2
-    assert "allowed are 1.0, 5.0" in capsys.readouterr().err
+    assert "with one of 1.0, 5.0" in capsys.readouterr().err
     assert status("-o", str(tmp_path / "out.doc"), "--at", "heave=5") == 2
     assert not (tmp_path / "out.doc").exists()
 
@@ -155,7 +155,7 @@ def test_the_command_draws_a_point_of_a_study(tmp_path, monkeypatch, capsys):
 def test_of_a_point_that_failed_nothing_is_made(words, tmp_path, monkeypatch, capsys):
     grid = run().expand_dims(at=["well", "lost"]).assign(point_key=("at", ["a", "b"]))
     failed = grid.where(grid["at"] == "well").assign(point_key=("at", ["a", "b"]))
-    why = "no static equilibrium found"
+    why = "no static equilibrium was found"
     failed.assign(failure=("at", ["", why])).to_netcdf(tmp_path / "grid.nc")
     (tmp_path / "other.csv").write_text("time (s), x at 0 m (m)\n0, 0\n1, 1\n2, 0\n3, 1\n")
     other = [str(tmp_path / "other.csv")] if words == ["compare"] else []
@@ -188,7 +188,7 @@ def test_a_range_graph_leaves_out_nothing_that_is_asked_for(of):
 
 def test_a_shape_without_elevations_is_refused():
     run = xr.Dataset({"x": (("time", "s"), np.ones((3, 4)))}, {"time": range(3), "s": range(4)})
-    with pytest.raises(InputError, match="z: no elevation"):
+    with pytest.raises(InputError, match="z: elevations are missing"):
         draw("shape", run)
 
 

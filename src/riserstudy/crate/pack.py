@@ -23,25 +23,28 @@ def pack(study: Path, target: Path) -> int:
     SimulationError when the zip cannot be written.
     """
     if target.suffix != ".zip" or target.exists() or not target.resolve().parent.is_dir():
-        found = "exists already" if target.exists() else "is not a new .zip file in an existing folder"
-        raise InputError("OUT.zip", str(target), found, "name a new file that ends in .zip")
+        found = "the file already exists" if target.exists() else "this is not a .zip file in a folder"
+        raise InputError("OUT.zip", str(target), found, "name a new .zip file in an existing folder")
     results = [study / name for name in outputs_of(study)]
     if not (study / "Snakefile").exists() or not results:
-        found = "no results of a run of `snakemake` or `make study`"
-        raise InputError("crate", str(study), found, "run the study here first")
+        found = "the folder contains no results of `snakemake` or `make study`"
+        raise InputError("crate", str(study), found, "run the study in this folder first")
     for file in results:
         if not fits_seal(file, study / "results"):
-            found = "was changed after its job wrote it"
-            raise InputError(file, "", found, "run the study again")
+            found = "the file was changed after the study wrote it"
+            raise InputError(file, "", found, "repeat the study")
     if absent := _absent(study):
-        found = "is absent: the last run was interrupted or failed, or the file was deleted"
-        raise InputError(absent[0], "", found, "run the study again")
+        found = "missing, because the last run was interrupted or failed, or the file was deleted"
+        raise InputError(absent[0], "", found, "repeat the study")
     if former := of_former_results(study):
-        found = "was made from former results: the last run was interrupted, or made only some files"
-        raise InputError(study / former[0], "", found, "run the study again")
+        found = (
+            "the file is older than its inputs, since the last run was interrupted or wrote some files only"
+        )
+        raise InputError(study / former[0], "", found, "repeat the study")
     text = crate_text(study, study)  # reads results, so after these checks
     if text is None:
-        raise InputError("crate", str(study), "no records of its jobs", "run the study here first")
+        found = "the folder has no records of the jobs of the study"
+        raise InputError("crate", str(study), found, "run the study in this folder first")
     seals = [path for path in (study / "results" / SEALS).rglob("*") if path.is_file()]
     others = [study / name for name in ("Snakefile", *FILES) if (study / name).exists()]
     files = [*others, *inputs_of(study), *results, *sorted(seals)]

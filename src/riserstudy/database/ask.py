@@ -73,7 +73,8 @@ def connect(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
     """
     path = Path(database)
     if not path.is_file():
-        raise InputError(path, "", "no results database", "make it by `make study`, or `snakemake`")
+        found = "the results database does not exist"
+        raise InputError(path, "", found, "write it with `make study` or `snakemake`")
     # the file is never changed in place: a new file replaces it
     address = f"{path.resolve().as_uri()}?mode=ro&immutable=1"
     try:
@@ -85,8 +86,9 @@ def connect(database: str | Path = DATABASE) -> Iterator[sqlite3.Connection]:
             db.execute("select * from about").fetchone()  # fails if the file is not such a database
             yield db
     except sqlite3.DatabaseError as error:
-        found = f"damaged, or no results database ({_reason(error)})"
-        raise InputError(path, "", found, "delete it; the next run makes it again") from None
+        found = f"the file is damaged, or is not a results database ({_reason(error)})"
+        allowed = "delete it; the next `make study` writes it again"
+        raise InputError(path, "", found, allowed) from None
 
 
 def _reason(error: Exception) -> str:
@@ -107,7 +109,7 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     Raises InputError when it is not a single statement that only reads, or names a table or column that does
     not exist.
     """
-    allowed = "allowed is one `select ...`; docs/results_database.md lists tables and columns"
+    allowed = "write one `select ...`; docs/results_database.md lists tables and columns"
     try:
         cursor = db.execute(_with_names(sql), values)
         rows = _rows(cursor, where)
@@ -116,11 +118,11 @@ def ask(db: sqlite3.Connection, sql: str, values: Sequence[Any] = (), where: str
     except sqlite3.DatabaseError as error:
         if getattr(error, "sqlite_errorname", "") != "SQLITE_AUTH":
             raise
-        raise InputError(where, "", "a statement that does more than read", allowed) from None
+        raise InputError(where, "", "this statement does more than read", allowed) from None
     except (sqlite3.Warning, ValueError, OverflowError) as error:
         raise InputError(where, "", str(error), allowed) from None
     if cursor.description is None:
-        raise InputError(where, "", "not a query", allowed)
+        raise InputError(where, "", "this is not a query", allowed)
     return Answer([column[0] for column in cursor.description], rows)
 
 
@@ -147,8 +149,8 @@ def _rows(cursor: sqlite3.Cursor, where: str) -> list[tuple[Any, ...]]:
         rows.append(row)
         text += sum(len(cell) for cell in row if isinstance(cell, str | bytes))
         if len(rows) * len(row) > MOST_CELLS or text > MOST_TEXT:
-            found = f"more than {MOST_CELLS} cells or {MOST_TEXT} characters"
-            raise InputError(where, "", found, "ask for fewer columns, or add a limit")
+            found = f"the answer has more than {MOST_CELLS} cells or {MOST_TEXT} characters"
+            raise InputError(where, "", found, "select fewer columns, or add `limit 1000`")
     return rows
 
 

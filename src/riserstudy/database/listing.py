@@ -55,8 +55,8 @@ def cells(
     for option, names in (("--columns", columns or []), ("--sort", sort)):
         for name in names:
             if name.removeprefix("-") not in known:
-                allowed = f"allowed are {', '.join(known)}"
-                raise InputError(option, "", f"no column {name!r}", allowed)
+                allowed = f"use one of {', '.join(known)}"
+                raise InputError(option, "", f"the table has no column {name!r}", allowed)
     displayed = columns or [name for name, role in known.items() if _main(name, role)]
     sql = f"select {', '.join(map(quoted, displayed))} from {quoted(table)}"
     if where:

@@ -56,8 +56,9 @@ def open_point(key: str, whole: bool = False) -> xr.Dataset:
 
     held = store.all_of(key)
     if held is None:
-        allowed = "dataset_of returns the outputs that its study keeps; the next run simulates missing points"
-        raise InputError("store", "", f"no whole point {key!r}", allowed)
+        allowed = "use dataset_of for the outputs that the study keeps, or repeat the study"
+        found = f"the cache does not contain the complete results of point {key!r}"
+        raise InputError("cache", "", found, allowed)
     about, result = held
     left_out = about["left_out"]
     origins = {path: Origin(status, None) for path, status in about["origins"].items()}
@@ -83,9 +84,9 @@ def _refuse_other_tables(key: str, file: SceneFile, engine: str) -> None:
     from riserstudy.study import store
 
     if store.key_of(file.resolved(), engine) != key:
-        other = "" if engine == engine_digest() else ", or by an engine that read scenes otherwise"
-        found = f"point {key!r} was simulated with other tables than those beside {file.source} now{other}"
-        raise InputError("store", "", found, "restore them, or use dataset_of")
+        other = "" if engine == engine_digest() else ", or by another version of the engine"
+        found = f"point {key!r} was simulated with other tables than the present tables of {file.source}"
+        raise InputError("cache", "", f"{found}{other}", "restore the tables, or use dataset_of")
 
 
 def _anew(key: str, file: SceneFile, stored: Result) -> Result:
@@ -95,9 +96,9 @@ def _anew(key: str, file: SceneFile, stored: Result) -> Result:
 
     scene = file.resolved()
     if store.key_of(scene) != key:
-        found = f"point {key!r} was simulated by another engine or with other tables"
-        allowed = "use whole=False, or `riserstudy rerun` with the scene and tables of a dataset"
-        raise InputError("store", "", found, allowed)
+        found = f"point {key!r} was simulated by another version of the engine, or with other tables"
+        allowed = "use whole=False, or `riserstudy rerun` with the dataset of the study"
+        raise InputError("cache", "", found, allowed)
     return run(scene, estimated="error_estimate" in stored.facts)
 
 
@@ -137,8 +138,8 @@ def dataset_of(points: Iterable[Any], database: str | Path = DATABASE) -> xr.Dat
             for row in ask(db, statement, (point,)).rows:
                 places[point] = row
     if not wanted or (missing := [point for point in wanted if point not in places]):
-        missing_text = f"no point {missing[0]}" if wanted else "no points"
-        raise InputError(database, "points", missing_text, "allowed are numbers of table points")
+        missing_text = f"there is no point {missing[0]}" if wanted else "no point is given"
+        raise InputError(database, "points", missing_text, "give numbers from the table `points`")
     parts: list[xr.Dataset] = []
     for study, path in dict.fromkeys((places[point][0], places[point][1]) for point in wanted):
         mine = [point for point in places if places[point][0] == study]
@@ -210,7 +211,7 @@ def _in_units_of(others: list[xr.Dataset], part: xr.Dataset, study: str) -> xr.D
             continue
         ratio = factor_between(units[0], units[1])
         if math.isnan(ratio):
-            found = f"is in {units[0]!r}, and in another study in {units[1]!r}"
+            found = f"the unit is {units[0]!r}, but {units[1]!r} in another study"
             raise InputError(study, name, found, "select points of one of these studies")
         part[name] = (part[name].dims, ratio * part[name].values, before.attrs)
     return part
@@ -222,7 +223,7 @@ def _part(path: Path, points: list[int], positions: list[int], study: str) -> xr
     import xarray as xr
 
     if not path.is_file():
-        raise InputError(path, "", "not a dataset", "the next run makes it again")
+        raise InputError(path, "", "the dataset does not exist", "repeat the study, which writes it")
     refuse_damaged(path)
     refuse_other_files(path)
     with xr.open_dataset(path, engine="netcdf4") as dataset:

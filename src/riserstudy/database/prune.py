@@ -91,5 +91,6 @@ def _settings(config: Path) -> Config:
     path = config / "config.yaml"
     tree = read_yaml(path, keep=True)
     if not isinstance(tree, dict):
-        raise InputError(path, "", "not a mapping", "it starts with names such as 'papers:'")
+        found = "this is not a configuration"
+        raise InputError(path, "", found, "write fields, each as 'name: value', such as 'papers: [own]'")
     return check(Config, tree, path)

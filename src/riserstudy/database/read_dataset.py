@@ -93,8 +93,8 @@ def read_dataset(path: Path) -> Contents:
             grids[0][1].extend(_statistics(file, grids[0][0]))
             return Contents(attributes, grids)
     except (OSError, RuntimeError, MemoryError) as error:  # the library's own are RuntimeErrors
-        found = f"not a complete dataset ({error})"
-        raise InputError(path, "", found, "delete it; the next run makes it again") from None
+        found = f"the dataset is incomplete ({error})"
+        raise InputError(path, "", found, "delete it; the next `make study` writes it again") from None
 
 
 def _grids(file: netCDF4.Dataset) -> Iterator[Grid]:

@@ -43,7 +43,7 @@ def as_json(answer: Answer) -> str:
     Raises InputError when two columns have one name, of which an object has only the second.
     """
     if twice := next((name for name in answer.columns if answer.columns.count(name) > 1), None):
-        raise InputError("--json", twice, "two columns have this name", "rename one of them by 'as'")
+        raise InputError("--json", twice, "two columns have this name", "rename one of them with 'as'")
     rows = [dict(zip(answer.columns, map(_plain, row), strict=True)) for row in answer.rows]
     return json.dumps(rows, indent=1, ensure_ascii=False, allow_nan=False)
 

@@ -44,11 +44,11 @@ def described(file: Path, folder: Path) -> File:
         return File(path, kind, file.stat().st_size, digest_of(file))
     except OSError as error:
         raise InputError(
-            file, "", error.strerror or "cannot be read", "rerun the command that writes it"
+            file, "", error.strerror or "cannot be read", "repeat the command that writes it"
         ) from None
     except (ValueError, KeyError):
-        allowed = f"allowed are {', '.join(KINDS)} in {folder}"
-        raise InputError(file, "", "no file of the results", allowed) from None
+        allowed = f"give a file of the folders {', '.join(KINDS)} in {folder}"
+        raise InputError(file, "", "this is not a file of results", allowed) from None
 
 
 def digest_of(file: Path) -> str:

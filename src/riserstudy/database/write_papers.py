@@ -105,8 +105,8 @@ def _graded(row: dict[str, str]) -> tuple[str | float | None, ...]:
         grounds = Grounds.from_json(cell)
     except ValueError:
         where = f"{row['paper']}/{row['id']}: grounds"
-        allowed = "the cell must contain the JSON that grading writes; grade the paper again"
-        raise InputError("reproduction.csv", where, "no grounds of a verdict", allowed) from None
+        found = "the cell does not contain the JSON that grading writes"
+        raise InputError("reproduction.csv", where, found, "grade the paper again") from None
     return (
         *(row[name] for name in ("paper", "id", "figure", "kind", "statement")),
         *(_number(row[name]) for name in ("published", "simulated")),

@@ -59,7 +59,7 @@ def joined_tables(papers: list[str], known: Table) -> Table:
     for paper in papers:
         for name, about in chapter_table(paper).items():
             if (elsewhere := joined.get(name) or known.get(name, about)) != about:
-                found = f"has other attributes elsewhere: {elsewhere['long_name']!r}"
-                raise InputError(variables_of_chapter(paper), name, found, "choose another name")
+                found = f"this variable is also defined elsewhere, as {elsewhere['long_name']!r}"
+                raise InputError(variables_of_chapter(paper), name, found, "give it another name")
             joined[name] = about
     return joined

@@ -24,7 +24,8 @@ FEWEST = 4  # smallest number of rows for a comparison
 SAME = 1e-6
 WALL, EFFECTIVE = "wall_tension", "effective_tension"
 #: quantities that other programs define differently from a run
-OTHERWISE = {"end_force": "it is the effective tension at that end: write `effective_tension at 0 m`"}
+OTHERWISE = {"end_force": "write `effective_tension at 0 m`, which is the force at that end"}
+DIFFERS = "a run defines this quantity differently"
 
 
 class Pair(NamedTuple):
@@ -109,7 +110,7 @@ def compared(
 def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column: Column) -> Pair:
     title, (name, place, unit, size, cylinder) = column.title, column.heading
     if name in OTHERWISE:
-        raise InputError(path, title, "is defined differently in a run", OTHERWISE[name])
+        raise InputError(path, title, DIFFERS, OTHERWISE[name])
     wall = name.startswith(WALL)
     name = name.replace(WALL, EFFECTIVE, 1) if wall else name
     dim = _dim(run, path, axis, title, name)
@@ -120,9 +121,9 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
     if cylinder is not None:
         ours = _of_cylinder(path, title, ours, cylinder)
     if ours.ndim != 1:
-        found = f"{name} is over {', '.join(map(str, ours.dims))}"
+        found = f"{name} of the run depends on {' and '.join(map(str, ours.dims))}"
         where = "cylinder 0" if "cylinder" in ours.dims else "300 m"
-        raise InputError(path, title, found, f"give the place: `{name} at {where} ({unit})`")
+        raise InputError(path, title, found, f"give the place in the heading: `{name} at {where} ({unit})`")
     stored = str(run[name].attrs.get("units", "1"))
     along, theirs = column.along, in_si(path, title, column.values, unit, stored)
     inside, known = _inside(along, run[dim].values.astype(float), notes, axis)
@@ -135,9 +136,10 @@ def _pair(run: xr.Dataset, scene: Resolved | None, path: Path, axis: str, column
         notes.append(f"the run is interpolated over {axis}")
     there = _both(theirs, mine, notes)
     if there.sum() < FEWEST:
-        found = f"only {int(there.sum())} rows have numbers between {known[0]:g} and {known[-1]:g}"
+        found = f"only {int(there.sum())} rows have numbers between {known[0]:g} and {known[-1]:g}, where "
+        found += "the run has results"
         why = "".join(f"; {note}" for note in notes if note.startswith("left out"))
-        raise InputError(path, title, found, f"at least {FEWEST} are required{why}")
+        raise InputError(path, title, found, f"give at least {FEWEST} rows there{why}")
     where = "" if place is None else f" at {place:g} m"
     where = where if cylinder is None else f" at cylinder {cylinder}"
     return Pair(title, name + where, axis, stored, along[there], theirs[there], mine[there], notes)
@@ -150,7 +152,7 @@ def _dim(run: xr.Dataset, path: Path, axis: str, title: str, name: str) -> str:
     found = next((d for d in dims if name in filled and d in run[name].dims), None)
     if found is None:
         there = sorted(n for n in filled if set(dims) & set(run[n].dims))
-        allowed = f"allowed are {', '.join(there)}" if there else "the run has no results over this axis"
+        allowed = f"use one of {', '.join(there)}" if there else "give a table over the other axis"
         raise InputError(path, title, f"the run has no {name} over {axis}", allowed)
     return found
 
@@ -202,8 +204,8 @@ def _walls(
 ) -> tuple[FloatArray, list[str]]:
     """The difference of effective tension and wall tension (N), with notes on how it was computed."""
     if scene is None:
-        found = "is not effective tension, and the dataset has no scene to convert it by"
-        allowed = "convert it by T_e = T_w + p_o A_o - p_i A_i, and name that effective_tension"
+        found = "is wall tension, and the dataset has no scene from which effective tension is computed"
+        allowed = "compute T_e = T_w + p_o A_o - p_i A_i yourself, and name the column effective_tension"
         raise InputError(path, title, found, allowed)
     walls = Walls(run, scene, path, title)
     added = walls.along(along) if axis == "s" else walls.over_time(place or 0.0, along)
@@ -214,11 +216,12 @@ def _at(path: Path, title: str, values: xr.DataArray, place: float) -> tuple[xr.
     """Values at a place along the riser, linear between stations, and the names of these stations."""
     dim = next((d for d in ("s", "s_node") if d in values.dims), None)
     if dim is None:
-        raise InputError(path, title, "is not along the riser", "leave `at ... m` out")
+        found = "is not a quantity along the riser"
+        raise InputError(path, title, found, "remove `at ... m` from the heading")
     stations = values[dim].values
     near = SAME * stations[-1]
     if not stations[0] - near <= place <= stations[-1] + near:
-        allowed = f"allowed is {stations[0]:g} to {stations[-1]:g} m"
+        allowed = f"give a place from {stations[0]:g} m to {stations[-1]:g} m"
         raise InputError(path, title, f"{place:g} m is not on the riser", allowed)
     nearest = int(np.argmin(np.abs(stations - place)))
     if abs(stations[nearest] - place) <= SAME * stations[-1]:
@@ -230,10 +233,11 @@ def _at(path: Path, title: str, values: xr.DataArray, place: float) -> tuple[xr.
 def _of_cylinder(path: Path, title: str, values: xr.DataArray, cylinder: int) -> xr.DataArray:
     """Values of one of the tensioners' cylinders."""
     if "cylinder" not in values.dims:
-        raise InputError(path, title, "is not of a cylinder", "leave `at cylinder ...` out")
+        found = "is not a quantity of a cylinder"
+        raise InputError(path, title, found, "remove `at cylinder ...` from the heading")
     if cylinder not in values["cylinder"]:
-        allowed = f"allowed is 0 to {values.sizes['cylinder'] - 1}"
-        raise InputError(path, title, f"there is no cylinder {cylinder}", allowed)
+        allowed = f"give a number from 0 to {values.sizes['cylinder'] - 1}"
+        raise InputError(path, title, f"the run has no cylinder {cylinder}", allowed)
     return values.sel(cylinder=cylinder, drop=True)
 
 

@@ -73,8 +73,8 @@ def changes(old: Path, new: Path) -> Changes:
     files = [_datasets(path) for path in (old, new)]
     for path, rows, paths in zip((old, new), tables, files, strict=True):
         if not rows and not paths:
-            allowed = f"allowed is a results folder, a dataset or a {TABLE}"
-            raise InputError("diff", str(path), "no results", allowed)
+            allowed = f"give a results folder, a dataset or a {TABLE}"
+            raise InputError("diff", str(path), "contains no results", allowed)
     graded = list(_graded(*tables))
     varied, count = [], 0
     for name in sorted({*files[0], *files[1]}):
@@ -94,7 +94,7 @@ def _rows(path: Path) -> dict[str, dict[str, str]]:
             return {f"{row['paper']}/{row['id']}": row for row in csv.DictReader(stream)}
     except (OSError, UnicodeDecodeError, csv.Error, KeyError):
         raise InputError(
-            table, "", "no table of graded numbers", "rerun the command that writes it"
+            table, "", "this is not a table of graded numbers", "repeat the command that writes it"
         ) from None
 
 

@@ -55,7 +55,7 @@ def written_whole(target: Path) -> Iterator[Path]:
     except (OSError, RuntimeError) as error:  # the netCDF library raises RuntimeError
         reason, remedy = _reason(error, partial), "see whether the disk is full"
         if "\\" in str(target.absolute()) and os.name == "posix":
-            remedy = "the netCDF library refuses a folder with a backslash in its name"
+            remedy = "use a folder without a backslash in its name, which the netCDF library refuses"
         raise SimulationError(f"{target} cannot be written: {reason}; {remedy}") from None
     finally:
         with suppress(OSError):  # if the folder cannot be written, the first error is reported
@@ -71,7 +71,7 @@ def refuse_damaged(path: Path) -> None:
         stream.seek(max(size, 0))
         line = stream.read()
         if line.startswith(MARK) and line[len(MARK) :].strip() != _digest(stream, size):
-            raise InputError(path, "", "damaged", "rerun the command that writes it")
+            raise InputError(path, "", "the file is damaged", "repeat the command that writes it")
 
 
 def load(path: Path, **options: Any) -> xr.Dataset:
@@ -99,8 +99,8 @@ def refuse_too_large(path: Path) -> None:
     with netCDF4.Dataset(path) as file:
         size = sum(_sizes(file))
     if size > (most := psutil.virtual_memory().total):
-        sizes = f"{plain(size / 1e9)} GB of values, and this computer has {plain(most / 1e9)} GB"
-        raise InputError(path, "", f"{sizes} of memory", "give a file with fewer values")
+        found = f"the values require {plain(size / 1e9)} GB of memory, and this computer has "
+        raise InputError(path, "", f"{found}{plain(most / 1e9)} GB", "give a file with fewer values")
 
 
 def _sizes(group: Any) -> Iterator[int]:

@@ -35,7 +35,7 @@ def open_results(folder: str | Path = "results") -> xr.DataTree:
 
     files = sorted(Path(folder).glob("*/*.nc"))
     if not files:
-        raise InputError(folder, "", "no datasets", "run `make study` first")
+        raise InputError(folder, "", "the folder contains no datasets", "run `make study` first")
     for file in files:
         refuse_damaged(file)
         refuse_other_files(file)
@@ -50,8 +50,8 @@ def open_dataset(path: Path) -> xr.Dataset:
     except (OSError, ValueError, RuntimeError):
         scene = path.suffix in (".yaml", ".yml")
         how = (
-            f"allowed is a dataset: riserstudy run {path} -o OUT.nc"
+            f"simulate this scene first: riserstudy run {path} -o OUT.nc"
             if scene
-            else "rerun the command that writes it"
+            else "repeat the command that writes it"
         )
-        raise InputError(path, "", "not a dataset", how) from None
+        raise InputError(path, "", "this is not a dataset of riserstudy", how) from None

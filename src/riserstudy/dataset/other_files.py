@@ -38,8 +38,8 @@ def refuse_other_files(path: Path) -> None:
     with path.open("rb") as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as data:
         base = data.find(SUPERBLOCK)
         if base >= 0 and (_has_external_data(data, base) or _has_links(data)):
-            found, remedy = "contains references to other files", "write all values into the file"
-            raise InputError(path, "", found, f"these files are not read; {remedy}")
+            found = "contains references to other files, which are not read"
+            raise InputError(path, "", found, "write all values into this file")
 
 
 def _has_external_data(data: mmap.mmap, base: int) -> bool:

@@ -20,14 +20,14 @@ def place(dataset: xr.Dataset, at: dict[str, str]) -> dict[str, int]:
     """
     axes = [str(axis) for axis in dataset["point_key"].dims] if "point_key" in dataset else []
     if unknown := [axis for axis in at if axis not in axes]:
-        allowed = f"allowed are {', '.join(axes)}" if axes else "it has none"
-        raise InputError("--at", unknown[0], "no axis of the dataset", allowed)
+        allowed = f"use one of {', '.join(axes)}" if axes else "omit --at, since the dataset has no axes"
+        raise InputError("--at", unknown[0], "the dataset has no axis of this name", allowed)
     index = {}
     for axis in axes:
         values = dataset[axis].values.tolist()
         if axis not in at and len(values) > 1:
-            allowed = f"allowed are {', '.join(map(str, values))}"
-            raise InputError("--at", axis, "not given", allowed)
+            allowed = f"add --at {axis}=VALUE with one of {', '.join(map(str, values))}"
+            raise InputError("--at", axis, "a value of this axis is missing", allowed)
         index[axis] = value_of(dataset, axis, at.get(axis, str(values[0])))
     return index
 
@@ -77,7 +77,8 @@ def value_of(dataset: xr.Dataset, axis: str, wanted: str) -> int:
     values = dataset[axis].values.tolist()
     matching = [k for k, value in enumerate(values) if _is(value, wanted)]
     if not matching:
-        raise InputError("--at", axis, wanted, f"allowed are {', '.join(map(str, values))}")
+        found = f"the axis has no value {wanted}"
+        raise InputError("--at", axis, found, f"use one of {', '.join(map(str, values))}")
     return matching[0]
 
 

@@ -77,17 +77,17 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
     else:
         record = {}
     if "scene" not in record or "tables" not in record:
-        found = "does not contain a scene and its tables"
-        allowed = "allowed is a dataset that was simulated, by this version or a later one"
+        found = "contains no scene and tables from which a point could be repeated"
+        allowed = "give a dataset of simulated runs, written by this version or a later one"
         raise InputError("dataset", "", found, allowed)
     for name in ("tables", "origins"):
         texts = record[name]
         if not isinstance(texts, dict) or not all(isinstance(t, str) for t in texts.values()):
-            raise _damaged(dataset, name, "no text by name")
+            raise _damaged(dataset, name, "is not a list of texts with names")
     if not isinstance(record["engine"], str):
-        raise _damaged(dataset, "engine", "no text")
+        raise _damaged(dataset, "engine", "is not text")
     if not isinstance(record["scene"], dict):
-        raise _damaged(dataset, "scene", "no mapping")
+        raise _damaged(dataset, "scene", "is not a group of fields")
     if fault := plain_fault(record["scene"]):
         raise InputError(_name(dataset), *fault)
     return record
@@ -106,7 +106,7 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     for axis, label in _labels(dataset, index).items():
         of_axis, value = _mapping(dataset[axis], "sets"), str(label.item())
         if not isinstance(of_axis.get(value), dict):
-            raise _damaged(dataset[axis], "sets", f"nothing for {axis} = {value}")
+            raise _damaged(dataset[axis], "sets", f"has no entry for {axis} = {value}")
         if fault := plain_fault(of_axis[value], f"{axis}.sets"):
             raise InputError(_name(dataset), *fault)
         file = file.with_values(of_axis[value], f"{source}: axes")
@@ -152,11 +152,11 @@ def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
     except (KeyError, TypeError, ValueError, RecursionError):
         raise _damaged(labelled, name, "no JSON") from None
     if not isinstance(value, dict):
-        raise _damaged(labelled, name, "no mapping")
+        raise _damaged(labelled, name, "is not a group of fields")
     return value
 
 
 def _damaged(labelled: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
     """The error for a dataset that no simulation can have written."""
-    allowed = "the file is damaged, or riserstudy did not write it; run its scene again"
+    allowed = "repeat the run of its scene, since the file is damaged or not written by riserstudy"
     return InputError(_name(labelled), name, found, allowed)

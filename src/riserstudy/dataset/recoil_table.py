@@ -25,11 +25,12 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
     """
     of, release = dataset.attrs, scene.disconnect
     if release is None:
-        allowed = "add `disconnect: {at: 12 s}` and what follows it"
-        raise InputError("disconnect", "", "absent: nothing disconnects", allowed)
+        allowed = "add, for example, `disconnect: {at: 12 s}` to the scene"
+        raise InputError("disconnect", "", "missing, so the riser does not disconnect", allowed)
     if "lift_max" not in of:
-        allowed = "give analysis.duration some seconds more"
-        raise InputError("disconnect.at", f"{release.at:g} s", "not within the run", allowed)
+        allowed = "increase analysis.duration by some seconds"
+        found = f"the run ends before or soon after the disconnect at {release.at:g} s"
+        raise InputError("scene", "disconnect.at", found, allowed)
     overpull = float(of["overpull"])
     rows: list[list[Cell]] = [
         ["overpull", overpull / 1e3, "kN", release.at, _seat(overpull, not_in_tension(scene))],

@@ -66,15 +66,16 @@ def over_seeds(grid: xr.Dataset, axis: str, start: float) -> Table:
     """
     axes = [str(dim) for dim in grid["point_key"].dims] if "point_key" in grid else []
     if axis not in axes:
-        allowed = f"allowed are {', '.join(axes) or 'axes of a study'}"
-        raise InputError("--over", axis, "no axis of the dataset", allowed)
+        allowed = f"use one of {', '.join(axes)}" if axes else "give a dataset of a study, which has axes"
+        raise InputError("--over", axis, "the dataset has no axis of this name", allowed)
     sets = json.loads(grid[axis].attrs.get("sets", "{}"))
     others = sorted({path for one in sets.values() for path in one if not path.endswith("seed")})
     if others:
-        allowed = "allowed is an axis of seeds; select one of these values by --at"
-        raise InputError("--over", axis, f"sets {others[0]}, not only seeds", allowed)
+        allowed = "give an axis that sets seeds only, and select a value of this axis with --at"
+        raise InputError("--over", axis, f"this axis sets {others[0]}, not only seeds", allowed)
     if (count := grid.sizes[axis]) < FEWEST_SEEDS:
-        raise InputError("--over", axis, f"{count} seeds", f"allowed are {FEWEST_SEEDS} or more")
+        found = f"the axis has only {count} seeds"
+        raise InputError("--over", axis, found, f"give a study with {FEWEST_SEEDS} seeds or more")
     rows: list[list[Cell]] = []
     sizes = _sizes(grid)
     for name, s, unit, history in _histories(grid, start):
@@ -142,14 +143,16 @@ def _histories(run: xr.Dataset, start: float) -> Iterator[tuple[str, float | Non
     its outputs are left.
     """
     if "time" not in run:
-        raise InputError("dataset", "time", "a static run", "statistics need analysis.duration")
+        found = "the run is static and has no time histories, which statistics require"
+        raise InputError("dataset", "time", found, "add analysis.duration and output to its scene")
     time = run["time"].values
     steps = np.diff(time[time >= start])
     if not len(steps):
-        allowed = f"allowed is up to {time[-2]:g} s" if len(time) > 1 else "the run needs more outputs"
-        raise InputError("--start", f"{start:g} s", "fewer than two outputs are left", allowed)
+        allowed = f"give at most {time[-2]:g} s" if len(time) > 1 else "give a run with more outputs"
+        raise InputError("--start", f"{start:g} s", "fewer than two outputs follow this time", allowed)
     if np.ptp(steps) > EVEN * steps[0]:
-        raise InputError("dataset", "time", "uneven intervals", "statistics need even ones")
+        found = "the intervals between outputs differ"
+        raise InputError("dataset", "time", found, "give a run with equal intervals")
     later = run.isel(time=time >= start)
     for name, history in later.data_vars.items():
         if "time" not in history.dims or history.dtype.kind != "f":

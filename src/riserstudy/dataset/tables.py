@@ -39,7 +39,8 @@ def time_series(dataset: xr.Dataset) -> Table:
     Raises InputError when the run is static.
     """
     if "time" not in dataset:
-        raise InputError("dataset", "time", "a static run", "time series need analysis.duration")
+        found = "the run is static and has no time histories"
+        raise InputError("dataset", "time", found, "add analysis.duration and output to its scene")
     columns, units, values = ["time"], ["s"], [dataset["time"].values]
     for name, history in dataset.data_vars.items():
         if "time" not in history.dims:
@@ -142,7 +143,8 @@ def table_of(kind: str, scene: Resolved | None, dataset: xr.Dataset | None) -> T
         return recoil(scene, dataset)
     made = {"extremes": extremes, "time-series": time_series, "limits": limits}.get(kind)
     if made is None or dataset is None:
-        raise InputError("table", kind, "nothing to make it from", "allowed is a scene or its run")
+        found = "this table requires a scene or the dataset of a run"
+        raise InputError("table", kind, found, "give one of them")
     return made(dataset)
 
 

@@ -54,7 +54,7 @@ def _look_up(name: str, text: str) -> None:
     # the grader loads no scenes unless it must
     from riserstudy.scene.units import LONGEST_UNIT, factor, usual_units
 
-    allowed = "allowed is a unit such as 'kN m' or 'm/s', or '1' for a number without a unit"
+    allowed = "write a unit such as 'kN m' or 'm/s', or '1' for a number without a unit"
     if any(text in names for names in usual_units().values()):
         return
     if len(text) > LONGEST_UNIT or "//" in text or not _NAMES.fullmatch(text):

@@ -58,7 +58,8 @@ class Walls:
         """Force at a place (m from the lower end) at times (s), (n,)."""
         force = self._force(np.array([place]))[..., 0]
         if np.isnan(force).any():
-            raise self._refused(f"walls of two sections meet at {place:g} m", "give a place 1 mm away")
+            found = f"two sections with different walls meet at {place:g} m"
+            raise self._refused(found, "give a place 1 mm above or below")
         if self._time is not None:
             force = np.interp(time, self._time, force)
         return Added(np.broadcast_to(force, time.shape), self._places_in_words([place]))
@@ -87,7 +88,8 @@ class Walls:
             time = run["time"].values.astype(float) if "time" in z.dims else None
             return time, run["s"].values.astype(float), z.values.astype(float)
         if low is None:
-            raise self._refused("the run has no elevations", "compare effective_tension")
+            found = "the run has no elevations, from which pressures are computed"
+            raise self._refused(found, "compare effective_tension instead")
         self._notes.append("the run has no elevations, so those of the unstretched riser are used")
         return None, self._ends, low[0] + self._ends
 
@@ -99,7 +101,7 @@ class Walls:
         near = SAME * self._ends[-1]
         if min(needed) < self._s[0] - near or max(needed) > self._s[-1] + near:
             found = f"the run has elevations only from {self._s[0]:g} to {self._s[-1]:g} m"
-            allowed = "run the scene with stations at the ends of the contents, or compare effective_tension"
+            allowed = "add stations at the ends of the contents to the scene, or compare effective_tension"
             raise self._refused(found, allowed)
         z = np.apply_along_axis(lambda one: np.interp(stations, self._s, one), -1, self._z)
         at = np.searchsorted(stations, self._ends)
@@ -123,7 +125,8 @@ class Walls:
             if low - near <= place <= high + near
         ]
         if not inside:
-            raise self._refused(f"{place:g} m is not on the riser", f"allowed is 0 to {self._ends[-1]:g} m")
+            allowed = f"give a place from 0 m to {self._ends[-1]:g} m"
+            raise self._refused(f"{place:g} m is not on the riser", allowed)
         return inside
 
     def _discs(self, section: Section) -> tuple[float, float]:
@@ -131,12 +134,13 @@ class Walls:
         if self._scene.water is None:
             lacks.append("water")
         if lacks:
-            found = f"is not effective tension, and the scene lacks {' and '.join(lacks)}"
-            allowed = "convert it by T_e = T_w + p_o A_o - p_i A_i, and name the result effective_tension"
+            found = "is wall tension, which cannot be converted to effective tension: the scene lacks "
+            found += " and ".join(lacks)
+            allowed = "compute T_e = T_w + p_o A_o - p_i A_i yourself, and name the column effective_tension"
             raise self._refused(found, allowed)
         if section.pipe_shares[0] != 1.0:
-            found = f"lines of section {section.name!r} carry a part of its tension"
-            raise self._refused(found, "compare effective_tension")
+            found = f"lines of section {section.name!r} carry a part of its wall tension"
+            raise self._refused(found, "compare effective_tension instead")
         outer, inner = section.outer_diameter or 0.0, section.inner_diameter or 0.0
         return 0.25 * math.pi * outer**2, 0.25 * math.pi * inner**2
 

@@ -21,7 +21,9 @@ def lacks_library(target: Path) -> InputError | None:
     if find_spec("openpyxl") is not None:
         return None
     allowed = "install it with `pip install 'riserstudy[workbook]'`, or write .csv"
-    return InputError("--output", str(target), "workbooks need openpyxl, which is not installed", allowed)
+    return InputError(
+        "--output", str(target), "writing workbooks requires openpyxl, which is not installed", allowed
+    )
 
 
 def _cell(value: Cell) -> Cell:
@@ -47,8 +49,8 @@ def write_workbook(tables: Mapping[str, Table], target: Path) -> None:
     book.remove(book.active)
     for name, table in tables.items():
         if len(table.rows) > LONGEST:
-            allowed = f"allowed in a workbook are {LONGEST}; write this table as .csv"
-            raise InputError("--output", str(target), f"{len(table.rows)} rows of {name}", allowed)
+            found = f"the table {name} has {len(table.rows)} rows, and a workbook at most {LONGEST}"
+            raise InputError("--output", str(target), found, "write this table as .csv")
         sheet = book.create_sheet(name)
         sheet.append([_cell(head) for head in heads(table)])
         for row in table.rows:

@@ -108,7 +108,7 @@ def absent(dataset: xr.Dataset, name: str) -> InputError:
     """The error for a requested quantity that does not exist."""
     there = ", ".join(sorted(str(n) for n, v in dataset.items() if v.dtype.kind == "f"))
     title = str(dataset.attrs.get("title", "dataset"))
-    return InputError(title, "of", f"no {name!r}", f"there are {there}")
+    return InputError(title, "of", f"the dataset has no {name!r}", f"use one of {there}")
 
 
 def present(dataset: xr.Dataset, names: Iterable[str]) -> list[str]:

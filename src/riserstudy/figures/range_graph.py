@@ -32,13 +32,11 @@ def range_graph(run: xr.Dataset, title: str, of: list[str] | None = None) -> Fig
     if missing := [name for name in of or () if name not in along]:
         raise absent(run, missing[0])
     if not along:
-        found = "the study keeps no extremes along the riser"
+        found = "the study stores no extremes along the riser"
         raise InputError(title, "keep", found, "add an output such as bending_moment_max to `keep`")
     if of and len(of) > PANELS:
-        found = f"{len(of)} quantities"
-        raise InputError(
-            "--of", of[-1], found, f"a figure shows {PANELS}; draw the others in a second figure"
-        )
+        found = f"{len(of)} quantities are more than the {PANELS} that a figure shows"
+        raise InputError("--of", of[-1], found, "draw the others in a second figure")
     names = along[:PANELS]
     figure, axes = panels(1, len(names), 4.6, sharey=True)
     for ax, name in zip(axes, names, strict=True):

@@ -29,10 +29,10 @@ def draw(kind: str, run: xr.Dataset, of: list[str] | None = None) -> Figure:
     """
     title = str(run.attrs.get("title", "")) or "a run"
     if kind == "shape" and of:
-        raise InputError("--of", of[0], "a shape shows positions alone", "leave it out")
+        raise InputError("--of", of[0], "has no effect on a shape, which shows positions only", "omit --of")
     if kind == "time-series" and "time" not in run:
-        found = "a run at rest has no time series"
-        raise InputError(title, "analysis.duration", found, "allowed are range and shape")
+        found = "a static run has no time series"
+        raise InputError(title, "analysis.duration", found, "choose the figure range or shape")
     with as_written():
         if kind == "range":
             return range_graph(run, title, of)

@@ -24,10 +24,11 @@ def shape(run: xr.Dataset, title: str) -> Figure:
     """
     names = [name for name in "xy" if {name, f"{name}_static"} & set(run)]
     if not names:
-        found = "no lateral position: it was not kept, or the riser has only axial motion"
-        raise InputError(title, "x", found, "keep x and x_static, or plot range or time-series")
+        found = "lateral positions are missing: they were not stored, or the motion is axial only"
+        raise InputError(title, "x", found, "keep x and x_static, or choose the figure range or time-series")
     if not {"z", "z_static"} & set(run):
-        found, allowed = "no elevation: it was not kept", "keep z, or plot range or time-series"
+        found = "elevations are missing, since they were not stored"
+        allowed = "keep z, or choose the figure range or time-series"
         raise InputError(title, "z", found, allowed)
     figure, axes = panels(1, len(names), 5.0, sharey=True)
     for ax, name in zip(axes, names, strict=True):

@@ -42,7 +42,7 @@ def utilisation(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     """
     if "use_of_limit" not in dataset:
         title = str(dataset.attrs.get("title", "dataset"))
-        raise InputError(title, "plot", "no use of limits", "allowed is a study with limits")
+        raise InputError(title, "plot", "the dataset has no utilisations", "use a study with limits")
     uses = dataset[["use_of_limit", "point_key"]]
     verdicts = dataset.get("verdict_of_limit")
     figure = _lines(uses) if len(axes_of(dataset)) == 1 else _maps(uses)

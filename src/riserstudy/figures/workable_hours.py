@@ -29,7 +29,8 @@ def workable_hours(dataset: xr.Dataset, of: list[str] | None = None) -> Figure:
     """
     if "workable" not in dataset:
         title = str(dataset.attrs.get("title", "dataset"))
-        raise InputError(title, "plot", "no workable hours", "allowed is a dataset below seas")
+        found = "the dataset has no workable hours"
+        raise InputError(title, "plot", found, "use a dataset that the study file lists under `seas`")
     every = _settings(dataset)
     drawn = [every[k] for k in evenly_spaced(len(every), MOST)]
     figure, (hours, months, limits, waits) = panels(2, 2, 3.0)

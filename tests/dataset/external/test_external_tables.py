@@ -101,22 +101,22 @@ LONG = "\n".join(f"{k},{k}" for k in range(6))
         (HEAD, "no numbers below a line of headings"),
         ("1,2\n3,4\n", "no numbers below a line of headings"),
         ("time (s)\n1\n2\n", "one column"),
-        (HEAD + "0,1\n1,2,3\n", "line 3: 3 cells, 2 headings"),
-        (HEAD + "0,1\n1\n", "line 3: 1 cells, 2 headings"),
-        (HEAD + "0,1\n1,two\n", "'two' below 'effective_tension at 0 m (kN)'"),
-        (HEAD + "0,1\n1,1_000\n", "'1_000' below"),
-        (HEAD + "0,1\n1,1e999\n", "'1e999' below"),
-        (HEAD + "0,1\n1,-7e300\n", "'-7e300' below"),
-        (HEAD + "0,1\n1,\uff11\n", "below"),
+        (HEAD + "0,1\n1,2,3\n", "line 3: the number of cells, 3, differs"),
+        (HEAD + "0,1\n1\n", "line 3: the number of cells, 1, differs"),
+        (HEAD + "0,1\n1,two\n", "'two' in column 'effective_tension at 0 m (kN)'"),
+        (HEAD + "0,1\n1,1_000\n", "'1_000' in column"),
+        (HEAD + "0,1\n1,1e999\n", "'1e999' in column"),
+        (HEAD + "0,1\n1,-7e300\n", "'-7e300' in column"),
+        (HEAD + "0,1\n1,\uff11\n", "in column"),
         (HEAD + "0,1\n,2\n2,3\n3,4\n4,5\n", "row 2 has no number"),
         (HEAD + "0,1\n2,2\n1,3\n3,4\n", "1 follows 2 in row 3"),
         (HEAD + "0,1\n1,2\n1,3\n3,4\n", "1 follows 1 in row 3"),
         (HEAD + "0,\n1,\n2,\n", "has no numbers"),
         ("time (s);effective_tension at 0 m (kN)\n0,5;1\n1.5;2\n", "a decimal comma, and line 3 a decimal"),
-        ("time (s),ufj_angle (deg),ufj_angle (deg)\n0,1,1\n1,1,1\n", "is the heading of two columns"),
-        ("time (s),ufj_angle (deg),ufj_angle (rad)\n0,1,1\n1,1,1\n", "is the same variable and place"),
-        ("time (s),ufj_angle (deg),\n0,1,1\n1,1,1\n", "cells, 2 headings"),
-        ("time (s),,ufj_angle (deg)\n0,1,1\n1,1,1\n", "a column without a heading"),
+        ("time (s),ufj_angle (deg),ufj_angle (deg)\n0,1,1\n1,1,1\n", "two columns have this heading"),
+        ("time (s),ufj_angle (deg),ufj_angle (rad)\n0,1,1\n1,1,1\n", "gives the same variable and place"),
+        ("time (s),ufj_angle (deg),\n0,1,1\n1,1,1\n", "differs from the number of headings, 2"),
+        ("time (s),,ufj_angle (deg)\n0,1,1\n1,1,1\n", "a column has no heading"),
         ("time (s),effective_tension at 1.2.3 m (kN)\n" + LONG, "is not a heading with a unit"),
         ("time (s),effective_tension at 0 m (furlong)\n" + LONG, "wrong dimension"),
         ("time (s),effective_tension at 0 m (kNN)\n" + LONG, "unit that is not known"),
@@ -189,7 +189,7 @@ def test_names_of_the_file_are_said_by_the_user(tmp_path):
     found = compared(run(), path, called=called)
     assert difference(found.pairs[0]).rms < 1e-6
     assert found.notes == ["left out, as --column does not name them: Druck"]
-    with pytest.raises(InputError, match="no heading of the file"):
+    with pytest.raises(InputError, match="the file has no heading of this name"):
         compared(run(), path, called={"Te": "ufj_angle (deg)"})
 
 

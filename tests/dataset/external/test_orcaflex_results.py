@@ -104,16 +104,20 @@ def test_a_bend_moment_has_no_sign(tmp_path):
     "headings, end, said",
     [
         (["Arc length (m)", "Effective tension (kN) Max"], None, "which end is end A"),
-        (["Arc length (m)", "Effective tension (kN) Max"], "middle", "no place on the riser"),
-        (["Arc length (m)", "Effective tension (kN) Max"], "400 m down", "no place on the riser"),
-        (["Arc length (m)", "Effective tension (kN) Mean"], "top", "no means or deviations along"),
-        (["Arc length (m)", "x bend moment (kN.m) Max"], "top", "one of two components"),
+        (["Arc length (m)", "Effective tension (kN) Max"], "middle", "not a place on the riser"),
+        (["Arc length (m)", "Effective tension (kN) Max"], "400 m down", "not a place on the riser"),
+        (["Arc length (m)", "Effective tension (kN) Mean"], "top", "no means or standard deviations along"),
+        (["Arc length (m)", "x bend moment (kN.m) Max"], "top", "instead of one component"),
         (["Arc length (m)", "Maximum"], "top", "is not a heading with a unit"),
         (["Time (s)", "Effective tension (kN) at End A"], None, "which end is end A"),
         (["Time (s)", "Effective tension (kN) at Touchdown"], "top", "is not a place on a line"),
-        (["Time (s)", "End force (kN) at End A"], "top", "is defined differently"),
+        (["Time (s)", "End force (kN) at End A"], "top", "defines this quantity differently"),
         (["Time (s)", "Effective tension (kN) at End B"], "250 m down", "a part of the riser"),
-        (["Time (s)", "Wall tension (kN) at End A"], "top", "no scene to convert it by"),
+        (
+            ["Time (s)", "Wall tension (kN) at End A"],
+            "top",
+            "no scene from which effective tension is computed",
+        ),
     ],
 )
 def test_what_is_not_said_is_not_guessed(tmp_path, headings, end, said):

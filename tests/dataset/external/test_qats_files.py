@@ -66,12 +66,12 @@ def test_unknown_series_and_damaged_files_are_refused(tmp_path):
     base.add(TimeSeries("Te", TIME, tension(TIME)))
     path = tmp_path / "results.ts"
     base.export(str(path))
-    with pytest.raises(InputError, match="allowed are Te"):
+    with pytest.raises(InputError, match="use one of Te"):
         compared(run(), path, called=CALLED)
-    with pytest.raises(InputError, match="name it with --column"):
+    with pytest.raises(InputError, match="state it with --column"):
         compared(run(), path)
     path.write_bytes(b"\x01")
-    with pytest.raises(InputError, match="qats cannot read it"):
+    with pytest.raises(InputError, match="qats cannot read this file"):
         compared(run(), path, called={"Te": CALLED["Line1 Te"]})
     with pytest.raises(InputError, match="No such file"):
         compared(run(), tmp_path / "none.ts", called=CALLED)

@@ -86,7 +86,7 @@ def in_si(path: Path, title: str, values: FloatArray, unit: str, stored: str) ->
     try:
         return values * factor("*".join(product.split()), si)
     except ValueError as error:
-        raise InputError(path, title, f"unit {unit!r} {error}", f"write, for example, {si}") from None
+        raise InputError(path, title, f"the unit {unit!r} {error}", f"write, for example, {si}") from None
 
 
 def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
@@ -96,12 +96,13 @@ def rising(path: Path, title: str, along: FloatArray) -> FloatArray:
     """
     missing = np.flatnonzero(~np.isfinite(along))
     if len(missing):
-        raise InputError(path, title, f"row {missing[0] + 1} has no number", "write a number in each row")
+        found = f"row {missing[0] + 1} has no number"
+        raise InputError(path, title, found, "write a number in each row of this column")
     falls = np.flatnonzero(np.diff(along) <= 0.0)
     if len(falls):
         k = int(falls[0])
-        found = f"does not rise from row to row: {along[k + 1]:.10g} follows {along[k]:.10g} in row {k + 2}"
-        raise InputError(path, title, found, "sort the rows, each time or place once")
+        found = f"the values do not increase: {along[k + 1]:.10g} follows {along[k]:.10g} in row {k + 2}"
+        raise InputError(path, title, found, "sort the rows, with each time or place once")
     return along
 
 
@@ -115,7 +116,7 @@ def only_once(path: Path, columns: list[Column]) -> list[Column]:
         heading = column.heading
         key = (heading.name, heading.place, heading.cylinder)
         if key in seen:
-            found = f"is the same variable and place as {seen[key]!r}"
-            raise InputError(path, column.title, found, "leave one of them out")
+            found = f"gives the same variable and place as {seen[key]!r}"
+            raise InputError(path, column.title, found, "remove one of the two columns")
         seen[key] = column.title
     return columns

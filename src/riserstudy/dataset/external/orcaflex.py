@@ -30,10 +30,10 @@ VARIABLES = {
 }
 #: variables that no run has in the same definition
 OTHERWISE = {
-    "end force": "it is a force in space; compare the effective tension at that end",
-    "max von mises stress": "it has shear and torsion, which von_mises_stress leaves out",
-    "x bend moment": "it is one of two components; compare Bend moment",
-    "y bend moment": "it is one of two components; compare Bend moment",
+    "end force": "compare the effective tension at that end instead of this force in space",
+    "max von mises stress": "remove the column, since it includes shear and torsion",
+    "x bend moment": "compare Bend moment instead of one component",
+    "y bend moment": "compare Bend moment instead of one component",
 }
 STATISTICS = {
     "min": "min", "minimum": "min", "max": "max", "maximum": "max", "mean": "mean",
@@ -49,8 +49,8 @@ _PLACE = re.compile(
     r"\W*(?:at )?(?:(?P<end>end [ab])|arc length:?\s*(?P<arc>\d+\.?\d*)\s*m?)\W*", re.IGNORECASE
 )
 END_A = (
-    "allowed is `top`, `bottom`, or its arclength from the riser's lower end and the direction of arc "
-    "length, `872 m down`"
+    "give `top`, `bottom`, or the distance of end A from the riser's lower end with the direction in which "
+    "arc length increases, such as `872 m down`"
 )
 
 
@@ -74,7 +74,7 @@ def end_a(text: str, length: float) -> EndA:
         return EndA(length, -1) if text == "top" else EndA(0.0, 1)
     found = re.fullmatch(r"(\d+\.?\d*) m (up|down)", text.strip())
     if not found or not 0.0 <= float(found[1]) <= length:
-        raise InputError("--end-a", text, "no place on the riser", END_A)
+        raise InputError("--end-a", text, "this is not a place on the riser", END_A)
     return EndA(float(found[1]), 1 if found[2] == "up" else -1)
 
 
@@ -100,17 +100,17 @@ def heading_of(path: Path, title: str, above: list[str], end: EndA | None, lengt
     if not found:
         return None
     if len({(m["name"].lower(), m["unit"]) for m in found}) > 1:
-        allowed = "name the variable with --column"
-        raise InputError(path, title, "the file has several variables above the headings", allowed)
+        allowed = "state with --column which variable this column is"
+        raise InputError(path, title, "several variables are named above the headings", allowed)
     name = found[0]["name"].lower()
     if name in OTHERWISE:
-        raise InputError(path, title, "is defined differently in a run", OTHERWISE[name])
+        raise InputError(path, title, "a run defines this quantity differently", OTHERWISE[name])
     ours, size = VARIABLES[name]
     after = found[0]["after"] or ""
     suffix = STATISTICS.get(re.sub(r"[^a-z]+", " ", after.lower()).strip(), statistic)
     if suffix in ("mean", "std"):
         raise InputError(
-            path, title, "a run contains no means or deviations along the riser", "leave the column out"
+            path, title, "a run has no means or standard deviations along the riser", "remove this column"
         )
     if suffix:
         return Heading(f"{ours}_{suffix}", None, found[0]["unit"], size)
@@ -133,5 +133,6 @@ def _place(path: Path, title: str, after: str, end: EndA | None, length: float) 
         return end.s
     if end.s not in (0.0, length):
         allowed = "give the place with --column"
-        raise InputError(path, title, "end B of a line that is a part of the riser", allowed)
+        why = "the place of end B is unknown, since the line is only a part of the riser"
+        raise InputError(path, title, why, allowed)
     return length - end.s

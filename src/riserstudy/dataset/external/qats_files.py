@@ -40,12 +40,13 @@ def read_series(path: Path, titles: list[str]) -> list[Series]:
     try:
         from qats.io.registry import find_reader
     except ImportError:
-        raise InputError(path, "", f"{path.suffix} files need the library qats", NEEDS) from None
+        found = f"reading {path.suffix} files requires the library qats, which is not installed"
+        raise InputError(path, "", found, NEEDS) from None
     if not path.is_file():
-        raise InputError(path, "", "No such file or directory", "allowed is a readable file")
+        raise InputError(path, "", "No such file or directory", "give the path of an existing file")
     if path.stat().st_size > MOST_BYTES:
-        found = f"larger than {MOST_BYTES // 10**9} GB"
-        raise InputError(path, "", found, "allowed is a smaller file")
+        found = f"the file is larger than {MOST_BYTES // 10**9} GB"
+        raise InputError(path, "", found, "give a smaller file")
     try:
         source = find_reader(str(path)).open(str(path))
         known = {"/".join((*one.group, one.name)): one for one in source.series()}
@@ -53,13 +54,14 @@ def read_series(path: Path, titles: list[str]) -> list[Series]:
         if not missing:
             read = source.read([known[title] for title in titles])
     except Exception as error:  # any error of a reader about the content of the file
-        found = f"qats cannot read it: {type(error).__name__}: {error}"
-        allowed = "allowed is a file of its format, with the file of names that belongs to it"
+        found = f"the library qats cannot read this file: {type(error).__name__}: {error}"
+        allowed = "check that the file has the format of its ending, and that its file of names is next to it"
         raise InputError(path, "", found, allowed) from None
     if missing:
         names = ", ".join([*known][:MOST_NAMES])
         more = f" and {len(known) - MOST_NAMES} more" if len(known) > MOST_NAMES else ""
-        raise InputError(path, missing[0], "no series of the file", f"allowed are {printable(names)}{more}")
+        allowed = f"use one of {printable(names)}{more}"
+        raise InputError(path, missing[0], "the file has no series of this name", allowed)
     return [
         Series(title, one.unit or "", np.asarray(one.t, float), np.asarray(one.x, float))
         for title, one in zip(titles, read, strict=True)

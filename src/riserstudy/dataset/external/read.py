@@ -15,7 +15,7 @@ from riserstudy.dataset.external.text import Text, read_table
 from riserstudy.errors import InputError
 
 AXES = {"time": "s", "s": "m"}  # possible first columns, with their SI units
-NO_END_A = "allowed only with a file in OrcaFlex's terms, whose arc length starts at end A; omit it"
+NO_END_A = "omit it; only OrcaFlex results by arc length have an end A"
 AXIS = "begin with `time (s)` or `s (m)`, or name the variable with --column"
 
 
@@ -33,24 +33,24 @@ def read_external(path: Path, called: Mapping[str, str], end_a: str | None, leng
     """
     if path.suffix.lower() in ENDINGS:
         if end_a is not None:
-            raise InputError("--end-a", end_a, "changes nothing", NO_END_A)
+            raise InputError("--end-a", end_a, "has no effect on this file", NO_END_A)
         return _series(path, called)
     table = read_table(path)
     if repeated := {title for title in table.headings if table.headings.count(title) > 1}:
         raise InputError(
-            path, sorted(repeated)[0], "is the heading of two columns", "write each heading once"
+            path, sorted(repeated)[0], "two columns have this heading", "write each heading once"
         )
     if unknown := [title for title in called if title not in table.headings]:
-        allowed = f"allowed are {', '.join(table.headings)}"
-        raise InputError("--column", unknown[0], "no heading of the file", allowed)
+        allowed = f"use one of {', '.join(table.headings)}"
+        raise InputError("--column", unknown[0], "the file has no heading of this name", allowed)
     return _table(path, table, called, end_a, length)
 
 
 def _series(path: Path, called: Mapping[str, str]) -> External:
     """Series over time, each with the heading that the user gives."""
     if not called:
-        found = f"names of a {path.suffix} file do not state which variable of a run they are"
-        allowed = "name it with --column 'NAME=effective_tension at 300 m (kN)'"
+        found = f"the names of series in a {path.suffix} file do not state which variable of a run they are"
+        allowed = "state it with --column, such as --column 'NAME=effective_tension at 300 m (kN)'"
         raise InputError(path, "", found, allowed)
     found_series = read_series(path, [*called])
     made = [
@@ -76,7 +76,7 @@ def _table(path: Path, table: Text, called: Mapping[str, str], end_a: str | None
     named = [] if called else titles
     theirs = (orcaflex.heading_of(path, name, table.above, end, length) for name in named)
     if end_a is not None and not foreign and not any(theirs):
-        raise InputError("--end-a", end_a, "changes nothing", NO_END_A)
+        raise InputError("--end-a", end_a, "has no effect on this file", NO_END_A)
     along = own.in_si(path, title, table.columns[0], unit, AXES[axis])
     values, notes = table.columns[1:], [*table.notes]
     if foreign and axis == "s":
@@ -96,7 +96,8 @@ def _table(path: Path, table: Text, called: Mapping[str, str], end_a: str | None
     left = [name for name in titles if called and name not in called]
     notes += [f"left out, as --column does not name them: {', '.join(left)}"] if left else []
     if not made:
-        raise InputError("--column", title, "names no column but the first", "name another one")
+        found = "the first column is the axis and cannot be compared"
+        raise InputError("--column", title, found, "name another column")
     return External(axis, own.only_once(path, made), notes)
 
 
@@ -106,7 +107,7 @@ def _axis(path: Path, title: str, called: Mapping[str, str]) -> tuple[str, str, 
         return *theirs, True
     heading = own.heading_of(path, called.get(title, title))
     if heading.name not in AXES or heading.place is not None:
-        raise InputError(path, title, "is not an axis", AXIS)
+        raise InputError(path, title, "the first column is not an axis", AXIS)
     return heading.name, heading.unit, False
 
 

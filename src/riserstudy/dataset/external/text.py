@@ -44,12 +44,13 @@ def read_table(path: Path) -> Text:
     decimal = _decimal_comma(path, mark, rows)
     first = next((n for n, (_, row) in enumerate(rows) if _is_numbers(row, decimal)), None)
     if not first:  # 0: a table without headings
-        raise InputError(path, "", "no numbers below a line of headings", "write a heading above each column")
+        found = "the file has no numbers below a line of headings"
+        raise InputError(path, "", found, "write a heading above each column")
     titles, used = _headings(rows, first)
     width = max((k + 1 for k, cell in enumerate(titles) if cell), default=0)
     if width < 2:
-        found = f"one column, read with the {name} between cells"
-        raise InputError(path, "", found, "write a heading above each of two columns or more")
+        found = f"the file has only one column, if cells are separated by the {name}"
+        raise InputError(path, "", found, "give two columns or more, each with a heading")
     columns = _numbers(path, rows[first:], titles[:width], decimal)
     above = [" ".join(cell for cell in row if cell) for _, row in rows[: first - used]]
     notes = [f"left out: {len(above)} of the lines, above the headings"] if above else []
@@ -91,7 +92,7 @@ def _decimal_comma(path: Path, mark: str, rows: list[tuple[int, list[str]]]) -> 
                 point = point or line
         if point and comma:
             found = f"has a decimal comma, and line {point} a decimal point"
-            raise InputError(path, f"line {comma}", found, "write one decimal mark in all of the file")
+            raise InputError(path, f"line {comma}", found, "use one decimal mark in the whole file")
     return bool(comma)
 
 
@@ -129,19 +130,18 @@ def _numbers(
         if len(row) < width or any(row[width:]):
             cells = max((k + 1 for k, cell in enumerate(row) if cell), default=0)
             allowed = "write a cell for each heading"
-            raise InputError(path, f"line {line}", f"{cells} cells, {width} headings", allowed)
+            found = f"the number of cells, {cells}, differs from the number of headings, {width}"
+            raise InputError(path, f"line {line}", found, allowed)
         for cell, title in zip(row, titles, strict=False):
             value = _value(cell, decimal)
             if value is None or abs(value) > MOST:
-                found = f"{cell!r} below {title!r}"
-                raise InputError(
-                    path, f"line {line}", found, f"allowed are numbers up to {MOST:g}, or nothing"
-                )
+                found = f"{cell!r} in column {title!r} is not a number up to {MOST:g}"
+                raise InputError(path, f"line {line}", found, "write a number, or leave the cell empty")
             numbers.append(value)
     columns = np.array(numbers, np.float64).reshape(-1, width).T
     for title, column in zip(titles, columns, strict=True):
         if not title:
-            raise InputError(path, "", "a column without a heading", "write one above each column")
+            raise InputError(path, "", "a column has no heading", "write a heading above each column")
         if not np.isfinite(column).any():
-            raise InputError(path, title, "has no numbers", "leave the column out")
+            raise InputError(path, title, "this column has no numbers", "remove the column")
     return [*columns]
