@@ -17,6 +17,6 @@ def test_it_is_refused_at_once(commands, tmp_path, monkeypatch, words, name):
     monkeypatch.setattr("riserstudy.simulation.refine.run", None)
     code, out, err = commands(*words, "-o", name)
     assert (code, out) == (2, "")
-    assert "has a backslash in its path" in err
+    assert "the path contains a backslash" in err
     assert not Path(name).exists()
-    assert "has a backslash" not in commands("run", "no such scene.yaml", "-o", "plain.nc")[2]
+    assert "the path contains a backslash" not in commands("run", "no such scene.yaml", "-o", "plain.nc")[2]

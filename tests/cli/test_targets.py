@@ -313,7 +313,7 @@ def _words(count):
 def test_an_output_of_no_kind_that_a_command_writes_is_refused(commands, here, command, option, kinds, name):
     for forced in ([], ["--force"]):
         error = refused(commands, [*words_of(command), option, name, *forced], here, name)
-        assert "allowed" in error
+        assert "write a name that ends in" in error
 
 
 @every_output
@@ -348,4 +348,4 @@ def test_force_replaces_no_link_and_no_folder(commands, here, command, option, k
 
 def test_a_folder_for_a_study_is_made_where_nothing_is(commands, here):
     for name in (".", "results", "scene.yaml"):
-        assert "exists and is not an empty folder" in refused(commands, ["new", name], here, name)
+        assert "already contains files" in refused(commands, ["new", name], here, name)

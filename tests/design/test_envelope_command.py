@@ -239,10 +239,10 @@ def test_allowances_are_those_of_the_scene_that_counts_no_damage(seed):
 @pytest.mark.parametrize(
     "words, second",
     [
-        (("--current", "0.5 m/s", "--current", "1.8 km/h"), "--current: 1.8 km/h: given twice"),
+        (("--current", "0.5 m/s", "--current", "1.8 km/h"), "--current: 1.8 km/h: the value is given twice"),
         (
             ("--current", "0 m/s", "--sea", "4 m, 10 s", "--sea", "400 cm,10 s"),
-            "--sea: 400 cm,10 s: given twice",
+            "--sea: 400 cm,10 s: the value is given twice",
         ),
     ],
 )

@@ -147,13 +147,13 @@ def test_an_allowance_of_no_output_is_refused(commands):
     [
         (["--reach", "0 m"], "not above 0"),
         (["--reach", "-100 m"], "not above 0"),
-        (["--reach", "9 m", "--allowance", "lfj_angle=-1 deg"], "below 0"),
+        (["--reach", "9 m", "--allowance", "lfj_angle=-1 deg"], "negative"),
         (["--reach", "9 m", *2 * ["--allowance", "lfj_angle=1 deg"]], "given twice"),
-        (["--reach", "9 m", "--allowance", "tensioner_force=1 kN"], "no largest or smallest value"),
+        (["--reach", "9 m", "--allowance", "tensioner_force=1 kN"], "no limit on the largest or smallest"),
     ],
 )
 def test_an_option_without_meaning_or_effect_is_refused(commands, words, said):
-    """Before, a reach below 0 met each limit at all offsets; the first of two options was ignored."""
+    """Before, a reach negative met each limit at all offsets; the first of two options was ignored."""
     code, out, error = commands("operability", SCENE, *words)
     assert (code, out) == (2, "")
     assert said in error

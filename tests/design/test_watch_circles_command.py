@@ -196,7 +196,7 @@ def test_outputs_that_begin_late_are_refused(commands, tmp_path, start):
     times = ["--disconnect", "20 s", "--prepare", "10 s"]
     code, out, said = commands("watch-circles", scene, *times, *late)
     assert (code, out) == (2, "")
-    assert f"analysis.output.start: {start} s" in said
+    assert f"reached before {start} s would be missed" in said
 
 
 @pytest.mark.parametrize("ramp, heading", [(None, 0.0), (30.0, 0.0), (30.0, 60.0)])
@@ -273,7 +273,7 @@ def test_a_riser_that_disconnects_on_the_way_has_no_circles(commands, tmp_path, 
     words = ["--disconnect", "2 s", "--prepare", "1 s"]
     code, out, err = commands("watch-circles", scene, *words)
     assert (code, out) == (2, "")
-    assert f"disconnect.at: {4 + 2 * seed} s" in err
+    assert f"after the disconnect at {4 + 2 * seed} s" in err
     assert "--set disconnect=null" in err
 
 
@@ -295,4 +295,4 @@ def test_a_riser_that_hangs_free_has_nothing_to_disconnect(commands, tmp_path, s
     scene.write_text(json.dumps(written(tree)))
     code, out, err = commands("watch-circles", scene, "--disconnect", "2 s", "--prepare", "1 s")
     assert (code, out) == (2, "")
-    assert "bottom.hold: free: there is nothing to disconnect" in err
+    assert "bottom.hold: 'free' means a hung-off riser" in err

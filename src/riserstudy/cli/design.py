@@ -110,12 +110,12 @@ def tension(
     check_targets(file.files, force, csv)
     if (share is None) != (dynamic_limit is None):
         alone = "--share" if dynamic_limit is None else "--dynamic-limit"
-        raise InputError(alone, "", "given alone", "give both --dynamic-limit and --share")
+        raise InputError(alone, "", "has no effect alone", "give both --dynamic-limit and --share")
     _check_rig(units, failed, weight, buoyancy)
     angle = quantity("--fleet-angle", fleet_angle, "rad")
     if not 0.0 <= angle < 0.5 * math.pi:
-        allowed = "allowed is from 0 deg to less than 90 deg"
-        raise InputError("--fleet-angle", fleet_angle, "not an angle of a line that pulls upwards", allowed)
+        allowed = "give an angle from 0 deg to less than 90 deg"
+        raise InputError("--fleet-angle", fleet_angle, "a line at this angle does not pull upwards", allowed)
     pulled = None if overpull is None else positive("--overpull", overpull, "N")
     limit = None if dynamic_limit is None else positive("--dynamic-limit", dynamic_limit, "N")
     from riserstudy.design import tension as formula
@@ -140,11 +140,11 @@ def tension(
 def _check_rig(units: int, failed: int, weight: float, buoyancy: float) -> None:
     """Refuse a rig without a working unit, and tolerances that are not finite."""
     if failed >= units:
-        allowed = f"give at most {units - 1}"
-        raise InputError("--failed", str(failed), "no working unit remains", allowed)
+        allowed = f"give at most {units - 1}, or increase --units"
+        raise InputError("--failed", str(failed), f"all {units} tensioner units have failed", allowed)
     for option, tolerance in (("--weight", weight), ("--buoyancy", buoyancy)):
         if not math.isfinite(tolerance):  # the option's minimum accepts these
-            raise InputError(option, str(tolerance), "not a finite number", "write, for example, 1.05")
+            raise InputError(option, str(tolerance), "the value is not finite", "write, for example, 1.05")
 
 
 def viv(

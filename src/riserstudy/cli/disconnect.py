@@ -50,7 +50,7 @@ def recoil(
     check_targets(file.files, force, csv, output=output)
     if file.resolved().disconnect is None:
         allowed = "add, for example, `disconnect: {at: 12 s}`"
-        raise InputError(file.source, "disconnect", "absent: nothing disconnects", allowed)
+        raise InputError(file.source, "disconnect", "missing, so the riser does not disconnect", allowed)
     compile_kernels(file.resolved())
     from riserstudy.dataset import recoil_table
     from riserstudy.simulation.simulate import simulate
@@ -101,7 +101,7 @@ def watch_circles(
     ]
     for option, text, value in zip(("--disconnect", "--prepare"), (disconnect, prepare), times, strict=True):
         if value < 0.0:
-            raise InputError(option, text, "below 0 s", "give a time from 0 s")
+            raise InputError(option, text, "the time is negative", "give a time from 0 s")
     from riserstudy.design.watch_circles_of_run import Times, circles, moves_off
 
     of = file.resolved()
@@ -109,7 +109,8 @@ def watch_circles(
     limited = {limit.mode for limit in of.limits or []}
     for one in mode or []:
         if one.value not in limited:
-            raise InputError("--mode", one.value, "no limit of the scene has this mode", "add such a limit")
+            why = "no limit of the scene has this mode of operation"
+            raise InputError("--mode", one.value, why, "choose another mode, or add such a limit")
     modes = [one.value for one in Mode if one.value in limited and (not mode or one in mode)]
     compile_kernels(of)
     from riserstudy.simulation.simulate import simulate

@@ -175,10 +175,11 @@ def downtime(
     }  # fmt: skip
     refuse(scene, limit, with_scene, {"--hold-back": hold_back})
     if vary and (output or plot or period or window):
-        allowed = "leave out --output, --plot, --return-period and --window; --csv is possible"
-        raise InputError("downtime", "--vary", vary[0], allowed)
+        allowed = "omit --output, --plot, --return-period and --window (--csv is possible)"
+        found = f"{vary[0]!r} cannot be combined with these options"
+        raise InputError("downtime", "--vary", found, allowed)
     if vary and units:
-        raise InputError("downtime", "--units", units.value, "has no effect on the table of --vary; omit it")
+        raise InputError("downtime", "--units", "has no effect on the table of --vary", "omit it")
     limits = [sea_limit(text) for text in limit or []]
     lengths = [positive("--window", one, "s") / 3600.0 for one in window or []]
     sea, years = _read(record), Ahead(ahead, persistence)
@@ -247,15 +248,16 @@ def refuse(
 ) -> None:
     """Refuse options that do not fit: some require a scene, others exclude one."""
     if not (scene or limit):
-        raise InputError("downtime", "--limit", "none", "give limits on the sea, or --scene")
+        raise InputError("downtime", "--limit", "missing", "give limits on the sea, or --scene")
     for options, fits, allowed in (
-        (with_scene, scene is not None, "allowed with --scene"),
-        (without, scene is None, "allowed with limits on the sea"),
+        (with_scene, scene is not None, "omit it, or give --scene"),
+        (without, scene is None, "omit it, or omit --scene"),
     ):
         for name, value in options.items():
             if value and not fits:
                 found = ", ".join(map(str, value)) if isinstance(value, list) else str(value)
-                raise InputError("downtime", name, found, allowed)
+                used = "with limits on the sea" if scene is None else "with --scene"
+                raise InputError("downtime", name, f"{found} has no effect {used}", allowed)
 
 
 def of_the_sea(
@@ -320,8 +322,8 @@ def _directions(sectors: int | None, x_towards: str | None) -> Directions | None
     from riserstudy.seas.directions import Directions
 
     if (sectors is None) != (x_towards is None):
-        allowed = "give both --sectors and --x-towards, or neither"
-        raise InputError("downtime", "--sectors", "given alone", allowed)
+        allowed = "give both, or neither"
+        raise InputError("downtime", "--sectors", "only one of --sectors and --x-towards is given", allowed)
     if sectors is None or x_towards is None:
         return None
     return Directions(sectors, quantity("--x-towards", x_towards, "rad"))

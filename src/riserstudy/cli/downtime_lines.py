@@ -77,8 +77,8 @@ def held_back(sea: xr.Dataset, limits: list, last: Ahead) -> None:  # type: igno
         raise InputError(
             "--hold-back",
             str(last.years),
-            "no earlier years remain for the prediction",
-            "allowed are fewer years",
+            "no earlier years of the record remain for the prediction",
+            "hold back fewer years",
         )
     first = recorded[-last.years]
     known, observed = (

@@ -23,7 +23,7 @@ class FirstColumn(StrEnum):
     FREQUENCY = "frequency"
 
 
-ONLY_WAMIT = "allowed only with a .4 file of WAMIT; omit it"
+ONLY_WAMIT = "omit it; it is for .4 files of WAMIT"
 
 
 def draw(
@@ -130,7 +130,7 @@ def _refuse_wamit_options(length: str | None, first_column: FirstColumn | None) 
     """Refuse options that change nothing for a file that is not WAMIT's."""
     for option, value in (("--length", length), ("--first-column", first_column)):
         if value is not None:
-            raise InputError(option, value, "changes nothing", ONLY_WAMIT)
+            raise InputError(option, value, "has no effect on this file", ONLY_WAMIT)
 
 
 def _import_operators(
@@ -140,19 +140,20 @@ def _import_operators(
     from riserstudy.importers import rao_files
 
     if not source.is_file():
-        raise InputError(source, "", "no such file", "allowed is a file that exists")
+        raise InputError(source, "", "No such file or directory", "give the path of an existing file")
     check_output(output, ("table of operators",), [source], force)
     if source.suffix == ".nc":
         _refuse_wamit_options(length, first_column)
         operators = rao_files.from_capytaine(source)
     elif length is None:
         allowed = "give ULEN of the .gdf file, for example --length '1 m'"
-        raise InputError("--length", "", "missing: WAMIT multiplies rotations by this length", allowed)
+        found = "missing, but WAMIT multiplies rotations by this length"
+        raise InputError("--length", "", found, allowed)
     else:
-        allowed = "allowed is a length: 1 m"
+        allowed = "give a length above 0, such as '1 m'"
         ulen = quantity("--length", length, "m", allowed)
         if not ulen > 0.0:
-            raise InputError("--length", length, "not above 0", allowed)
+            raise InputError("--length", length, "the length is not above 0", allowed)
         operators = rao_files.from_wamit(source, ulen, first_column.value if first_column else None)
     rao_files.write_table(operators, output)
     for line in operators.left_out:
@@ -181,5 +182,5 @@ def schema(
     from riserstudy.study.schemas import schemas
 
     if kind not in (known := schemas(own_chapters()) | {"claims": claims_schema}):
-        raise InputError("schema", kind, "not a kind of file", f"allowed are {', '.join(known)}")
+        raise InputError("schema", kind, "this is not a kind of input file", f"use one of {', '.join(known)}")
     print(json.dumps(known[kind](), indent=2))

@@ -114,7 +114,7 @@ def envelope(
     speeds = [quantity("--current", one, "m/s") for one in current]
     heights = [_sea(one) for one in sea or []]
     if seeds is not None and not heights:
-        raise InputError("envelope", "--seeds", str(seeds), "allowed only with --sea")
+        raise InputError("envelope", "--seeds", "has no effect without --sea", "add --sea, or omit it")
     _once("--current", current, [(speed,) for speed in speeds])
     _once("--sea", sea or [], heights)
     compile_as_needed()
@@ -136,8 +136,8 @@ def _sea(text: str) -> tuple[float, float]:
     """Significant height (m) and peak period (s)."""
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 2:
-        allowed = "allowed is a height and a period: '4 m, 10 s'"
-        raise InputError("--sea", text, f"{len(parts)} values", allowed)
+        allowed = "give a significant wave height and a peak period, such as '4 m, 10 s'"
+        raise InputError("--sea", text, "this is not a pair of values", allowed)
     return positive("--sea", parts[0], "m"), positive("--sea", parts[1], "s")
 
 
@@ -146,7 +146,7 @@ def _once(option: str, texts: Sequence[str], values: Sequence[tuple[float, ...]]
     rounded = [[f"{part:.9g}" for part in value] for value in values]
     for k, text in enumerate(texts):
         if rounded[k] in rounded[:k]:
-            raise InputError(option, text, "given twice", "give each value once")
+            raise InputError(option, text, "the value is given twice", "give each value once")
 
 
 def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, float]:
@@ -158,15 +158,15 @@ def _allowances(given: list[str] | None, limits: Sequence[Limit]) -> dict[str, f
     for name, text in pairs("--allowance", given, "OUTPUT=VALUE", "lfj_angle='0.5 deg'").items():
         option = f"--allowance {name}"
         if name not in UNITS:
-            allowed = "allowed are " + ", ".join(UNITS)
-            raise InputError(option, text, "not an output that can have limits", allowed)
+            allowed = "use one of " + ", ".join(UNITS)
+            raise InputError(option, text, f"{name!r} is not an output that can have a limit", allowed)
         if name not in used:
-            found = "no largest or smallest value of this output is limited in the scene"
-            raise InputError(option, text, found, f"allowed are {', '.join(sorted(used))}")
+            found = f"the scene has no limit on the largest or smallest {name}"
+            raise InputError(option, text, found, f"use one of {', '.join(sorted(used))}")
         added[name] = quantity(option, text, UNITS[name])
         if added[name] < 0.0:
             raise InputError(
-                option, text, "below 0", "give the magnitude of the effect, also for a lower limit"
+                option, text, "the allowance is negative", "give its magnitude, also for a lower limit"
             )
     return added
 

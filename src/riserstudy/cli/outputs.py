@@ -114,7 +114,7 @@ def table(
     stored = source.suffix == ".nc"
     if stored and settings:
         raise InputError(
-            "--set", settings[0], "a dataset already contains its results", "allowed only with a scene"
+            "--set", settings[0], "has no effect on a dataset, which contains results", "give a scene instead"
         )
     file = None if stored else scene_of(source, settings)
     check_output(output, ("table", "workbook"), file.files if file else [source], force)
@@ -146,8 +146,8 @@ def _run_of(source: Path) -> tuple[Any, Any]:
 
     dataset = open_dataset(source)
     if "point_key" in dataset:
-        allowed = "allowed is the dataset of one run; `riserstudy rerun` makes that of a point (--at, -o)"
-        raise InputError(source, "", "a study", allowed)
+        allowed = "give the dataset of one run; `riserstudy rerun` writes it for a point (--at, -o)"
+        raise InputError(source, "", "this is the dataset of a study with several runs", allowed)
     return scene_of_point(dataset, {}), dataset
 
 
@@ -191,14 +191,15 @@ def statistics(
     of_run = open_dataset(dataset)
     check_output(output, ("table",), [dataset], force)
     if over and exposure:
-        allowed = "with --over, extremes are taken over the whole duration: leave --exposure out"
-        raise InputError("--exposure", exposure, "given with --over", allowed)
+        found = "has no effect with --over, which uses extremes over the whole duration"
+        raise InputError("--exposure", exposure, found, "omit one of the two")
     if over in place_of(at):
-        raise InputError("--at", over, "is the axis of --over, over which all runs are taken", "leave it out")
+        found = "this is the axis of --over, of which all runs are used"
+        raise InputError("--at", over, found, "omit it from --at")
     begin = quantity("--start", start, "s", SUCH_AS)
     within = None if exposure is None else quantity("--exposure", exposure, "s", SUCH_AS)
     if exposure and not (within or 0.0) > 0.0:
-        raise InputError("--exposure", exposure, "not a duration", SUCH_AS)
+        raise InputError("--exposure", exposure, "this is not a duration above 0", SUCH_AS)
     missed = ("", 0.0)
     if over:
         apart = of_run.isel({over: [0]}) if over in of_run.dims else of_run

@@ -70,8 +70,8 @@ def results(
         _note_changes(db, folder)
         table = listing.table_of(db, words[0]) if len(words) == 1 else None
         if table is None and (where or columns or sort):
-            found = f"no study {' '.join(words)!r}" if words else "no study"
-            raise InputError("results", "", found, "allowed is one that `riserstudy results` lists")
+            found = f"there is no study {' '.join(words)!r}" if words else "the name of a study is missing"
+            raise InputError("results", "", found, "give a name that `riserstudy results` lists")
         if table is not None:
             parts = [re.split(r"\s*,\s*", part.strip()) if part else [] for part in (columns, sort)]
             answer = listing.cells(db, table, parts[0] or None, where, parts[1])
@@ -105,7 +105,7 @@ def _check_csv(csv: Path | None, db: sqlite3.Connection, folder: Path, force: bo
 
     if csv is not None:
         if as_json:
-            raise InputError("--json", "", "changes nothing with --csv", "give only one of the two")
+            raise InputError("--json", "", "has no effect with --csv", "give only one of the two")
         files = [folder / str(path) for (path,) in ask(db, "select path from files").rows]
         check_output(csv, ("table",), [folder / NAME, *files], force, "--csv")
 

@@ -89,17 +89,21 @@ def seas(
     its times are in UTC.
     """
     if (record is None) == (synthetic is None):
-        raise InputError("RECORD", "", "no record, or both a file and --synthetic", "give one of them")
+        why = "missing" if record is None else "given together with --synthetic"
+        raise InputError("RECORD", "", why, "give either the file of a record, or --synthetic")
     check_targets([record] if record else [], force, csv, output=output)
     if csv is not None and not contour:
-        raise InputError("seas", "--csv", str(csv), "allowed only with --contour")
+        why = f"{csv} has no effect without --contour"
+        raise InputError("seas", "--csv", why, "add --contour, or omit --csv")
     from riserstudy.seas.record import read_record, with_peak_period, write_record
     from riserstudy.seas.synthetic import synthetic as made
 
     if record is None and near is not None:
-        raise InputError("seas", "--near", near, "allowed only with the file of a record")
+        why = f"{near!r} has no effect on a synthetic record"
+        raise InputError("seas", "--near", why, "omit it, or give the file of a record")
     if record is not None and seed is not None:
-        raise InputError("seas", "--seed", str(seed), "allowed only with --synthetic")
+        why = f"{seed} has no effect on the file of a record"
+        raise InputError("seas", "--seed", why, "omit it, or give --synthetic")
     place = _place(near) if near else None
     found = (
         made(synthetic or 1, 1 if seed is None else seed) if record is None else read_record(record, place)
@@ -142,7 +146,7 @@ def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:
     if gamma is None or ("peak_period" not in record and "zero_crossing_period" in record):
         return
     found = "the record has peak periods" if "peak_period" in record else "the record has no periods"
-    raise InputError(command, "--gamma", f"{gamma:g}", f"{found}, which it does not convert; omit it")
+    raise InputError(command, "--gamma", f"{gamma:g} has no effect, since {found}", "omit it")
 
 
 def _place(text: str) -> Place:
@@ -154,7 +158,8 @@ def _place(text: str) -> Place:
     except ValueError:
         latitude, longitude = math.nan, math.nan
     if not (abs(latitude) <= 90.0 and abs(longitude) <= 360.0):
-        raise InputError("seas", "--near", text, "allowed are degrees north and east: '60.5, 2.3'")
+        found = f"{text!r} is not a latitude and a longitude"
+        raise InputError("seas", "--near", found, "give degrees north and east, such as '60.5, 2.3'")
     return Place(latitude, longitude)
 
 

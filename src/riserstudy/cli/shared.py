@@ -15,6 +15,7 @@ import typer
 from riserstudy.cli.targets import Writes, check_name, check_output
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.records.numerals import percent
 
 if TYPE_CHECKING:
@@ -84,9 +85,9 @@ def pairs(
     for text in texts or []:
         name, equals, value = (part.strip() for part in (text.rpartition if last else text.partition)("="))
         if not equals or not name:
-            raise InputError(option, text, f"not {form}", f"allowed is {example}")
+            raise InputError(option, text, f"does not have the form {form}", f"write, for example, {example}")
         if name in found:
-            raise InputError(option, text, f"{name} is given twice", "give it once")
+            raise InputError(option, text, f"{name} is given twice", "give each name once")
         found[name] = value
     return found
 
@@ -175,8 +176,8 @@ def check_targets(
 def require_limits(file: Any) -> None:
     """Refuse a scene without limits."""
     if "limits" not in file.tree:
-        allowed = "allowed is a list such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
-        raise InputError(file.source, "limits", "missing", allowed)
+        allowed = "add a list with items such as {output: lfj_angle, largest: 4 deg, mode: drilling}"
+        raise InputError(file.source, "limits", "missing, but this command evaluates limits", allowed)
 
 
 def show(table: Table, csv: Path | None) -> None:
@@ -226,16 +227,17 @@ def quantity(option: str, text: str, unit: str, allowed: str = "") -> float:
 
     try:
         return to_si(text, unit)
-    except ValueError as fault:
-        allowed = allowed or f"allowed is a value in {unit}"
-        raise InputError(option, text, str(fault), allowed) from None
+    except Misfit as fault:
+        raise InputError(option, text, fault.found, allowed or fault.allowed) from None
 
 
 def positive(option: str, text: str, unit: str) -> float:
     """The value of an option in SI, above zero."""
     value = quantity(option, text, unit)
     if not (value > 0.0 and math.isfinite(value)):
-        raise InputError(option, text, "not above 0", f"allowed is a positive value in {unit}")
+        raise InputError(
+            option, text, "the value is not above 0", f"give a positive value, such as '1 {unit}'"
+        )
     return value
 
 

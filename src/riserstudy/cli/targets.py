@@ -76,7 +76,7 @@ def check_output(
         if output.exists() and not force:
             _check_replaced(output, kinds, reads, option)
     except (OSError, ValueError) as error:  # a name that is too long or empty, or a loop of links
-        reason = getattr(error, "strerror", None) or "not a file name"
+        reason = getattr(error, "strerror", None) or "this is not a file name"
         raise InputError(option, str(output), reason, "name another file") from None
 
 
@@ -89,17 +89,18 @@ def check_name(path: Path, option: str = "") -> None:
         str(path).encode()
     except UnicodeEncodeError:
         where, field = (option, str(path)) if option else (str(path), "")
-        raise InputError(where, field, "not a name in UTF-8", "rename the file") from None
+        raise InputError(where, field, "the name of the file is not UTF-8 text", "rename the file") from None
 
 
 def _check_ending(output: Path, kinds: list[str], option: str) -> None:
     endings = [ending for kind in kinds for ending in ENDINGS[kind]]
     if output.suffix in endings:
         return
-    allowed = f"allowed {'is' if len(endings) == 1 else 'are'} {', '.join(endings)}"
+    allowed = f"write a name that ends in {' or '.join(endings)}"
     if output.suffix in (".xlsx", ".xls") and ".csv" in endings:
         allowed += ", which spreadsheets open; `riserstudy table` writes workbooks"
-    found = f"no {' or '.join(kinds)} {output.suffix!r}"
+    wrong = f"the ending {output.suffix!r} is wrong" if output.suffix else "the ending is missing"
+    found = f"{wrong}, since this command writes a {' or '.join(kinds)}"
     raise InputError(option, str(output), found, allowed)
 
 
@@ -109,13 +110,14 @@ def _check_place(output: Path, option: str) -> None:
     taken = output.is_symlink() or (output.exists() and not output.is_file())
     if taken or not folder.is_dir() or not os.access(folder, os.W_OK):
         allowed = "name a file in an existing folder that you can write to"
-        raise InputError(option, str(output), "cannot be written", allowed)
+        raise InputError(option, str(output), "this file cannot be written", allowed)
 
 
 def _check_backslash(output: Path, option: str) -> None:
     """Refuse a dataset in a path with a backslash, which the netCDF library takes for a separator."""
     if os.name == "posix" and "\\" in str(output.resolve()):
-        raise InputError(option, str(output), "has a backslash in its path", "name another file or folder")
+        found = "the path contains a backslash, which the netCDF library refuses"
+        raise InputError(option, str(output), found, "name another file or folder")
 
 
 def _check_replaced(output: Path, kinds: list[str], reads: Iterable[Path], option: str) -> None:
@@ -125,9 +127,9 @@ def _check_replaced(output: Path, kinds: list[str], reads: Iterable[Path], optio
     if not output.stat().st_size:
         return
     if set(kinds) & set(EDITED):
-        raise InputError(option, str(output), "the file exists", OR_FORCE)
+        raise InputError(option, str(output), "the file already exists", OR_FORCE)
     if not _is_of_its_kind(output):
-        found = f"the file is no {' or '.join(kinds)} that this command writes"
+        found = f"the file exists and is not a {' or '.join(kinds)} of this command"
         raise InputError(option, str(output), found, OR_FORCE)
 
 

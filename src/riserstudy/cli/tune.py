@@ -56,7 +56,8 @@ def tune(
 
     check_tunable(one, points)
     if write and one.model.settings:
-        why, remedy = "each run of the study tunes it", "leave out --write, or delete this line of the study"
+        why = "with this line, each run of the study tunes it anyway"
+        remedy = "omit --write, or remove this line from the study"
         raise InputError(studies, f"studies.{one.name}.settings", why, remedy)
     compile_kernels(one.grid.file((0,) * len(one.axes)).resolved())
     found = tuned_of(one, accuracy, points, seed, notify)
@@ -65,8 +66,8 @@ def tune(
     if write:
         if _study(studies, one.name).plan_digest != begun:
             raise SimulationError(
-                f"{studies}: studies.{one.name}, its scene or a table changed during the tuning; nothing is "
-                "written. Tune the study again"
+                f"{studies}: studies.{one.name}, its scene or a table changed during the tuning, so nothing "
+                "is written; repeat the command"
             )
         write_tuned(studies, one, found, about(found, seed))
         print(f"{studies}: written into studies.{one.name}")
@@ -81,12 +82,12 @@ def _study(path: Path, name: str | None) -> Study:
 
     file = check(StudyFile, read_yaml(path), path)
     if name is None and len(file.studies) > 1:
-        allowed = f"name one of {', '.join(file.studies)}"
-        raise InputError(path, "studies", f"{len(file.studies)} studies", allowed)
+        allowed = f"give the name of one of {', '.join(file.studies)}"
+        raise InputError(path, "studies", f"the file has {len(file.studies)} studies", allowed)
     name = name or next(iter(file.studies), "")
     if name not in file.studies:
-        allowed = f"allowed are {', '.join(file.studies) or 'none'}"
-        raise InputError(path, "studies", f"no study {name!r}", allowed)
+        allowed = f"use one of {', '.join(file.studies)}" if file.studies else "add a study to the file"
+        raise InputError(path, "studies", f"the file has no study {name!r}", allowed)
     config = path.resolve().parent.parent
     return Study(path.stem, name, file.studies[name], config, "standard", None, file.readings)
 

@@ -60,9 +60,9 @@ def needed(scene: Resolved, tolerances: Tolerances) -> Slack:
         tension -= float(left[slackest])
     if abs(left[slackest]) > SUFFICIENT * tension:
         raise SimulationError(
-            f"minimum tension: after {MOST} equilibria the effective tension at s = {s[slackest]:.4g} m is "
-            f"still {newtons(float(left[slackest]))}, at a top tension of {newtons(tension)}; give more "
-            "analysis.mesh.elements"
+            f"minimum top tension: the search did not converge in {MOST} static runs. At a top tension of "
+            f"{newtons(tension)}, the effective tension at s = {s[slackest]:.4g} m is "
+            f"{newtons(float(left[slackest]))}, not 0; give more analysis.mesh.elements"
         )
     above = mud_above_the_riser(scene)
     return Slack(tension + above, float(s[slackest]), float(left[slackest]))

@@ -119,7 +119,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     if current is None:
         if speed == 0.0:
             return scene
-        raise InputError("current", "", "absent", allowed)
+        raise InputError("current", "", "missing, but a current speed is given", allowed)
     profile = current.profile
     if isinstance(profile, Shape):
         changed: object = profile.model_copy(update={"surface_speed": speed})
@@ -128,10 +128,12 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
         turn = current.towards
         own = math.hypot(x, y) if current.turns else x * math.cos(turn) + y * math.sin(turn)
         if abs(own) <= STILL * max(abs(point.speed) for point in profile):
-            raise InputError("current.profile", "0 m/s", "no current at the surface", allowed)
+            found = "the current speed at the surface is 0 m/s, so the profile cannot be scaled"
+            raise InputError("current.profile", "", found, allowed)
         changed = [point.model_copy(update={"speed": point.speed * speed / own}) for point in profile]
     else:
-        raise InputError("current.profile", "", "a sum or a wind drift", allowed)
+        found = "the surface current speed of a sum or a wind drift cannot be changed"
+        raise InputError("current.profile", "", found, allowed)
     return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
 
 

@@ -134,7 +134,7 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     Raises InputError when the riser's top is not held horizontally, or the solver does not evaluate limits.
     """
     if solver := scene.analysis.solver:
-        raise InputError("analysis.solver", solver, "does not evaluate limits", "leave it out")
+        raise InputError("analysis.solver", solver, "this solver does not evaluate limits", "remove it")
     scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
@@ -150,8 +150,8 @@ def moved(scene: Resolved, offset: float) -> Resolved:
             about = about.model_copy(update={"x": x})
             moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
         return scene.model_copy(update=moved)
-    allowed = "give `held`, `platform` or `vessel`"
-    raise InputError("top.x", f"{top.x or 'absent'}", "nothing holds the riser at an offset", allowed)
+    allowed = "write `held`, `platform` or `vessel`"
+    raise InputError("top.x", f"{top.x or 'missing'}", "nothing holds the riser at an offset", allowed)
 
 
 def _fine_enough(scene: Resolved, reach: float) -> Mesh:
@@ -222,7 +222,9 @@ def excess(at: AtRest, limit: Limit, allowance: Added, offset: float) -> float:
             added = allowance[row["where"]] if isinstance(allowance, Mapping) else allowance
             over.append(_excess_of(at.scene, limit, found[0], added))
     if not over:
-        raise SimulationError(f"no {limit.output} at an offset of {offset:g} m")
+        raise SimulationError(
+            f"the static run at an offset of {offset:g} m has no {limit.output}; remove this limit"
+        )
     return max(over)
 
 

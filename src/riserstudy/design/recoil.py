@@ -42,8 +42,8 @@ def outcome(time: FloatArray, lift: FloatArray, reach: FloatArray, ends: tuple[f
     unknown = np.flatnonzero(np.isnan(clearance) & (most > TOUCHING))
     if len(unknown):
         raise ValueError(
-            f"recoil: in {len(unknown)} of {len(lift)} runs the lower end rises or falls at the end, "
-            f"so re-contact is not excluded (the first is run {unknown[0]}); increase analysis.duration"
+            f"recoil: in {len(unknown)} of {len(lift)} runs (the first is run {unknown[0]}), the lower end "
+            "still moves at the end of the run, so re-contact is not excluded; increase analysis.duration"
         )
     recontact = (clearance < TOUCHING) | (most < TOUCHING)
     shortest, longest = reach.min(axis=1), reach.max(axis=1)

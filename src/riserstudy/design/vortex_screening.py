@@ -108,10 +108,10 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
     given = _checked(coefficients or Coefficients())
     scene = file.resolved()
     if scene.current is None:
-        allowed = "allowed is a scene with a current: without one no vortices are shed"
-        raise InputError(file.source, "current", "missing", allowed)
+        why = "missing, but without a current no vortices are shed"
+        raise InputError(file.source, "current", why, "add a current")
     if scene.platform and scene.platform.cruise:
-        towed = "tows the riser, but the screening ignores the tow"
+        towed = "has no effect on the screening, which uses the current only"
         allowed = "remove it, and give the speed of the water past the riser as the current"
         raise InputError(file.source, "platform.cruise", towed, allowed)
     flow = flow_along(scene, given)
@@ -122,7 +122,9 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
         if found.sizes["mode"] <= count:
             break  # there are no more modes
     if not highest > 0.0:
-        raise SimulationError("the current does not flow across the riser: no vortices are shed")
+        raise SimulationError(
+            "current: it does not flow across the riser, so no vortices are shed; check the profile"
+        )
     return _dataset(file, flow, found, given)
 
 
@@ -192,9 +194,10 @@ def _coefficient(section: Section, z: float) -> float:
 def _checked(given: Coefficients) -> Coefficients:
     for name, value in given._asdict().items():
         if value is not None and not (math.isfinite(value) and value > 0.0):
-            raise InputError("screening", name, str(value), "allowed is a finite number above 0")
+            raise InputError("screening", name, f"{value} is not above 0", "give a finite number above 0")
     if given.slowest >= given.fastest:
-        raise InputError("screening", "fastest", str(given.fastest), f"allowed is above {given.slowest:g}")
+        found = f"{given.fastest} is not above slowest, {given.slowest:g}"
+        raise InputError("screening", "fastest", found, f"give more than {given.slowest:g}")
     return given
 
 

@@ -51,23 +51,25 @@ def moves_off(scene: Resolved) -> None:
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
         allowed = "give `vessel` (drift-off) or `platform.cruise` (drive-off)"
-        raise InputError("vessel", "", "absent: nothing leaves the well", allowed)
+        raise InputError("vessel", "", "missing, so the platform does not leave the well", allowed)
     if scene.bottom.hold == "free":
-        why = "limits of a riser that hangs from the vessel are checked by `riserstudy check`"
-        raise InputError("bottom.hold", "free: there is nothing to disconnect", why, "give `wellhead`")
+        found = "'free' means a hung-off riser, which cannot disconnect"
+        allowed = "write `wellhead`, or check the limits of the hung-off riser with `riserstudy check`"
+        raise InputError("bottom.hold", "", found, allowed)
     if scene.analysis.duration is None:
-        raise InputError("analysis.duration", "", "absent", "give, for example, `300 s`")
+        found = "missing, but watch circles require a dynamic run"
+        raise InputError("analysis.duration", "", found, "give, for example, `300 s`")
     if scene.disconnect:
-        found = f"{scene.disconnect.at:g} s"
-        why = "after it, the limits would apply to a riser that hangs from the vessel"
-        raise InputError("disconnect.at", found, why, "leave it out: `--set disconnect=null`")
+        found = (
+            f"after the disconnect at {scene.disconnect.at:g} s, the limits would apply to a hung-off riser"
+        )
+        raise InputError("disconnect", "", found, "remove it with `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
-        found = f"{scene.analysis.output.start:g} s"
-        why = "a limit that is reached before this time would be missed"
-        raise InputError("analysis.output.start", found, why, "leave it out")
+        found = f"limits that are reached before {scene.analysis.output.start:g} s would be missed"
+        raise InputError("analysis.output.start", "", found, "remove it")
     if not scene.limits:
-        allowed = "allowed is a list such as {output: lfj_angle, largest: 9 deg, mode: disconnect}"
-        raise InputError("limits", "", "missing", allowed)
+        allowed = "add a list with items such as {output: lfj_angle, largest: 9 deg, mode: disconnect}"
+        raise InputError("limits", "", "missing, but watch circles are computed from limits", allowed)
 
 
 class Way(NamedTuple):
