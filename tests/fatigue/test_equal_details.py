@@ -20,5 +20,5 @@ def test_details_with_other_curves_or_factors_are_refused(tmp_path, change):
         summed(of, path) for of in (vibrating, study(), study(details=(WELD | change, INSIDE)))
     )
     assert [one.share for one in shares(years, same)] == pytest.approx([0.0, 0.0], abs=1e-9)
-    with pytest.raises(InputError, match="another curve, place or factor of weld"):
+    with pytest.raises(InputError, match="different curves, places or factors of weld"):
         shares(years, other)

@@ -91,7 +91,7 @@ def test_studies_that_cannot_be_compared_are_refused(tmp_path):
         ((without, with_it), "with vortex-induced vibration"),
         ((without, without), "no vortex-induced vibration"),
         ((with_it, others[0]), "fatigue.angles"),
-        ((with_it, others[1]), "no detail"),
+        ((with_it, others[1]), "no fatigue detail"),
     ):
         with pytest.raises(InputError, match=said):
             shares(*pair)

@@ -200,21 +200,21 @@ def test_a_record_of_seas_is_a_table_of_its_hours(tmp_path):
         ("hs,tp (s),share (%)\n1,8,10\n", "no unit"),
         ("hs (kg),tp (s),share (%)\n1,8,10\n", "wrong dimension"),
         ("hs (m),tp (s)\n1,8\n", "does not state how often sea states occur"),
-        ("hs (m),tp (s),share\n1,8,10\n", "unit ''"),
-        ("hs (m),tp (s),share (%),count\n1,8,10,1\n", "a second column"),
+        ("hs (m),tp (s),share\n1,8,10\n", "the unit '' is wrong"),
+        ("hs (m),tp (s),share (%),count\n1,8,10,1\n", "two columns state"),
         ("hs (m),wind (m/s),share (%)\n1,8,10\n", "not an axis of the study"),
-        ("hs (m),share (%)\n1,10\n", "not given, nor in the table"),
+        ("hs (m),share (%)\n1,10\n", "neither here nor in the table"),
         ("hs (m),tp (s),share (%)\n1,8,90\n2,8,20\n", "add up to 110 %"),
-        ("hs (m),tp (s),share (%)\n1,8,-1\n2,8,20\n", "0 and more"),
+        ("hs (m),tp (s),share (%)\n1,8,-1\n2,8,20\n", "give 0 or more"),
         ("hs (m),tp (s),share (%)\n1,eight,10\n", "row 2: tp"),
         ("hs (m),tp (s),share (%)\n1,8\n", "2 cells"),
         ("hs (m),tp (s),share (%)\n12,8,5\n", "outside the simulated range 1 to 9"),
         ("hs (m),tp (s),share (%)\n0.5,8,5\n", "--calm"),
         ("hs (m),tp (s),share (%)\n1,30,5\n", "outside the simulated range 5 to 17"),
-        ("hs (m),tp (s),share (%)\n", "no rows"),
+        ("hs (m),tp (s),share (%)\n", "has no rows"),
         ("hs (m),wave_period (s),share (%)\n3,9.5,10\n", "ambiguous"),
         ("wave_height (m),tp (s),share (%)\n3,9.5,10\n", "ambiguous"),
-        ("hs (m),hm0 (m),tp (s),share (%)\n3,4,9.5,10\n", "a second column of significant_height"),
+        ("hs (m),hm0 (m),tp (s),share (%)\n3,4,9.5,10\n", "two columns give significant_height"),
     ],
 )
 def test_a_table_that_cannot_be_meant_is_refused(text, said, tmp_path):
@@ -279,7 +279,7 @@ def test_time_that_a_table_leaves_out_is_told(tmp_path):
 def test_points_without_numbers_are_refused(tmp_path):
     of = study()
     of["damage_rate"][2, 3] = np.nan
-    with pytest.raises(InputError, match="points without numbers"):
+    with pytest.raises(InputError, match="some points have no results"):
         summed(of, table(tmp_path, "hs (m),tp (s),share (%)\n2,8,90\n"))
 
 
@@ -291,7 +291,7 @@ def test_a_place_without_a_number_in_one_run_counts_neither_as_no_damage_nor_as_
     values = of["damage_rate"].values
     there = np.argwhere(np.isfinite(values))
     values[tuple(np.random.default_rng(seed).choice(there))] = np.nan
-    with pytest.raises(InputError, match="points without numbers"):
+    with pytest.raises(InputError, match="some points have no results"):
         summed(of, table(tmp_path, "hs (m),tp (s),share (%)\n2,8,90\n"))
 
 

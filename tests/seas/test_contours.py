@@ -134,5 +134,5 @@ def test_too_few_heights_are_one_line():
 
 def test_without_the_library_one_line_says_how_to_get_it(monkeypatch):
     monkeypatch.setitem(sys.modules, "virocon", None)
-    with pytest.raises(InputError, match=r"install it: pip install 'riserstudy\[contours\]'"):
+    with pytest.raises(InputError, match=r"install it with pip install 'riserstudy\[contours\]'"):
         contour(synthetic(6, 1), 50.0)

@@ -191,10 +191,10 @@ def test_beyond_the_sea_states_that_were_simulated_there_is_no_number():
 
 def test_too_few_sea_states_and_those_on_a_line_are_refused(record):
     of = sea_states(record)
-    with pytest.raises(SimulationError, match="use a larger tolerance"):
+    with pytest.raises(SimulationError, match="give a larger --error"):
         cover(of, resonant(damping=0.05), ALLOWED, 0.001, 60)
     line = np.column_stack([np.linspace(1.0, 2.0, 9), np.linspace(5.0, 9.0, 9)])
-    with pytest.raises(InputError, match="on a line"):
+    with pytest.raises(InputError, match="on one line"):
         cover(SeaStates(line, np.ones(9, int), np.arange(9)), resonant(), ALLOWED, 0.1, 60)
 
 
@@ -223,7 +223,7 @@ def test_means_and_single_seeds_count_as_they_are():
     # squares of deviations from 3 add to 10: a variance of 2.5 for one seed, of 0.5 for the mean of five
     assert demand(np.array([1.0, 2.0, 3.0, 4.0, 5.0]), "mean", 6.0).deviation == pytest.approx(0.5**0.5)
     check_seeds(1)
-    with pytest.raises(InputError, match="allowed are 1"):
+    with pytest.raises(InputError, match="or 1 to use the extremes"):
         check_seeds(3)
 
 

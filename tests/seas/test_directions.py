@@ -221,7 +221,7 @@ def test_a_row_without_a_direction_counts_as_neither(file, record):
 
 def test_a_record_without_directions_is_refused(file, record):
     bare = record.drop_vars(FROM)
-    with pytest.raises(InputError, match=f"{FROM}: not in the record"):
+    with pytest.raises(InputError, match=f"{FROM}: the record has no directions"):
         riser_downtime(file, bare, directions=Directions(2, 0.0), seeds=1)
 
 

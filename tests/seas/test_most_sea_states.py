@@ -73,7 +73,8 @@ def test_too_few_for_any_heading_are_refused_before_the_first_run(monkeypatch, s
     monkeypatch.setattr("riserstudy.seas.riser_response.RiserResponse.__call__", run)
     most = max(needed) - 1
     with pytest.raises(
-        InputError, match=f"--most: {most}: the record requires at least {most + 1} sea states"
+        InputError,
+        match=f"--most: {most}: the record requires the simulation of at least {most + 1} sea states",
     ):
         riser_downtime(file, record, directions=directions, most=most, seeds=1)
     with pytest.raises(AssertionError, match="simulated"):

@@ -44,11 +44,14 @@ def test_options_that_a_record_leaves_without_effect_are_refused(tmp_path, comma
 @pytest.mark.parametrize(
     "words, reason",
     [
-        (["--limit", "hs <= -1 m"], "an impossible value"),
+        (["--limit", "hs <= -1 m"], "the value is impossible"),
         (["--limit", "hs <= 90 m"], "write a value from 0 to 35 m"),
         (["--limit", "hs <= nan m"], "hs <= nan m"),
         (["--limit", "hs <= 2 m", "--window", "-24 h"], "not above 0"),
-        (["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"], "the record's interval of 1 h"),
+        (
+            ["--limit", "hs <= 2 m", "--window", "24 h", "--window", "90 min"],
+            "the interval of the record, 1 h",
+        ),
     ],
 )
 def test_limits_and_windows_that_no_sea_has_are_refused_before_results(tmp_path, commands, words, reason):
@@ -84,7 +87,7 @@ def test_the_distance_of_the_only_place_is_noted(tmp_path, seed):
     sea.assign_coords(latitude=north, longitude=east).to_netcdf(tmp_path / "there.nc")
     near = Place(north + 1.0, east)
     assert "111 km" in read_record(tmp_path / "there.nc", near).attrs["conversions"]
-    with pytest.raises(InputError, match="no latitude and longitude"):
+    with pytest.raises(InputError, match="no latitudes and longitudes"):
         read_record(tmp_path / "nowhere.nc", near)
 
 

@@ -98,7 +98,7 @@ def test_times_without_a_day_are_refused(tmp_path, times):
     "text, said",
     [
         ("time,hs (m),hs (m)\n2001-01-01 00:00,1,2\n2001-01-01 01:00,1,2\n", "two columns"),
-        ("time,hs (m)\n2001-01-01 00:00,1,8\n2001-01-01 01:00,1,8\n", "row 2: 3 cells"),
+        ("time,hs (m)\n2001-01-01 00:00,1,8\n2001-01-01 01:00,1,8\n", "row 2: the row has 3 cells"),
         ("time,hs (m)\n2001-01-01 00:00,1\n2001-01-01 01:00,1,8\n", "line 3, saw 3"),
     ],
 )
@@ -111,7 +111,7 @@ def test_columns_are_neither_lost_nor_moved(tmp_path, text, said):
 @pytest.mark.parametrize("text", ["", "\n", "\r\n\r\n", "  \n"])
 def test_a_record_without_text_is_refused(tmp_path, text):
     (tmp_path / "sea.csv").write_text(text)
-    with pytest.raises(InputError, match="allowed is a"):
+    with pytest.raises(InputError, match="give a header"):
         read_record(tmp_path / "sea.csv")
 
 
@@ -134,7 +134,7 @@ def test_rows_closer_than_others_are_refused_and_make_no_longer_windows(tmp_path
     time = np.datetime64("2001-01-01T00", "ns") + np.cumsum(steps)
     height = np.full(len(time), 5.0)
     height[coarse : coarse + calm] = 1.0
-    with pytest.raises(InputError, match=f"row {coarse + 2}: time: 1 h after"):
+    with pytest.raises(InputError, match=f"row {coarse + 2}: time: this row is 1 h after"):
         read_record(written(tmp_path, {"hs (m)": height}, times=time))
     sea = xr.Dataset({HEIGHTS: ("time", height)}, {"time": time}, {"interval_hours": 3.0})
     found = hours(sea, [sea_limit("hs <= 2 m")])
@@ -206,7 +206,7 @@ def test_a_fill_far_from_the_values_beside_it_is_neither_a_value_nor_none(tmp_pa
         with pytest.raises(InputError, match=f"row {first + 2}: hs: {fill} .* missing value"):
             read_record(path)
     else:
-        with pytest.raises(InputError, match="allowed is 0 to 35 m"):
+        with pytest.raises(InputError, match="give 0 to 35 m"):
             read_record(path)
 
 
@@ -241,9 +241,9 @@ def numbered(calendar="standard", units="hours since 2001-01-01"):
 @pytest.mark.parametrize(
     "times, found",
     [
-        (numbered("noleap"), "calendar 'noleap'"),
-        (numbered("360_day"), "calendar '360_day'"),
-        (xr.DataArray(3.0 * np.arange(ROWS), dims="time"), "numbers that are not dates"),
+        (numbered("noleap"), "the times are dates of the calendar 'noleap'"),
+        (numbered("360_day"), "the times are dates of the calendar '360_day'"),
+        (xr.DataArray(3.0 * np.arange(ROWS), dims="time"), "the times are numbers, not dates"),
         (None, "the file has no times"),
     ],
 )
@@ -257,7 +257,7 @@ def test_times_that_are_no_dates_are_refused_by_what_they_are(tmp_path, times, f
 def test_a_record_of_one_row_is_refused_by_its_number_of_rows(tmp_path):
     data = xr.Dataset({"hs": ("time", HEIGHT[:1], {"units": "m"})}, {"time": TIME[:1]})
     data.to_netcdf(tmp_path / "sea.nc")
-    with pytest.raises(InputError, match="time: 1 row; allowed are two or more"):
+    with pytest.raises(InputError, match="time: the record has 1 row; give two rows or more"):
         read_record(tmp_path / "sea.nc")
 
 
@@ -274,5 +274,7 @@ def test_several_heights_at_a_time_without_places_are_named(tmp_path, seed):
     values = xr.DataArray(np.tile(HEIGHT[:, None], many), dims=("time", dim), attrs=attributes)
     variables = {name: values if seed % 2 else values.T} | {"pp1d": ("time", PEAK, {"units": "s"})}
     xr.Dataset(variables, {"time": TIME}).to_netcdf(tmp_path / "r.nc")
-    with pytest.raises(InputError, match=f"{name}: several values at a time: {many} of {dim}; write one"):
+    with pytest.raises(
+        InputError, match=f"{name}: the file has several values for each time: {many} of {dim}; write one"
+    ):
         read_record(tmp_path / "r.nc")

@@ -66,20 +66,23 @@ def test_gaps_are_named_and_rows_without_a_value_are_neither_workable_nor_not(cs
 @pytest.mark.parametrize(
     "lines, said",
     [
-        (["time,hs,tz (s)", *ROWS[1:]], "hs: no unit"),
+        (["time,hs,tz (s)", *ROWS[1:]], "hs: the heading has no unit"),
         (["time,hs (s),tz (s)", *ROWS[1:]], "hs"),
         (["time,hs (m),period (s)", *ROWS[1:]], "period.*peak_period or zero_crossing_period"),
         (["time,hs (m),direction (deg)", *ROWS[1:]], "wave_from_direction"),
-        (["hour,hs (m),tz (s)", *ROWS[1:]], "time: column missing"),
-        (["time,hs (m),u10 (m/s),v10 (m/s)", *(f"{row},3" for row in ROWS[1:])], "u10, v10: parts"),
+        (["hour,hs (m),tz (s)", *ROWS[1:]], "time: this column is missing"),
+        (
+            ["time,hs (m),u10 (m/s),v10 (m/s)", *(f"{row},3" for row in ROWS[1:])],
+            "u10, v10: these are the components",
+        ),
         (["time,tp (s),tz (s)", *ROWS[1:]], "significant_wave_height"),
         (["time,hs (m),hm0 (m)", *ROWS[1:]], "two columns"),
         (changed(7, "2001-01-01 05:00,-0.5,5"), "row 7: significant_wave_height: -0.5 m"),
         (changed(7, "2001-01-01 05:00,big,5"), "row 7: hs: 'big'"),
         (changed(7, "2001-01-01 05:00,50,5"), "row 7"),
-        (changed(7, "2001-01-01 03:00,1,5"), "row 7: time: not after"),
+        (changed(7, "2001-01-01 03:00,1,5"), "row 7: time: the time is not after"),
         (changed(7, "yesterday,1,5"), "row 7: time"),
-        (ROWS[:2], "1 rows"),
+        (ROWS[:2], "the record has 1 row;"),
     ],
 )
 def test_a_bad_record_is_refused_with_its_place(csv, lines, said):
@@ -213,9 +216,9 @@ def test_limits_together_leave_no_more_than_each(tmp_path):
     both = hours(record, [one, two]).workable
     each = [hours(record, [limit]).workable for limit in (one, two)]
     np.testing.assert_array_equal(both, each[0] & each[1])
-    with pytest.raises(InputError, match="not in the record"):
+    with pytest.raises(InputError, match="the record has no such column"):
         hours(record, [sea_limit("wind_speed <= 10 m/s")])
-    with pytest.raises(InputError, match="not a multiple"):
+    with pytest.raises(InputError, match="not a multiple of the interval"):
         hours(record, [one]).of_windows(1.5)
 
 

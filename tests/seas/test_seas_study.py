@@ -132,15 +132,15 @@ def test_the_parts_simulate_all_that_the_dataset_needs(study, made, monkeypatch)
 @pytest.mark.parametrize(
     "changes, told",
     [
-        ({"limits": None, "set": MODEL["set"] | {"limits": None}}, "limits: none"),
-        ({"record": "../sea.csv"}, "record: .*must lie below"),
+        ({"limits": None, "set": MODEL["set"] | {"limits": None}}, "limits: missing"),
+        ({"record": "../sea.csv"}, "record: .*outside the folder of the configuration"),
         ({"record": "records/none.csv"}, "record: .*none.csv"),
         ({"seeds": 3}, "seeds: 3"),
         ({"windows": ["90 min"]}, "not a multiple"),
         ({"windows": ["90 kg"]}, "windows|kg"),
-        ({"sea_limits": ["height < 2"]}, "not a limit on the sea"),
-        ({"sea_limits": ["current <= 1 m/s"]}, "current_speed: not in the record"),
-        ({"axes": {"heading": {"one": {}}}}, "axes.heading: headings give it"),
+        ({"sea_limits": ["height < 2"]}, "not a limit on a quantity of the sea"),
+        ({"sea_limits": ["current <= 1 m/s"]}, "current_speed: the record has no such column"),
+        ({"axes": {"heading": {"one": {}}}}, "axes.heading: the heading is also given"),
         ({"set": MODEL["set"] | {"platform.response": None}}, "no irregular sea"),
         ({"axes": {"offset": "readings"}}, "no readings 'offset'"),
         (
@@ -159,7 +159,7 @@ def test_only_a_file_is_a_record_and_others_are_not_waited_for(tmp_path, kind):
     record = lay_out(tmp_path) / "records/sea.csv"
     record.unlink()
     KINDS[kind](record)
-    with pytest.raises(InputError, match=r"sea\.csv: no regular file"):
+    with pytest.raises(InputError, match=r"sea\.csv cannot be read: this is not a regular file"):
         soon(lambda: planned(tmp_path / "config").digest)
 
 

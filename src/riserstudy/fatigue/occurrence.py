@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.unit_names import scene_notation
 from riserstudy.errors import InputError
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.number_cell import number_in
 from riserstudy.inputs.text import read_text
 from riserstudy.records.words import counted
@@ -71,18 +72,21 @@ def of_table(path: Path, study: xr.Dataset, axes: list[str]) -> Occurrence:
     rows = list(csv.reader(io.StringIO(read_text(path, LARGEST_TABLE), newline=None)))
     rows = [row for row in rows if any(cell.strip() for cell in row)]
     if len(rows) < 2:
-        raise InputError(path, "", "no rows", "allowed is a header and a row for each sea state")
+        found = "the table has no rows below its header"
+        raise InputError(path, "", found, "write a header and a row for each sea state")
     weight, factors, irregular = _heads(path, rows[0], study, axes)
     columns: dict[str, list[float]] = {axis: [] for axis, _ in factors.values()}
     often = []
     for number, row in enumerate(rows[1:], start=2):
         if len(row) != len(rows[0]):
-            raise InputError(f"{path}, row {number}", "", f"{len(row)} cells", f"allowed are {len(rows[0])}")
+            found = f"the row has {len(row)} cells, but the header {len(rows[0])}"
+            raise InputError(f"{path}, row {number}", "", found, "write one cell for each column")
         for k, (axis, factor) in factors.items():
             columns[axis].append(factor * _number(path, number, rows[0][k], row[k]))
         often.append(_number(path, number, rows[0][weight], row[weight]))
         if often[-1] < 0.0:
-            raise InputError(f"{path}, row {number}", rows[0][weight], row[weight], "allowed is 0 and more")
+            found = f"{row[weight]} is negative"
+            raise InputError(f"{path}, row {number}", rows[0][weight], found, "give 0 or more")
     name = _head(path, rows[0][weight])[0]
     shares = np.array(often) / {"share": 100.0, "time": HOURS, "count": sum(often) or 1.0}[name]
     notes, some = _summed(path, shares), shares > 0.0
@@ -104,24 +108,26 @@ def _heads(
         name, unit = _head(path, text)
         if name in WEIGHTS:
             if weight is not None:
-                raise InputError(path, name, "a second column that states how often", "give one")
+                found = "two columns state how often sea states occur"
+                raise InputError(path, name, found, "remove one of them")
             if unit != WEIGHTS[name]:
-                allowed = f"allowed is {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
-                raise InputError(path, name, f"unit {unit!r}", allowed)
+                allowed = f"write {name} ({WEIGHTS[name]})".replace(" ()", " without a unit")
+                raise InputError(path, name, f"the unit {unit!r} is wrong", allowed)
             weight = k
         elif (axis := axis_of(name, axes)) is None:
-            allowed = f"allowed are {', '.join([*axes, *WEIGHTS])}"
-            raise InputError(path, text.strip(), "not an axis of the study", allowed)
+            allowed = f"use {', '.join([*axes, *WEIGHTS])}"
+            raise InputError(path, text.strip(), "this is not an axis of the study", allowed)
         else:
             if name in UNSURE and name != axis:
-                raise InputError(path, text.strip(), "is ambiguous", f"write {UNSURE[name]}")
+                found = "this heading is ambiguous"
+                raise InputError(path, text.strip(), found, f"write {UNSURE[name]}")
             if axis in (known for known, _ in factors.values()):
-                raise InputError(path, text.strip(), f"a second column of {axis}", "give one")
+                raise InputError(path, text.strip(), f"two columns give {axis}", "remove one of them")
             irregular += [axis] if name in OF_SEAS else []
             factors[k] = axis, _factor(path, text, unit, study[axis].attrs.get("units", ""))
     if weight is None:
-        allowed = "add share (%), time (h) or count"
-        raise InputError(path, "", "does not state how often sea states occur", allowed)
+        allowed = "add a column share (%), time (h) or count"
+        raise InputError(path, "", "the table does not state how often sea states occur", allowed)
     return weight, factors, irregular
 
 
@@ -136,7 +142,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     for name in map(str, record.data_vars):
         if axis := axis_of(name, axes):
             if name == FROM:
-                found = "compass bearings that waves come from, not angles from the x axis"
+                found = "the record has compass bearings, but the study has angles from the x axis"
                 allowed = "give a scatter table with the headings of the study"
                 raise InputError("--seas", name, found, allowed)
             unit = scene_notation(str(record[name].attrs.get("units", "")))
@@ -144,13 +150,13 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
             columns[axis] = factor * record[name].values
             irregular += [axis] if name.lower() in OF_SEAS else []
     if not columns:
-        allowed = f"allowed is a study with an axis such as significant_height, not {', '.join(axes)}"
+        allowed = f"give a study with an axis such as significant_height (its axes: {', '.join(axes)})"
         raise InputError("--seas", "", "no quantity of the record is an axis of the study", allowed)
     table = np.stack(list(columns.values()), axis=1)
     whole = np.asarray(np.isfinite(table).all(axis=1))
     if not whole.any():
-        found = f"no row has {' and '.join(columns)}"
-        raise InputError("--seas", "", found, "give a record with values")
+        found = f"no row of the record has {' and '.join(columns)}"
+        raise InputError("--seas", "", found, "give a record with these values")
     if np.issubdtype(record["time"].dtype, np.datetime64):
         check_spacing("--seas", "time", record["time"].values[whole])
     found_states, counts = np.unique(table[whole], axis=0, return_counts=True)
@@ -192,7 +198,8 @@ def axis_of(name: str, axes: list[str]) -> str | None:
 def _head(path: Path, text: str) -> tuple[str, str]:
     match = _HEAD.fullmatch(text)
     if match is None:
-        raise InputError(path, text.strip(), "not the name of a column", "write, for example, 'hs (m)'")
+        found = "this is not a heading with name and unit"
+        raise InputError(path, text.strip(), found, "write, for example, 'hs (m)'")
     return match["name"].strip().lower().replace(" ", "_"), (match["unit"] or "").strip()
 
 
@@ -200,17 +207,18 @@ def _factor(path: Path | str, text: str, unit: str, of_axis: str) -> float:
     """Conversion factor from a column's unit to the unit of an axis, in CF notation."""
     if not unit:
         allowed = f"write the unit after the name: '{text.strip()} ({of_axis})'"
-        raise InputError(path, text.strip(), "no unit", allowed)
+        raise InputError(path, text.strip(), "the heading has no unit", allowed)
     try:
         return to_si(f"1 {unit}", scene_notation(of_axis))
-    except ValueError as fault:
-        raise InputError(path, text.strip(), str(fault), f"as in {of_axis}") from None
+    except Misfit as fault:
+        found = f"the unit {unit!r} {fault.found.removeprefix(repr(f'1 {unit}')).strip()}"
+        raise InputError(path, text.strip(), found, f"use a unit such as {of_axis}") from None
 
 
 def _number(path: Path, row: int, column: str, cell: str) -> float:
     value = number_in(cell)
     if value is None or not math.isfinite(value):
-        raise InputError(f"{path}, row {row}", column.strip(), repr(cell), "allowed is a number")
+        raise InputError(f"{path}, row {row}", column.strip(), f"{cell!r} is not a number", "write a number")
     return value
 
 
@@ -221,7 +229,7 @@ def _summed(path: Path, shares: Array) -> tuple[str, ...]:
             path, "", f"shares of the time add up to {100 * total:.4g} %", "reduce them to at most 100 %"
         )
     if not total > 0.0:
-        raise InputError(path, "", "nothing occurs", "allowed are shares above 0")
+        raise InputError(path, "", "no sea state occurs", "give shares above 0")
     if total < 1.0 - WHOLE:
         return (f"{100 * (1 - total):.3g} % of the time is not in {path.name} and does no damage",)
     return ()
@@ -261,13 +269,13 @@ def within(of: Occurrence, grid: Mapping[str, Array], calm: bool, units: Mapping
             raise InputError(
                 "sea states",
                 axis,
-                f"{100 * of.shares[outside].sum():.3g} % of the time has values outside the simulated range "
-                f"{low:g} to {high:g} (the sea states have {there.min():g} to {there.max():g})",
+                f"in {100 * of.shares[outside].sum():.3g} % of the time, values are outside the simulated "
+                f"range {low:g} to {high:g} (the sea states have {there.min():g} to {there.max():g})",
                 f"simulate more values of {axis}"
                 + (
                     ""
                     if above.any() or there.min() < least
-                    else ", or treat calmer seas as the calmest by --calm"
+                    else ", or add --calm to treat calmer seas as the calmest simulated sea"
                 ),
             )
     return of._replace(values=values, notes=tuple(notes))

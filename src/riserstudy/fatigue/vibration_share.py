@@ -58,14 +58,14 @@ def _check(years: Years, without: Years) -> None:
     unlike = [name for name in own if name in others and own[name] != others[name]]
     faults = {
         "is simulated with vortex-induced vibration": any(sea.vibrates for sea in without.seas),
-        "has no detail of the first study": not common,
-        "has another number of fatigue.angles": not same,
-        f"has another curve, place or factor of {', '.join(unlike)}": unlike,
+        "the second study has no fatigue detail of the first study": not common,
+        "the studies have different numbers of fatigue.angles": not same,
+        f"the studies have different curves, places or factors of {', '.join(unlike)}": unlike,
     }
-    allowed = "allowed is a dataset of the same study with `riser[*].viv: null`"
+    allowed = "give a dataset of the same study with `riser[*].viv: null`"
     for found, there in faults.items():
         if there:
             raise InputError("fatigue", "--without", found, allowed)
     if not any(sea.vibrates for sea in years.seas):
         found = "the first study has no vortex-induced vibration in these sea states"
-        raise InputError("fatigue", "--without", found, "leave out --without")
+        raise InputError("fatigue", "--without", found, "omit --without")

@@ -96,8 +96,8 @@ class Years(NamedTuple):
 def axes_of(study: xr.Dataset) -> list[str]:
     """Axes of a study; empty for a single run. Raises InputError when it has no damage."""
     if "damage_rate" not in study:
-        allowed = "use a study or run whose scene has 'fatigue:', and keep damage_rate"
-        raise InputError(_name(study), "damage_rate", "missing", allowed)
+        allowed = "give a study or run whose scene has 'fatigue:' and which keeps damage_rate"
+        raise InputError(_name(study), "damage_rate", "the dataset has no fatigue damage", allowed)
     return [str(dim) for dim in study["damage_rate"].dims if dim not in PLACES]
 
 
@@ -121,7 +121,8 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
     for axis in axes:
         if axis in study.dims and axis not in seeds and axis not in occurs.values:
             known = ", ".join(map(str, study[axis].values.tolist()))
-            raise InputError("--at", axis, "not given, nor in the table", f"allowed are {known}")
+            why = "no value of this axis is given, neither here nor in the table"
+            raise InputError("--at", axis, why, f"add --at {axis}=VALUE with one of {known}")
     grid = {axis: study[axis].values.astype(float) for axis in occurs.values}
     study = study.sortby([*grid])
     grid = {axis: np.sort(places) for axis, places in grid.items()}
@@ -132,8 +133,8 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
     missing = np.isnan(every.values.reshape(-1, *every.shape[-3:]))
     elsewhere = missing.all(axis=0)  # places without the detail
     if elsewhere.all() or (missing != elsewhere).any():
-        allowed = "allowed is a study whose points are all complete"
-        raise InputError(_name(study), "damage_rate", "points without numbers", allowed)
+        allowed = "repeat the study until all its points are complete"
+        raise InputError(_name(study), "damage_rate", "some points have no results", allowed)
     response = Response(grid, np.where(elsewhere, 0.0, rates))
     total = in_parts(response, occurs.values, occurs.shares)
     total[elsewhere] = np.nan
@@ -157,11 +158,12 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
 def _at(study: xr.Dataset, axes: list[str], occurs: Occurrence, at: Mapping[str, str]) -> xr.Dataset:
     """The study at the given values, and at the single value of axes with one value."""
     if unknown := [axis for axis in at if axis not in axes]:
-        raise InputError("--at", unknown[0], "no axis", f"allowed are {', '.join(axes) or 'none'}")
+        allowed = f"use one of {', '.join(axes)}" if axes else "omit --at, since the study has no axes"
+        raise InputError("--at", unknown[0], "the study has no axis of this name", allowed)
     for axis in axes:
         if axis in at:
             if axis in occurs.values:
-                raise InputError("--at", axis, "also in the table", "give it only once")
+                raise InputError("--at", axis, "the table also has this axis", "omit it from --at")
             study = study.isel({axis: value_of(study, axis, at[axis])})
         elif study.sizes[axis] == 1 and axis not in occurs.values:
             study = study.isel({axis: 0})
@@ -182,8 +184,8 @@ def _check_seas(study: xr.Dataset, occurs: Occurrence) -> None:
     for axis in occurs.irregular:
         paths = _paths(study, axis) if axis in study.dims else set()
         if paths and all(path.rpartition(".")[2] in OF_WAVES for path in paths):
-            found = f"sets {', '.join(sorted(paths))} of a regular wave, not of an irregular sea"
-            allowed = f"allowed is a study of irregular seas, or a table of waves with a column {axis}"
+            found = f"this axis sets {', '.join(sorted(paths))} of a regular wave, not of an irregular sea"
+            allowed = f"give a study of irregular seas, or a table of waves with a column {axis}"
             raise InputError("sea states", axis, found, allowed)
 
 
@@ -262,7 +264,8 @@ def _details(study: xr.Dataset) -> list[Detail]:
     """The details in a study's scene."""
     fatigue = first_scene(study).fatigue
     if fatigue is None:
-        raise InputError(_name(study), "fatigue", "not in the scene", "run the scene again")
+        found = "the scene that is stored in the dataset has no fatigue details"
+        raise InputError(_name(study), "fatigue", found, "repeat the run with a scene with 'fatigue:'")
     return fatigue.details
 
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import InputError
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.units import to_si
 
 
@@ -127,24 +128,23 @@ def head(where: str, text: str) -> Head:
     name, unit = (match["name"], match["unit"].strip()) if match else (text, "")
     key = plain(name)
     if key in UNSURE:
-        raise InputError(where, text.strip(), "is ambiguous", f"write {UNSURE[key]}")
+        raise InputError(where, text.strip(), "the heading is ambiguous", f"write {UNSURE[key]}")
     turned = key in GOES_TO
     quantity = NAMES["wave_from_direction"] if turned else NAMES.get(key)
     if quantity is None or key == "time":
         return Head(None, key, 1.0, unit)
     if not unit:
         allowed = f"write the unit after the name: '{quantity.name} ({quantity.unit})'"
-        raise InputError(where, text.strip(), "no unit", allowed)
+        raise InputError(where, text.strip(), "the heading has no unit", allowed)
     if quantity.unit == "deg":
         if plain(unit) not in ("deg", "degree", "degrees", "degt", "deg_true", "degree_true"):
-            raise InputError(where, text.strip(), f"unit {unit!r}", "allowed is deg")
+            raise InputError(where, text.strip(), f"the unit {unit!r} is not degrees", "give values in deg")
         return Head(quantity, key, 1.0, unit, turned)
     try:
         return Head(quantity, key, to_si(f"1 {unit}", quantity.unit), unit)
-    except ValueError as error:
-        raise InputError(
-            where, text.strip(), str(error), f"use a unit of the kind '{quantity.unit}'"
-        ) from None
+    except Misfit as error:
+        found = f"the unit {unit!r} {error.found.removeprefix(repr(f'1 {unit}')).strip()}"
+        raise InputError(where, text.strip(), found, f"use a unit such as {quantity.unit}") from None
 
 
 def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
@@ -168,7 +168,7 @@ def check_fills(path: Path, values: NDArray[np.float64], one: Head) -> None:
     if (some & ~near).any():
         row = int((some & ~near).argmax())
         found = f"{values[row]:g} {one.unit} is a possible value, but it is also used for a missing value"
-        allowed = f"leave missing cells empty, or give the column in {_other(one)}"
+        allowed = f"leave cells of missing values empty, or give the column in {_other(one)}"
         raise InputError(f"{path}, row {row + 2}", one.heading, found, allowed)
 
 

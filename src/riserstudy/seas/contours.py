@@ -50,7 +50,9 @@ def contour(record: xr.Dataset, years: float, seed: int = 0) -> Table:
     """
     _import()
     if "peak_period" not in record:
-        raise InputError("RECORD", "peak_period", "not in the record", "see riserstudy seas --gamma")
+        why = "the record has no peak periods, which a contour requires"
+        allowed = "add a column, or convert zero-crossing periods with `riserstudy seas --gamma`"
+        raise InputError("RECORD", "peak_period", why, allowed)
     states = np.column_stack([record[name].values for name in ("significant_wave_height", "peak_period")])
     calm = states[:, 0] == 0.0
     known = np.isfinite(states).all(axis=1) & ~calm
@@ -114,7 +116,8 @@ def _contour(states: FloatArray, interval: float, years: float) -> FloatArray:
             model.fit(states, fits)
         except (RuntimeError, ValueError) as error:
             allowed = "give a record with more sea states at different heights"
-            raise InputError("RECORD", "--contour", f"cannot be fitted: {error}", allowed) from None
+            found = f"the distribution of sea states cannot be fitted: {error}"
+            raise InputError("RECORD", "--contour", found, allowed) from None
     alpha = virocon.calculate_alpha(interval, years)
     heights: FloatArray = virocon.IFORMContour(model, alpha, n_points=PLACES).coordinates[:, 0]
     # the smallest height of a fit may be below zero, where there is no sea and no period
@@ -143,6 +146,7 @@ def _import():  # type: ignore[no-untyped-def]
     try:
         import virocon
     except ImportError:
-        allowed = "install it: pip install 'riserstudy[contours]'"
-        raise InputError("seas", "--contour", "virocon is not installed", allowed) from None
+        allowed = "install it with pip install 'riserstudy[contours]'"
+        found = "a contour requires the library virocon, which is not installed"
+        raise InputError("seas", "--contour", found, allowed) from None
     return virocon

@@ -110,8 +110,8 @@ def _refuse_more(known: int, more: int, most: int, reached: str) -> None:
     """Refuse to simulate more sea states than allowed."""
     if known + more > most:
         raise SimulationError(
-            f"{known} sea states{reached} require {more} more, but at most {most} are allowed; use a larger "
-            "tolerance, or allow more sea states"
+            f"{known} sea states{reached} are simulated and {more} more are required, but at most {most} are "
+            "allowed; give a larger --error, or a larger --most"
         )
 
 
@@ -133,8 +133,8 @@ def check_most(headings: Sequence[SeaStates], most: int) -> None:
     """
     needed = max(map(least, headings), default=0)
     if needed > most:
-        found = f"the record requires at least {needed} sea states"
-        raise InputError("--most", str(most), found, f"allowed are {needed} and more")
+        found = f"the record requires the simulation of at least {needed} sea states"
+        raise InputError("--most", str(most), found, f"give {needed} or more")
 
 
 def first(of: SeaStates) -> list[int]:
@@ -166,8 +166,9 @@ def corners(states: FloatArray) -> list[int]:
             raise QhullError
         return [int(k) for k in ConvexHull(_places(states)).vertices]
     except QhullError:
-        allowed = "allowed are rows that differ in height and in period"
-        raise InputError("RECORD", "sea states", "all on a line", allowed) from None
+        found = "the sea states are on one line in the diagram of height and period"
+        allowed = "give a record whose rows differ in height and in period"
+        raise InputError("RECORD", "sea states", found, allowed) from None
 
 
 def _places(states: FloatArray) -> FloatArray:

@@ -72,7 +72,8 @@ class Directions(NamedTuple):
         """
         if FROM not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
-            raise InputError("RECORD", FROM, "not in the record", f"there are {there}")
+            found = f"the record has no directions; it has {there}"
+            raise InputError("RECORD", FROM, found, "add this column")
         towards = np.radians(record[FROM].values) + math.pi
         place = (self.x_towards - towards) * self.sectors / (2.0 * math.pi)
         known = np.isfinite(place)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.table import Cell, Table
 from riserstudy.errors import InputError
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.scene.units import to_si
 from riserstudy.seas.columns import NAMES, Column, plain
 from riserstudy.seas.record import interval_of_rows, next_to_each_other, rows_of
@@ -170,14 +171,14 @@ def sea_limit(text: str) -> SeaLimit:
     match = _LIMIT.fullmatch(text)
     quantity = NAMES.get(plain(match["name"])) if match else None
     if match is None or quantity is None or quantity.unit == "deg":
-        raise InputError("--limit", text, "not a limit on the sea", allowed)
+        raise InputError("--limit", text, "this is not a limit on a quantity of the sea", allowed)
     try:
         value = to_si(match["value"], quantity.unit)
-    except ValueError as error:
-        raise InputError("--limit", text, str(error), allowed) from None
+    except Misfit as error:
+        raise InputError("--limit", text, error.found, error.allowed) from None
     if not quantity.least <= value <= quantity.most:
         possible = f"{quantity.least:g} to {quantity.most:g} {quantity.unit}"
-        raise InputError("--limit", text, "an impossible value", f"write a value from {possible}")
+        raise InputError("--limit", text, "the value is impossible", f"write a value from {possible}")
     return SeaLimit(quantity, match["sign"] == "<=", value)
 
 
@@ -196,7 +197,8 @@ def check_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> None:
     for one in limits:
         if one.quantity.name not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
-            raise InputError("--limit", one.quantity.name, "not in the record", f"there are {there}")
+            found = "the record has no such column"
+            raise InputError("--limit", one.quantity.name, found, f"use one of {there}")
 
 
 def idle_limits(record: xr.Dataset, limits: Sequence[SeaLimit]) -> list[str]:
@@ -227,7 +229,8 @@ def rows_with_values(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[
     known = np.asarray(np.all([every, *needed], axis=0))
     if not known.any():
         names = ", ".join(one.quantity.name for one in limits)
-        raise InputError("--limit", names, "no values in the record", "give a record with values")
+        found = "no row of the record has all these values"
+        raise InputError("--limit", names, found, "give a record with these values")
     return known
 
 

@@ -75,7 +75,8 @@ def read_netcdf(path: Path, near: Place | None) -> tuple[pd.DataFrame, str]:
     try:
         data = load(path, decode_timedelta=False)
     except (OSError, ValueError, RuntimeError) as error:
-        raise InputError(path, "", str(error), "allowed is a netCDF file with times") from None
+        found = f"the file cannot be read as netCDF: {error}"
+        raise InputError(path, "", found, "give a netCDF file with times") from None
     flags = quality_flags(data)
     data, notes = _at_one_place(path, within_valid_range(data), near)
     notes += [f"left out: quality flags {', '.join(flags)}"] if flags else []
@@ -111,9 +112,10 @@ def _refuse_several(path: Path, data: xr.Dataset, clock: str) -> None:
             continue
         others = [f"{data.sizes[dim]} of {dim}" for dim in values.dims if dim not in data[clock].dims]
         allowed = (
-            "write one of them to a file of its own, or give the file latitudes and longitudes for --near"
+            "write one of them to a separate file, or add latitudes and longitudes to the file for --near"
         )
-        raise InputError(path, str(name), f"several values at a time: {', '.join(others)}", allowed)
+        why = f"the file has several values for each time: {', '.join(others)}"
+        raise InputError(path, str(name), why, allowed)
 
 
 def _unused(path: Path, data: xr.Dataset, clock: str) -> list[str]:
@@ -144,13 +146,14 @@ def _without_times(path: Path, data: xr.Dataset) -> InputError:
     """The error of a file without a clock: it has no times, one time, or times that are no dates."""
     times = next((data[name] for name in CLOCKS if name in data.variables), None)
     if times is None:
-        return InputError(path, "time", "the file has no times", "give it a coordinate 'time' as in CF")
+        found = "the file has no times"
+        return InputError(path, "time", found, "add a coordinate 'time' as in the CF conventions")
     if times.ndim == 0:
-        return InputError(path, "time", "1 row", "allowed are two or more")
-    found = "numbers that are not dates"
+        return InputError(path, "time", "the record has 1 row", "give two rows or more")
+    found = "the times are numbers, not dates"
     if calendar := times.encoding.get("calendar"):
-        found = f"calendar {calendar!r}"
-    allowed = "allowed are dates of the standard calendar, with units such as 'hours since 2000-01-01'"
+        found = f"the times are dates of the calendar {calendar!r}"
+    allowed = "give dates of the standard calendar, with units such as 'hours since 2000-01-01'"
     return InputError(path, str(times.name), found, allowed)
 
 
@@ -207,7 +210,7 @@ def _by_name(path: Path, name: str, standard: str) -> Column | None:
         return None
     if key in UNSURE:
         allowed = f"give it the standard_name {COMES_FROM} or {GOES_TO}"
-        found = "the convention of this direction (waves from or towards) is not stated"
+        found = "the file does not state whether waves come from this direction or travel towards it"
         raise InputError(path, name, found, allowed)
     if key == "fp":
         return NAMES["peak_period"]
@@ -219,7 +222,8 @@ def _periods(path: Path, name: str, numbers: FloatArray, unit: str) -> tuple[Flo
     factors = {"hz": 1.0, "s-1": 1.0, "1/s": 1.0, "rad/s": 0.5 / np.pi, "rad s-1": 0.5 / np.pi}
     factor = factors.get(unit.lower())
     if factor is None:
-        raise InputError(path, name, f"unit {unit!r}", "allowed is Hz or rad/s")
+        found = f"{unit!r} is not a unit of frequency"
+        raise InputError(path, name, found, "give the unit Hz or rad/s")
     with np.errstate(divide="ignore"):  # a frequency of zero is a missing period
         periods = 1.0 / (factor * numbers)
     return np.where(np.isfinite(periods), periods, np.nan), f"peak_period from {name} ({unit})"
@@ -231,7 +235,8 @@ def _from_where(
     """Bearings that waves come from, in degrees from 0 to 360."""
     factors = {"deg": 1.0, "rad": np.degrees(1.0), "radian": np.degrees(1.0)}
     if unit not in factors:
-        raise InputError(path, name, f"unit {unit!r}", "allowed is degree or radian")
+        found = f"{unit!r} is not a unit of direction"
+        raise InputError(path, name, found, "give the unit degree or radian")
     turn = 180.0 if standard == GOES_TO else 0.0
     note = [f"from {unit}"] if unit != "deg" else []
     note += ["turned by 180 deg from the direction in which waves travel"] if turn else []
@@ -260,10 +265,12 @@ def _at_one_place(path: Path, data: xr.Dataset, near: Place | None) -> tuple[xr.
     if not dims and near is None:
         return data, []
     if not (lat and lon):
-        raise InputError(path, "--near", "the file gives no latitude and longitude", "omit it")
+        raise InputError(path, "--near", "the file has no latitudes and longitudes", "omit --near")
     if near is None:
         many = ", ".join(f"{data.sizes[d]} of {d}" for d in sorted(map(str, dims)))
-        raise InputError(path, "latitude, longitude", many, "give `riserstudy seas --near 'LAT, LON'`")
+        why = f"the file covers several places ({many})"
+        allowed = "select a place with `riserstudy seas --near 'LAT, LON'`"
+        raise InputError(path, "latitude, longitude", why, allowed)
     latitude, longitude = _places(data, lat, lon)
     north = np.radians(latitude.values - near.latitude)
     east = np.radians((longitude.values - near.longitude + 180.0) % 360.0 - 180.0)
@@ -303,8 +310,9 @@ def _of_spectra(path: Path, data: xr.Dataset, name: str) -> tuple[xr.Dataset, st
         if directed:
             found["mwd"] = spectra.spec.dm()
     except (ValueError, KeyError, AttributeError) as error:
-        allowed = "allowed are spectra of ERA5, WAVEWATCH III, NDBC, SWAN or wavespectra's own"
-        raise InputError(path, name, str(error), allowed) from None
+        why = f"the spectra cannot be read: {error}"
+        allowed = "give spectra in the format of ERA5, WAVEWATCH III, NDBC, SWAN or wavespectra"
+        raise InputError(path, name, why, allowed) from None
     units = {"hs": "m", "tp": "s", "tm02": "s", "mwd": "deg"}
     made = {n: v.squeeze(drop=True).drop_attrs().assign_attrs(units=units[n]) for n, v in found.items()}
     import xarray as xr

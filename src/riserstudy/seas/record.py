@@ -71,11 +71,11 @@ def read_record(path: Path, near: Place | None = None) -> xr.Dataset:
     import xarray as xr
 
     if near is not None and path.suffix != ".nc":
-        raise InputError(path, "--near", "a table has one place", "omit it")
+        raise InputError(path, "--near", "has no effect on a table, which is for one place", "omit it")
     frame, notes = read_netcdf(path, near) if path.suffix == ".nc" else _from_csv(path)
     if "significant_wave_height" not in frame:
         allowed = "add a column such as 'significant_wave_height (m)'"
-        raise InputError(path, "significant_wave_height", "column missing", allowed)
+        raise InputError(path, "significant_wave_height", "this column is missing", allowed)
     _check(path, frame)
     record = xr.Dataset.from_dataframe(frame)
     for one in COLUMNS:
@@ -155,8 +155,8 @@ def rows_of(hours: float, interval: float) -> int:
     """
     rows = hours / interval
     if rows < 1.0 or abs(rows - round(rows)) > 1e-6:
-        found = f"not a multiple of the record's interval of {interval:g} h"
-        raise InputError("--window", f"{hours:g} h", found, "allowed is a multiple")
+        found = f"the window is not a multiple of the interval of the record, {interval:g} h"
+        raise InputError("--window", f"{hours:g} h", found, "give a multiple of this interval")
     return round(rows)
 
 
@@ -192,24 +192,27 @@ def _from_csv(path: Path) -> tuple[pd.DataFrame, str]:
             io.StringIO(text), sep=separator, dtype=str, keep_default_na=False, skipinitialspace=True
         )
     except pd.errors.EmptyDataError:
-        raise InputError(path, "", "not text", "allowed is a header and a line for each time") from None
+        found = "the file is empty"
+        raise InputError(path, "", found, "give a header and a line for each time") from None
     except pd.errors.ParserError as error:
         found = str(error).strip().rpartition(": ")[2] or str(error)
-        raise InputError(path, "", found, "allowed is a cell for each column") from None
+        raise InputError(path, "", found, "write one cell for each column in every line") from None
     heads = [head(str(path), str(name)) for name in cells.columns]
     if {"u10", "v10"} <= {one.heading for one in heads}:
-        allowed = "give their size as wind_speed"
-        raise InputError(path, "u10, v10", "parts of the wind towards east and north", allowed)
+        found = "these are the components of the wind towards east and north"
+        allowed = "compute their magnitude and give it as wind_speed"
+        raise InputError(path, "u10, v10", found, allowed)
     at = next((k for k, one in enumerate(heads) if one.heading == "time"), None)
     if at is None:
-        raise InputError(path, "time", "column missing", "add a column 'time', in UTC")
+        raise InputError(path, "time", "this column is missing", "add a column 'time', in UTC")
     columns = {"time": _times(path, cells.iloc[:, at], heads[at].unit)}
     for k, one in enumerate(heads):
         if one.quantity is None:
             check_zone_of_table(path, one.heading, cells.iloc[:, k])
             continue
         if one.quantity.name in columns:
-            raise InputError(path, one.quantity.name, "two columns", "allowed is one")
+            found = "two columns give this quantity"
+            raise InputError(path, one.quantity.name, found, "remove one of them")
         columns[one.quantity.name] = _numbers(path, cells.iloc[:, k], one)
     left = [str(cells.columns[k]) for k, one in enumerate(heads) if one.quantity is None and k != at]
     notes = [f"{one.quantity.name} from {one.unit}" for one in heads if one.quantity and one.factor != 1.0]
@@ -229,10 +232,10 @@ def _check_head(path: Path, text: str, separator: str) -> None:
     rows = list(islice(csv.reader(lines, delimiter=separator), 2))
     heads = [cell.strip() for cell in rows[0]] if rows else []
     if twice := next((cell for cell in heads if heads.count(cell) > 1), ""):
-        raise InputError(path, twice, "two columns", "allowed is one")
+        raise InputError(path, twice, "two columns have this heading", "remove one of them")
     if len(rows) > 1 and len(rows[1]) > len(heads):
-        found = f"{len(rows[1])} cells and {len(heads)} columns"
-        raise InputError(f"{path}, row 2", "", found, "allowed is a cell for each column")
+        found = f"the row has {len(rows[1])} cells, but the header {len(heads)} columns"
+        raise InputError(f"{path}, row 2", "", found, "write one cell for each column")
 
 
 def _check_clock(path: Path, pattern: str) -> None:
@@ -244,7 +247,8 @@ def _check_clock(path: Path, pattern: str) -> None:
     known = all(word.lower() in ("t", *ZONES) for word in words)
     if not (known if "YYYY" in pattern else pattern.strip().lower() in ZONES):
         allowed = "write 'time (UTC)', or a pattern such as 'time (YYYY-MM-DD-HH)'"
-        raise InputError(path, f"time ({pattern})", "is neither UTC nor a pattern", allowed)
+        found = f"{pattern!r} is neither UTC nor a pattern of dates"
+        raise InputError(path, f"time ({pattern})", found, allowed)
 
 
 def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
@@ -262,7 +266,8 @@ def _times(path: Path, cells: pd.Series, pattern: str) -> pd.Series:
     if bad.any():
         row = int(bad.to_numpy().argmax())
         allowed = "write times such as 2005-12-31 23:00, or a header such as 'time (YYYY-MM-DD-HH)'"
-        raise InputError(f"{path}, row {row + 2}", "time", repr(cells.iloc[row]), allowed)
+        found = f"{cells.iloc[row]!r} is not a time"
+        raise InputError(f"{path}, row {row + 2}", "time", found, allowed)
     return times
 
 
@@ -277,7 +282,9 @@ def _numbers(path: Path, cells: pd.Series, one: Head) -> pd.Series:
     bad = values.isna() & ~absent
     if bad.any():
         row = int(bad.to_numpy().argmax())
-        raise InputError(f"{path}, row {row + 2}", one.heading, repr(cells.iloc[row]), "allowed is a number")
+        found = f"{cells.iloc[row]!r} is not a number"
+        allowed = "write a number, or leave the cell empty"
+        raise InputError(f"{path}, row {row + 2}", one.heading, found, allowed)
     check_fills(path, values.to_numpy(), one)
     numbers = values.astype(float) * one.factor
     # an invalid bearing is not changed, so the error can name its row
@@ -317,12 +324,12 @@ def _check_interval(path: Path, time: NDArray[np.datetime64], rows: NDArray[np.b
     closer = steps < CLOSER * usual
     if closer.mean() > MOST_CLOSER:
         row = int(closer.argmax())
-        found = f"{steps[row]:g} h after the previous row, but most rows are {usual:g} h apart"
+        found = f"this row is {steps[row]:g} h after the previous row, but most rows are {usual:g} h apart"
         raise InputError(
             f"{path}, row {int(np.flatnonzero(rows)[row + 1]) + 2}",
             "time",
             found,
-            "use rows that are at least one interval apart",
+            "keep only rows that are at least one interval apart",
         )
 
 
@@ -332,11 +339,13 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
     Raises InputError at the first row with a fault.
     """
     if len(frame) < 2:
-        raise InputError(path, "time", f"{len(frame)} rows", "allowed are two or more")
+        found = f"the record has {len(frame)} row{'s' * (len(frame) != 1)}"
+        raise InputError(path, "time", found, "give two rows or more")
     steps = np.diff(frame.index.to_numpy()).astype("timedelta64[s]").astype(float)
     if (steps <= 0.0).any():
         row = int((steps <= 0.0).argmax()) + 3
-        raise InputError(f"{path}, row {row}", "time", "not after the row before", "times must increase")
+        found = "the time is not after the time of the previous row"
+        raise InputError(f"{path}, row {row}", "time", found, "sort the rows by time")
     time, there = frame.index.to_numpy(), np.isfinite(frame["significant_wave_height"].to_numpy())
     for rows in (np.ones(len(time), bool), there):
         _check_interval(path, time, rows)
@@ -355,6 +364,6 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
             raise InputError(
                 f"{path}, row {row + 2}",
                 one.name,
-                f"{values[row]:g} {one.unit}",
-                f"allowed is {one.least:g} to {one.most:g} {one.unit}, or an empty cell",
+                f"{values[row]:g} {one.unit} is impossible",
+                f"give {one.least:g} to {one.most:g} {one.unit}, or an empty cell",
             )

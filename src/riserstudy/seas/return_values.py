@@ -143,8 +143,9 @@ def whole_years(
     rows = [year == one for one in np.unique(year)]
     whole = [of for of in rows if int(known[of].sum()) * interval >= WHOLE * 8766.0]
     if len(whole) < FEWEST_YEARS:
-        found = f"{len(whole)} years recorded nearly whole"
-        raise InputError("RECORD", "time", found, f"return values need {FEWEST_YEARS}")
+        found = f"only {len(whole)} years of the record are nearly complete"
+        allowed = f"give a record with {FEWEST_YEARS} or more, which return values require"
+        raise InputError("RECORD", "time", found, allowed)
     return whole
 
 

@@ -71,7 +71,8 @@ def riser_downtime(
     directions = directions_that_count(directions, file, record)
     found = {k: one for k, one in enumerate(headings(file, record, directions)) if one.of.rows.any()}
     if not found:
-        raise InputError("RECORD", FROM, "no row has a direction", "use the record without headings")
+        why = "no row of the record has a direction"
+        raise InputError("RECORD", FROM, why, "omit --sectors and --x-towards")
     check_most([heading.of for heading in found.values()], most)
     parts = {k: simulate(heading, record, effort, notify) for k, heading in found.items()}
     middles = []

@@ -54,15 +54,17 @@ class RiserResponse:
 
     def __post_init__(self) -> None:
         if not self.limits:
-            raise InputError(self.file.source, "limits", "none", "give the limits of the riser")
+            found = "missing, but the downtime is computed from them"
+            raise InputError(self.file.source, "limits", found, "add the limits of the riser")
         phases_of(self.file, 1)  # refuses a scene without a sea, or a static scene
         check_stays(self.file)
         if not 0.0 < self.exposure <= self.interval:
             found = (
-                f"{self.exposure:g} s after ramps and analysis.output.start, the record has a row each "
-                f"{self.interval:g} s"
+                f"the run lasts {self.exposure:g} s after ramps and analysis.output.start, but a row of the "
+                f"record stands for {self.interval:g} s"
             )
-            raise InputError(self.file.source, "analysis.duration", found, "allowed is up to that")
+            allowed = f"give a duration that leaves more than 0 s and at most {self.interval:g} s"
+            raise InputError(self.file.source, "analysis.duration", found, allowed)
 
     @cached_property
     def limits(self) -> list[Limit]:

@@ -76,8 +76,9 @@ def returned(of: Demands, periods: Sequence[float], seed: int = 0) -> list[Retur
     from one seed.
     """
     if of.seeds < FEWEST_SEEDS:
-        few = f"{of.seeds}: the scatter of extremes between runs is not known"
-        raise InputError("--seeds", few, "", f"return values need {FEWEST_SEEDS}")
+        few = f"from {of.seeds} run per sea state, the scatter of extremes is not known"
+        allowed = f"give --seeds {FEWEST_SEEDS} or more, which return values require"
+        raise InputError("command line", "--seeds", few, allowed)
     draw = np.random.default_rng(seed)
     found: list[Returned] = []
     for k, (limit, name) in enumerate(zip(of.limits, labels(of.limits), strict=True)):

@@ -72,9 +72,11 @@ def sea_states(record: xr.Dataset) -> SeaStates:
     for name in NEEDED:
         if name not in record:
             there = ", ".join(sorted(map(str, record.data_vars)))
-            raise InputError("RECORD", name, "not in the record", f"there are {there}")
+            found = f"the record has no such column; it has {there}"
+            raise InputError("RECORD", name, found, "add this column")
     if np.isfinite(_values(record)).all(axis=1).sum() < 2:
-        raise InputError("RECORD", " and ".join(NEEDED), "fewer than two rows have both values", "add rows")
+        found = "fewer than two rows have both values"
+        raise InputError("RECORD", " and ".join(NEEDED), found, "add rows with both values")
     values = _values(with_calm_periods(record))
     known = np.isfinite(values).all(axis=1)
     values[known, 0] = np.maximum(values[known, 0], CALM)

@@ -38,7 +38,7 @@ def check_zone(path: Path, clock: xr.DataArray, name: str, about: Mapping[Any, A
     """
     for source, value in _other_zones(clock, name, about):
         allowed = "convert the times to UTC, or correct the attribute"
-        raise InputError(path, source, f"{value!r} is not UTC", allowed)
+        raise InputError(path, source, f"{value!r} states a time zone other than UTC", allowed)
 
 
 def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
@@ -51,7 +51,9 @@ def check_zone_of_table(path: Path, heading: str, cells: Iterable[str]) -> None:
     for row, cell in enumerate(cells, start=2):
         if not UTC.search(cell):
             allowed = "convert the times to UTC"
-            raise InputError(f"{path}, row {row}", heading, f"{cell!r} is not UTC", allowed)
+            raise InputError(
+                f"{path}, row {row}", heading, f"{cell!r} is a time zone other than UTC", allowed
+            )
 
 
 def _other_zones(clock: xr.DataArray, name: str, about: Mapping[Any, Any]) -> Iterator[tuple[str, str]]:
