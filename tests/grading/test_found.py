@@ -94,12 +94,12 @@ def test_a_base_without_an_answer_stops_the_grading(missing):
             return judged(value, 150.0 - value)
         return judged(value * (np.nan if missing == "value" else 1.0), value * np.nan)
 
-    with pytest.raises(SimulationError, match="own/C1: said finds"):
+    with pytest.raises(SimulationError, match="own/C1: the check said returns no"):
         row(check, np.full(COUNT, 100.0), CLAIM)
 
 
 def test_where_nothing_is_found_in_any_sample_the_grading_stops():
-    with pytest.raises(SimulationError, match="finds no case to judge"):
+    with pytest.raises(SimulationError, match="returns no result in any case"):
         row(lambda value: judged(value, 150.0 - value), np.full(COUNT, np.nan), CLAIM)
 
 
@@ -118,7 +118,7 @@ def test_a_check_that_contradicts_its_margin_is_refused(seed, says):
     margins = draw.uniform(0.1, 1.0, COUNT) * (1.0 if says else -1.0)
     margins[draw.integers(COUNT)] *= -1.0
     check = over_samples(np.full(COUNT, says), margins)
-    with pytest.raises(InputError, match=f"own/claims.py: said: is {str(says).lower()} where"):
+    with pytest.raises(InputError, match=f"own/claims.py: said: the check is {str(says).lower()} where"):
         row(check, np.full(COUNT, 100.0), CLAIM)
 
 
@@ -169,8 +169,11 @@ def test_a_share_is_no_larger_than_one_percent_and_of_a_number(within, number):
 @pytest.mark.parametrize(
     "base, said",
     [
-        ({"line": "tangent"}, "'tangent' is not on that axis; allowed are chord, least squares"),
-        ({"lines": "chord"}, "C1.base.lines: not an axis of the result of the check; allowed are line"),
+        ({"line": "tangent"}, "'tangent' is not a value of this axis; use one of chord, least squares"),
+        (
+            {"lines": "chord"},
+            "C1.base.lines: the result of the check has no axis of this name; use one of line",
+        ),
     ],
 )
 def test_a_base_that_is_not_there_is_refused(base, said):
@@ -192,9 +195,9 @@ def fig01(swing): ...
     "file, old, new, said",
     [
         ("published", "with: {at_least: 1}", "with: {least: 1}", "least has no argument 'least'"),
-        ("published", "with: {at_least: 1}", "with: {at_most: 1}", "least needs 'at_least'"),
+        ("published", "with: {at_least: 1}", "with: {at_most: 1}", "least requires the argument 'at_least'"),
         ("published", "reads: {runs", "reads: {run", "least has no argument 'run'"),
-        ("studies", "{factor: 2}", "{share: 2}", "swing has no argument 'share'; allowed are factor, heave"),
+        ("studies", "{factor: 2}", "{share: 2}", "swing has no argument 'share'; use only factor, heave"),
         ("studies", "reads: [swing]", "reads: [heave]", "fig01 has no argument 'heave'"),
     ],
 )

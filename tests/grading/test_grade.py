@@ -274,7 +274,7 @@ def test_a_row_tells_when_its_verdict_was_certain(values, told):
 
 def test_a_claim_whose_check_judges_nothing_is_refused_by_name():
     item = Item.model_construct(id="Q1", check="angle", published=None, rounding=None)
-    with pytest.raises(InputError, match="Q1: angle judges no claim"):
+    with pytest.raises(InputError, match="Q1: the check angle does not return"):
         _answers(item, Found(xr.DataArray(1.0)))
 
 
@@ -318,5 +318,5 @@ def test_a_check_that_names_the_unit_of_its_result_is_held_to_it():
     }
     assert graded("paper", item, checks.__getitem__, {"base": a_force([1.0, 2.0])}).verdict == "reproduced"
     other = item.model_copy(update={"check": "of_another_unit"})
-    with pytest.raises(InputError, match="'kN', but of_another_unit returns 'N'"):
+    with pytest.raises(InputError, match="'kN', but the check of_another_unit returns 'N'"):
         graded("paper", other, checks.__getitem__, {"base": a_force([1.0, 2.0])})

@@ -72,7 +72,7 @@ def test_what_is_not_printed_is_found_and_what_says_its_origin_is_not():
 
 def test_a_choice_needs_a_reason():
     scene = CONFIG / "scenes/chang2020/heave.yaml"
-    with pytest.raises(InputError, match="a choice without a reason"):
+    with pytest.raises(InputError, match="the choice has no reason"):
         load_scene(scene, **{"top.body.mass": {"chosen": "750 t"}})
 
 

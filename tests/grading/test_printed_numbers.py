@@ -46,7 +46,7 @@ def test_no_source_of_a_chapter_repeats_a_printed_number(paper):
 
 
 def test_a_number_that_is_not_printed_is_refused():
-    with pytest.raises(InputError, match="no number 'N9'; allowed are N1, N2, N3"):
+    with pytest.raises(InputError, match="no number 'N9'; use one of N1, N2, N3"):
         told("mao_hangoff", {"heavy": {"printed": "N9"}})
 
 

@@ -26,12 +26,12 @@ def test_an_input_is_not_called_nothing():
 @pytest.mark.parametrize(
     "about, fault",
     [
-        ({"published": None, "rounding": None}, "every number has a printed value"),
+        ({"published": None, "rounding": None}, "a number has a published value, but a claim has none"),
         ({"rounding": None}, "rounding"),
         ({"check": None, "reads": {}}, "one of check, impossible and not_comparable"),
         ({"reads": {}}, "check and reads"),
-        ({"over": {"other": "space"}}, "same arguments"),
-        ({"further_cases": {"Settled": {"other": "space"}}}, "same arguments"),
+        ({"over": {"other": "space"}}, "other arguments than reads"),
+        ({"further_cases": {"Settled": {"other": "space"}}}, "other arguments than reads"),
         ({"rounding": 0.0}, "greater than 0"),
         ({"colour": "red"}, "Extra inputs"),
     ],
@@ -49,7 +49,7 @@ def test_a_published_file_names_its_fault(tmp_path):
     with pytest.raises(InputError, match="'X1' occurs twice"):
         read_published(tmp_path, "paper", {"base"})
     path.write_text(f"paper: paper\nitems: [{one}]\n")
-    with pytest.raises(InputError, match="no dataset 'base'; allowed are other"):
+    with pytest.raises(InputError, match="no dataset 'base'; use one of other"):
         read_published(tmp_path, "paper", {"other"})
 
 
@@ -94,4 +94,4 @@ def test_a_file_that_names_another_paper_is_refused(tmp_path, seed, kind):
     with pytest.raises(InputError) as error:
         Configuration.read(config, {"papers": [paper]}, only=None)
     assert (error.value.where, error.value.field) == (str(path), "paper")
-    assert error.value.allowed.startswith(f"allowed is '{paper}'")
+    assert error.value.allowed.startswith(f"write 'paper: {paper}'")

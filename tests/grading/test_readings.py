@@ -164,7 +164,7 @@ def test_numbers_together_are_met_where_each_is(seed):
 @pytest.mark.parametrize("other", ["a", "c"])
 def test_a_number_is_judged_with_other_numbers_of_its_paper_alone(other):
     items = [number("a", 1.0, reads={"runs": "x"}, together=[other])]
-    with pytest.raises(ValueError, match=f"'{other}' is not another number"):
+    with pytest.raises(ValueError, match=f"'{other}' is not the id of another number"):
         PublishedFile(paper="own", items=items)
 
 

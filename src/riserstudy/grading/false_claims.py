@@ -69,7 +69,9 @@ class Falsified(Strict):
         changes = (self.options, self.exchanged, self.relabelled, self.reversed, self.negated)
         if self.published is None and not any(changes):
             raise Misfit(
-                "", "nothing is changed", "give published, with, exchanged, relabelled, reversed or negated"
+                "",
+                "the false claim changes nothing",
+                "give published, with, exchanged, relabelled, reversed or negated",
             )
         return self
 
@@ -138,11 +140,11 @@ def _refuse_misplaced(path: Path, claims: Sequence[Falsified], printed: Publishe
     seen: set[str] = set()
     for one in claims:
         if one.id in seen or one.id in items:
-            raise InputError(path, one.id, "occurs twice", "give each ID once")
+            raise InputError(path, one.id, "this ID occurs twice", "give each item a different ID")
         seen.add(one.id)
         if one.of not in items:
-            allowed = "allowed are " + ", ".join(items)
-            raise InputError(path, f"{one.id}.of", f"{one.of!r} is not graded", allowed)
+            allowed = "use one of " + ", ".join(items)
+            raise InputError(path, f"{one.id}.of", f"{one.of!r} is not a graded item", allowed)
         if (one.published is not None) and items[one.of].published is None:
-            found = f"{one.of} is a claim, which has no number"
-            raise InputError(path, f"{one.id}.published", found, "leave it out")
+            found = f"has no effect, since {one.of} is a claim without a number"
+            raise InputError(path, f"{one.id}.published", found, "remove it")

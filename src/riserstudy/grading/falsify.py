@@ -147,4 +147,5 @@ def _with_values(dataset: xr.Dataset, axis: str, values: Any) -> xr.Dataset:
 
 
 def _missing(where: str, kind: str, there: Iterable[str]) -> InputError:
-    return InputError(where, kind, "is in no dataset of the claim", f"allowed are {', '.join(there)}")
+    found = "no dataset of the claim has this name"
+    return InputError(where, kind, found, f"use one of {', '.join(there)}")

@@ -94,7 +94,7 @@ def consistent(found: Found, paper: str, check: str) -> Found:
     if bool(against.any()):
         worst = float(abs(margin.where(against)).max())
         answer = "true" if bool((found.true & (margin < 0.0)).any()) else "false"
-        found_text = f"is {answer} where its margin is {-worst if answer == 'true' else worst:.3g}"
+        found_text = f"the check is {answer} where its margin is {-worst if answer == 'true' else worst:.3g}"
         allowed = "return `judged(value, margin)`, which is true where the margin is above zero"
         raise InputError(f"chapters/{paper}/claims.py", check, found_text, allowed)
     return found
@@ -109,10 +109,11 @@ def at_cell(found: Found, cell: Mapping[str, Any], where: str, field: str) -> Fo
         there = found.value if axis in found.value.dims else found.true
         if there is None or axis not in there.dims:
             axes = ", ".join(map(str, (found.value if there is None else there).dims))
-            allowed = f"allowed are {axes}" if axes else "leave it out: the result of the check has no axes"
-            raise InputError(where, f"{field}.{axis}", "not an axis of the result of the check", allowed)
+            allowed = f"use one of {axes}" if axes else "remove it, since the result has no axes"
+            found_text = "the result of the check has no axis of this name"
+            raise InputError(where, f"{field}.{axis}", found_text, allowed)
         values = there[axis].values.tolist()
         if value not in values:
-            allowed = "allowed are " + ", ".join(map(str, values))
-            raise InputError(where, f"{field}.{axis}", f"{value!r} is not on that axis", allowed)
+            allowed = "use one of " + ", ".join(map(str, values))
+            raise InputError(where, f"{field}.{axis}", f"{value!r} is not a value of this axis", allowed)
     return found.at(cell)

@@ -81,14 +81,14 @@ def graded(
     space = every.granted() if every.granted().value.size else base
     simulated, at_base = float(base.value), _answers(item, base)
     if not math.isfinite(simulated) or bool(at_base.isnull().any()):
-        found_text = f"{simulated}, and no margin" if math.isfinite(simulated) else f"{simulated}"
-        raise SimulationError(f"{paper}/{item.id}: {item.check} finds {found_text}")
+        lacking = "no margin" if math.isfinite(simulated) else "no finite value"
+        raise _without(f"{paper}/{item.id}", item, f"{lacking} for the scene as assumed")
     # of a claim whose premise no sample meets, the base case alone shows nothing
     unjudged = item.kind == "claim" and not every.granted().value.size
     cases = [replace(case, judged=case.judged and not unjudged) for case in _cases(task, base, space)]
     verdict: Verdict | None = "depends" if unjudged else regrade(item.kind, cases)
     if verdict is None:
-        raise SimulationError(f"{paper}/{item.id}: {item.check} finds no case to judge")
+        raise _without(f"{paper}/{item.id}", item, "no result in any case")
     found = _answers(item, space)
     off = None if item.published is None else error(simulated, item.published)
     grounds = _grounds(task, base, every, found)
@@ -150,11 +150,14 @@ class Task(NamedTuple):
             if item.unit and factor_between(unit, item.unit) != 1.0:
                 allowed = f"write {unit!r}, or convert the result in the check"
                 raise InputError(
-                    where, f"{item.id}.unit", f"{item.unit!r}, but {item.check} returns {unit!r}", allowed
+                    where,
+                    f"{item.id}.unit",
+                    f"the unit is {item.unit!r}, but the check {item.check} returns {unit!r}",
+                    allowed,
                 )
             return answer
-        found = f"{item.check} returns {answer!r}"[:60]
-        allowed = "a claim needs judged(value, margin), a number the number itself"
+        found = f"the check {item.check} returns {answer!r}"[:60]
+        allowed = "return judged(value, margin) for a claim, and the number itself for a number"
         raise InputError(where, f"{item.id}.check", found, allowed)
 
     def at_base(self, found: Found, cell: Mapping[str, Any]) -> Found:
@@ -286,12 +289,18 @@ def _room(item: Item, value: xr.DataArray) -> xr.DataArray:
     return below(abs(value - published), tolerance(published, rounding, item.within)).clip(-1.0, 1.0)
 
 
+def _without(where: str, item: Item, found: str) -> SimulationError:
+    """Return the error for a check without a result."""
+    return SimulationError(f"{where}: the check {item.check} returns {found}; correct the check or its data")
+
+
 def _answers(item: Item, found: Found) -> xr.DataArray:
     """Whether a published value is met, or a claim is true; as ``answers``."""
     if item.published is None or item.together:
         if found.true is None:
             allowed = "return `judged(value, margin)` for a claim; give published and rounding for a number"
-            raise InputError("config/published", item.id, f"{item.check} judges no claim", allowed)
+            found_text = f"the check {item.check} does not return whether the claim is true"
+            raise InputError("config/published", item.id, found_text, allowed)
         return answers(found)
     return _met(item, found.value)
 

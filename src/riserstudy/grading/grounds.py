@@ -76,7 +76,9 @@ def outcome_of(
     """
     low, high = float(value.min()), float(value.max())
     if not bool(found.notnull().any()):
-        raise SimulationError(f"{name}: nothing is found in any case")
+        raise SimulationError(
+            f"{name}: the check returns no result in any case; correct the check or its data"
+        )
     if not found.ndim:
         return Outcome(name, low, high, bool(found > 0.0), same=bool(found == NO_DIFFERENCE))
     every = bool((found > 0.0).all())

@@ -45,7 +45,7 @@ class Checked(Strict):
     @model_validator(mode="after")
     def _reads_for_a_check(self) -> Self:
         if bool(self.check) != bool(self.reads):
-            raise ValueError("check and reads go together")
+            raise ValueError("only one of check and reads is given; give both, or neither")
         return self
 
     @property
@@ -108,27 +108,34 @@ class Item(Checked):
     def _fits(self) -> Self:
         if (self.kind == "number") != (self.published is not None):
             raise Misfit(
-                "published", "is inconsistent", "every number has a printed value, and no claim has one"
+                "published",
+                "a number has a published value, but a claim has none",
+                "add published for 'kind: number', or remove it for a claim",
             )
         if (self.published is None) != (self.rounding is None):
-            raise Misfit("rounding", "is inconsistent", "give published and rounding together, or neither")
+            found = "only one of published and rounding is given"
+            raise Misfit("rounding", found, "give both, or neither")
         if self.rounding and self.published and self.rounding > abs(self.published):
             raise Misfit(
                 "rounding",
                 f"{self.rounding:g} is coarser than the number {self.published:g}",
-                "rounding is the unit of the last printed digit, for example 0.1 for 24.4",
+                "give the unit of the last printed digit, for example 0.1 for 24.4",
             )
         if self.within is not None and not (self.published and 0.0 < self.within <= RELATIVE):
             raise Misfit(
                 "within",
-                f"{100 * self.within:g} %",
-                "allowed is a share of a number other than zero, up to 1 %",
+                f"{100 * self.within:g} % is too large, or the published number is zero",
+                f"give at most {100 * RELATIVE:g} %, for a published number other than zero",
             )
         if sum(map(bool, (self.check, self.impossible, self.not_comparable))) != 1:
-            raise ValueError("needs one of check, impossible and not_comparable")
+            raise ValueError(
+                "an item has exactly one of check, impossible and not_comparable; give one of them"
+            )
         for name, reads in {"over": self.over, **self.further_cases}.items():
             if reads and set(reads) != set(self.reads):
-                raise ValueError(f"{name}: needs the same arguments as reads")
+                raise ValueError(
+                    f"{name} has other arguments than reads; give the same names on the left of the colons"
+                )
         return self
 
     @property
@@ -187,7 +194,7 @@ class PublishedFile(Strict):
         ids = [entry.id for entry in entries]
         twice = sorted({name for name in ids if ids.count(name) > 1})
         if twice:
-            raise ValueError(f"id {twice[0]!r} occurs twice")
+            raise ValueError(f"the id {twice[0]!r} occurs twice; give each item a different id")
         return self
 
     @model_validator(mode="after")
@@ -196,11 +203,11 @@ class PublishedFile(Strict):
         for item in self.items:
             for other in item.together:
                 if item.id not in numbers or other not in numbers or other == item.id:
-                    found = f"{other!r} is not another number"
-                    raise Misfit(f"{item.id}.together", found, f"allowed are {', '.join(numbers)}")
+                    found = f"{other!r} is not the id of another number"
+                    raise Misfit(f"{item.id}.together", found, f"use one of {', '.join(numbers)}")
                 if set(numbers[other].reads) != set(item.reads):
-                    found, allowed = f"{other!r} reads by other names", "allowed are the same"
-                    raise Misfit(f"{item.id}.together", found, allowed)
+                    found = f"{other!r} has other names in reads"
+                    raise Misfit(f"{item.id}.together", found, "give both the same names in reads")
         return self
 
     @model_validator(mode="after")
@@ -215,7 +222,8 @@ class PublishedFile(Strict):
         """The published value with an ID. Raises Misfit when there is none."""
         numbers = {item.id: item.published for item in self.items if item.published is not None}
         if of not in numbers:
-            raise Misfit("printed", f"no number {of!r}", f"allowed are {', '.join(numbers)}")
+            found = f"the file has no number {of!r}"
+            raise Misfit("printed", found, f"use one of {', '.join(numbers)}")
         return numbers[of]
 
     @property

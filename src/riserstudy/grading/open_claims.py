@@ -54,17 +54,21 @@ class Assumed(Strict):
     @model_validator(mode="after")
     def _base_is_inside(self) -> Self:
         if (self.range is None) == (self.options is None):
-            raise ValueError("needs one of range and options")
+            raise ValueError("range or options is required, not both; give one of them")
         if self.options is not None and len({*self.options}) < len(self.options):
             raise Misfit(
-                "options", "is inconsistent", "an option occurs twice, so it would be sampled twice as often"
+                "options",
+                "an option occurs twice and would be sampled twice as often",
+                "give each option once",
             )
         if self.options is not None and self.assumed not in self.options:
-            raise Misfit("assumed", "is inconsistent", f"{self.assumed!r} is not one of the options")
+            found = f"{self.assumed!r} is not one of the options"
+            raise Misfit("assumed", found, "assume one of the options, or add this option")
         if self.range is not None:
             low, high = self.range
             if isinstance(self.assumed, str) or not low <= self.assumed <= high or low == high:
-                raise Misfit("assumed", "is inconsistent", f"{self.assumed!r} is outside the range")
+                found = f"{self.assumed!r} is outside the range"
+                raise Misfit("assumed", found, "assume a value within the range, or extend the range")
         return self
 
 
@@ -108,10 +112,12 @@ class ClaimsFile(Strict):
     def _fits(self) -> Self:
         ids = [item.id for item in self.items]
         if twice := sorted({name for name in ids if ids.count(name) > 1}):
-            raise ValueError(f"id {twice[0]!r} occurs twice")
+            raise ValueError(f"the id {twice[0]!r} occurs twice; give each item a different id")
         for name, one in self.inputs.items():
             if isinstance(one, Calibrated) and one.to not in ids:
-                raise ValueError(f"inputs.{name}: to: no number {one.to!r}")
+                raise ValueError(
+                    f"inputs.{name}.to: the file has no number {one.to!r}; give the id of a number"
+                )
         for item in self.items:
             self.item(item)  # applies the rules of Item
         return self
@@ -148,7 +154,7 @@ class ClaimsFile(Strict):
         if not isinstance(option, WordName):
             return option
         if self.words is None:
-            raise ValueError(f"word {option.word!r}: the file has no words")
+            raise ValueError(f"the word {option.word!r} is used, but the file has no words; add words")
         found: Word = self.words.word(option.word)
         return found
 

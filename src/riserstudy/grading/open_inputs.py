@@ -36,7 +36,8 @@ def claim(value: float, judged_by: float | Condition) -> Found:
     """
     condition = judged_by if isinstance(judged_by, Condition) else plain(xr.DataArray(judged_by))
     if condition.margin.ndim:
-        raise Misfit("", f"a margin of shape {condition.margin.shape}", "allowed is one number")
+        found = f"the margin is an array of shape {condition.margin.shape}"
+        raise Misfit("", found, "return one number as margin")
     return judged(xr.DataArray(float(value)), condition)
 
 
@@ -91,8 +92,9 @@ def _rows(draws: Mapping[str, NDArray[Any]]) -> list[dict[str, Value]]:
 
 def _function(checks: Mapping[str, Check], one: OpenClaim) -> Check:
     if one.check is None or one.check not in checks:
-        allowed = "allowed are " + ", ".join(checks)
-        raise InputError("items", f"{one.id}.check", f"no function {one.check!r}", allowed)
+        allowed = "use one of " + ", ".join(checks)
+        found = f"there is no check function {one.check!r}"
+        raise InputError("items", f"{one.id}.check", found, allowed)
     return checks[one.check]
 
 
@@ -105,8 +107,9 @@ def _answer(function: Check, inputs: Mapping[str, Value], one: OpenClaim, option
         return Found(xr.DataArray(float(answer)))
     if one.kind == "claim" and isinstance(answer, Found):
         return answer
-    allowed = "return a number, or of a claim `claim(value, margin)`"
-    raise InputError("items", f"{one.id}.check", f"{one.check} returns {answer!r}"[:120], allowed)
+    allowed = "return a number, or `claim(value, margin)` for a claim"
+    found = f"the check {one.check} returns {answer!r}"[:120]
+    raise InputError("items", f"{one.id}.check", found, allowed)
 
 
 def _takes(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options: Any) -> None:
@@ -114,8 +117,9 @@ def _takes(function: Check, inputs: Mapping[str, Value], one: OpenClaim, options
     try:
         inspect.signature(function).bind(inputs, **options)
     except TypeError as error:
-        allowed = "name the arguments of the function, after its inputs"
-        raise InputError("items", f"{one.id}.with", f"{one.check}: {error}", allowed) from None
+        allowed = "give in `with` only arguments of this function"
+        found = f"the check {one.check} cannot be called: {error}"
+        raise InputError("items", f"{one.id}.with", found, allowed) from None
 
 
 def _dataset(

@@ -68,8 +68,8 @@ def read_published(config: Path, paper: str, known: Any) -> PublishedFile:
     file = printed_of(config, paper)
     for name in file.datasets:
         if name not in known:
-            allowed = "allowed are " + ", ".join(sorted(known))
-            raise InputError(path, "reads", f"no dataset {name!r}", allowed)
+            allowed = "use one of " + ", ".join(sorted(known))
+            raise InputError(path, "reads", f"the study file has no dataset {name!r}", allowed)
     for entry in (*file.items, *file.errata):
         refuse_check(path, paper, entry)
     return file
@@ -84,6 +84,7 @@ def refuse_check(path: Path, paper: str, entry: Checked) -> None:
         return
     if defining(chapter_modules(paper, "claims"), entry.check) is None:
         found = f"chapters/{paper}/claims.py defines no function {entry.check!r}"
-        raise InputError(path, "check", found, "define it, or state why nothing is compared")
+        allowed = "define the function, or state with `impossible` why nothing is compared"
+        raise InputError(path, "check", found, allowed)
     given = [*entry.reads, *entry.options]
     refuse_arguments(path, f"{entry.id}.with", paper, "claims", entry.check, given)

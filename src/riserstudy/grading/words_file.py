@@ -28,7 +28,7 @@ class WordOfSize(Strict):
     @model_validator(mode="after")
     def _one_bound(self) -> Self:
         if (self.at_least is None) == (self.at_most is None):
-            raise ValueError("needs one of at_least and at_most")
+            raise ValueError("at_least or at_most is required, not both; give one of them")
         return self
 
 
@@ -43,10 +43,13 @@ class WordsFile(Strict):
     def _each_word_once(self) -> Self:
         names = [name for word, of in self.words.items() for name in (word, *of.also)]
         if twice := sorted({name for name in names if names.count(name) > 1}):
-            raise ValueError(f"word {twice[0]!r} occurs twice")
+            raise ValueError(f"the word {twice[0]!r} occurs twice; define each word once")
         for word, of in self.words.items():
             if of.at_least is not None and of.at_least < self.no_difference:
-                raise ValueError(f"words.{word}: a change of less than no_difference is none")
+                raise ValueError(
+                    f"words.{word}.at_least is smaller than no_difference; "
+                    f"give at least {self.no_difference:g}"
+                )
         return self
 
     def word(self, name: str) -> Word:
@@ -57,7 +60,8 @@ class WordsFile(Strict):
                 bound = (of.at_most if most else of.at_least) or 0.0
                 return Word(name, bound, most, self.no_difference)
         known = sorted(word for first, of in self.words.items() for word in (first, *of.also))
-        raise InputError(NAME, "words", f"no word {name!r}", f"allowed are {', '.join(known)}")
+        found = f"the word {name!r} is not defined"
+        raise InputError(NAME, "words", found, f"use one of {', '.join(known)}")
 
 
 def words_path(config: Path) -> Path:
@@ -69,6 +73,6 @@ def read_words(config: Path) -> WordsFile:
     """The table of words. Raises InputError when the table is missing or invalid."""
     path = words_path(config)
     if not path.exists():
-        allowed = "write no_difference, because and words, as the table of riserstudy has them"
-        raise InputError(path, "words", "not a table of words", allowed)
+        allowed = "create it with no_difference, because and words, as in riserstudy's own file"
+        raise InputError(path, "words", "the file of words does not exist", allowed)
     return check(WordsFile, read_yaml(path, keep=True), path)
