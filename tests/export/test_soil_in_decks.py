@@ -68,5 +68,5 @@ def test_a_line_without_the_soil_of_the_others_is_refused(in_clay, tmp_path):
         spoilt = copy.deepcopy(deck)
         next(one for one in spoilt["Lines"] if one["Name"] == line["Name"])["PyModel"] = "(none)"
         path.write_text(yaml.safe_dump(spoilt))
-        with pytest.raises(InputError, match=r"water\.seabed|PyModel: (none|Clay), and the line below"):
+        with pytest.raises(InputError, match=r"water\.seabed|PyModel: the model is (none|Clay), but"):
             read_deck(path)

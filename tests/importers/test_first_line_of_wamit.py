@@ -51,5 +51,5 @@ def test_a_row_that_cannot_be_read_is_refused_in_the_first_line_too(tmp_path, se
     else:
         rows[0][column] = ("2.0-100", "*****", "nan")[seed % 4]
     line = 1 + bool(heading)
-    with pytest.raises(InputError, match=rf"line {line}\b.*allowed are numbers"):
+    with pytest.raises(InputError, match=rf"line {line}\b.*write numbers"):
         from_wamit(written(tmp_path / "semi.4", rows, heading), 1.0)

@@ -49,7 +49,7 @@ def at_the_other_end(deck):
 
 
 CHANGES = {
-    "Lines[Riser].ContentsMethod: Free flooding": lambda d: (
+    "Lines[Riser].ContentsMethod: the import cannot convert the setting Free flooding": lambda d: (
         d["Lines"][0].update(ContentsMethod="Free flooding"),
         d["Lines"][0].pop("ContentsDensity"),
     ),
@@ -58,14 +58,14 @@ CHANGES = {
     ),
     "Lines[Riser].ConnectionxBendingStiffness": hinged(0, 0),
     "Lines[InnerBarrel].ConnectionxBendingStiffness": hinged(1, 1),
-    "Links[T2].ConnectionzRelativeTo: End B": at_the_other_end,
-    "Vessels[Rig].SuperimposedMotion: Time history": lambda d: d["Vessels"][0].update(
+    "Links[T2].ConnectionzRelativeTo: the tensioner is connected at End B": at_the_other_end,
+    "Vessels[Rig].SuperimposedMotion: the import cannot convert": lambda d: d["Vessels"][0].update(
         SuperimposedMotion="Time history"
     ),
     "Vessels[Rig].HarmonicMotionPeriod": lambda d: d["Vessels"][0].update(
         {"SuperimposedMotion": "RAOs + harmonics", HARMONICS: [[9, 2]]}
     ),
-    "Environment.MultipleCurrentDataCanBeDefined: Yes": lambda d: d["Environment"].update(
+    "Environment.MultipleCurrentDataCanBeDefined: the import": lambda d: d["Environment"].update(
         MultipleCurrentDataCanBeDefined="Yes", Currents=[{"Name": "Current1", "RefCurrentSpeed": 1.0}]
     ),
 }  # fmt: skip

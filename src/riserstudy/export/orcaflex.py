@@ -33,14 +33,15 @@ def write_deck(file: SceneFile) -> Exported:
     deck = Deck(file, scene)
     if scene.water is None:
         raise deck.refused(
-            "water", "missing", "an OrcaFlex model always has water. Add 'water:' to the scene"
+            "water", "missing, but an OrcaFlex model always has water", "add water to the scene"
         )
     if scene.bottom.hold == "free" or scene.bottom.elevation is None:
-        allowed = "allowed are wellhead and foot: the export has no riser with a free lower end"
-        raise deck.refused("bottom.hold", scene.bottom.hold, allowed)
+        allowed = "write 'wellhead' or 'foot' to export the scene"
+        found = f"a riser with 'hold: {scene.bottom.hold}' cannot be exported to OrcaFlex"
+        raise deck.refused("bottom.hold", found, allowed)
     if scene.vessel:
-        allowed = "the export has only prescribed motion. Replace 'vessel:' by 'platform:'"
-        raise deck.refused("vessel", "a platform that floats freely", allowed)
+        allowed = "replace vessel by platform, whose motion is prescribed"
+        raise deck.refused("vessel", "a freely floating vessel cannot be exported to OrcaFlex", allowed)
     if scene.gravity not in (None, pipes.GRAVITY):
         deck.otherwise["gravity"] = (
             f"{scene.gravity:g} m/s^2 in the scene, {pipes.GRAVITY} m/s^2 in OrcaFlex: submerged weights "

@@ -61,8 +61,8 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     if section.name.strip() == "~":
         raise deck.refused(f"{path}.name", section.name, "'~' stands for a default in OrcaFlex. Rename it")
     if section.mass is None:
-        allowed = "OrcaFlex needs the mass of every section. Add 'mass:' to this section"
-        raise deck.refused(f"{path}.mass", "missing", allowed)
+        found = "missing, but OrcaFlex requires the mass of every section"
+        raise deck.refused(f"{path}.mass", found, "add mass to this section")
     water = scene.water.density if scene.water else 0.0
     lost = section.mass - (section.submerged_weight or 0.0) / GRAVITY  # kg/m, in the water
     _above_water(deck, section, k)
@@ -73,8 +73,8 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
     if not dry:
         area = lost / water
         if area < 0.0:
-            allowed = "it may not exceed the weight in air. Correct mass or submerged weight"
-            raise deck.refused(f"{path}.submerged_weight", "more than the mass weighs", allowed)
+            found = "the submerged weight is more than the weight in air"
+            raise deck.refused(f"{path}.submerged_weight", found, "correct mass or submerged_weight")
         outer = math.sqrt(4.0 * area / math.pi)
     inner = (section.inner_diameter or 0.0) if section.contents else 0.0
     own = section.outer_diameter or 0.0
@@ -93,7 +93,7 @@ def _line_type(deck: Deck, section: Section, k: int) -> dict[str, Any]:
                 f"the buoyancy is that of a pipe with a diameter of {outer:.4g} m, "
                 f"around contents with a diameter of {inner:.4g} m"
             )
-            allowed = "the pipe must be wider than its contents. Correct mass or submerged weight"
+            allowed = "correct mass or submerged_weight, since a pipe must be wider than its contents"
             raise deck.refused(f"{path}.submerged_weight", found, allowed)
         axial, bending = section.elasticity
         entry |= {

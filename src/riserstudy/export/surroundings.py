@@ -25,8 +25,8 @@ def environment(deck: Deck, water: Water) -> dict[str, Any]:
     surface, seabed = water.surface, water.seabed
     if surface is None or seabed is None:
         name = "water.surface" if surface is None else "water.seabed"
-        allowed = "OrcaFlex needs the levels of surface and seabed. Add this level to the scene"
-        raise deck.refused(name, "missing", allowed)
+        found = "missing, but OrcaFlex requires the elevations of water surface and seabed"
+        raise deck.refused(name, found, "add this elevation to the scene")
     deck.carried |= {"water"}
     made: dict[str, Any] = {
         "WaterSurfaceZ": surface, "KinematicViscosity": 1.35e-6, "VerticalDensityVariation": "Constant",
@@ -235,15 +235,12 @@ def soil(deck: Deck) -> str | None:
         return None
     clay = ground.resistance
     if not isinstance(clay, Matlock) or clay.strength_gradient:
-        found = "not soft clay of one strength over depth"
-        allowed = (
-            "the export has no other soil. Remove 'soil:' from the scene and write P-yModels "
-            "into the OrcaFlex model by hand"
-        )
+        found = "only soft clay whose strength increases linearly with depth can be exported to OrcaFlex"
+        allowed = "remove 'soil:' from the scene and write P-yModels into the OrcaFlex model by hand"
         raise deck.refused("soil.resistance", found, allowed)
     if ground.damping and ground.damping.ratio:
-        allowed = "the export has no damping of the soil. Remove soil.damping from the scene"
-        raise deck.refused("soil.damping", "damping by dashpots", allowed)
+        allowed = "remove soil.damping from the scene"
+        raise deck.refused("soil.damping", "damping of the soil cannot be exported to OrcaFlex", allowed)
     if deck.scene.water and deck.scene.water.seabed != ground.mudline:
         deck.otherwise["soil.mudline"] = "replaced by the seabed"
     deck.carried |= {"soil"}

@@ -41,8 +41,9 @@ def _moves_as_one(deck: Deck) -> None:
     """Refuse an upper end that an object of a deck, which moves as a whole, would hold otherwise."""
     of, platform = deck.scene.top, deck.scene.platform
     if of.x == "free":
-        allowed = "OrcaFlex would hold the end in x and y, too. Hold it in the scene"
-        raise deck.refused("top.x", f"free below a z that is {_in_words(of.z)}", allowed)
+        allowed = "write 'held' or 'platform' for top.x"
+        found = f"free, but z is {_in_words(of.z)}: OrcaFlex would hold the end in x and y, too"
+        raise deck.refused("top.x", found, allowed)
     if platform is None or (of.x == "platform") == (of.z == "platform"):
         return
     way, others = ("x", ("surge", "sway")) if of.z == "platform" else ("z", ("heave",))
@@ -54,7 +55,7 @@ def _moves_as_one(deck: Deck) -> None:
         moved.append("platform.cruise")
     if moved:
         found = f"{_in_words(getattr(of, way))}, but the OrcaFlex vessel would move the end by {moved[0]}"
-        allowed = f"write 'top.{way}: platform', or leave {moved[0]} out"
+        allowed = f"write 'top.{way}: platform', or remove {moved[0]}"
         raise deck.refused(f"top.{way}", found, allowed)
 
 
@@ -77,10 +78,11 @@ def top(deck: Deck, rest: Rest) -> tuple[list[Any], float]:
     deck.carried |= {"top.x", "top.z", "top.offset", "top.elevation", "top.rotation"}
     if of.held_at_tension is not None:
         allowed = (
-            "OrcaFlex has no end that is held where the tension has a given value. "
-            "Write top.elevation instead"
+            "give top.elevation instead, since OrcaFlex cannot hold an end where the tension has a given "
+            "value"
         )
-        raise deck.refused("top.held_at_tension", f"{of.held_at_tension:g} N", allowed)
+        found = f"{of.held_at_tension:g} N cannot be exported to OrcaFlex"
+        raise deck.refused("top.held_at_tension", found, allowed)
     if of.z != "free":
         _moves_as_one(deck)
     if of.telescopic_joint:
@@ -116,9 +118,9 @@ def _free(deck: Deck, rest: Rest) -> list[Any]:
     of = deck.scene.top
     if of.tensioners is None or of.tensioners.arrangement is None:
         allowed = (
-            "no part of an OrcaFlex model pulls vertically on a free end. Add top.tensioners.arrangement"
+            "add top.tensioners.arrangement, since OrcaFlex has no part that pulls vertically on a free end"
         )
-        raise deck.refused("top.x", "free", allowed)
+        raise deck.refused("top.x", "a free end cannot be exported to OrcaFlex", allowed)
     if of.rotation not in (None, "free"):
         deck.otherwise["top.rotation"] = "free in the OrcaFlex model, because the ring turns freely"
     _body(deck, of.body, "Free", rest.unstretched)
@@ -189,8 +191,8 @@ def _volume(deck: Deck, body: Body, mass: float, height: float) -> float:
     dry = height >= ((water.surface if water else None) or 0.0)
     lost = mass - weight / GRAVITY  # kg, by buoyancy
     if lost < -UNEVEN * mass and not dry:
-        allowed = "it may not exceed the weight in air. Correct mass or submerged weight"
-        raise deck.refused("top.body.submerged_weight", "more than the mass weighs", allowed)
+        found = "the submerged weight is more than the weight in air"
+        raise deck.refused("top.body.submerged_weight", found, "correct mass or submerged_weight")
     if (dry or lost < 0.0) and abs(lost) * GRAVITY > 1.0:
         where = "above the water" if dry else "without volume"
         deck.otherwise["top.body"] = f"{where} the deck weighs its mass: {1e-3 * GRAVITY * lost:+.4g} kN"

@@ -43,6 +43,7 @@ FREQUENCIES = {"omega": ("frequency", "rad/s"), "freq": ("frequency", "Hz"), "pe
 
 
 #: units that attributes may state, and their factors to the units of the table
+COMPLEX = "give the dimension complex the two values re and im"
 KNOWN: dict[str, dict[str, float]] = {
     "rad/s": dict.fromkeys(("", "rad/s", "rads/s", "rad s-1", "rad.s-1", "rad s^-1"), 1.0)
     | dict.fromkeys(("hz", "1/s"), 2.0 * math.pi),
@@ -88,12 +89,13 @@ def from_wamit(path: Path, length: float, first: Literal["period", "frequency"] 
     left_out += [f"mode {m}: no motion of a platform" for m in sorted({r.mode for r in waves if r.mode > 6})]
     values = {(r.heading, r.period, r.mode): r.value for r in waves if r.mode <= 6}
     if not values:
-        allowed = "the file needs the modes 1 to 6 at periods above 0"
-        raise InputError(path, "", "no RAOs of a platform motion", allowed)
+        allowed = "give a file with modes from 1 to 6 at periods above 0"
+        raise InputError(path, "", "the file has no RAOs of platform motions", allowed)
     if len(values) < sum(row.mode <= 6 for row in waves):
-        raise InputError(path, "", "two lines for one wave and mode", "delete one of them")
+        found = "two lines have the same period, heading and mode"
+        raise InputError(path, "", found, "delete one of them")
     if first is None and (why := _no_periods(values)):
-        allowed = "state what it is: --first-column period or --first-column frequency"
+        allowed = "add --first-column period or --first-column frequency"
         raise InputError(path, "the first column", why, allowed)
     headings = sorted({heading for heading, _, _ in values})
     periods = sorted({period for _, period, _ in values})
@@ -104,8 +106,9 @@ def from_wamit(path: Path, length: float, first: Literal["period", "frequency"] 
             cells = [period, heading]
             for mode in modes:
                 if (heading, period, mode) not in values:
-                    found = f"no mode {mode} at {heading:g} deg and {period:g} s"
-                    raise InputError(path, "", found, "each mode needs a line for every heading and period")
+                    found = f"mode {mode} has no line at {heading:g} deg and {period:g} s"
+                    allowed = "give each mode a line for every heading and period"
+                    raise InputError(path, "", found, allowed)
                 value = values[heading, period, mode] / (length if mode > 3 else 1.0)
                 cells += [abs(value), math.degrees(cmath.phase(value))]
             table.append(cells)
@@ -143,19 +146,20 @@ def _rows_of_wamit(path: Path) -> list[Row]:
         cells = [value for value in numbers if value is not None]
         if len(cells) < len(words):
             if rows or not _is_heading(words, len(cells)):
-                raise InputError(path, f"line {number}", line.strip()[:40], "allowed are numbers")
+                found = f"{line.strip()[:40]!r} is not a line of numbers"
+                raise InputError(path, f"line {number}", found, "write numbers only")
             continue
         if not cells:
             continue
         if len(cells) != COLUMNS or cells[2] != int(cells[2]):
-            whole = f"{cells[2]:g} as mode, a whole number expected" if len(cells) == COLUMNS else ""
-            found = whole or f"{len(cells)} numbers, {COLUMNS} expected"
+            whole = f"the mode {cells[2]:g} is not a whole number" if len(cells) == COLUMNS else ""
+            found = whole or f"the line has {len(cells)} numbers instead of {COLUMNS}"
             allowed = "write period, heading, mode, modulus, phase, real and imaginary part"
             raise InputError(path, f"line {number}", found, allowed)
         value, polar = complex(*cells[5:]), cmath.rect(cells[3], math.radians(cells[4]))
         if not abs(value - polar) <= ROUNDED * abs(value) + 1e-6:
-            found = f"modulus and phase give {polar:.4g}, real and imaginary part {value:.4g}"
-            raise InputError(path, f"line {number}", found, "both must be the same; check the columns")
+            found = f"modulus and phase give {polar:.4g}, but real and imaginary part give {value:.4g}"
+            raise InputError(path, f"line {number}", found, "check the order of the columns")
         rows.append(Row(cells[0], cells[1], int(cells[2]), value))
     return rows
 
@@ -177,18 +181,22 @@ def from_capytaine(path: Path) -> Operators:
     rao = _complex(path, dataset["RAO"])
     by = next((name for name in FREQUENCIES if name in rao.dims), None)
     if by is None or "radiating_dof" not in rao.dims:
-        allowed = "allowed are radiating_dof, wave_direction and one of omega, freq, period"
-        raise InputError(path, "RAO", f"has the dimensions {', '.join(map(str, rao.dims))}", allowed)
+        allowed = "give radiating_dof, wave_direction and one of omega, freq, period"
+        found = f"the dimensions are {', '.join(map(str, rao.dims))}"
+        raise InputError(path, "RAO", found, allowed)
     _refuse_speed(path, rao)
     dofs = _motions(path, [str(name) for name in rao["radiating_dof"].values])
     if "wave_direction" not in rao.coords:
-        raise InputError(path, "wave_direction", "missing", "give the direction of the waves")
+        raise InputError(path, "wave_direction", "missing", "add the directions of the waves")
     if "wave_direction" not in rao.dims:
         rao = rao.expand_dims("wave_direction")
     extra = set(rao.dims) - {"radiating_dof", "wave_direction", by}
     if extra:
         raise InputError(
-            path, "RAO", f"has several values along {sorted(map(str, extra))[0]}", "select one value of it"
+            path,
+            "RAO",
+            f"the RAOs have several values along {sorted(map(str, extra))[0]}",
+            "select one of these values",
         )
     rao = rao.transpose("wave_direction", by, "radiating_dof")
     waves = _in_unit(path, rao[by], FREQUENCIES[by][1])
@@ -202,8 +210,8 @@ def from_capytaine(path: Path) -> Operators:
     for heading, plane in zip(headings, rao.values, strict=True):
         for wave, values in zip(waves[good], plane[good], strict=True):
             if not np.isfinite(values[taken]).all():
-                found, allowed = f"no value at {heading:g} deg and {by} {wave:g}", "leave it out"
-                raise InputError(path, "RAO", found, allowed)
+                found = f"a value is missing at {heading:g} deg and {by} {wave:g}"
+                raise InputError(path, "RAO", found, "remove this wave from the dataset")
             cells = [x for v in values[taken] for x in (abs(v), math.degrees(cmath.phase(v)))]
             table.append([float(wave), float(heading), *map(float, cells)])
     name, unit = FREQUENCIES[by]
@@ -220,10 +228,10 @@ def _dataset(path: Path) -> xr.Dataset:
         dataset = load(path)
     except (OSError, ValueError, RuntimeError) as error:
         raise InputError(
-            path, "", f"is not a netCDF file ({error})"[:80], "allowed is a dataset of Capytaine"
+            path, "", f"this is not a netCDF file ({error})"[:80], "give a dataset of Capytaine"
         ) from None
     if "RAO" not in dataset:
-        allowed = "allowed is a dataset with capytaine.post_pro.rao(dataset) as its variable RAO"
+        allowed = "add capytaine.post_pro.rao(dataset) to the dataset as the variable RAO"
         raise InputError(path, "RAO", "missing", allowed)
     return dataset
 
@@ -232,8 +240,9 @@ def _refuse_speed(path: Path, rao: xr.DataArray) -> None:
     """Refuse RAOs at a forward speed: those of a scene are the RAOs of a platform at rest."""
     speed = rao.coords.get("forward_speed")
     if speed is not None and speed.ndim == 0 and float(speed) != 0.0:
-        allowed = "allowed are RAOs of a platform at rest"
-        raise InputError(path, "forward_speed", f"{float(speed):g} m/s", allowed)
+        allowed = "give RAOs for a forward speed of 0 m/s"
+        found = f"the RAOs are for a forward speed of {float(speed):g} m/s"
+        raise InputError(path, "forward_speed", found, allowed)
 
 
 def _headings(path: Path, axis: xr.DataArray) -> FloatArray:
@@ -244,10 +253,10 @@ def _headings(path: Path, axis: xr.DataArray) -> FloatArray:
     headings = _in_unit(path, axis, "deg")
     largest = float(np.abs(headings).max())
     if not np.isfinite(headings).all():
-        raise InputError(path, "wave_direction", "a missing value", "allowed are finite numbers")
+        raise InputError(path, "wave_direction", "a value is missing", "give finite numbers")
     if largest > (1.0 + SAME) * 360.0:
-        found = f"directions up to {largest:.4g} deg"
-        allowed = "allowed is up to one turn; if the values are in degrees, set units to 'deg'"
+        found = f"the largest direction, {largest:.4g} deg, is more than a full turn"
+        allowed = "set the attribute units to 'deg' if the values are in degrees, or correct the values"
         raise InputError(path, "wave_direction", found, allowed)
     return headings
 
@@ -258,13 +267,13 @@ def _in_unit(path: Path, axis: xr.DataArray, unit: str) -> FloatArray:
     Raises InputError when the axis has no numbers or its unit is unknown.
     """
     if axis.name not in axis.coords or axis.dtype.kind not in "fiu":
-        found = "no numbers" if axis.name in axis.coords else "missing: RAO has this dimension only"
-        raise InputError(path, str(axis.name), found, "give the values of this coordinate")
+        found = "the values are not numbers" if axis.name in axis.coords else "the coordinate has no values"
+        raise InputError(path, str(axis.name), found, "give numbers as values of this coordinate")
     written = str(axis.attrs.get("units", "")).strip().lower().replace("radian", "rad")
     known = KNOWN[unit]
     if written not in known:
-        allowed = f"allowed are {', '.join(word for word in known if word)}"
-        raise InputError(path, str(axis.name), f"unit {written!r}", allowed)
+        allowed = f"use one of {', '.join(word for word in known if word)}"
+        raise InputError(path, str(axis.name), f"the unit {written!r} is not known here", allowed)
     return np.asarray(axis.values * known[written], float)
 
 
@@ -275,16 +284,16 @@ def _complex(path: Path, rao: xr.DataArray) -> xr.DataArray:
     """
     unit = str(rao.attrs.get("units", "")).strip()
     if unit not in ("", "1", "m/m"):
-        allowed = "allowed are m/m (translations) and rad/m (rotations), without an attribute units"
-        raise InputError(path, "RAO", f"unit {unit!r}", allowed)
+        allowed = "give m/m (translations) and rad/m (rotations), and remove the attribute units"
+        raise InputError(path, "RAO", f"the unit {unit!r} is not one of Capytaine's", allowed)
     if "complex" not in rao.dims and rao.dtype.kind == "c":
         return rao
     if "complex" not in rao.dims or rao.dtype.kind not in "fiu":
-        found = "has no complex numbers" if rao.dtype.kind in "fiu" else "has no numbers"
-        raise InputError(path, "RAO", found, "the dimension complex needs re and im")
+        found = "the RAOs are not complex numbers" if rao.dtype.kind in "fiu" else "the RAOs are not numbers"
+        raise InputError(path, "RAO", found, COMPLEX)
     parts = [str(part) for part in rao["complex"].values] if "complex" in rao.coords else []
     if sorted(parts) != ["im", "re"]:
-        raise InputError(path, "RAO", f"has the parts {parts}", "the dimension complex needs re and im")
+        raise InputError(path, "RAO", f"the dimension complex has the parts {parts}", COMPLEX)
     return rao.sel(complex="re", drop=True) + 1j * rao.sel(complex="im", drop=True)
 
 
@@ -292,14 +301,15 @@ def _motions(path: Path, names: list[str]) -> dict[str, str | None]:
     """Return the motion of each degree of freedom, else None; names may have the body's name as a prefix."""
     bodies = {name.rpartition("__")[0] for name in names}
     if len(bodies) > 1:
-        allowed = "allowed is one body: select the degrees of freedom of the platform"
-        raise InputError(path, "radiating_dof", f"{len(bodies)} bodies", allowed)
+        allowed = "select the degrees of freedom of the platform"
+        raise InputError(path, "radiating_dof", f"the dataset has {len(bodies)} bodies", allowed)
     for name in names:
         if sum(other.lower() == name.lower() for other in names) > 1:
-            raise InputError(path, "radiating_dof", f"{name} twice", "allowed is each once")
+            raise InputError(path, "radiating_dof", f"{name} occurs twice", "give each motion once")
     short = {name: name.rpartition("__")[2].lower() for name in names}
     if not set(short.values()) & set(MOTIONS):
-        raise InputError(path, "radiating_dof", ", ".join(names), f"allowed are {', '.join(MOTIONS)}")
+        found = f"none of {', '.join(names)} is a platform motion"
+        raise InputError(path, "radiating_dof", found, f"use names such as {', '.join(MOTIONS)}")
     return {name: one if one in MOTIONS else None for name, one in short.items()}
 
 
@@ -321,8 +331,8 @@ def _once_a_turn(path: Path, found: Operators) -> Operators:
         elif _same(found.columns, kept[twin], rows):
             found.left_out.append(f"heading {heading:g} deg: that of {twin:g} deg")
         else:
-            at = f"its response differs from the response at {twin:g} deg, which is the same heading"
-            raise InputError(path, f"heading {heading:g} deg", at, "give only one")
+            at = f"the response differs from the response at {twin:g} deg, which is the same heading"
+            raise InputError(path, f"heading {heading:g} deg", at, "remove one of the two")
     return found._replace(rows=[row for rows in kept.values() for row in rows])
 
 

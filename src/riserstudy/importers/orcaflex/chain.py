@@ -104,8 +104,8 @@ def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
             found.append((rank, way))
     if not found:
         allowed = (
-            "a riser is a line, or several end to end, from tensioners or a vessel to the ground "
-            "(Fixed or Anchored). Connect the lines in this way"
+            "connect one line, or several end to end, from tensioners or a vessel to the ground "
+            "(Fixed or Anchored)"
         )
         ends = [f"{line.name!r} from {line.upper.to!r} to {line.lower.to!r}" for line in lines]
         raise deck.refused("Lines", f"no line is a riser: {', '.join(ends)}", allowed)
@@ -116,7 +116,7 @@ def _riser(deck: Part, lines: list[Line], on: Bearings) -> list[Line]:
     if len(ways) > 1:
         names = " and ".join(repr(way[0].name) for way in ways)
         found_ = f"{len(ways)} of them may be the riser: {names}"
-        allowed = "a scene has one riser. Delete the others from a copy of the model"
+        allowed = "delete the others from a copy of the model, since a scene has one riser"
         raise deck.refused("Lines", found_, allowed)
     return ways[0]
 
@@ -149,8 +149,8 @@ def leave_out_points(deck: Part, names: list[str]) -> None:
         mass = buoy.number("Mass")
         if mass > BETWEEN:
             allowed = (
-                f"allowed within the riser is at most {BETWEEN:g} t: a scene has bodies only at the ends of "
-                "the riser. Add this mass to a line type"
+                f"add this mass to a line type, or give at most {BETWEEN:g} t, since a scene has bodies only "
+                "at the ends of the riser"
             )
-            buoy.note(buoy.refused("Mass", f"{mass:g} t", allowed))
+            buoy.note(buoy.refused("Mass", f"{mass:g} t is a body within the riser", allowed))
         buoy.apart = f"a point between two lines of the riser; its mass of {mass:g} t is left out"

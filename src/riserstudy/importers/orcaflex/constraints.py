@@ -14,16 +14,16 @@ def slides_in(constraint: Part, ring: str) -> None:
     Raises InputError when it is something else.
     """
     if constraint.text("InFrameConnection") != ring:
-        found = f"connected to {constraint.text('InFrameConnection')!r}"
-        allowed = f"allowed is {ring!r}: the telescopic joint of a scene slides in the tension ring"
+        found = f"the constraint is connected to {constraint.text('InFrameConnection')!r}"
+        allowed = f"connect it to {ring!r}, since the telescopic joint of a scene slides in the tension ring"
         raise constraint.refused("InFrameConnection", found, allowed)
     if _freedoms(constraint) != [2]:
-        allowed = "allowed is z alone: a telescopic joint slides along its axis and does not turn"
+        allowed = "free z alone, since a telescopic joint slides along its axis and does not turn"
         raise constraint.refused("DOFFree", _named(constraint), allowed)
     stiffness = constraint.optional("TranslationalStiffness")
     if stiffness:
-        allowed = "allowed is 0: a telescopic joint of a scene slides freely"
-        raise constraint.refused("TranslationalStiffness", str(stiffness), allowed)
+        allowed = "write 0, since a telescopic joint of a scene slides freely"
+        raise constraint.refused("TranslationalStiffness", f"the stiffness is {stiffness}", allowed)
 
 
 def guided_by(constraint: Part) -> tuple[str, float]:
@@ -32,13 +32,13 @@ def guided_by(constraint: Part) -> tuple[str, float]:
     Raises InputError where it moves otherwise.
     """
     if _freedoms(constraint) != [2]:
-        allowed = "allowed is z alone: the upper end of a riser below a vessel moves vertically"
+        allowed = "free z alone, since the upper end of a riser below a vessel moves vertically"
         raise constraint.refused("DOFFree", _named(constraint), allowed)
     constraint.idle("TranslationalStiffness")
     constraint.idle("TranslationalDamping")
     x, y, _ = constraint.vector("InFrameInitialPosition")
     if y:
-        allowed = "allowed is y = 0: the offset of an upper end in a scene is along x"
+        allowed = "write y = 0, since the offset of an upper end in a scene is along x"
         raise constraint.refused("InFrameInitialPosition", f"y = {y:g} m", allowed)
     return constraint.text("InFrameConnection"), x
 
@@ -49,11 +49,11 @@ def turns_in(constraint: Part) -> tuple[str, float, Any]:
     Raises InputError where it moves otherwise.
     """
     if _freedoms(constraint) != [3, 4]:
-        allowed = "allowed are Rx and Ry alone: this constraint becomes the lower flex joint"
+        allowed = "free Rx and Ry alone, since this constraint becomes the lower flex joint"
         raise constraint.refused("DOFFree", _named(constraint), allowed)
     x, y, z = constraint.vector("InFrameInitialPosition")
     if x or y:
-        allowed = "allowed is x = y = 0: the lower end of a scene's riser is on the z axis"
+        allowed = "write x = y = 0, since the lower end of the riser of a scene is on the z axis"
         raise constraint.refused("InFrameInitialPosition", f"x, y = {x:g}, {y:g} m", allowed)
     constraint.idle("StiffnessAndDampingMethod", "Coefficients")
     stiffness = constraint.number("RotationalStiffness")

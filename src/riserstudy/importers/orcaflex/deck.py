@@ -13,8 +13,8 @@ from riserstudy.errors import InputError
 #: values of an empty entry, which is never listed
 EMPTY: tuple[Any, ...] = (None, "~", [], {})
 MOST = 1e30  # in the unit of the deck: above all real values; its fourth power is still finite
-GUESS = "nothing is guessed. Write the value into the OrcaFlex model"
-CHANGE = "Change the OrcaFlex model, or write the scene by hand"
+GUESS = "write the value into the OrcaFlex model, since the import assumes no values"
+CHANGE = "change the OrcaFlex model, or write the scene by hand"
 
 
 class Part:
@@ -25,8 +25,8 @@ class Part:
 
     def __init__(self, data: Any, path: str, source: Path, faults: list[InputError] | None = None) -> None:
         if not isinstance(data, dict):
-            allowed = "write names with values, as OrcaFlex saves an object"
-            raise InputError(source, path, "is not an object", allowed)
+            allowed = "write names with values, as OrcaFlex saves objects"
+            raise InputError(source, path, "this is not an object of OrcaFlex", allowed)
         self.data, self.path, self.source = data, path, source
         self.faults: list[InputError] = [] if faults is None else faults
         self.taken: set[str] = set()
@@ -84,14 +84,15 @@ class Part:
         """Return a list of numbers in the unit of the deck, 0 for empty ones; empty without the list."""
         entry = self.optional(key) or []
         if not isinstance(entry, list):
-            raise self.refused(key, repr(entry), "allowed is a list of numbers")
+            raise self.refused(key, f"{entry!r} is not a list", "write a list of numbers")
         return [self._number(key, 0.0 if one in EMPTY else one) for one in entry]
 
     def components(self, key: str) -> list[float]:
         """Return numbers for x, y and z in the unit of the deck, 0 for empty ones and without the list."""
         numbers = self.numbers(key) or [0.0] * 3
         if len(numbers) != 3:
-            raise self.refused(key, f"{len(numbers)} values", "allowed are 3 values, for x, y and z")
+            found = f"the number of values is {len(numbers)}"
+            raise self.refused(key, found, "write 3 values, for x, y and z")
         return numbers
 
     def vector(self, key: str) -> tuple[float, float, float]:
@@ -103,9 +104,9 @@ class Part:
     def _number(self, key: str, entry: Any) -> float:
         value = math.inf if entry == "Infinity" else entry
         if isinstance(value, bool) or not isinstance(value, int | float) or math.isnan(value):
-            raise self.refused(key, repr(entry), "allowed is a number")
+            raise self.refused(key, f"{entry!r} is not a number", "write a number")
         if MOST < abs(value) < math.inf:
-            raise self.refused(key, repr(entry), "allowed are magnitudes of at most 1e30")
+            raise self.refused(key, f"{entry!r} is too large", "write a number of at most 1e30")
         return float(value)
 
     def whole(self, key: str) -> int:
@@ -137,7 +138,7 @@ class Part:
         names, rows = [name.strip() for name in key.split(",")], self.value(key)
         if not isinstance(rows, list) or not all(isinstance(row, list) for row in rows):
             allowed = f"write rows of {len(names)} values, one for each name"
-            raise self.refused(key, "is not a table", allowed)
+            raise self.refused(key, "the entry is not a table", allowed)
         full = [
             {name: None if cell in ("~", []) else cell for name, cell in zip(names, row, strict=False)}
             for row in rows
@@ -174,21 +175,21 @@ class Part:
             entry = self.value(key)
             yes = {True: "yes", False: "no"}.get(wanted, wanted)
             if entry != wanted and str(entry).lower() != yes:
-                allowed = f"allowed is {wanted}: the import reads no other setting. {CHANGE}"
-                raise self.refused(key, str(entry), allowed)
+                allowed = f"write {wanted}, or {CHANGE}"
+                raise self.refused(key, f"the import cannot convert the setting {entry}", allowed)
 
     def idle(self, key: str, *allowed: Any) -> None:
         """Check that an entry, if present, has no effect: empty, 0, or one of the allowed values."""
         if (entry := self.optional(key)) not in (*EMPTY, 0, *allowed):
             words = " or ".join(map(str, allowed)) or "0"
-            remedy = f"allowed is {words}: the import cannot convert other values. {CHANGE}"
-            self.note(self.refused(key, str(entry), remedy))
+            remedy = f"write {words}, or {CHANGE}"
+            self.note(self.refused(key, f"the import cannot convert the value {entry}", remedy))
 
     def alike(self, one: str, other: str) -> None:
         """Check that both directions have equal values, if the second is given."""
         if (second := self.optional(other)) not in (None, self.optional(one)):
-            allowed = f"allowed is the value of {one}: a scene has one value for both directions"
-            self.note(self.refused(other, str(second), allowed))
+            allowed = f"write the value of {one}, since a scene has one value for both directions"
+            self.note(self.refused(other, f"{second} differs from {one}", allowed))
 
     def part(self, key: str) -> Part:
         """Return an object inside this one."""
@@ -198,7 +199,9 @@ class Part:
         """Return the objects of a list inside this one; empty if the list is missing."""
         entries = self.optional(key) or []
         if not isinstance(entries, list):
-            raise self.refused(key, "is not a list", "write a list of objects, as OrcaFlex saves it")
+            raise self.refused(
+                key, "the entry is not a list", "write a list of objects, as OrcaFlex saves it"
+            )
         names = [one.get("Name", k) if isinstance(one, dict) else k for k, one in enumerate(entries)]
         return self._kept(key, entries, [f"{self.path}.{key}[{n}]".strip(".") for n in names])
 

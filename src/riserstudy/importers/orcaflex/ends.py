@@ -53,8 +53,9 @@ def line_of(part: Part) -> Line:
     rows = part.table(*PLACE, of=LEANS, idle=ROUND_Z)
     stiff = part.table(BENDING, of=("ConnectionyBendingStiffness",))
     if len(rows) != 2 or len(stiff) != 2:
-        allowed = "a line needs two rows of ends and two rows of their bending stiffness"
-        raise part.refused(PLACE[0], f"{len(rows)} ends, {len(stiff)} stiffnesses", allowed)
+        allowed = "give two rows of ends and two rows of their bending stiffness"
+        found = f"the line has {len(rows)} ends and {len(stiff)} stiffnesses"
+        raise part.refused(PLACE[0], found, allowed)
     ends = [_end(part, row, *bends) for row, bends in zip(rows, stiff, strict=True)]
     upper, lower = ends if part.text("TopEnd") == "End A" else ends[::-1]
     return Line(part, upper, lower)
@@ -63,17 +64,17 @@ def line_of(part: Part) -> Line:
 def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
     to, *place, leaning, of, release = row
     if release is not None:
-        allowed = "the lines of a scene stay connected. Remove the release from the model"
-        part.note(part.refused(LEANS[-1], f"released in stage {release}", allowed))
+        allowed = "remove the release from the model, since lines of a scene stay connected"
+        part.note(part.refused(LEANS[-1], f"the line is released in stage {release}", allowed))
     try:
         x, y, z = (float(value) for value in place)
         stiffness = None if along is None else float(str(along).replace("Infinity", "inf"))
     except (TypeError, ValueError):
-        found = f"{', '.join(map(str, row))}, stiffness {along}"
-        allowed = "position and stiffness of a line end must be numbers"
+        found = f"not all of {', '.join(map(str, row))}, stiffness {along} are numbers"
+        allowed = "write numbers for position and stiffness of the line end"
         raise part.refused(PLACE[0], found, allowed) from None
     if across not in (None, along):
-        found = f"{along} and {across}"
+        found = f"the stiffnesses {along} and {across} differ"
         allowed = "a flex joint of a scene has one stiffness for both directions. Write equal values"
         part.note(part.refused(BENDING, found, allowed))
     return End(str(to), x, y, z, str(of or ""), leaning, stiffness or None)
@@ -82,8 +83,8 @@ def _end(part: Part, row: list[Any], along: Any, across: Any) -> End:
 def upright(line: Line, end: End) -> None:
     """Check that an end with rotational stiffness is vertical."""
     if end.stiffness and end.leaning not in UPRIGHT:
-        found = f"declination {end.leaning} of an end that resists turning"
-        allowed = "allowed are 0 and 180: a clamp or flex joint at an end of a scene is upright"
+        found = f"the end resists turning at a declination of {end.leaning}"
+        allowed = "write 0 or 180, since a clamp or flex joint at an end of a scene is vertical"
         line.part.note(line.part.refused(LEANS[0], found, allowed))
 
 

@@ -34,9 +34,10 @@ def lengths_of(line: Part) -> list[tuple[str, float]]:
             part.optional("NumberOfSegments"), part.optional("TargetSegmentLength")
     for kind, length in rows:
         if isinstance(length, bool) or not isinstance(length, int | float) or not length > 0.0:
-            raise line.refused("Length", f"{length!r} of {kind!r}", "allowed are lengths above 0")
+            found = f"the length {length!r} of {kind!r} is not above 0"
+            raise line.refused("Length", found, "write lengths above 0")
     if not rows:
-        raise line.refused("LineType, Length", "no sections", "a line needs one section or more")
+        raise line.refused("LineType, Length", "the line has no sections", "give one section or more")
     return [(str(kind), float(length)) for kind, length in rows]
 
 
@@ -44,8 +45,8 @@ def kind_of(deck: Part, line: Part, name: str) -> Part:
     """Return a line type by its name. Raises InputError where there is none."""
     types = deck.named("LineTypes")
     if name not in types:
-        found = f"no line type {name!r}"
-        raise line.refused("LineType", found, f"the line types of the model are {', '.join(types)}")
+        found = f"the model has no line type {name!r}"
+        raise line.refused("LineType", found, f"use one of {', '.join(types)}")
     return types[name]
 
 
@@ -75,8 +76,9 @@ def wall(kind: Part) -> dict[str, Any]:
         fields["axial_stiffness"] = q(kind.number("EA"), "kN")
         mass = q(mass_of(kind), "kg/m")
     else:
-        allowed = f"allowed are General and Homogeneous pipe: the import reads no other type. {CHANGE}"
-        raise kind.refused("Category", kind.text("Category"), allowed)
+        allowed = f"write General or Homogeneous pipe, or {CHANGE}"
+        found = f"the import cannot convert the category {kind.text('Category')}"
+        raise kind.refused("Category", found, allowed)
     return fields | {"mass": mass}
 
 
@@ -130,7 +132,7 @@ def bending_stiffness(kind: Part) -> float:
     """
     stiff = across(kind, "EI")
     if stiff is None:
-        raise kind.refused("EIx", "missing, and EI too", GUESS)
+        raise kind.refused("EIx", "EIx and EI are missing", GUESS)
     return stiff
 
 
@@ -151,8 +153,8 @@ def across(kind: Part, name: str) -> float | None:
     whole = kind.optional(name)
     if isinstance(whole, list):
         if len(whole) < 2 or whole[1] not in (None, "~", whole[0]):
-            found = ", ".join(map(str, whole))
-            allowed = "a scene has one value for both directions across the line. Write equal values"
+            found = f"the list {', '.join(map(str, whole))} does not have two equal values"
+            allowed = "write equal values, since a scene has one value for both directions across the line"
             raise kind.refused(name, found, allowed)
         whole = whole[0]
     given = [kind.optional(f"{name}x"), kind.optional(f"{name}n"), whole]
@@ -173,10 +175,10 @@ def _one(kind: Part, name: str, given: list[Any], names: str) -> float | None:
     """Return the only given number of a property that has several possible names."""
     values = [value for value in given if value not in (None, "~")]
     if len(values) > 1:
-        allowed = f"allowed is only one of the names {names}. Delete the others"
-        raise kind.refused(name, "given twice", allowed)
+        allowed = f"keep only one of the names {names}"
+        raise kind.refused(name, "the value is given twice", allowed)
     if values and (isinstance(values[0], bool) or not isinstance(values[0], int | float)):
-        raise kind.refused(name, repr(values[0]), "allowed is a number")
+        raise kind.refused(name, f"{values[0]!r} is not a number", "write a number")
     return float(values[0]) if values else None
 
 

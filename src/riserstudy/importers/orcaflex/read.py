@@ -61,8 +61,8 @@ def read_deck(path: Path) -> Imported:
         warnings.simplefilter("ignore", MantissaNoDotYAML1_1Warning)  # OrcaFlex writes 250e3
         data = read_yaml(path)
     if not isinstance(data, dict) or "Lines" not in data or "LineTypes" not in data:
-        allowed = "allowed is an OrcaFlex text data file (.yml) with LineTypes and Lines"
-        raise InputError(path, "", "is no OrcaFlex model of a riser", allowed)
+        allowed = "give an OrcaFlex text data file (.yml) with LineTypes and Lines"
+        raise InputError(path, "", "this is not an OrcaFlex model of a riser", allowed)
     deck = Part(data, "", path)
     tree: dict[str, Any] = {}
     with deck.noting():
@@ -139,13 +139,14 @@ def _foot(deck: Part, cast: Roles, sea: Sea) -> Foot:
     """Return the lower end, which is on the ground or on a constraint that is its flex joint."""
     line, end = cast.riser[-1], cast.riser[-1].lower
     if not end.on_axis:
-        allowed = "allowed is x = y = 0: the lower end of a scene's riser is on the z axis. Move the model"
-        deck.note(line.part.refused(PLACE[1], f"lower end at {end.x:g}, {end.y:g} m", allowed))
+        allowed = "move the model to x = y = 0, since the lower end of the riser of a scene is on the z axis"
+        deck.note(line.part.refused(PLACE[1], f"the lower end is at {end.x:g}, {end.y:g} m", allowed))
     joints = deck.named("Constraints")
     if end.to in joints:
         if rotation(end.stiffness) != "fixed" or end.z:
-            allowed = "the lower end must be clamped to this constraint, at z = 0 of its frame"
-            deck.note(line.part.refused(PLACE[0], f"{end.to!r}, at z = {end.z:g} m", allowed))
+            allowed = "clamp the lower end to this constraint at z = 0 of its frame"
+            found = f"the lower end is connected to {end.to!r} at z = {end.z:g} m, or is not clamped to it"
+            deck.note(line.part.refused(PLACE[0], found, allowed))
         to, z, turning = turns_in(joints[end.to])
         return Foot(z + (sea.seabed if to == "Anchored" else 0.0), turning)
     upright(line, end)

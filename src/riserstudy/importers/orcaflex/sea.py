@@ -63,8 +63,8 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
     train = trains[0]
     kind = train.text("WaveType")
     if len(trains) > 1 or kind not in (*AIRY, *STEEP, *SPECTRA):
-        found = f"{len(trains)} wave trains, the first of the type {kind}"
-        allowed = f"a scene has one wave train. Use one of {', '.join((AIRY[0], *STEEP, *SPECTRA))}"
+        found = f"the model has {len(trains)} wave trains, the first of the type {kind}"
+        allowed = f"give one wave train of a type from {', '.join((AIRY[0], *STEEP, *SPECTRA))}"
         raise train.refused("WaveType", found, allowed)
     if kind in SPECTRA:
         wave = _spectrum(train, kind)
@@ -84,8 +84,9 @@ def wave_of(environment: Part, ramp: float | None, sea: Sea) -> dict[str, Any] |
     else:
         method = environment.text("KinematicStretchingMethod")
         if method not in STRETCHING:
-            allowed = f"a scene has no equivalent. Use one of {', '.join(STRETCHING)}"
-            raise environment.refused("KinematicStretchingMethod", method, allowed)
+            allowed = f"use one of {', '.join(STRETCHING)}"
+            found = f"the import cannot convert the method {method}"
+            raise environment.refused("KinematicStretchingMethod", found, allowed)
         wave["above_mean_level"] = STRETCHING[method]
     towards = train.number("WaveDirection")
     wave |= {"heading": q(towards, "deg")} if towards else {}
@@ -96,14 +97,14 @@ def _made_linear(train: Part, kind: str, sea: Sea) -> None:
     """Report the harmonics that an Airy wave lacks; refuse a wave whose second harmonic is large."""
     amplitude, period = 0.5 * train.number("WaveHeight"), train.number("WavePeriod")
     if not (period > 0.0 and sea.surface > sea.seabed):
-        allowed = "the wave period and the water depth must be above 0"
-        raise train.refused("WavePeriod", f"{period:g} s", allowed)
+        allowed = "give a wave period and a water depth above 0"
+        raise train.refused("WavePeriod", f"the wave period is {period:g} s", allowed)
     second = second_harmonic(amplitude, period, sea.surface - sea.seabed, sea.gravity)
     if second > SMALL:
-        found = f"{kind}, with a second harmonic of {100.0 * second:.0f} % of the wave amplitude"
+        found = f"the {kind} wave has a second harmonic of {100.0 * second:.0f} % of its amplitude"
         allowed = (
-            f"allowed is at most {100.0 * SMALL:.0f} %, because a scene has only Airy waves. "
-            "Use a less steep wave, or an Airy wave"
+            f"use an Airy wave, or a less steep wave with at most {100.0 * SMALL:.0f} %, since a scene has "
+            "only Airy waves"
         )
         raise train.refused("WaveType", found, allowed)
     train.otherwise["WaveType"] = (
@@ -131,8 +132,8 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
     if kind == "JONSWAP":
         train.demand("WaveJONSWAPParameters", "Partially specified")
     if train.optional("WaveNumberOfSpectralDirections") not in (None, 1):
-        found = str(train.optional("WaveNumberOfSpectralDirections"))
-        allowed = "allowed is 1: all waves of a scene have one direction"
+        found = f"the sea has {train.optional('WaveNumberOfSpectralDirections')} directions"
+        allowed = "write 1, since all waves of a scene have one direction"
         raise train.refused("WaveNumberOfSpectralDirections", found, allowed)
     enhancement = train.number("WaveGamma") if kind == "JONSWAP" else 1.0
     peak: Any = train.optional("WaveTp")
@@ -144,8 +145,8 @@ def _spectrum(train: Part, kind: str) -> dict[str, Any]:
         period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
         peak = {"derived": q(period, "s"), "from": "WaveTz and the moments of the spectrum"}
     else:
-        allowed = "a spectrum needs one of them. Write one into the model"
-        raise train.refused("WaveTp", "missing, and WaveTz too", allowed)
+        allowed = "write one of them into the model"
+        raise train.refused("WaveTp", "WaveTp and WaveTz are missing", allowed)
     wave: dict[str, Any] = {
         "significant_height": q(train.number("WaveHs"), "m"),
         "peak_period": peak,
@@ -164,8 +165,9 @@ def _check_crossing(train: Part, enhancement: float) -> None:
         return
     period = train.number("WaveTz") * peak_over_zero_crossing(enhancement)
     if abs(period - train.number("WaveTp")) > SAME * period:
-        found = f"{train.number('WaveTz'):g} s, which has a peak period of {period:.4g} s"
-        allowed = f"with WaveTp {train.number('WaveTp'):g} s, they are two seas. Remove one of them"
+        found = f"{train.number('WaveTz'):g} s means a peak period of {period:.4g} s, but WaveTp is "
+        found += f"{train.number('WaveTp'):g} s"
+        allowed = "remove one of the two"
         raise train.refused("WaveTz", found, allowed)
 
 

@@ -28,16 +28,16 @@ def soil_of(deck: Part, line: Part, seabed: float, gravity: float) -> dict[str, 
         return None
     models = {model.text("Name"): model for model in deck.parts(MODELS)}
     if name not in models:
-        found = f"no p-y model {str(name)!r}"
-        allowed = f"the p-y models are: {', '.join(models) or 'none'}"
+        found = f"the model has no p-y model {str(name)!r}"
+        allowed = f"use one of {', '.join(models)}" if models else "add a p-y model"
         raise line.refused("PyModel", found, allowed)
     curves = models[name].parts(CURVES)
     if len(curves) != 1 or curves[0].number("DepthBelowSeabedFrom"):
         allowed = (
-            "allowed is one from 0 m: the strength of a scene's clay is a straight line over depth. "
-            "Remove PyModel from the line and write 'soil:' into the scene"
+            "give one range from 0 m, since the strength of clay in a scene is a straight line over depth; "
+            "or remove PyModel from the line and write 'soil:' into the scene"
         )
-        raise models[name].refused(CURVES, f"{len(curves)} ranges of depth", allowed)
+        raise models[name].refused(CURVES, f"the p-y model has {len(curves)} ranges of depth", allowed)
     return {"mudline": q(seabed, "m"), "resistance": _soft_clay(curves[0], gravity)}
 
 
@@ -50,8 +50,8 @@ def same_soil(lines: list[Part], foot: float, seabed: float) -> None:
     for line, above in pairwise(lines):
         level += sum(length for _, length in lengths_of(line))
         if level < seabed - CLOSE and _model(above) != lowest:
-            found = f"{_model(above) or 'none'}, and the line below it has {lowest or 'none'}"
-            allowed = "allowed is one model for all lines below the seabed: that is the soil of a scene"
+            found = f"the model is {_model(above) or 'none'}, but {lowest or 'none'} in the line below"
+            allowed = "use one model for all lines below the seabed, since a scene has one soil"
             raise above.refused("PyModel", found, allowed)
 
 
@@ -64,10 +64,10 @@ def _soft_clay(curve: Part, gravity: float) -> dict[str, Any]:
     kind = curve.text("ModelType")
     if kind.lower() != SOFT_CLAY.lower():
         allowed = (
-            f"allowed is {SOFT_CLAY}: the import converts no curves of sand and no tables. "
-            "Remove PyModel from the line and write 'soil:' into the scene"
+            f"use {SOFT_CLAY}, since the import converts no curves of sand and no tables; "
+            "or remove PyModel from the line and write 'soil:' into the scene"
         )
-        raise curve.refused("ModelType", kind, allowed)
+        raise curve.refused("ModelType", f"the import cannot convert {kind}", allowed)
     density, strain = curve.number("EffectiveUnitSoilDensity"), curve.number("Epsilonc")
     curve.otherwise["ModelType"] = (
         "the curve is Matlock's cube root under static load, with a straight line "

@@ -64,7 +64,7 @@ def _bare(line: Part) -> None:
     for key in line.data:
         if "AttachmentType" in key and (rows := line.optional(str(key))) not in EMPTY:
             found = f"{len(rows) if isinstance(rows, list) else 1} attachments"
-            allowed = "a scene has bodies only at the ends of the riser. Add them to the line types"
+            allowed = "add their mass to line types, since a scene has bodies only at the ends of the riser"
             line.note(line.refused("AttachmentType", found, allowed))
 
 
@@ -124,10 +124,10 @@ def _joint(deck: Part, cast: Roles, piece: Piece) -> dict[str, Any] | None:
     if piece.line.lower.to == "Free":
         stiffness = below.upper.stiffness
     if stiffness is None:
-        allowed = "a scene has no hinge within the riser. Write a bending stiffness above 0"
+        allowed = "write a bending stiffness above 0, since a scene has no hinge within the riser"
         deck.note(
             piece.line.part.refused(
-                "ConnectionxBendingStiffness", "0, a hinge between two lines of the riser", allowed
+                "ConnectionxBendingStiffness", "0 is a hinge between two lines of the riser", allowed
             )
         )
     if stiffness is None or math.isinf(stiffness):
@@ -193,7 +193,7 @@ def _alongside(deck: Part, cast: Roles, bottom: float) -> list[tuple[Line, float
         with deck.noting():
             if not high > low or abs(long - reach) > SLACK * reach:
                 words = f"{long:g} m along {reach:g} m of the riser"
-                allowed = "a line along the riser must be as long as this part of the riser"
+                allowed = "give the line the length of this part of the riser"
                 raise line.part.refused("Length", words, allowed)
             found.append((line, low, high))
         aside = math.hypot(line.lower.x, line.lower.y)
@@ -214,8 +214,8 @@ def _add_lines(deck: Part, section: dict[str, Any], lines: list[Line]) -> None:
     for line in lines:
         names = {name for name, _ in lengths_of(line.part)}
         if len(names) > 1:
-            found = ", ".join(sorted(names))
-            raise line.part.refused("LineType", found, "a line along the riser must have one line type")
+            found = f"this line along the riser has several line types, {', '.join(sorted(names))}"
+            raise line.part.refused("LineType", found, "use one line type")
         kind = kind_of(deck, line.part, *names)
         kinds.append(kind)
         fields = _pipe(kind) | {"name": line.name, "tension": "shared"}
@@ -247,8 +247,8 @@ def _pipe(kind: Part) -> dict[str, Any]:
     if "young_modulus" not in fields:
         area = disc(kind.number("OD")) - disc(kind.number("ID"))
         if not area > 0.0:
-            found = f"{kind.number('ID'):g} m, not less than OD"
-            allowed = "a line along the riser needs a wall. Correct ID or OD"
+            found = f"{kind.number('ID'):g} m is not less than OD"
+            allowed = "correct ID or OD"
             raise kind.refused("ID", found, allowed)
         modulus = kind.number("EA") / area
         fields["young_modulus"] = {"derived": q(modulus, "kN/m^2"), "from": "EA and diameters"}

@@ -46,7 +46,7 @@ def fastened(part: Part) -> list[str]:
     """
     rows = part.table(*PLACE, of=(ALONG,))
     if len(rows) < 2:
-        raise part.refused(PLACE[0], f"{len(rows)} ends", "a link or winch needs two ends")
+        raise part.refused(PLACE[0], f"the link or winch has {len(rows)} ends", "give two ends")
     return [str(row[0]) for row in rows]
 
 
@@ -69,8 +69,8 @@ def tensioners(parts: list[Part], of: Anchorage) -> dict[str, Any]:
     alike = {(pull.law, pull.damping) for pull in pulls if not pull.idle}
     places = {(*pull.deck[:2], pull.ring_radius) for pull in pulls}
     if max(len(alike), len(places)) > 1 or (first.deck[0] and not _evenly(pulls)):
-        found = "links that differ, or are not spaced evenly around the line"
-        allowed = "tensioners of a scene are equal ones, spaced evenly on a circle. " + CHANGE
+        found = "the links differ, or are not spaced evenly around the line"
+        allowed = "give equal links, spaced evenly on a circle, or " + CHANGE
         raise parts[0].refused("Connection", found, allowed)
     damping = {"damping": q(first.damping, "kN*s/m")} if first.damping else {}
     made = {
@@ -133,19 +133,19 @@ def _between(part: Part, of: Anchorage) -> tuple[tuple[float, float, float], flo
     ends = list(zip(names, points, strict=True))[:2]
     (deck, (x, y, z)), (ring, (a, b, c)) = ends if names[0] in of.decks else ends[::-1]
     if deck not in of.decks or ring not in of.at_ring or c:
-        found = f"from {deck!r} to {ring!r}"
-        allowed = f"a tensioner connects {' or '.join(of.decks)} to the upper end of the riser"
+        found = f"the link or winch is connected from {deck!r} to {ring!r}"
+        allowed = f"connect it from {' or '.join(of.decks)} to the upper end of the riser"
         raise part.refused(PLACE[0], found, allowed)
     _at_the_top(part, of)
     x -= of.aside
     bearing = math.degrees(math.atan2(y, x)) % 360.0
     inner, outer = math.hypot(a, b), math.hypot(x, y)
     if inner and abs(math.degrees(math.atan2(b, a)) % 360.0 - bearing) > 1e-3:
-        allowed = "both ends of a tensioner must have one bearing around the riser"
-        raise part.refused(PLACE[0], "ends at different bearings", allowed)
+        allowed = "place both ends of a tensioner at one bearing around the riser"
+        raise part.refused(PLACE[0], "the two ends have different bearings around the riser", allowed)
     if part.optional("ReleaseStage") is not None:
-        found = f"released in stage {part.optional('ReleaseStage')}"
-        allowed = "the import keeps tensioners connected. Remove the release from the model"
+        found = f"the tensioner is released in stage {part.optional('ReleaseStage')}"
+        allowed = "remove the release from the model, since the import keeps tensioners connected"
         part.note(part.refused("ReleaseStage", found, allowed))
     height = z + of.decks[deck]
     length = math.hypot(outer - inner, height - of.ring)
@@ -156,21 +156,22 @@ def _at_the_top(part: Part, of: Anchorage) -> None:
     """Record an error where a tensioner is at the lower end of the riser's line."""
     for name, end in part.table(PLACE[0], of=(ALONG,), idle=PLACE):
         if str(name) == of.line and end not in (None, of.top_end):
-            allowed = f"allowed is {of.top_end}, the upper end of {of.line!r}"
-            part.note(part.refused(ALONG, str(end), allowed))
+            allowed = f"write {of.top_end}, the upper end of {of.line!r}"
+            part.note(part.refused(ALONG, f"the tensioner is connected at {end}", allowed))
 
 
 def _link(link: Part, of: Anchorage) -> Pull:
     kind = link.text("LinkType").lower()
     if kind not in ("spring/damper", "tether"):
-        allowed = f"allowed are Spring/Damper and Tether: the import reads no other type. {CHANGE}"
-        raise link.refused("LinkType", link.text("LinkType"), allowed)
+        allowed = f"write Spring/Damper or Tether, or {CHANGE}"
+        found = f"the import cannot convert the type {link.text('LinkType')}"
+        raise link.refused("LinkType", found, allowed)
     deck, ring, length = _between(link, of)
     if kind == "tether" or _is_given(link.value("LinearSpring")):
         unstretched = link.number("UnstretchedLength")
         if kind == "tether" and not unstretched > 0.0:
-            found = f"{unstretched:g} m"
-            raise link.refused("UnstretchedLength", found, "a tether needs a length above 0")
+            found = f"{unstretched:g} m is not the length of a tether"
+            raise link.refused("UnstretchedLength", found, "give a length above 0 m")
         stiffness = link.number("Stiffness")
         pull = stiffness * (length - unstretched)
         law: tuple[tuple[float, float], ...] = ((0.0, round(pull, 6)), (1.0, round(pull + stiffness, 6)))
@@ -204,8 +205,9 @@ def _damping(link: Part) -> float:
     if link.data.get("LinearDamper") is None and link.data.get("DampingConstant") is None:
         return 0.0
     if not _is_given(link.value("LinearDamper")):
-        allowed = "allowed is Yes: damping of a scene is linear. Give a DampingConstant"
-        raise link.refused("LinearDamper", str(link.value("LinearDamper")), allowed)
+        allowed = "write Yes and give a DampingConstant, since damping of a scene is linear"
+        found = f"{link.value('LinearDamper')} is a damper that is not linear"
+        raise link.refused("LinearDamper", found, allowed)
     return link.number("DampingConstant")
 
 
@@ -227,6 +229,6 @@ def _winch(winch: Part, of: Anchorage) -> Pull:
     )
     if len(stages) > 1 or next(iter(stages))[0] != "Specified tension":
         found = ", ".join(f"{mode} {value:g}" for mode, value in sorted(stages))
-        allowed = "a winch becomes a constant tension. Use one Specified tension at all stages"
+        allowed = "use one Specified tension at all stages, since a winch becomes a constant tension"
         raise winch.refused("StageMode, StageValue", found, allowed)
     return Pull(deck, ring, ((0.0, next(iter(stages))[1]),), 0.0)

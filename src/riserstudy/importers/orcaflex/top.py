@@ -26,7 +26,7 @@ from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
 
 SAME = 1e-6  # largest difference of elevations that count as equal (m)
-ALIKE = "a scene has one horizontal value: its product with the coefficient must be the same along x and y"
+ALIKE = "give equal products with the coefficient along x and y, since a scene has one horizontal value"
 SOFT = 10.0  # largest axial stiffness of a joint with negligible tension (kN/m)
 
 
@@ -47,13 +47,13 @@ def top_of(deck: Part, cast: Roles, bottom: float, sea: Sea) -> Top:
     pulling = _pulling(deck, {line.name, node})
     if line.upper.y:
         found = f"y = {line.upper.y:g} m"
-        allowed = "allowed is y = 0: the offset of an upper end in a scene is along x"
+        allowed = "write y = 0, since the offset of an upper end in a scene is along x"
         deck.note(line.part.refused(PLACE[2], found, allowed))
     if node not in vessels and line.upper.to not in GROUND:
         return _pulled(deck, cast, bottom, pulling, sea)
     if pulling:
         found = f"{pulling[0].name} pulls at an upper end that is held"
-        allowed = "links and winches need a free upper end. Free this end, or delete them"
+        allowed = "free this end, or delete the links and winches"
         raise pulling[0].refused("Name", found, allowed)
     upright(line, line.upper)
     held = "platform" if node in vessels else "held"
@@ -89,7 +89,7 @@ def _pulled(deck: Part, cast: Roles, bottom: float, pulling: list[Part], sea: Se
     vessels, rings = deck.named("Vessels"), deck.named("6DBuoys")
     if not pulling:
         allowed = "add Links or Winches that pull it upwards"
-        raise line.part.refused(PLACE[0], "a free upper end that nothing pulls", allowed)
+        raise line.part.refused(PLACE[0], "nothing pulls the free upper end", allowed)
     ring = bottom + sum(map(depth, cast.riser))
     decks = {"Fixed": 0.0} | {name: height_of(vessel) for name, vessel in vessels.items()}
     anchorage = Anchorage({line.name, node}, line.name, decks, ring, line.part.text("TopEnd"))
@@ -162,8 +162,8 @@ def _clamped(riser: Line, joint: Line) -> None:
     for line, stiffness in ((riser, riser.upper.stiffness), (joint, joint.lower.stiffness)):
         free = line.upper.to == "Free" if line is riser else line.lower.to == riser.name
         if not free and rotation(stiffness) != "fixed":
-            found = f"{stiffness or 0:g} kN m/deg at the tension ring"
-            allowed = "allowed is Infinity: in a scene, the telescopic joint is clamped to the riser"
+            found = f"the stiffness at the tension ring is {stiffness or 0:g} kN m/deg"
+            allowed = "write Infinity, since the telescopic joint of a scene is clamped to the riser"
             line.part.note(line.part.refused(BENDING, found, allowed))
 
 
@@ -173,8 +173,8 @@ def _joint(deck: Part, joint: Line, length: float) -> dict[str, Any]:
     names = {name for name, _ in lengths_of(joint.part)}
     stiff = {flexural(kind_of(deck, joint.part, name)) for name in names}
     if len(stiff) != 1:
-        found = f"{', '.join(sorted(names))}, with different bending stiffnesses"
-        allowed = "a telescopic joint of a scene has one bending stiffness. Write equal values"
+        found = f"{', '.join(sorted(names))} have different bending stiffnesses"
+        allowed = "write equal values, since a telescopic joint of a scene has one bending stiffness"
         raise joint.part.refused("LineType", found, allowed)
     joint_ = {"length": q(length, "m"), "bending_stiffness": q(stiff.pop(), "kN*m^2")}
     return {"rotation": rotation(joint.upper.stiffness), "telescopic_joint": joint_}
@@ -199,9 +199,9 @@ def _carries(deck: Part, cast: Roles, body: dict[str, Any] | None, sea: Sea) -> 
         stiffness = axial(kind)
         flexible += length / stiffness if stiffness else math.inf
     if SOFT * flexible < 1.0:
-        found = f"a line on {node!r} that is stiffer than {SOFT:g} kN/m along its axis"
+        found = f"the line on {node!r} is stiffer than {SOFT:g} kN/m along its axis"
         allowed = (
-            "a telescopic joint slides. Put it on a constraint that is free along z, "
+            "place the telescopic joint, which slides, on a constraint that is free along z, "
             f"or use at most {SOFT:g} kN/m"
         )
         raise joint.part.refused(PLACE[0], found, allowed)
@@ -230,7 +230,7 @@ def _products(buoy: Part, key: str, coefficient: str) -> list[float]:
     factor = buoy.vector(coefficient)
     products = [s * c for s, c in zip(size, factor, strict=True)]
     if products[0] != products[1]:
-        raise buoy.refused(key, f"{size}", ALIKE)
+        raise buoy.refused(key, f"the values {size} differ along x and y", ALIKE)
     return products
 
 

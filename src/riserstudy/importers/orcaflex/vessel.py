@@ -64,10 +64,10 @@ class Crest(NamedTuple):
         Raises InputError when the RAOs have such a symmetry.
         """
         if (symmetry and self.y) or (symmetry == "sides and ends" and self.x):
-            found = f"{-self.x:g}, {-self.y:g} m from the upper end of the riser"
+            found = f"the origin is {-self.x:g}, {-self.y:g} m from the upper end of the riser"
             allowed = (
-                "a scene has phases at the upper end of the riser, where mirrored RAOs are not symmetric. "
-                "Write the RAOs of all headings, with Symmetry: None"
+                "write the RAOs of all headings with Symmetry: None, since mirrored RAOs are not symmetric "
+                "at the upper end of the riser"
             )
             self.table.note(self.table.refused("PhaseOrigin", found, allowed))
 
@@ -114,11 +114,11 @@ def _answers(vessel: Part) -> bool:
     reported = vessel.optional("SuperimposedMotion")
     motion = vessel.optional("PrimaryMotion")
     if motion not in (None, "None", "Prescribed"):
-        allowed = "allowed are None and Prescribed: the import reads no other motion"
-        vessel.note(vessel.refused("PrimaryMotion", str(motion), allowed))
+        found = f"the import cannot convert the motion {motion}"
+        vessel.note(vessel.refused("PrimaryMotion", found, "write None or Prescribed"))
     if reported is not None and str(reported) != "None" and "RAO" not in str(reported):
-        allowed = "allowed are None and displacement RAOs: the import reads no other motion"
-        vessel.note(vessel.refused("SuperimposedMotion", str(reported), allowed))
+        found = f"the import cannot convert the motion {reported}"
+        vessel.note(vessel.refused("SuperimposedMotion", found, "use None or displacement RAOs"))
     if "harmonic" in str(reported):
         for key in vessel.data:
             if str(key).startswith("HarmonicMotion"):
@@ -136,7 +136,7 @@ def _bow_along_x(vessel: Part) -> None:
         key = "InitialHeading"
     if any(turned):
         found = ", ".join(f"{angle:g}" for angle in turned)
-        allowed = "allowed is 0: a scene has the bow along x and an even keel. Turn the model"
+        allowed = "turn the model to 0, since a scene has the bow along x and an even keel"
         vessel.note(vessel.refused(key, found, allowed))
 
 
@@ -151,8 +151,8 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
         mode = rows[k][0]
         changes = mode == "Speed change"
         if turn or (k and ((changes and value) or (not changes and value != speed))):
-            found = f"stage {k}: {mode} {value}, turning {turn}"
-            allowed = "a platform of a scene reaches one speed in the first stage and does not turn"
+            found = f"in stage {k}, the motion is {mode} {value}, turning {turn}"
+            allowed = "give one speed from the first stage on, without turning"
             raise vessel.refused(STAGES[0], found, allowed)
         speed = value if k == 0 else speed
         ramp = stages[0] if k == 0 and changes else ramp
@@ -160,8 +160,8 @@ def _cruise(vessel: Part, stages: list[float]) -> dict[str, Any] | None:
         return None
     headings = sorted({angle for _, angle, _ in figures})
     if len(headings) > 1:
-        found = ", ".join(f"{angle:g}" for angle in headings)
-        raise vessel.refused(STAGES[3], found, "a platform of a scene moves in one direction")
+        found = f"the vessel moves in the directions {', '.join(f'{angle:g}' for angle in headings)}"
+        raise vessel.refused(STAGES[3], found, "give one direction for all stages")
     heading = headings[0]
     cruise = {"speed": q(speed, "m/s")} | ({"ramp": q(ramp, "s")} if ramp else {})
     return cruise | ({"heading": q(heading, "deg")} if heading else {})
@@ -172,13 +172,13 @@ def _operators(deck: Part, vessel: Part, sea: Sea, offset: float) -> tuple[list[
     kinds = deck.named("VesselTypes")
     name = vessel.text("VesselType")
     if name not in kinds:
-        allowed = f"the vessel types of the model are {', '.join(kinds)}"
-        raise vessel.refused("VesselType", f"no vessel type {name!r}", allowed)
+        allowed = f"use one of {', '.join(kinds)}"
+        raise vessel.refused("VesselType", f"the model has no vessel type {name!r}", allowed)
     draughts = {one.name: one for one in kinds[name].parts("Draughts")}
     draught = vessel.text("Draught")
     if draught not in draughts:
-        allowed = f"the draughts of this vessel type are {', '.join(draughts)}"
-        raise vessel.refused("Draught", f"no draught {draught!r}", allowed)
+        allowed = f"use one of {', '.join(draughts)}"
+        raise vessel.refused("Draught", f"the vessel type has no draught {draught!r}", allowed)
     table = draughts[draught].part("DisplacementRAOs")
     origin = list(table.vector("RAOOrigin"))
     x, y = _phase_origin(table, origin)
@@ -236,5 +236,6 @@ def _choice(part: Part, key: str, of: dict[str, Any]) -> Any:
         entry = part.text(key)
         if entry in of:
             return of[entry]
-        raise part.refused(key, entry, f"the import reads only {', '.join(of)}")
+        found = f"the import cannot convert {entry}"
+        raise part.refused(key, found, f"use one of {', '.join(of)}")
     return next(iter(of.values()))
