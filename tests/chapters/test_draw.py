@@ -23,7 +23,9 @@ def refused(monkeypatch, look, **datasets):
 
 @pytest.mark.parametrize("look", LOOKS.values(), ids=LOOKS)
 def test_what_a_dataset_lacks_is_named(monkeypatch, look):
-    said = "^smith2031, figure fig3: the figure draws 'lift', which is not in motion; motion has angle$"
+    said = (
+        "^smith2031, figure fig3: the figure draws 'lift', which is not in motion; use .*: motion has angle$"
+    )
     with pytest.raises(InputError, match=said):
         refused(monkeypatch, look, motion=FULL.drop_vars("lift"), whole=FULL)
 
