@@ -270,11 +270,12 @@ def test_ends_of_ranges_are_written_within_their_panel():
             assert extent.x1 < ax.bbox.x1
 
 
-def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():
-    """The largest share is as by chance: the next one is named, with its own share."""
+@pytest.mark.parametrize("count", [3, 4, 5, 9, 64])
+def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names(count):
+    """The largest share is as by chance: the next one is named, if samples outnumber the fitted factors."""
     of = xr.Dataset(
         {
-            "damage_largest": ("sample", np.geomspace(0.01, 1.0, 9)),
+            "damage_largest": ("sample", np.geomspace(0.01, 1.0, count)),
             "damage_error": 0.05,
             "share_explained": ("varied_input", [0.3, 0.2, 0.1]),
             "by_chance": ("varied_input", [0.4, 0.1, 0.05]),
@@ -282,7 +283,8 @@ def test_the_title_on_fatigue_has_the_share_of_the_input_that_it_names():
         {"varied_input": ["cement", "damping", "platform"]},
     )
     said = headline(wellhead_fatigue(of))
-    assert said == "The structural damping explains 20 % of the scatter of damage"
+    assert ("The structural damping explains 20 % of the scatter of damage" in said) == (count > 4)
+    assert ("explains" in said) == (count > 4)
 
 
 def test_the_title_on_alarms_states_its_disconnect_time():
