@@ -105,7 +105,7 @@ def watch_circles(
     from riserstudy.design.watch_circles_of_run import Times, circles, moves_off
 
     of = file.resolved()
-    moves_off(of)
+    moves_off(of, file.source)
     limited = {limit.mode for limit in of.limits or []}
     for one in mode or []:
         if one.value not in limited:

@@ -150,7 +150,7 @@ def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
     try:
         value = json.loads(labelled.attrs[name])
     except (KeyError, TypeError, ValueError, RecursionError):
-        raise _damaged(labelled, name, "no JSON") from None
+        raise _damaged(labelled, name, "is not JSON") from None
     if not isinstance(value, dict):
         raise _damaged(labelled, name, "is not a group of fields")
     return value

@@ -26,7 +26,7 @@ def recoil(scene: Resolved, dataset: xr.Dataset) -> Table:
     of, release = dataset.attrs, scene.disconnect
     if release is None:
         allowed = "add, for example, `disconnect: {at: 12 s}` to the scene"
-        raise InputError("disconnect", "", "missing, so the riser does not disconnect", allowed)
+        raise InputError("scene", "disconnect", "missing, so the riser does not disconnect", allowed)
     if "lift_max" not in of:
         allowed = "increase analysis.duration by some seconds"
         found = f"the run ends before or soon after the disconnect at {release.at:g} s"

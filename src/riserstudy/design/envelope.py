@@ -119,7 +119,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
     if current is None:
         if speed == 0.0:
             return scene
-        raise InputError("current", "", "missing, but a current speed is given", allowed)
+        raise InputError("scene", "current", "missing, but a current speed is given", allowed)
     profile = current.profile
     if isinstance(profile, Shape):
         changed: object = profile.model_copy(update={"surface_speed": speed})
@@ -129,11 +129,11 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
         own = math.hypot(x, y) if current.turns else x * math.cos(turn) + y * math.sin(turn)
         if abs(own) <= STILL * max(abs(point.speed) for point in profile):
             found = "the current speed at the surface is 0 m/s, so the profile cannot be scaled"
-            raise InputError("current.profile", "", found, allowed)
+            raise InputError("scene", "current.profile", found, allowed)
         changed = [point.model_copy(update={"speed": point.speed * speed / own}) for point in profile]
     else:
         found = "the surface current speed of a sum or a wind drift cannot be changed"
-        raise InputError("current.profile", "", found, allowed)
+        raise InputError("scene", "current.profile", found, allowed)
     return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
 
 

@@ -134,7 +134,8 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     Raises InputError when the riser's top is not held horizontally, or the solver does not evaluate limits.
     """
     if solver := scene.analysis.solver:
-        raise InputError("analysis.solver", solver, "this solver does not evaluate limits", "remove it")
+        found = f"the solver {solver!r} does not evaluate limits"
+        raise InputError("scene", "analysis.solver", found, "remove it")
     scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
@@ -151,7 +152,8 @@ def moved(scene: Resolved, offset: float) -> Resolved:
             moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
         return scene.model_copy(update=moved)
     allowed = "write `held`, `platform` or `vessel`"
-    raise InputError("top.x", f"{top.x or 'missing'}", "nothing holds the riser at an offset", allowed)
+    found = f"{top.x!r} does not hold the riser at an offset" if top.x else "missing, so no offset is held"
+    raise InputError("scene", "top.x", found, allowed)
 
 
 def _fine_enough(scene: Resolved, reach: float) -> Mesh:

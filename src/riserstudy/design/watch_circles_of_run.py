@@ -42,8 +42,8 @@ class Circles(NamedTuple):
     missing: bool
 
 
-def moves_off(scene: Resolved) -> None:
-    """Refuse a scene that does not leave the well.
+def moves_off(scene: Resolved, source: str) -> None:
+    """Refuse a scene, of the file ``source``, that does not leave the well.
 
     Raises InputError when there is neither a vessel nor a cruising platform, the riser hangs free or
     disconnects during the run, the scene is static, or outputs begin late.
@@ -51,25 +51,25 @@ def moves_off(scene: Resolved) -> None:
     cruise = scene.platform and scene.platform.cruise
     if scene.vessel is None and not cruise:
         allowed = "give `vessel` (drift-off) or `platform.cruise` (drive-off)"
-        raise InputError("vessel", "", "missing, so the platform does not leave the well", allowed)
+        raise InputError(source, "vessel", "missing, so the platform does not leave the well", allowed)
     if scene.bottom.hold == "free":
         found = "'free' means a hung-off riser, which cannot disconnect"
         allowed = "write `wellhead`, or check the limits of the hung-off riser with `riserstudy check`"
-        raise InputError("bottom.hold", "", found, allowed)
+        raise InputError(source, "bottom.hold", found, allowed)
     if scene.analysis.duration is None:
         found = "missing, but watch circles require a dynamic run"
-        raise InputError("analysis.duration", "", found, "give, for example, `300 s`")
+        raise InputError(source, "analysis.duration", found, "give, for example, `300 s`")
     if scene.disconnect:
         found = (
             f"after the disconnect at {scene.disconnect.at:g} s, the limits would apply to a hung-off riser"
         )
-        raise InputError("disconnect", "", found, "remove it with `--set disconnect=null`")
+        raise InputError(source, "disconnect", found, "remove it with `--set disconnect=null`")
     if scene.analysis.output and scene.analysis.output.start:
         found = f"limits that are reached before {scene.analysis.output.start:g} s would be missed"
-        raise InputError("analysis.output.start", "", found, "remove it")
+        raise InputError(source, "analysis.output.start", found, "remove it")
     if not scene.limits:
         allowed = "add a list with items such as {output: lfj_angle, largest: 9 deg, mode: disconnect}"
-        raise InputError("limits", "", "missing, but watch circles are computed from limits", allowed)
+        raise InputError(source, "limits", "missing, but watch circles are computed from limits", allowed)
 
 
 class Way(NamedTuple):

@@ -68,7 +68,7 @@ def to_si(text: str, unit: str) -> float:
     if not math.isfinite(value):
         raise Misfit("", f"{text!r} is not finite", allowed)
     if abs(value) > MOST:
-        raise Misfit("", f"{text!r} is {value:.3g} {unit}", f"give at most {MOST:g} {unit}")
+        raise Misfit("", f"{text!r} is too large, {value:.3g} {unit}", f"give at most {MOST:g} {unit}")
     return value
 
 
