@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from riserstudy.design.watch_circles import TOO_LATE
-from riserstudy.figures.direct import label_ends
+from riserstudy.figures.direct import label_ends, legible
 from riserstudy.figures.style import GREY, headline, legend_below, panel_title, panels
 
 RED, YELLOW = "#d62728", "#b38600"
@@ -17,26 +19,31 @@ STYLES = (":", "-", "--")
 
 
 def watch_circles(watch_circles: xr.Dataset) -> Figure:
-    """Red and yellow circle for each disconnect time, and the first limit, over current."""
+    """Red and yellow circle for each disconnect time, and the first limit, over current; a plan view."""
     muds = watch_circles["mud_weight"].values
-    figure, axes = panels(1, len(muds), 4.0, sharey=True)
-    lines: list[Line2D] = []  # in the last panel
+    figure, every = panels((len(muds) + 2) // 2, 2, 3.4)
+    axes, plan, *spare = every[: len(muds)], *every[len(muds) :]
+    for ax in spare:
+        ax.remove()
+    lines: list[list[Line2D]] = []  # of each panel
     for ax, mud in zip(axes, muds, strict=True):
         at = watch_circles.sel(mud_weight=mud)
         speed = at["surface_speed"]
-        lines = ax.plot(speed, at["limit_offset"], color="black", label="first limit")
+        lines.append(ax.plot(speed, at["limit_offset"], color="black", label="first limit"))
         for colour, name in ((RED, "red"), (YELLOW, "yellow")):
             for style, eds in zip(STYLES, at["eds_time"].values, strict=False):
                 one = at.sel(eds_time=eds)
                 radius = one[f"{name}_circle_radius"]
-                lines += ax.plot(speed, radius, style, color=colour, label=f"{name}, {eds:g} s")
+                lines[-1] += ax.plot(speed, radius, style, color=colour, label=f"{name}, {eds:g} s")
                 late = one[f"{name}_circle_outcome"] == TOO_LATE
                 if bool(late.any()):
                     ax.plot(speed, radius.where(late), "x", color=colour, markersize=6, clip_on=False)
         ax.set_xlabel("surface current speed (m/s)")
+        ax.set_ylabel("offset at alarm (m)")
+        ax.sharey(axes[0])
         ax.set_ylim(bottom=-5.0)  # a radius of zero is seen above the frame
         panel_title(ax, f"mud density {mud:g} kg/m³")
-    axes[0].set_ylabel("offset at which the alarm is due (m)")
+    _plan(plan, watch_circles)
     looks: tuple[tuple[str, dict[str, Any]], ...] = (
         ("red alarm, by time to disconnect", {"color": RED}),
         ("yellow alarm, by time to disconnect", {"color": YELLOW}),
@@ -46,10 +53,39 @@ def watch_circles(watch_circles: xr.Dataset) -> Figure:
     legend_below(figure, handles, [label for label, _ in looks], 4)
     headline(figure, _answer(watch_circles))
     left, right = axes[0].get_xlim()
-    label_ends(axes[-1], lines[::-1])
+    at_edge = min(1, len(axes) - 1)
+    label_ends(axes[at_edge], lines[at_edge][::-1])
     for ax in axes:
         ax.set_xlim(left, right)
     return figure
+
+
+def _plan(ax: Axes, circles: xr.Dataset) -> None:
+    """Plan view around the well for the last mud density, at the middle disconnect time and current."""
+    eds, speed = (float(circles[name][circles.sizes[name] // 2]) for name in ("eds_time", "surface_speed"))
+    at = circles.sel(eds_time=eds, surface_speed=speed).isel(mud_weight=-1)
+    around, reach = np.linspace(0.0, 2.0 * np.pi, 181), 1.0
+    for colour, quantity, name in (
+        (YELLOW, "yellow_circle_radius", "yellow"),
+        (RED, "red_circle_radius", "red"),
+        ("black", "limit_offset", "first limit"),
+    ):
+        radius = float(at[quantity])
+        if not np.isfinite(radius):
+            continue
+        reach = max(reach, radius)
+        ax.plot(radius * np.cos(around), radius * np.sin(around), color=colour)
+        ax.annotate(
+            f"{name}: {radius:.0f} m", (0.0, radius), xytext=(0.0, 2.0), textcoords="offset points",
+            ha="center", va="bottom", fontsize="small", color=legible(colour),
+        )  # fmt: skip
+    ax.plot(0.0, 0.0, "+", color="black", markersize=8)
+    ax.set_aspect("equal")
+    ax.set_xlim(-1.5 * reach, 1.5 * reach)
+    ax.set_ylim(-1.15 * reach, 1.35 * reach)  # room for the last label
+    ax.set_xlabel("distance along the current (m)")
+    ax.set_ylabel("distance across (m)")
+    panel_title(ax, f"plan, {float(at['mud_weight']):g} kg/m³, {speed:g} m/s, {eds:g} s to disconnect")
 
 
 def _answer(circles: xr.Dataset) -> str:

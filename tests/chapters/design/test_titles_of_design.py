@@ -301,5 +301,9 @@ def test_the_title_on_alarms_states_its_disconnect_time():
         },
         {"surface_speed": [0.0, 1.6], "mud_weight": [1440.0], "eds_time": [30.0, 60.0, 90.0]},
     )
-    said = headline(watch_circles(of))
-    assert said == "With 60 s to disconnect, the yellow alarm is too late from 1.6 m/s"
+    figure = watch_circles(of)
+    assert headline(figure) == "With 60 s to disconnect, the yellow alarm is too late from 1.6 m/s"
+    plan = figure.axes[1]
+    assert [text.get_text() for text in plan.texts] == ["yellow: 20 m", "red: 50 m", "first limit: 90 m"]
+    for circle, radius in zip(plan.lines, (20.0, 50.0, 90.0), strict=False):
+        assert np.hypot(*circle.get_data()) == pytest.approx(radius)
