@@ -24,6 +24,7 @@ TENSION, STRENGTH = 3.02e6, 386e6  # N, Pa, published; strength taken for the ri
 SEEN = (50.0, 100.0)  # s, of Fig 4: target reached, largest surge not yet passed
 MOVED = 1.0  # m, displacement at which a point of the riser counts as having begun to move
 INERTIA = {"riser_inertia": "with", "riser_drag": "without"}
+UFJ = "upper flex joint"
 DRAG = {"riser_inertia": "without", "riser_drag": "with"}
 
 
@@ -126,28 +127,33 @@ def inhibits_overall(runs: xr.Dataset) -> Found:
 
 
 def ufj_first(runs: xr.Dataset) -> Found:
-    """The upper flex joint, if it reaches its limit, is first; value: largest share of other limits then."""
+    """Of limits reached, the upper flex joint's is first; value: its share then over the largest other."""
     run = _along(runs)
     times = reached(run)
-    others = times.sel(limit=[name for name in LIMITS if name != "upper flex joint"])
-    first = times.sel(limit="upper flex joint", drop=True)
-    used = at_time(shares(run), first).sel(limit=others["limit"]).max("limit")
-    return judged(used, below(first, others.min("limit")), first < np.inf)
+    others = times.sel(limit=[name for name in LIMITS if name != UFJ]).min("limit")
+    ufj = times.sel(limit=UFJ, drop=True)
+    first = times.min("limit")
+    ratio = _ufj_over_others(at_time(shares(run), first))
+    return judged(ratio, below(ufj, others), first < np.inf)
 
 
 def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
     """At a time the upper flex joint has used most of its limit; value: ratio to the largest other share."""
-    used = shares(_along(runs)).interp(time=time, assume_sorted=True).drop_vars("time")
-    ratio = used.sel(limit="upper flex joint", drop=True) / used.sel(
-        limit=[name for name in LIMITS if name != "upper flex joint"]
-    ).max("limit")
+    ratio = _ufj_over_others(shares(_along(runs)).interp(time=time, assume_sorted=True).drop_vars("time"))
     return judged(ratio, above(ratio, 1.0))
+
+
+def _ufj_over_others(used: xr.DataArray) -> xr.DataArray:
+    """Share of the upper flex joint's limit, divided by the largest share of the other limits."""
+    others = used.sel(limit=[name for name in LIMITS if name != UFJ])
+    ratio: xr.DataArray = used.sel(limit=UFJ, drop=True) / others.max("limit")
+    return ratio
 
 
 def slow_below(runs: xr.Dataset, later: float) -> Found:
     """All parts at the bottom begin to respond later than the upper flex joint; value: least delay (s)."""
     begins = starts(_along(runs))
-    delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit="upper flex joint", drop=True)
+    delay = begins.sel(limit=list(BOTTOM)).min("limit") - begins.sel(limit=UFJ, drop=True)
     return judged(_finite(delay, runs), above(delay, later))
 
 
@@ -171,20 +177,19 @@ def inertia_explains_the_lag(runs: xr.Dataset, larger: Word) -> Found:
     return judged(inertia / drag, more(inertia, drag, larger))
 
 
-def stroke_responds_fast(runs: xr.Dataset, times: float) -> Found:
+def stroke_responds_fast(runs: xr.Dataset, obvious: Word) -> Found:
     """At 50 s the stroke's share of its limit exceeds all at the bottom; value: ratio to the largest."""
     used = shares(_along(runs)).interp(time=50.0, assume_sorted=True).drop_vars("time")
-    ratio = used.sel(limit="telescopic joint", drop=True) / used.sel(limit=list(BOTTOM)).max("limit")
-    return judged(ratio, above(ratio, times))
+    stroke, low = used.sel(limit="telescopic joint", drop=True), used.sel(limit=list(BOTTOM)).max("limit")
+    return judged(stroke / low, more(stroke, low, obvious))
 
 
-def stroke_begins_with_the_ufj(runs: xr.Dataset) -> Found:
-    """The stroke's start is closer to the upper flex joint's than to the bottom's; value: its delay (s)."""
+def stroke_begins_before_the_bottom(runs: xr.Dataset) -> Found:
+    """The stroke begins to respond before all parts at the bottom; value: delay of the first of these (s)."""
     begins = starts(_along(runs))
-    first = begins.sel(limit="upper flex joint", drop=True)
     stroke = begins.sel(limit="telescopic joint", drop=True)
-    slow = begins.sel(limit=list(BOTTOM)).min("limit")
-    return judged(_finite(stroke - first, runs), below(stroke - first, slow - stroke))
+    low = begins.sel(limit=list(BOTTOM)).min("limit")
+    return judged(_finite(low, runs) - _finite(stroke, runs), below(stroke, low))
 
 
 # the environment
@@ -256,7 +261,7 @@ def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
         "thrust": float(abs(base["thrust_x"]).max() / 1e6),
         "printed": printed,
         "exact": exact,
-        "implied": float(-TENSION * np.sin(LIMITS["upper flex joint"].most) / 1e6),
+        "implied": float(-TENSION * np.sin(LIMITS[UFJ].most) / 1e6),
         "overshoot": float(_along(base)["platform_surge"].max()),
         "lower": float(shares(fifty).sel(limit=list(BOTTOM)).max()),
         "riser_stress": float(fifty["riser_stress"]) / 1e6,
@@ -265,10 +270,7 @@ def facts(base: xr.Dataset, losses: xr.Dataset) -> dict[str, Any]:
         "drift_riser": float(first_crossing(lost["riser_stress"], STRENGTH)),
         "drift_tension": float(lost["riser_tension"].max() / 1e6),
         "drift_lower": float(lost["limit_share"].sel(limit="lower flex joint").max()),
-        "drift_upper": float(
-            np.rad2deg(LIMITS["upper flex joint"].most)
-            * lost["limit_share"].sel(limit="upper flex joint").max()
-        ),
+        "drift_upper": float(np.rad2deg(LIMITS[UFJ].most) * lost["limit_share"].sel(limit=UFJ).max()),
     }
 
 

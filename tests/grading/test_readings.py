@@ -181,5 +181,6 @@ def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_v
     then = "The samples also include other assumptions" if varied else "No sample varies this assumption"
     assert f"the base case agrees with the paper: the profile. {then}" in note
     assert Grounds.from_json(row_of(found).grounds) == found.grounds
-    never = claim(of_lines([0.0]).isel(line=0, drop=True), space.isel(sample=0), chosen=chosen)
+    none = of_lines([0.0]).isel(line=0, drop=True)
+    never = claim(none, none.isel(sample=0), chosen=chosen)
     assert never.verdict == "fails"

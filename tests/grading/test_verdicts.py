@@ -55,12 +55,22 @@ def test_verdicts_of_numbers(hit, share, calibrated, verdict):
     [(1.0, "holds"), (0.95, "holds"), (0.949, "depends"), (0.051, "depends"), (0.05, "fails")],
 )
 def test_verdicts_of_claims(share, verdict):
-    assert verdict_of_claim(share, calibrated=False) == verdict
+    assert verdict_of_claim(share, calibrated=False, base=share > 0.5) == verdict
+
+
+@pytest.mark.parametrize("base", [True, False])
+@pytest.mark.parametrize("met", range(0, 129))
+def test_a_claim_fails_where_its_negation_holds(met, base):
+    """A base case that contradicts the samples decides neither way."""
+    share = met / 128
+    opposite = {"holds": "fails", "fails": "holds", "depends": "depends"}
+    negated = verdict_of_claim(1.0 - share, calibrated=False, base=not base)
+    assert verdict_of_claim(share, calibrated=False, base=base) == opposite[negated]
 
 
 def test_a_claim_that_needs_calibrated_values_does_not_hold_by_itself():
     assert verdict_of_claim(1.0, calibrated=True) == "calibrated"
-    assert verdict_of_claim(0.0, calibrated=True) == "fails"
+    assert verdict_of_claim(0.0, calibrated=True, base=False) == "fails"
 
 
 def test_a_share_of_nothing_is_no_share():

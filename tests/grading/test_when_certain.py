@@ -64,7 +64,7 @@ def test_the_samples_that_settle_a_verdict_give_the_verdict_of_all(seed, kind):
 )
 def test_samples_whose_verdict_later_ones_turn_settle_nothing(kind, first, then):
     hits = np.array([first] * 96 + then)
-    one = found(kind, hits, kind == "claim")
+    one = found(kind, hits, bool(first))
     assert one.verdict == "depends"
     assert one.grounds.settled.after != 96
 
@@ -76,6 +76,6 @@ def test_a_number_that_the_base_case_alone_meets_depends_on_the_base_case():
 
 
 def test_a_verdict_that_missing_values_could_turn_is_not_settled():
-    one = found("claim", np.array([1.0] * 4 + [0.0] * 200 + [np.nan] * 20), True)
+    one = found("claim", np.array([1.0] * 4 + [0.0] * 200 + [np.nan] * 20), False)
     assert depends_on(one.kind, one.grounds).startswith("20 cases without a result")
     assert "settle" not in note(one.kind, one.unit, one.grounds)

@@ -40,6 +40,21 @@ def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
     return described(dataset, PAPER, "displacement under surge, for samples of the unspecified inputs")
 
 
+def surge_stiff(surge_stiff_case: xr.Dataset) -> xr.Dataset:
+    """Lag at four depths on tensioners of almost constant length, over (tensioner_model, depth)."""
+    riser = surge_stiff_case["x"].sel(s=surge_stiff_case["s"] <= RING + 1e-6)
+    dataset = xr.Dataset({"displacement_lag": lag_at(DEPTHS, riser, SURGE_PERIOD)})
+    return described(dataset, PAPER, "lag under surge on tensioners of almost constant length")
+
+
+def surge_stiff_readings(surge_stiff_open: xr.Dataset) -> xr.Dataset:
+    """Lag at four depths on tensioners of almost constant length, for every sample."""
+    x = at_depths(surge_stiff_open["x"], ring_of(surge_stiff_open), DEPTHS)
+    dataset = xr.Dataset({"displacement_lag": _lag(x, SURGE_PERIOD, "depth")})
+    title = "lag under surge on tensioners of almost constant length, for samples of the unspecified inputs"
+    return described(dataset.assign(sampled(surge_stiff_open)), PAPER, title)
+
+
 def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
     """Time at which surge motion begins at four depths, for every sample of the unspecified inputs."""
     return _arrivals(surge_start, "surge, for samples of the unspecified inputs")

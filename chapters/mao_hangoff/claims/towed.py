@@ -169,20 +169,24 @@ def change_arises_near_the_lmrp(runs: xr.Dataset, at_least: float) -> Found:
     return judged(share, above(share, at_least))
 
 
-def all_follow(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """x, M and a all increase or decrease along an axis; value: last x / first."""
-    return _all_follow(runs, lmrp_motion(heave)["amplitude"], axis, sign, change)
+def all_rise_with_relative_speed(runs: xr.Dataset, change: Word) -> Found:
+    """x, largest moment and largest rise are larger at 0 than at 90 deg; value: x at 0 / 90 deg."""
+    return _larger_at_0_degrees(runs, largest_rise(runs), change)
 
 
-def all_rise_with(runs: xr.Dataset, heave: xr.Dataset, axis: str, sign: float, change: Word) -> Found:
-    """x, M and the LMRP's largest rise all increase or decrease along an axis; value: last x / first."""
-    return _all_follow(runs, largest_rise(heave), axis, sign, change)
+def all_follow_relative_speed(runs: xr.Dataset, change: Word) -> Found:
+    """x, largest moment and a are larger at 0 than at 90 deg; value: x at 0 / 90 deg."""
+    return _larger_at_0_degrees(runs, lmrp_motion(runs)["amplitude"], change)
 
 
-def _all_follow(runs: xr.Dataset, axial: xr.DataArray, axis: str, sign: float, change: Word) -> Found:
-    x, m = distance(runs), largest(runs)
-    every = all_of(*(growing(values, axis, change, sign) for values in (x, m, axial)))
-    return judged(last_over_first(x, axis), every)
+def _larger_at_0_degrees(runs: xr.Dataset, axial: xr.DataArray, change: Word) -> Found:
+    """Comparison in the fastest current: in slower ones, the relative speed hardly differs from 90 deg."""
+    by_angle = []
+    for values in (distance(runs), runs["largest_bending_moment"], axial):
+        at0, at90 = (at_angle(values, angle) for angle in (0, 90))
+        by_angle.append((at0.isel(track_current=-1, drop=True), at90))
+    x0, x90 = by_angle[0]
+    return judged(x0 / x90, all_of(*(more(at0, at90, change) for at0, at90 in by_angle)))
 
 
 def loads_small_at_the_lmrp(loads: xr.Dataset, smaller: Word) -> Found:

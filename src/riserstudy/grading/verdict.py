@@ -2,8 +2,9 @@
 
 A published value is met within half a unit of its last printed digit or 1 %, whichever is larger; its file
 may give a stricter share than 1 %. If inputs are unspecified, values and claims are judged over samples of
-these. A claim that is true in almost all samples holds, and a claim that is true in almost none fails. A
-value that no sample meets fails. All other cases depend.
+these. A claim that is true in the base case and in almost all samples holds, and a claim that is false in the
+base case and true in almost no sample fails. A value that neither the base case nor a sample meets fails. All
+other cases depend.
 
 References
 ----------
@@ -79,7 +80,7 @@ def verdict_of_claim(
         if not base or few(samples):
             return "depends"
         return "calibrated" if calibrated else "holds"
-    return "fails" if share <= ALMOST_NEVER else "depends"
+    return "fails" if share <= ALMOST_NEVER and not base else "depends"
 
 
 def few(samples: int | None) -> bool:

@@ -28,7 +28,8 @@ VERDICTS = {
     "interpretation of the text",
     "depends": "true or false, depending on an input that the paper omits or on an interpretation; or the "
     "samples are too few",
-    "fails": "no sample gives the published value, or at most 5 % of the samples support the claim",
+    "fails": "no sample gives the published value, or at most 5 % of the samples support the claim; nor does "
+    "the base case",
     "calibrated": "the published value is met, but an input was fitted to a published value",
     "not comparable": "the paper defines the quantity differently",
     "not reproducible": "the paper gives too little information",

@@ -226,6 +226,37 @@ def test_no_baseline_is_named_where_none_makes_both_true():
     assert told["both"] == "No definition makes both Q2 and Q8 true in at least 95 % of the samples."
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_flexible_tensioners_are_compared_with_stiff_ones(seed):
+    draw = np.random.default_rng(seed)
+    behind = draw.uniform(-0.01, 0.3, (6, 4))  # rad, over sample and depth
+    lag = draw.uniform(0.0, 2.0 * np.pi, behind.shape)
+    later = WORD("lags")
+    surge, stiff = (
+        xr.Dataset(
+            {"displacement_lag": (("tensioner_model", "sample", "depth"), values[None])}
+        ).assign_coords(tensioner_model=[model])
+        for model, values in (("gas law", lag + behind), ("stiff", lag))
+    )
+    found = claims.flexibility_makes_the_lag(surge, stiff, later)
+    assert found.value.values == pytest.approx(np.rad2deg(behind.min(axis=1)))
+    assert found.true.values.tolist() == (behind >= later.bound).all(axis=1).tolist()
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_simple_model_is_judged_by_each_definition(seed):
+    """The gas law's largest displacement and moment are 1; those of the definitions are drawn."""
+    draw = np.random.default_rng(seed)
+    others = draw.uniform(0.96, 1.0, (2, len(WITHOUT)))
+    names = ("largest_displacement", "largest_bending_moment")
+    models = ["gas law", *WITHOUT]
+    dims, larger = ("tensioner_model", "surface_speed"), WORD("larger")
+    values = {name: (dims, np.array([[1.0], *row[:, None]])) for name, row in zip(names, others, strict=True)}
+    found = claims.simple_model_differs(xr.Dataset(values, {"tensioner_model": models}), larger)
+    assert found.value.values == pytest.approx(1.0 - others.min(axis=0))
+    assert found.true.values.tolist() == (1.0 - others.min(axis=0) >= larger.bound).tolist()
+
+
 @pytest.mark.parametrize("name", ["heave_open", "rao_open", "roll_open", "statics_open", "surge_open"])
 def test_every_sample_pulls_the_printed_tension(name):
     """As cylinders that lean: six by 8.8 degrees at most (229 t), seven by 7.6 (233 t) to 10 degrees."""

@@ -7,7 +7,8 @@ import pytest
 import xarray as xr
 from mao import CONFIG, PAPER, WORD
 
-from chapters.mao_hangoff.claims.further import moments_vary, upper_half_moves_faster
+from chapters.mao_hangoff.claims import towed as claims
+from chapters.mao_hangoff.claims.further import moments_vary, top_end_decides, upper_half_moves_faster
 from chapters.mao_hangoff.claims.heave import amplitude_grows_with_depth, level_rises, one_frequency
 from chapters.mao_hangoff.derived import towed as derived_towed
 from chapters.mao_hangoff.derived.limits import speed_limits, tension_limits
@@ -157,7 +158,7 @@ def test_the_upper_half_that_moves_twice_as_far_is_faster():
     assert not bool(upper_half_moves_faster(runs, WORD("faster")).true)
 
 
-def test_moments_vary_by_their_range_over_the_time_of_full_speed():
+def test_moments_vary_by_their_range_at_the_times_of_full_speed():
     """At 100 and 500 m below the joint: from 60 to 100 and from 20 to 50; before 70 s all is zero."""
     time = np.arange(0.0, 201.0, 10.0)
     s = np.array([0.0, 700.0, 1100.0, 1200.0])
@@ -165,9 +166,54 @@ def test_moments_vary_by_their_range_over_the_time_of_full_speed():
     size = np.stack([9.0 + 0.0 * late, 20.0 + 30.0 * late, -60.0 - 40.0 * late, 9.0 + 0.0 * late], axis=1)
     size[time < 70.0] = 0.0
     size[time > 130.0] = 1e4
+    size[time == 90.0] = 1e4  # no time of Fig 9c, so samples do not have it
     runs = xr.Dataset({"bending_moment": (("time", "s"), size)}, {"time": time, "s": s})
     found = moments_vary(runs, [100.0, 500.0], WORD("evident"))
     assert float(found.value) == pytest.approx(0.4)
+    assert float(
+        moments_vary(runs.sel(time=[70.0, 100.0, 130.0]), [100.0, 500.0], WORD("evident")).value
+    ) == (pytest.approx(0.4))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_stiff_top_end_is_judged_by_the_moment(seed):
+    """By factors of the moment with a top end that turns freely, with the published stiffness and clamped."""
+    published, clamped = np.random.default_rng(seed).uniform(0.9, 1.3, 2)
+    variants = ["base", "joint clamped", "joint free"]
+    shape = np.array([0.2, -1.0, 0.5])
+    size = np.array([published, clamped, 1.0])[:, None, None] * shape
+    runs = xr.Dataset(
+        {"bending_moment": (("variant", "time", "s"), size)},
+        {"variant": variants, "time": [130.0], "s": [0.0, 1.0, 2.0]},
+    )
+    found = top_end_decides(runs, WORD("larger"))
+    for name, factor in (("as published", published), ("clamped", clamped)):
+        assert float(found.value.sel(top_end=name)) == pytest.approx(factor)
+        assert bool(found.true.sel(top_end=name)) == (1.0 - 1.0 / factor >= WORD("larger").bound)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_large_relative_speed_is_that_of_the_fastest_current(seed, monkeypatch):
+    """At 0 deg in 3 m/s all of displacement, moment and rise must exceed those at 90 deg by the word."""
+    draw = np.random.default_rng(seed)
+    factors = draw.uniform(1.2, 2.0, 3)
+    by_track = np.ones((3, 4))
+    by_track[:, :2] = draw.uniform(0.1, 9.0, (3, 2))  # slower currents do not count
+    by_track[:, 2] = factors
+    x = -by_track[0][:, None, None] * np.outer([0.0, 130.0], [1.0, 0.0])
+    tracks = ["0 deg, 2 m/s", "0 deg, 2.5 m/s", "0 deg, 3 m/s", "90 deg"]
+    runs = xr.Dataset(
+        {
+            "x": (("track", "time", "s"), x),
+            "largest_bending_moment": ("track", by_track[1]),
+            "rise": ("track", by_track[2]),
+        },
+        {"track": tracks, "time": [0.0, 130.0], "s": [0.0, 1000.0]},
+    )
+    monkeypatch.setattr(claims, "largest_rise", lambda of: of["rise"])
+    found = claims.all_rise_with_relative_speed(runs, WORD("significant"))
+    assert float(found.value) == pytest.approx(factors[0])
+    assert bool(found.true) == bool((1.0 - 1.0 / factors >= WORD("significant").bound).all())
 
 
 def heaving(drift, sizes, other=0.0):
