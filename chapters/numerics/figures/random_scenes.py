@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, NullFormatter
 
 from chapters.numerics.figures.scenes import family_in_words
-from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, panel_title, panels
+from riserstudy.figures.style import COLOURS, GREY, headline, legend_below, mosaic, panel_title
 
 HONEST = (0.5, 5.0)  # range of the ratio of estimated to true error
 CHEAP = (5.0, 10.0)  # target ratios to the cheapest work: median, 95 % of scenes
@@ -20,7 +20,7 @@ LEAST = 1e-6  # error below which a point is drawn at the edge
 
 def random_scenes(random_scenes: xr.Dataset) -> Figure:
     """Estimated and true error; work with the tolerance, divided by the least work at fixed mesh and step."""
-    figure, (left, right) = panels(1, 2, height=4.4)
+    figure, (left, right) = mosaic(["a a a b b"], (4.4,))
     _errors(left, random_scenes)
     _costs(right, random_scenes)
     keys = [ax.get_legend_handles_labels() for ax in (left, right)]
