@@ -97,7 +97,7 @@ def others(_: str) -> str:
         for peer, reached in peers.items()
         for error, ratio in [min(reached)]
     ]
-    head = "| scene | simulator | finest level reached | times riserstudy's time |"
+    head = "| scene | simulator | smallest error reached | run time relative to riserstudy |"
     return "\n".join([head, TABLE, *rows])
 
 
