@@ -135,7 +135,7 @@ def test_a_scene_is_drawn_in_the_format_of_the_ending(command, tmp_path):
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
     code, _, err = command("draw", SURGE, "-o", tmp_path / "a.jpg")
     assert code == 2
-    assert "no figure '.jpg'" in err
+    assert "the ending '.jpg' is wrong" in err
     assert {path.name for path in tmp_path.iterdir()} == {"a.png"}
 
 

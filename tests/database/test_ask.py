@@ -212,7 +212,7 @@ def test_options_need_a_study(command, options):
     for words in ([], ["no/study"], ["plain/surge", "plain/one"]):
         code, out, err = command("results", *words, *options)
         assert (code, out) == (2, "")
-        assert "no study" in err
+        assert ("there is no study" if words else "the name of a study is missing") in err
 
 
 def test_words_find_the_points_that_have_them_all(command):
