@@ -31,6 +31,13 @@ def reduction(reductions: xr.Dataset, quantity: str) -> Found:
     return Found(reductions["reduction"].sel(quantity=quantity, drop=True))
 
 
+def reduced(reductions: xr.Dataset, obvious: Word) -> Found:
+    """The tensioner reduces the oscillations of tension and heave; value: the smaller reduction."""
+    least = reductions["reduction"].min("quantity", skipna=False)
+    # the oscillation without a tensioner is 1
+    return judged(least, less(1.0 - least, 1.0, obvious))
+
+
 # Figs 5, 6, 9: the tensioner's law
 
 

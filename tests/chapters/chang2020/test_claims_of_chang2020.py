@@ -167,3 +167,15 @@ def test_reductions_of_a_sample_are_those_of_its_own_record():
     assert set(found.dims) == {"quantity", "sample", "measure", "height"}
     for sample, expected in ((0, 0.5), (1, 0.75)):
         np.testing.assert_allclose(found.sel(sample=sample), expected, rtol=1e-9)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_both_oscillations_must_be_reduced(seed):
+    obvious = WORD("obvious")
+    values = np.random.default_rng(seed).uniform(-0.1, 0.2, (2, 30))
+    found = checks.reduced(
+        xr.Dataset({"reduction": (("quantity", "sample"), values)}, {"quantity": ["heave", "tension"]}),
+        obvious,
+    )
+    assert found.value.values == pytest.approx(values.min(axis=0))
+    assert found.true.values.tolist() == (values >= obvious.bound).all(axis=0).tolist()
