@@ -45,7 +45,7 @@ class Checked(Strict):
     @model_validator(mode="after")
     def _reads_for_a_check(self) -> Self:
         if bool(self.check) != bool(self.reads):
-            raise ValueError("only one of check and reads is given; give both, or neither")
+            raise Misfit("", "only one of check and reads is given", "give both, or neither")
         return self
 
     @property
@@ -101,7 +101,10 @@ class Item(Checked):
     @field_validator("figure")
     @classmethod
     def _names_figures(cls, text: str) -> str:
-        figures_in(text)
+        try:
+            figures_in(text)
+        except ValueError as error:
+            raise Misfit("", *error.args) from None
         return text
 
     @model_validator(mode="after")
@@ -128,13 +131,15 @@ class Item(Checked):
                 f"give at most {100 * RELATIVE:g} %, for a published number other than zero",
             )
         if sum(map(bool, (self.check, self.impossible, self.not_comparable))) != 1:
-            raise ValueError(
-                "an item has exactly one of check, impossible and not_comparable; give one of them"
+            raise Misfit(
+                "", "an item has exactly one of check, impossible and not_comparable", "give one of them"
             )
         for name, reads in {"over": self.over, **self.further_cases}.items():
             if reads and set(reads) != set(self.reads):
-                raise ValueError(
-                    f"{name} has other arguments than reads; give the same names on the left of the colons"
+                raise Misfit(
+                    "",
+                    f"{name} has other arguments than reads",
+                    "give the same names on the left of the colons",
                 )
         return self
 
@@ -194,7 +199,7 @@ class PublishedFile(Strict):
         ids = [entry.id for entry in entries]
         twice = sorted({name for name in ids if ids.count(name) > 1})
         if twice:
-            raise ValueError(f"the id {twice[0]!r} occurs twice; give each item a different id")
+            raise Misfit("", f"the id {twice[0]!r} occurs twice", "give each item a different id")
         return self
 
     @model_validator(mode="after")

@@ -54,7 +54,7 @@ class Assumed(Strict):
     @model_validator(mode="after")
     def _base_is_inside(self) -> Self:
         if (self.range is None) == (self.options is None):
-            raise ValueError("range or options is required, not both; give one of them")
+            raise Misfit("", "range or options is required, not both", "give one of them")
         if self.options is not None and len({*self.options}) < len(self.options):
             raise Misfit(
                 "options",
@@ -112,11 +112,11 @@ class ClaimsFile(Strict):
     def _fits(self) -> Self:
         ids = [item.id for item in self.items]
         if twice := sorted({name for name in ids if ids.count(name) > 1}):
-            raise ValueError(f"the id {twice[0]!r} occurs twice; give each item a different id")
+            raise Misfit("", f"the id {twice[0]!r} occurs twice", "give each item a different id")
         for name, one in self.inputs.items():
             if isinstance(one, Calibrated) and one.to not in ids:
-                raise ValueError(
-                    f"inputs.{name}.to: the file has no number {one.to!r}; give the id of a number"
+                raise Misfit(
+                    "", f"inputs.{name}.to: the file has no number {one.to!r}", "give the id of a number"
                 )
         for item in self.items:
             self.item(item)  # applies the rules of Item
@@ -154,7 +154,7 @@ class ClaimsFile(Strict):
         if not isinstance(option, WordName):
             return option
         if self.words is None:
-            raise ValueError(f"the word {option.word!r} is used, but the file has no words; add words")
+            raise Misfit("", f"the word {option.word!r} is used, but the file has no words", "add words")
         found: Word = self.words.word(option.word)
         return found
 

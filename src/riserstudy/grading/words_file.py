@@ -9,6 +9,7 @@ from pydantic import Field, model_validator
 
 from riserstudy.errors import InputError
 from riserstudy.grading.word import Word
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.percent import Percent
 from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
@@ -28,7 +29,7 @@ class WordOfSize(Strict):
     @model_validator(mode="after")
     def _one_bound(self) -> Self:
         if (self.at_least is None) == (self.at_most is None):
-            raise ValueError("at_least or at_most is required, not both; give one of them")
+            raise Misfit("", "at_least or at_most is required, not both", "give one of them")
         return self
 
 
@@ -43,12 +44,13 @@ class WordsFile(Strict):
     def _each_word_once(self) -> Self:
         names = [name for word, of in self.words.items() for name in (word, *of.also)]
         if twice := sorted({name for name in names if names.count(name) > 1}):
-            raise ValueError(f"the word {twice[0]!r} occurs twice; define each word once")
+            raise Misfit("", f"the word {twice[0]!r} occurs twice", "define each word once")
         for word, of in self.words.items():
             if of.at_least is not None and of.at_least < self.no_difference:
-                raise ValueError(
-                    f"words.{word}.at_least is smaller than no_difference; "
-                    f"give at least {self.no_difference:g}"
+                raise Misfit(
+                    "",
+                    f"words.{word}.at_least is smaller than no_difference",
+                    f"give at least {self.no_difference:g}",
                 )
         return self
 

@@ -86,8 +86,7 @@ def _in_words(fault: Any) -> tuple[str, str]:
     """Return the value found and the remedy of an error that pydantic describes."""
     message, given = fault["msg"].removeprefix("Value error, "), fault["input"]
     if fault["type"] == "value_error":
-        found, _, remedy = message.partition("; ")
-        return (found, remedy) if remedy else ("the fields of this part contradict each other", message)
+        return "the fields of this part contradict each other", message
     value = "the value" if isinstance(given, dict | list) else repr(given)[:120]
     if fault["type"] in WORDS:
         found, remedy = WORDS[fault["type"]]

@@ -71,8 +71,8 @@ class Output(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if any(a >= b for a, b in pairwise(self.stations or [])):
-            raise ValueError(
-                "the stations do not increase; list the arclengths from the lowest to the highest"
+            raise Misfit(
+                "", "the stations do not increase", "list the arclengths from the lowest to the highest"
             )
         return self
 
@@ -104,23 +104,25 @@ class Analysis(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.duration is None) != (self.output is None):
-            raise ValueError(
-                "only one of duration and output is given; give both (dynamic run) or neither (static run)"
+            raise Misfit(
+                "",
+                "only one of duration and output is given",
+                "give both (dynamic run) or neither (static run)",
             )
         if self.accuracy is not None and (self.mesh or self.step):
-            raise ValueError(
-                "accuracy is given together with mesh or step; give accuracy alone, or mesh and step"
+            raise Misfit(
+                "", "accuracy is given together with mesh or step", "give accuracy alone, or mesh and step"
             )
         if self.duration is not None and (self.mesh is None) != (self.step is None):
-            raise ValueError("only one of mesh and step is given; give both, or neither")
+            raise Misfit("", "only one of mesh and step is given", "give both, or neither")
         if self.duration is None and (self.step or self.method):
-            raise ValueError(
-                "step and method apply to dynamic runs only; add duration and output, or remove them"
+            raise Misfit(
+                "", "step and method apply to dynamic runs only", "add duration and output, or remove them"
             )
         if self.method == "explicit" and self.mesh is None:
-            raise ValueError("'method: explicit' requires mesh and step; add both")
+            raise Misfit("", "'method: explicit' requires mesh and step", "add both")
         if self.solver and self.mesh is None:
-            raise ValueError("'solver: hermite' requires a mesh; add mesh, and for a dynamic run also step")
+            raise Misfit("", "'solver: hermite' requires a mesh", "add mesh, and for a dynamic run also step")
         if self.duration is not None and self.output is not None:
             self._fits_in_time(self.duration, self.output)
         return self

@@ -7,6 +7,7 @@ from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE
@@ -53,14 +54,14 @@ class Body(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if [self.submerged_weight, self.displaced_volume, self.density].count(None) < 2:
-            raise ValueError(
-                "several of submerged_weight, displaced_volume and density are given; give only one"
+            raise Misfit(
+                "", "several of submerged_weight, displaced_volume and density are given", "give only one"
             )
         if self.rotary_inertia is not None and self.centre_below is None:
-            raise ValueError("rotary_inertia requires centre_below; add it")
+            raise Misfit("", "rotary_inertia requires centre_below", "add it")
         if self.centre_below is not None and not self.horizontal_mass:
-            raise ValueError(
-                "centre_below requires a body with mass; give mass or added_mass.horizontal above 0"
+            raise Misfit(
+                "", "centre_below requires a body with mass", "give mass or added_mass.horizontal above 0"
             )
         return self
 
@@ -116,12 +117,12 @@ class Bottom(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.hold != "free" and self.elevation is None:
-            raise ValueError(f"'hold: {self.hold}' requires an elevation; add it")
+            raise Misfit("", f"'hold: {self.hold}' requires an elevation", "add it")
         if self.hold == "free" and (self.elevation is not None or self.rotation is not None):
-            raise ValueError("a free lower end has neither elevation nor rotation; remove them")
+            raise Misfit("", "a free lower end has neither elevation nor rotation", "remove them")
         if self.hold != "free" and self.body and self.body.centre_below:
-            raise ValueError(
-                "body.centre_below is only for a free lower end; write 'hold: free' or remove it"
+            raise Misfit(
+                "", "body.centre_below is only for a free lower end", "write 'hold: free' or remove it"
             )
         return self
 
@@ -141,8 +142,10 @@ class JointStop(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.stroke is None and self.collapse is None:
-            raise ValueError(
-                "neither stroke nor collapse is given; give stroke (outwards), collapse (inwards) or both"
+            raise Misfit(
+                "",
+                "neither stroke nor collapse is given",
+                "give stroke (outwards), collapse (inwards) or both",
             )
         return self
 
@@ -171,9 +174,10 @@ class TelescopicJoint(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.stop and self.stop.collapse and self.stop.collapse >= self.length:
-            raise ValueError(
-                f"stop.collapse {self.stop.collapse:g} m is not less than the length of the joint; "
-                f"give less than {self.length:g} m"
+            raise Misfit(
+                "",
+                f"stop.collapse {self.stop.collapse:g} m is not less than the length of the joint",
+                f"give less than {self.length:g} m",
             )
         return self
 
@@ -232,45 +236,51 @@ class Top(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.body and self.body.centre_below:
-            raise ValueError("body.centre_below is only for a body at a free lower end; remove it")
+            raise Misfit("", "body.centre_below is only for a body at a free lower end", "remove it")
         if self.elevation is not None and self.held_at_tension is not None:
-            raise ValueError("elevation and held_at_tension are both given; give only one")
+            raise Misfit("", "elevation and held_at_tension are both given", "give only one")
         if self.z == "free" and (self.elevation is not None or self.held_at_tension is not None):
-            raise ValueError(
-                "elevation and held_at_tension do not apply to 'z: free'; write 'z: held' or 'z: platform', "
-                "or remove them"
+            raise Misfit(
+                "",
+                "elevation and held_at_tension do not apply to 'z: free'",
+                "write 'z: held' or 'z: platform', or remove them",
             )
         if self.x == "free" and self.offset:
-            raise ValueError(
-                "offset does not apply to 'x: free'; write 'x: held', 'x: platform' or 'x: vessel', or "
-                "remove offset"
+            raise Misfit(
+                "",
+                "offset does not apply to 'x: free'",
+                "write 'x: held', 'x: platform' or 'x: vessel', or remove offset",
             )
         if self.tension_loss and self.tension is None:
-            raise ValueError("tension_loss requires tension; add it")
+            raise Misfit("", "tension_loss requires tension", "add it")
         pulled = self.tension is not None or self.tensioners is not None
         if self.telescopic_joint:
             if self.z == "free" or self.x == "free" or self.elevation is None:
-                raise ValueError(
-                    "a telescopic_joint requires a held top with an elevation; give elevation, and write "
-                    "'held' or 'platform' for x and z"
+                raise Misfit(
+                    "",
+                    "a telescopic_joint requires a held top with an elevation",
+                    "give elevation, and write 'held' or 'platform' for x and z",
                 )
             if not pulled and self.telescopic_joint.tension is None:
-                raise ValueError(
-                    "no tension holds the riser below the telescopic_joint; give tension or tensioners"
+                raise Misfit(
+                    "", "no tension holds the riser below the telescopic_joint", "give tension or tensioners"
                 )
         elif self.z != "free" and pulled:
-            raise ValueError(
-                f"tension and tensioners have no effect with 'z: {self.z}'; write 'z: free', or give a "
-                "telescopic_joint"
+            raise Misfit(
+                "",
+                f"tension and tensioners have no effect with 'z: {self.z}'",
+                "write 'z: free', or give a telescopic_joint",
             )
         elif self.x != "free" and self.lateral_force is not None:
-            raise ValueError(
-                "lateral_force has no effect on a held top; write 'x: free', or give a telescopic_joint"
+            raise Misfit(
+                "", "lateral_force has no effect on a held top", "write 'x: free', or give a telescopic_joint"
             )
         place = self.tensioners and self.tensioners.arrangement
         if place and place.ring_radius > 0.0 and not self.telescopic_joint:
-            raise ValueError(
+            raise Misfit(
+                "",
                 "tensioners.arrangement.ring_radius above 0 requires a telescopic_joint, which carries the "
-                "moment of the ring; add it, or give a ring_radius of 0 m"
+                "moment of the ring",
+                "add it, or give a ring_radius of 0 m",
             )
         return self

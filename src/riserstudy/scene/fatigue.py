@@ -134,7 +134,7 @@ class Detail(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.face is None) == (self.stress_per_moment is None):
-            raise ValueError("face or stress_per_moment is required, not both; give one of them")
+            raise Misfit("", "face or stress_per_moment is required, not both", "give one of them")
         if self.stress_per_moment and not place_of(self.at).startswith(ENDS):
             raise Misfit(
                 "stress_per_moment",
@@ -142,7 +142,7 @@ class Detail(Strict):
                 f"give the end of a section, such as 'at: {ENDS[0]}' followed by the name of a section",
             )
         if self.stress_per_moment and self.thickness is None:
-            raise ValueError("stress_per_moment requires the thickness of the detail; add thickness")
+            raise Misfit("", "stress_per_moment requires the thickness of the detail", "add thickness")
         return self
 
     def sections(self, names: Sequence[str]) -> list[str]:

@@ -178,7 +178,7 @@ class Platform(Strict):
         given = self.response.moving if self.response else []
         turns = [t for t in TILTS if getattr(self, t) or getattr(self.position, t, None) or t in given]
         if turns and self.centre_of_rotation is None:
-            raise ValueError(f"{turns[0]} requires centre_of_rotation; add it")
+            raise Misfit("", f"{turns[0]} requires centre_of_rotation", "add it")
         return self
 
     @property
@@ -232,7 +232,7 @@ class Point(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.elevation is None) == (self.depth is None):
-            raise ValueError("elevation or depth is required, not both; give one of them")
+            raise Misfit("", "elevation or depth is required, not both", "give one of them")
         _within_a_turn("direction", self.direction)
         return self
 
@@ -266,18 +266,19 @@ class Shape(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.seabed is not None and self.surface is not None and self.seabed >= self.surface:
-            raise ValueError("seabed is not below surface; correct their elevations")
+            raise Misfit("", "seabed is not below surface", "correct their elevations")
         owners = {"power": "power", "scale": "exponential", "layer": "layer", "vanishes": "layer"}
         for name, needed in owners.items():
             if (getattr(self, name) is not None) != (self.shape == needed):
                 given = self.shape != needed
                 found = f"{name} does not apply to" if given else f"{name} is required by"
                 remedy = f"remove it, or write 'shape: {needed}'" if given else "add it"
-                raise ValueError(f"{found} 'shape: {self.shape}'; {remedy}")
+                raise Misfit("", f"{found} 'shape: {self.shape}'", remedy)
         if self.layer is not None and self.vanishes is not None and self.layer >= self.vanishes:
-            raise ValueError(
-                f"layer {self.layer:g} m is not less than the depth where the current vanishes; "
-                f"give less than {self.vanishes:g} m"
+            raise Misfit(
+                "",
+                f"layer {self.layer:g} m is not less than the depth where the current vanishes",
+                f"give less than {self.vanishes:g} m",
             )
         return self
 

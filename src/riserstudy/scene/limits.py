@@ -67,7 +67,7 @@ class Limit(Strict):
             allowed = f"use one of {', '.join(UNITS)}"
             raise Misfit("output", f"{self.output!r} is not an output that can have a limit", allowed)
         if [self.largest, self.smallest, self.mean].count(None) != 2:
-            raise ValueError("a limit has exactly one of largest, smallest and mean; give one")
+            raise Misfit("", "a limit has exactly one of largest, smallest and mean", "give one")
         if self.at is not None and self.output not in ALONG:
             allowed = f"remove it; 'at' is only for {', '.join(ALONG)}"
             raise Misfit("at", f"{self.output} already belongs to one place", allowed)

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE
@@ -55,15 +56,19 @@ class Line(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.inner_diameter >= self.outer_diameter:
-            raise ValueError(
+            raise Misfit(
+                "",
                 f"inner_diameter {self.inner_diameter:g} m is not smaller than outer_diameter "
-                f"{self.outer_diameter:g} m; correct one of them"
+                f"{self.outer_diameter:g} m",
+                "correct one of them",
             )
         if (self.mass is None) == (self.wall_density is None):
-            raise ValueError("mass or wall_density is required, not both; give one of them")
+            raise Misfit("", "mass or wall_density is required, not both", "give one of them")
         if (self.young_modulus is None) != (self.tension is None):
-            raise ValueError(
-                "only one of young_modulus and tension is given; give both (tension: 'shared' or 'sliding')"
+            raise Misfit(
+                "",
+                "only one of young_modulus and tension is given",
+                "give both (tension: 'shared' or 'sliding')",
             )
         return self
 

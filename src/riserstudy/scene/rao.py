@@ -49,10 +49,10 @@ class Operator(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.period is None) == (self.frequency is None):
-            raise ValueError("period or frequency is required, not both; give one of them")
+            raise Misfit("", "period or frequency is required, not both", "give one of them")
         for name in MOTIONS:
             if (getattr(self, name) is None) != (getattr(self, f"{name}_phase") is None):
-                raise ValueError(f"only one of {name} and {name}_phase is given; give both, or neither")
+                raise Misfit("", f"only one of {name} and {name}_phase is given", "give both, or neither")
         return self
 
     @property

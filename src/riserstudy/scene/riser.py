@@ -250,40 +250,44 @@ class Section(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.length is None) == (self.joints is None):
-            raise ValueError("length or joints is required, not both; give one of them")
+            raise Misfit("", "length or joints is required, not both", "give one of them")
         outer, inner = self.outer_diameter, self.inner_diameter
         if inner is not None and outer is None:
-            raise ValueError("inner_diameter is given without outer_diameter; add outer_diameter")
+            raise Misfit("", "inner_diameter is given without outer_diameter", "add outer_diameter")
         if inner is not None and outer is not None and inner >= outer:
-            raise ValueError(
+            raise Misfit(
+                "",
                 f"inner_diameter {self.inner_diameter:g} m is not smaller than outer_diameter "
-                f"{self.outer_diameter:g} m; correct one of them"
+                f"{self.outer_diameter:g} m",
+                "correct one of them",
             )
         if self.wall_density and (self.mass or self.inner_diameter is None):
-            raise ValueError(
-                "wall_density gives the mass from the diameters; add outer_diameter and inner_diameter, and "
-                "remove mass"
+            raise Misfit(
+                "",
+                "wall_density gives the mass from the diameters",
+                "add outer_diameter and inner_diameter, and remove mass",
             )
         tube = self.young_modulus is not None
         if tube and (self.outer_diameter is None or self.inner_diameter is None):
-            raise ValueError("young_modulus requires the diameters; add outer_diameter and inner_diameter")
+            raise Misfit("", "young_modulus requires the diameters", "add outer_diameter and inner_diameter")
         if self.shear_modulus and self.inner_diameter is None:
-            raise ValueError("shear_modulus requires the diameters; add outer_diameter and inner_diameter")
+            raise Misfit("", "shear_modulus requires the diameters", "add outer_diameter and inner_diameter")
         if tube and (self.axial_stiffness or self.bending_stiffness):
-            raise ValueError(
-                "young_modulus is given together with axial_stiffness or bending_stiffness; "
-                "give young_modulus, or the stiffnesses, not both"
+            raise Misfit(
+                "",
+                "young_modulus is given together with axial_stiffness or bending_stiffness",
+                "give young_modulus, or the stiffnesses, not both",
             )
         if not tube and self.axial_stiffness is None:
-            raise ValueError(
-                "the axial stiffness is missing; give young_modulus with diameters, or axial_stiffness"
+            raise Misfit(
+                "", "the axial stiffness is missing", "give young_modulus with diameters, or axial_stiffness"
             )
         if self.contents and self.inner_diameter is None:
-            raise ValueError("contents require inner_diameter; add it")
+            raise Misfit("", "contents require inner_diameter", "add it")
         if (self.modules or self.lines) and not (self.mass or self.wall_density):
-            raise ValueError("modules and lines require the mass of the pipe; add mass or wall_density")
+            raise Misfit("", "modules and lines require the mass of the pipe", "add mass or wall_density")
         if self.modules and self.buoyancy_lift is not None:
-            raise ValueError("modules and buoyancy_lift both give lift; give only one of them")
+            raise Misfit("", "modules and buoyancy_lift both give lift", "give only one of them")
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
             raise Misfit("lines", "two lines have the same name", "give each line a different name")
         if self.wall_density:

@@ -35,7 +35,7 @@ class Swell(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if (self.height is None) == (self.amplitude is None):
-            raise ValueError("height or amplitude is required, not both; give one of them")
+            raise Misfit("", "height or amplitude is required, not both", "give one of them")
         return self
 
     @property

@@ -112,15 +112,16 @@ class Linearised(Strict):
     def _fits(self) -> Self:
         ranged = self.by != "tangent"
         if ranged != (self.shortest is not None) or ranged != (self.longest is not None):
-            needed = "requires both shortest and longest; give both" if ranged else "has no range"
-            remedy = "" if ranged else "; remove shortest and longest"
-            raise ValueError(f"'by: {self.by}' {needed}{remedy}")
+            found = "requires both shortest and longest" if ranged else "has no range"
+            remedy = "give both" if ranged else "remove shortest and longest"
+            raise Misfit("", f"'by: {self.by}' {found}", remedy)
         if ranged and self.at is not None:
-            raise ValueError(f"'at' has no effect with 'by: {self.by}'; remove it, or write 'by: tangent'")
+            raise Misfit("", f"'at' has no effect with 'by: {self.by}'", "remove it, or write 'by: tangent'")
         if self.shortest is not None and self.longest is not None and self.shortest >= self.longest:
-            raise ValueError(
-                f"shortest {self.shortest:g} m is not less than longest {self.longest:g} m; "
-                "correct one of them"
+            raise Misfit(
+                "",
+                f"shortest {self.shortest:g} m is not less than longest {self.longest:g} m",
+                "correct one of them",
             )
         return self
 
@@ -135,9 +136,10 @@ class Stroke(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if not self.shortest < 0 < self.longest:
-            raise ValueError(
-                f"shortest {self.shortest:g} m and longest {self.longest:g} m do not enclose mid-stroke, "
-                "0 m; give a negative shortest and a positive longest"
+            raise Misfit(
+                "",
+                f"shortest {self.shortest:g} m and longest {self.longest:g} m do not enclose mid-stroke, 0 m",
+                "give a negative shortest and a positive longest",
             )
         return self
 
@@ -234,8 +236,8 @@ class Tensioners(Strict):
         laws = [self.gas, self.two_chamber_gas, self.linear, self.table, self.carried]
         if laws.count(None) != len(laws) - 1:
             given = "none" if laws.count(None) == len(laws) else "more than one"
-            raise ValueError(
-                f"{given} of gas, two_chamber_gas, linear, table and carried is given; give exactly one"
+            raise Misfit(
+                "", f"{given} of gas, two_chamber_gas, linear, table and carried is given", "give exactly one"
             )
         if isinstance(self.damping, DampingRatio) and self.carried is None:
             found = "damping.ratio applies to tensioners with 'carried' only"
@@ -245,7 +247,7 @@ class Tensioners(Strict):
         elif self.interpolation:
             raise Misfit("interpolation", "has no effect without a table", "add table, or remove it")
         if self.linearised and self.any_gas is None:
-            raise ValueError("linearised requires gas or two_chamber_gas; add one of them")
+            raise Misfit("", "linearised requires gas or two_chamber_gas", "add one of them")
         for part in ("stroke", "linearised"):
             for end in ("shortest", "longest", "at"):
                 self._stays_open(f"{part}.{end}", getattr(getattr(self, part), end, None))
@@ -287,14 +289,16 @@ class Tensioners(Strict):
             return
         room = pulling.volume / pulling.area
         if reach >= room:
-            raise ValueError(
-                f"at {part} {reach:g} m no gas volume is left; give less than {room:g} m, or a larger "
-                "gas volume"
+            raise Misfit(
+                "",
+                f"at {part} {reach:g} m no gas volume is left",
+                f"give less than {room:g} m, or a larger gas volume",
             )
         if pushing and reach <= -pushing.volume / pushing.area:
-            raise ValueError(
-                f"at {part} {reach:g} m no low-pressure gas volume is left; "
-                f"give more than {-pushing.volume / pushing.area:g} m, or a larger volume"
+            raise Misfit(
+                "",
+                f"at {part} {reach:g} m no low-pressure gas volume is left",
+                f"give more than {-pushing.volume / pushing.area:g} m, or a larger volume",
             )
 
     def carrying(self, weight: float, mass: float, ring: float) -> Tensioners:

@@ -194,13 +194,13 @@ class Vessel(Strict):
     def _fits(self) -> Self:
         thrusters = self.thrusters
         if self.yaw and self.sway is None:
-            raise ValueError("yaw requires sway; add sway")
+            raise Misfit("", "yaw requires sway", "add sway")
         if thrusters and thrusters.sway and self.sway is None:
-            raise ValueError("thrusters.sway requires a vessel that can sway; add sway")
+            raise Misfit("", "thrusters.sway requires a vessel that can sway", "add sway")
         if thrusters and thrusters.yaw and self.yaw is None:
-            raise ValueError("thrusters.yaw requires a vessel that can yaw; add yaw")
+            raise Misfit("", "thrusters.yaw requires a vessel that can yaw", "add yaw")
         if self.sway is None and (self.heading or _oblique(thrusters)):
-            raise ValueError("a heading of the hull or of the thrusters' command requires sway; add sway")
+            raise Misfit("", "a heading of the hull or of the thrusters' command requires sway", "add sway")
         return self
 
     @property

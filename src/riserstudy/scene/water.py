@@ -6,6 +6,7 @@ from typing import Annotated, Self
 
 from pydantic import model_validator
 
+from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import POSITIVE
@@ -25,5 +26,5 @@ class Water(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if self.surface is not None and self.seabed is not None and self.seabed >= self.surface:
-            raise ValueError("seabed is not below surface; correct their elevations")
+            raise Misfit("", "seabed is not below surface", "correct their elevations")
         return self

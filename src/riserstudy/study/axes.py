@@ -29,9 +29,10 @@ class Steps(Strict):
     @model_validator(mode="after")
     def _fits(self) -> Self:
         if not 0.0 <= self.stop - self.start <= MOST_VALUES * self.step:
-            raise ValueError(
-                f"stop {self.stop:g} is below start {self.start:g} or too far above it; give a stop above "
-                f"start, by at most {MOST_VALUES} steps"
+            raise Misfit(
+                "",
+                f"stop {self.stop:g} is below start {self.start:g} or too far above it",
+                f"give a stop above start, by at most {MOST_VALUES} steps",
             )
         last = self._at(self._count)
         if abs(self.stop - last) > 1e-6 * self.step + 1e-15 * abs(self.stop):
