@@ -19,11 +19,12 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
 
     Largest deflection (m), stress (Pa) and angle (rad) over the record. Vibration (m): the largest amplitude
     at the wave's period. Drift: change of the mid-length deflection from 261 to 296 s, divided by its mean,
-    both relative to the line between the ends. Positions as shares of the length: of the largest deflection
-    from the bottom; of the largest stress and angle from the bottom (lower half) and the top (upper half).
+    both relative to the line between the ends. Positions as shares of the length: of the largest deflection,
+    from the vertical and from this line, from the bottom; of the largest stress and angle from the bottom
+    (lower half) and the top (upper half).
     """
     s = runs["s_node"] / runs["s_node"][-1]
-    deflection = extreme(runs, "x")
+    deflection, from_line = extreme(runs, "x"), _from_line(runs)
     factor = stress_factor(runs)
     stress = factor * extreme(runs, "bending_moment")
     slope = abs(angles(runs)).max("time")
@@ -33,8 +34,9 @@ def measures(runs: xr.Dataset) -> xr.Dataset:
     return xr.Dataset(
         {
             "deflection": _largest(runs, "x"),
-            "deflection_from_line": _from_line(runs),
+            "deflection_from_line": from_line.max("s_node"),
             "deflection_place": place(deflection, s, "s_node", s >= 0.0),
+            "deflection_from_line_place": place(from_line, s, "s_node", s >= 0.0),
             "vibration": amplitude_at(runs["x"], period).max("s"),
             "drift": SPAN * abs(drift_rate(mid, period) / mid.mean("time")),
             "stress": factor * _largest(runs, "bending_moment"),
@@ -58,7 +60,7 @@ def _from_line(runs: xr.Dataset) -> xr.DataArray:
     top = runs["x"].isel(s=-1, time=0, drop=True)
     line = top * runs["s_node"] / runs["s_node"][-1]
     sides = [abs(runs[f"x_{side}"] - line) for side in ("max", "min")]
-    return xr.concat(sides, "side").max(("side", "s_node"))
+    return xr.concat(sides, "side").max("side")
 
 
 def _largest(runs: xr.Dataset, name: str) -> xr.DataArray:

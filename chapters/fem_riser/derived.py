@@ -20,6 +20,7 @@ MEASURES = {
     "deflection": "m",
     "deflection_from_line": "m",
     "deflection_place": "1",
+    "deflection_from_line_place": "1",
     "vibration": "m",
     "drift": "1",
     "stress": "Pa",

@@ -162,12 +162,12 @@ def measured(**by_length):
 def test_a_trend_needs_a_difference_and_together_every_claim():
     rows = {
         "vibration": [3.0, 2.0, 1.0], "stress": [3.0, 2.0, 1.0], "deflection": [1.0, 2.0, 3.0],
-        "angle": [1.0, 2.0, 3.0], "deflection_place": [0.5] * 3,
+        "angle": [1.0, 2.0, 3.0], "deflection_from_line_place": [0.5] * 3, "deflection_place": [0.5] * 3,
         "stress_from_bottom": [0.05] * 3, "stress_from_top": [0.01] * 3,
         "angle_from_bottom": [0.0] * 3, "angle_from_top": [0.0] * 3,
     }  # fmt: skip
     assert bool(checks.together(measured(**rows), 0.1, 0.1, CHANGE).true)
-    for name, values in (("stress", [3.0, 2.0, 2.99]), ("deflection_place", [0.3] * 3),
+    for name, values in (("stress", [3.0, 2.0, 2.99]), ("deflection_from_line_place", [0.3] * 3),
                          ("angle_from_top", [0.2] * 3)):  # fmt: skip
         found = checks.together(measured(**(rows | {name: values})), 0.1, 0.1, CHANGE)
         assert not bool(found.true)

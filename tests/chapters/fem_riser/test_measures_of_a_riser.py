@@ -47,6 +47,7 @@ def test_measures_of_a_parabola_are_its_own(seed):
     # the nearest node is at most half a segment from it
     assert 0.0 <= highest - found["deflection"] <= 4.0 * high * 0.0025**2 + 1e-9
     assert found["deflection_place"] == pytest.approx(0.5 + offset / (8.0 * high), abs=0.0051)
+    assert found["deflection_from_line_place"] == pytest.approx(0.5, abs=0.0026)  # whatever the line
     assert found["vibration"] == pytest.approx(swing)
     assert found["drift"] == pytest.approx(35.0 * abs(rate) / size.mean())
     steepest = max(abs(offset + sign * 4.0 * high * 0.995) for sign in (1.0, -1.0)) / LENGTH
