@@ -112,16 +112,16 @@ def envelope(
     require_limits(file)
     far = positive("--reach", reach, "m")
     speeds = [quantity("--current", one, "m/s") for one in current]
-    heights = [_sea(one) for one in sea or []]
-    if seeds is not None and not heights:
+    sea_states = [_sea(one) for one in sea or []]
+    if seeds is not None and not sea_states:
         raise InputError("envelope", "--seeds", "has no effect without --sea", "add --sea, or omit it")
     _once("--current", current, [(speed,) for speed in speeds])
-    _once("--sea", sea or [], heights)
+    _once("--sea", sea or [], sea_states)
     compile_as_needed()
     from riserstudy.design.envelope import envelope as computed
     from riserstudy.study.in_sea import Sea, in_sea
 
-    seas = [Sea(*one) for one in heights]
+    seas = [Sea(*one) for one in sea_states]
     for one in seas:
         in_sea(file, one, 1).resolved()  # refuses a scene without a sea before any run
     found = computed(file, far, speeds, seas, seeds or SEEDS, notify)

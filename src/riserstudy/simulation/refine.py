@@ -186,7 +186,7 @@ class Refinement:
 
     def _not_reached(self, finest: Result) -> str:
         """The warning that the tolerance is not met."""
-        return missed_accuracy(finest.facts, len(self.spent))
+        return missed_accuracy(finest.facts, len(self.spent), self.watch.patience)
 
     @property
     def mesh(self) -> Mesh:

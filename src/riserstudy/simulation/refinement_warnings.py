@@ -12,12 +12,13 @@ from riserstudy.simulation.tolerance import in_words
 FIRST_ORDER = 2.0  # factor by which each halving reduces an error of first order
 
 
-def missed_accuracy(facts: RunFacts, runs: int) -> str:
+def missed_accuracy(facts: RunFacts, runs: int, patience: float) -> str:
     """The warning that the tolerance was not met within a number of runs.
 
-    ``facts``: facts of the finest run, with ``ended_by`` if the refinement did not end by the number of runs.
+    ``facts``: facts of the finest run, with ``ended_by`` if the time limit ``patience`` (s) ended the
+    refinement.
     """
-    why = f" within the {facts['ended_by'].replace('patience', 'time limit')}" if "ended_by" in facts else ""
+    why = f" within the time limit of {patience:g} s" if "ended_by" in facts else ""
     errors = f"estimated errors are {in_words(facts['error_estimate'])}"
     if not facts["error_estimate"]:
         errors = "errors are not estimated, which requires more runs"
