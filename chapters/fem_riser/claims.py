@@ -170,9 +170,10 @@ def all_settled(trends: xr.Dataset, within: float) -> Found:
     """
     over = {"length": "length", "ratio": "tension_ratio", "factor": "buoyant_factor"}
     drifts = {axis: solved(trends[f"drift_by_{axis}"]).max(dim) for axis, dim in over.items()}
-    names = xr.DataArray(["lengths", "lengths, tension ratios and buoyant factors"], dims="studied_cases")
     every = xr.concat(drifts.values(), "of").max("of")
-    most = xr.concat([drifts["length"], every], names.assign_coords(studied_cases=names))
+    names = ["lengths", "lengths, tension ratios and buoyant factors"]
+    cases = xr.DataArray(names, dims="studied_cases", name="studied_cases")
+    most = xr.concat([drifts["length"], every], cases)
     return judged(most, below(most, within))
 
 

@@ -25,6 +25,7 @@ SEEN = (50.0, 100.0)  # s, of Fig 4: target reached, largest surge not yet passe
 MOVED = 1.0  # m, displacement at which a point of the riser counts as having begun to move
 INERTIA = {"riser_inertia": "with", "riser_drag": "without"}
 UFJ = "upper flex joint"
+OTHERS = [name for name in LIMITS if name != UFJ]
 DRAG = {"riser_inertia": "without", "riser_drag": "with"}
 
 
@@ -130,8 +131,7 @@ def ufj_first(runs: xr.Dataset) -> Found:
     """Of limits reached, the upper flex joint's is first; value: its share then over the largest other."""
     run = _along(runs)
     times = reached(run)
-    others = times.sel(limit=[name for name in LIMITS if name != UFJ]).min("limit")
-    ufj = times.sel(limit=UFJ, drop=True)
+    ufj, others = times.sel(limit=UFJ, drop=True), times.sel(limit=OTHERS).min("limit")
     first = times.min("limit")
     ratio = _ufj_over_others(at_time(shares(run), first))
     return judged(ratio, below(ufj, others), first < np.inf)
@@ -145,8 +145,7 @@ def ufj_ahead(runs: xr.Dataset, time: float) -> Found:
 
 def _ufj_over_others(used: xr.DataArray) -> xr.DataArray:
     """Share of the upper flex joint's limit, divided by the largest share of the other limits."""
-    others = used.sel(limit=[name for name in LIMITS if name != UFJ])
-    ratio: xr.DataArray = used.sel(limit=UFJ, drop=True) / others.max("limit")
+    ratio: xr.DataArray = used.sel(limit=UFJ, drop=True) / used.sel(limit=OTHERS).max("limit")
     return ratio
 
 

@@ -27,7 +27,7 @@ ARRIVED = 0.05  # share of the largest displacement at a depth at which motion t
 
 def surge(surge_case: xr.Dataset) -> xr.Dataset:
     """Motion at four depths over (tensioner_model, depth), and the time at which it begins."""
-    riser = surge_case["x"].sel(s=surge_case["s"] <= RING + 1e-6)
+    riser = _below_ring(surge_case["x"])
     x = _between_nodes(riser)
     dataset = _moved(x, lag_at(DEPTHS, riser, SURGE_PERIOD)).assign(arrival=first_at(x, ARRIVED))
     return described(dataset, PAPER, "displacement under surge at four depths")
@@ -42,8 +42,8 @@ def surge_readings(surge_open: xr.Dataset) -> xr.Dataset:
 
 def surge_stiff(surge_stiff_case: xr.Dataset) -> xr.Dataset:
     """Lag at four depths on tensioners of almost constant length, over (tensioner_model, depth)."""
-    riser = surge_stiff_case["x"].sel(s=surge_stiff_case["s"] <= RING + 1e-6)
-    dataset = xr.Dataset({"displacement_lag": lag_at(DEPTHS, riser, SURGE_PERIOD)})
+    lag = lag_at(DEPTHS, surge_stiff_case["x"], SURGE_PERIOD)
+    dataset = xr.Dataset({"displacement_lag": lag})
     return described(dataset, PAPER, "lag under surge on tensioners of almost constant length")
 
 
@@ -62,7 +62,7 @@ def surge_arrival(surge_start: xr.Dataset) -> xr.Dataset:
 
 def roll_travel(roll_case: xr.Dataset) -> xr.Dataset:
     """Time at which motion under roll begins at four depths."""
-    riser = roll_case["x"].sel(s=roll_case["s"] <= RING + 1e-6, time=slice(0.0, 60.0))
+    riser = _below_ring(roll_case["x"]).sel(time=slice(0.0, 60.0))
     dataset = xr.Dataset({"arrival": first_at(_between_nodes(riser), ARRIVED)})
     return described(dataset, PAPER, "start of the motion under roll")
 
@@ -76,6 +76,10 @@ def _arrivals(runs: xr.Dataset, title: str) -> xr.Dataset:
     x = at_depths(runs["x"], ring_of(runs), DEPTHS)
     dataset = xr.Dataset({"arrival": first_at(x, ARRIVED)}).assign(sampled(runs))
     return described(dataset, PAPER, title)
+
+
+def _below_ring(values: xr.DataArray) -> xr.DataArray:
+    return values.sel(s=values["s"] <= RING + 1e-6)
 
 
 def _between_nodes(riser: xr.DataArray) -> xr.DataArray:
@@ -114,7 +118,7 @@ def lag_at(depths: Sequence[float], x: xr.DataArray, period: str | float) -> xr.
     Lag over ``depth`` and the further dimensions (rad), within half a turn at the ring.
     """
     depth = xr.DataArray(list(depths), dims="depth", name="depth")
-    down = x.sel(s=x["s"] <= RING + 1e-6).sortby("s", ascending=False)
+    down = _below_ring(x).sortby("s", ascending=False)
     near = _lag(down, period, "s").interp(s=RING - depth, method="linear")
     exact = _lag(down.interp(s=RING - depth, method="cubic"), period, "depth")
     turns = np.round((near - exact) / (2.0 * np.pi))

@@ -8,6 +8,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
+from chapters.numerics.answers import STEP_FOUND
 from riserstudy.figures.direct import legible, spread
 from riserstudy.figures.style import COLOURS, headline, key_below, panels
 
@@ -15,7 +16,6 @@ UNSAFE = 1.0  # measured / predicted step, below which the prediction is too lon
 LINE = 11.0  # height of a line of text (points)
 ROOM = 8.0  # ratio by which the axis is longer than the lines, for their names
 ALIKE = 0.1  # difference (%) below which steps count as equal
-FOUND = 0.6  # error (%) of the measured steps, which are found by bisection
 
 
 def stable_step(stable_step: xr.Dataset) -> Figure:
@@ -98,7 +98,7 @@ def answer(ratio: xr.DataArray) -> str:
     """Title: in how many variants the measured stable step is as predicted, and whether it is safe."""
     low, high = (100.0 * (float(end) - UNSAFE) for end in (ratio.min(), ratio.max()))
     if max(abs(low), abs(high)) < ALIKE:
-        return f"The longest stable explicit step is as predicted, to {FOUND:g} %"
+        return f"The longest stable explicit step is as predicted, to {STEP_FOUND:g} %"
     if low < -ALIKE:
         return f"The predicted stable step is up to {-low:.1f} % too long"
     others = [dim for dim in ratio.dims if dim != "variant"]

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
+from chapters.numerics.answers import STEP_FOUND
 from chapters.numerics.report.tables import tables
 from riserstudy.records.numerals import duration
 from riserstudy.records.page import Cell, Section, Table
@@ -110,8 +111,8 @@ def stable_steps(steps: xr.Dataset) -> str:
     ]
     ends = dict.fromkeys(f"{float(end):.3f}" for end in (ratio.min(), ratio.max()))
     return (
-        "In explicit integration, the longest stable time step was found to 0.6 %. Its ratio to the "
-        f"predicted step is {' to '.join(ends)}. "
+        f"In explicit integration, the longest stable time step was found to {STEP_FOUND:g} %. "
+        f"Its ratio to the predicted step is {' to '.join(ends)}. "
         + (
             f"Too long are the predictions for {listed(named)}."
             if named

@@ -10,10 +10,11 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib.colors import to_hex
 
+from chapters.numerics.answers import STEP_FOUND
 from chapters.numerics.attempt import Outcome
 from chapters.numerics.figures.stability import ENDS, LESS, SHORTEST, ended
 from chapters.numerics.measured.stability import Rung, climbed, run_case, stability, standard_of
-from chapters.numerics.measured.stable_step import stable_step
+from chapters.numerics.measured.stable_step import BRACKET, HALVINGS, stable_step
 from chapters.numerics.models import StabilityStudy
 from chapters.numerics.report.section import section
 from chapters.numerics.scenes import case_file, in_tier
@@ -229,6 +230,11 @@ def test_the_report_tells_what_is_not_as_it_should_be(few):
     table = next(table for table in chapter.tables if table.title == "Hard cases")
     assert [row[0].text for row in table.rows] == list(FEW)
     assert all(len(row) == len(table.columns) for row in table.rows)
+
+
+def test_the_stated_error_of_a_stable_step_is_the_last_bracket():
+    last = 100.0 * (BRACKET[1] - BRACKET[0]) / 2**HALVINGS
+    assert abs(last - STEP_FOUND) < 0.05  # rounded to one digit
 
 
 def test_the_stable_step_of_a_linear_riser_is_predicted_to_a_hundredth():
