@@ -8,11 +8,11 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from riserstudy.errors import InputError
+from riserstudy.inputs.allowed_keys import remedy_for
 from riserstudy.inputs.misfit import Misfit, joined
 
 T = TypeVar("T", bound=BaseModel)
 TYPES = frozenset(("bool", "float", "int", "str"))  # as pydantic names them, among alternatives
-UNKNOWN_KEY = "correct its spelling or remove it; `riserstudy schema` prints the allowed keys"
 _GROUP = ("{value} is not a group of fields", "write fields, each as 'name: value'")
 _LIST = ("{value} is not a list", "write a list, such as '[first, second]'")
 #: value found and remedy of faults, by pydantic's name of the fault
@@ -43,10 +43,10 @@ def check(model: type[T], tree: Any, source: object, field: str = "") -> T:
     try:
         return model.model_validate(tree)
     except ValidationError as error:
-        raise _readable(error, source, field) from None
+        raise _readable(model, error, source, field) from None
 
 
-def _readable(error: ValidationError, source: object, field: str) -> InputError:
+def _readable(model: type[BaseModel], error: ValidationError, source: object, field: str) -> InputError:
     """Return the most informative error; of a field with alternatives, one of the nearest alternative."""
     alternatives: dict[tuple[str, ...], list[Any]] = {}
     for fault in error.errors():
@@ -71,7 +71,7 @@ def _readable(error: ValidationError, source: object, field: str) -> InputError:
             where += f".{step}" if where else step
     kind = first["type"]
     if kind == "extra_forbidden":
-        return InputError(source, where, "unknown key", UNKNOWN_KEY)
+        return InputError(source, where, "unknown key", remedy_for(model, first["loc"]))
     if kind == "missing":
         return InputError(source, where, "missing", "add it, since it has no default")
     misfit = first.get("ctx", {}).get("error")

@@ -9,9 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
+from riserstudy.inputs.allowed_keys import UNKNOWN_KEY
 from riserstudy.inputs.misfit import Misfit
 from riserstudy.inputs.plain_yaml import read_yaml
-from riserstudy.inputs.validate import UNKNOWN_KEY, check
+from riserstudy.inputs.validate import check
 from riserstudy.scene import paths
 from riserstudy.scene.error_source import attribute_error, is_known
 from riserstudy.scene.models import Scene
