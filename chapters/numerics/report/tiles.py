@@ -67,7 +67,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
             f", without {listed(f'“{in_one_line(name)}”' for name in left)}, whose runs exceed the time limit"
         )
     time = f"{found.words}× the time" if found.high > EQUAL else "no more time"
-    number = f"{time}, for {100 * found.fine:g}\u00a0% instead of {100 * found.coarse:g}\u00a0%"
+    number = f"{100 * found.fine:g}\u00a0% error instead of {100 * found.coarse:g}\u00a0%: {time}"
     return number, answer, drawn + (_under(under) if drawn else "")
 
 
@@ -91,18 +91,25 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     silent = counts.silent
     refused, other = ends.count(REFUSED), ends.count(WRONG)
     run = counts.cases - refused - other
-    number = f"{run} of {counts.cases} difficult scenes"
+    number = f"{run} of {counts.cases} difficult scenes run to their end"
+    words = []
     if silent:
+        words.append(number)
         number = f"{silent} of {counts.compared} results inaccurate without a warning"
-    answer = (
-        f"Of {counts.cases} difficult scenes, for example with compression or disconnects, "
-        f"{run} run to their end and {refused} "
-        f"{'is' if refused == 1 else 'are'} refused with a reason. "
-        f"{counts.compared} results were compared with reference solutions: "
-        f"{silent or 'none'} {'is' if silent < 2 else 'are'} inaccurate without a warning."
-    )
-    if other:
-        answer += f" {other} {'scene does' if other == 1 else 'scenes do'} not end as expected."
+    left = [
+        f"{count} {'is' if count == 1 else 'are'} {end}"
+        for count, end in ((refused, "refused with a reason"), (other, "not as expected"))
+        if count
+    ]
+    if left:
+        words.append(f"of the others, {listed(left)}")
+    words.append("difficulties are, for example, compression and disconnects")
+    if counts.compared and not silent:
+        words.append(
+            f"{counts.compared} results were compared with reference solutions, "
+            "and each is accurate or has a warning"
+        )
+    answer = " ".join(map(sentence, words))
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return number, answer, _stack(parts) + _key(each)
 
@@ -118,11 +125,12 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     answers = []
     if top:
         answers.append(
-            f"{_named(top)} a result by more than 1\u00a0% in at least {least}\u00a0% of the scenes that "
-            f"include {'them' if len(top) > 1 else 'it'}"
+            f"{_named(top)} displacement, moment or tension by more than 1\u00a0% in at least "
+            f"{least}\u00a0% of the scenes that include {'them' if len(top) > 1 else 'it'}"
         )
     if none:
-        answers.append(f"{_named(none)} no result by more than 1\u00a0%")
+        what = "none of these" if top else "no displacement, moment or tension"
+        answers.append(f"{_named(none)} {what} by more than 1\u00a0%")
     rows = [*ranked[: ROWS - len(none)], *none]
     drawn = sorted(((one.name, one.changed / one.scenes) for one in rows), key=lambda row: -row[1])
     if len(ranked) > len(top) + len(none) and len(never(ranked)) == len(none) > 0:
@@ -130,7 +138,7 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     return (
         number,
         " ".join(map(sentence, answers)),
-        _bars(drawn) + _under("share of scenes in which the effect changes a result by more than 1 %"),
+        _bars(drawn) + _under("scenes with the effect in which it changes one of these by more than 1 %"),
     )
 
 

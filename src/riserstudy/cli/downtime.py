@@ -157,7 +157,7 @@ def downtime(
 
     For future years, the command predicts a range of workable hours from the hours in each whole year of the
     record, by Student's t-distribution. The option --persistence sets how similar consecutive years are. A
-    weather window ends at a gap of the record. If the record has a gap while one waits for a window, only a
+    weather window ends at a gap in the record. If the record has a gap while one waits for a window, only a
     lower bound of the waiting time is known.
 
     With --scene, the limits of that scene must be met, too. The command then simulates sea states of the

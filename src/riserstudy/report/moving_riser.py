@@ -14,7 +14,7 @@ from riserstudy.report.motion import Motion
 from riserstudy.schematic.geometry import Geometry
 
 Array = NDArray[np.float64]
-WIDTH, HEIGHT = 300.0, 320.0
+WIDTH, HEIGHT = 300.0, 240.0
 SIDE, SKY, BED = 24.0, 40.0, 22.0  # margins at the sides, above and below
 FRAMES, NODES = 48, 28  # most frames and nodes that are drawn
 STANDS = 0.02  # share of the travel of the top that a fixed lower end may move

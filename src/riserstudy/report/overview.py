@@ -19,12 +19,15 @@ TOO_FEW = "too few samples"
 PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
     "holds": ("holds", "hold"),
-    "depends": ("depends on inputs that the papers omit", "depend on inputs that the papers omit"),
     TOO_FEW: (
         "is true in all samples, but these are too few for the verdict “holds”",
         "are true in all samples, but these are too few for the verdict “holds”",
     ),
     "fails": ("fails", "fail"),
+    "depends": (
+        "can be neither confirmed nor refuted, because it depends on inputs that the papers omit",
+        "can be neither confirmed nor refuted, because they depend on inputs that the papers omit",
+    ),
     "calibrated": ("is met with a fitted input", "are met with a fitted input"),
     "not comparable": ("is defined differently in the paper", "are defined differently in the papers"),
     "not reproducible": ("cannot be checked", "cannot be checked"),

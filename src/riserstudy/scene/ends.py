@@ -106,7 +106,7 @@ Rotation = Literal["free", "fixed"] | FlexJoint
 class Bottom(Strict):
     """Lower end of the riser: held at the wellhead, free, or the lower end of a conductor (``foot``).
 
-    The lower end of a conductor is held vertically; the soil resists its lateral motion.
+    The lower end of a conductor cannot move vertically; the soil resists the lateral motion of the conductor.
     """
 
     hold: Literal["wellhead", "free", "foot"]
@@ -155,10 +155,10 @@ class TelescopicJoint(Strict):
 
     ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
     The outer and the inner barrel bend as one. ``tension`` is an additional constant pull of tensioners along
-    the joint. Without ``stop`` there are no stops. A run then warns if the joint becomes shorter than half of
-    its length or longer than twice its length, because a real joint cannot do so. The mass of the outer
-    barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform. The stops of the
-    joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
+    the joint. Without the key ``stop``, the joint has no end stops. A run then warns if the joint becomes
+    shorter than half of its length or longer than twice its length, because a real joint cannot do so. The
+    mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform.
+    The stops of the joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
 
     The stroke and the positions of the stops are measured from ``length``. With ``mid_stroke: riser in
     equilibrium``, they are measured from the length that the joint has when the riser is vertical in still

@@ -21,7 +21,7 @@ class Chamber(Strict):
     If ``pressure`` is a gauge pressure, the engine converts it to an absolute pressure. ``outside`` is the
     external pressure, which acts on ``area`` against the gas. If ``pressure`` is a gauge pressure,
     ``outside`` is the atmospheric pressure by default. If ``pressure`` is absolute, ``outside`` is zero by
-    default, because some published tensioner laws include the pressure of the gas alone.
+    default, because some published formulas for the tensioner force neglect the external pressure.
     """
 
     area: Annotated[u.Area, POSITIVE]

@@ -91,7 +91,7 @@ class Thrusters(Strict):
 
 
 class Sway(Strict):
-    """Freedom to move across the hull. Added mass and hull drag across the hull are zero if not given."""
+    """The hull can move sideways. Added mass and hull drag across the hull are zero if not given."""
 
     added_mass: Annotated[u.Mass, NOT_NEGATIVE] | None = None
     hull_drag: Annotated[u.QuadraticDrag, NOT_NEGATIVE] | None = None
