@@ -17,6 +17,7 @@ from riserstudy.digests import digest
 from riserstudy.errors import InputError
 from riserstudy.folders import remembered
 from riserstudy.inputs.text import read_text
+from riserstudy.inputs.yaml_faults import in_words
 
 MOST_BYTES = 1_000_000  # largest input file
 DEEPEST = 20  # most nesting levels
@@ -63,10 +64,7 @@ def plain_yaml(text: str, source: object) -> Any:
         data = reader.load(text)
         data = _joined(data) if _HALVES.search(text) else data
     except YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        where = f"line {mark.line + 1}" if mark else ""
-        problem = getattr(error, "problem", None) or "the file is not valid YAML"
-        raise InputError(source, where, str(problem), "correct the YAML syntax there") from None
+        raise InputError(source, *in_words(error)) from None
     except (RecursionError, ValueError) as error:
         raise InputError(source, "", f"the YAML cannot be read: {error}"[:200], "correct the file") from None
     fault = plain_fault(data)
