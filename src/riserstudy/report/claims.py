@@ -24,12 +24,9 @@ from riserstudy.report.wording import number, sentence, share, unit
 
 VERDICTS = {
     "reproduced": "within the printed rounding or 1 %, with nothing fitted",
-    "holds": "true with the assumed inputs, in at least 95 % of the samples of these inputs, and with every "
-    "interpretation of the text",
-    "depends": "true or false, depending on an input that the paper omits or on an interpretation; or the "
-    "samples are too few",
-    "fails": "no sample gives the published value, or at most 5 % of the samples support the claim; nor does "
-    "the base case",
+    "holds": "true with the assumed inputs, in at least 95 % of the samples, and with every interpretation",
+    "depends": "true or false, depending on an omitted input or on an interpretation; or too few samples",
+    "fails": "false with the assumed inputs, and in at least 95 % of the samples (published values: in all)",
     "calibrated": "the published value is met, but an input was fitted to a published value",
     "not comparable": "the paper defines the quantity differently",
     "not reproducible": "the paper gives too little information",

@@ -76,7 +76,7 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
         f"{count} {plain} on drilling risers, simulated again",
         "riserstudy is a simulation program for drilling risers. Here it repeats the simulations of "
         f"{count.lower()} published {plain}, and checks every published value and claim. "
-        "Inputs that a paper omits are assumed and varied.",
+        "Inputs that a paper omits are assumed, and varied in random samples.",
     )
 
 
