@@ -192,7 +192,7 @@ def axis_of(name: str, axes: list[str]) -> str | None:
         return name
     alike = next((names for names in ALSO if name in names), ())
     ends = tuple(f"_{one}" for one in alike)  # axes of a sweep, such as wave_significant_height
-    return next((a for a in axes if a.lower() in alike or (ends and a.lower().endswith(ends))), None)
+    return next((a for a in axes if a.lower() in alike or a.lower().endswith(ends)), None)
 
 
 def _head(path: Path, text: str) -> tuple[str, str]:

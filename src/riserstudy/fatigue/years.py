@@ -138,7 +138,7 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
     response = Response(grid, np.where(elsewhere, 0.0, rates))
     total = in_parts(response, occurs.values, occurs.shares)
     total[elsewhere] = np.nan
-    runs = every.values.reshape(-1, *rates.shape) if seeds else every.values[None]
+    runs = every.values.reshape(-1, *rates.shape)
     worst = _worst(study, response, occurs, total, runs)
     governing = max(range(len(worst)), key=lambda k: worst[k].factored)
     found = _seas(study, response, occurs, _place(total[governing], governing))
