@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from riserstudy.dataset.comparison import compared, difference
+from riserstudy.dataset.comparison import Pair, compared, difference
 from riserstudy.errors import InputError
 from riserstudy.figures.comparison import comparison
 
@@ -160,3 +160,28 @@ def test_a_station_written_with_few_digits_is_that_station(table, seed):
     (pair,) = compared(finer, path).pairs
     assert pair.notes == []
     assert difference(pair).rms < 1e-9
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_difference_has_the_unit_of_both_series_and_its_share_has_none(seed):
+    """Both series in another unit, from another datum, or with the opposite sign."""
+    draw = np.random.default_rng(seed)
+    theirs = np.cumsum(draw.standard_normal(len(TIME)))
+    ours = theirs + 0.3 * draw.standard_normal(len(TIME))
+    factor, datum = draw.uniform(2.0, 5.0), draw.normal(0.0, 10.0)
+
+    def of(slope, offset=0.0):
+        both = (slope * theirs + offset, slope * ours + offset)
+        return difference(Pair("a", "a", "time", "N", TIME, *both, []))
+
+    plain, scaled, moved, turned = of(1.0), of(factor), of(1.0, datum), of(-1.0)
+    for one, times in ((scaled, factor), (moved, 1.0), (turned, 1.0)):
+        assert one.relative == pytest.approx(plain.relative)
+        assert one.rms == pytest.approx(times * plain.rms)
+        assert abs(one.largest) == pytest.approx(times * abs(plain.largest))
+        assert one.at == plain.at
+        assert one.lag == pytest.approx(plain.lag, abs=1e-6)
+    assert (turned.peak, turned.low) == (pytest.approx(-plain.low), pytest.approx(-plain.peak))
+    # half of the range off everywhere: a share of one half
+    shifted = difference(Pair("a", "a", "time", "N", TIME, theirs, theirs + 0.5 * np.ptp(theirs), []))
+    assert shifted.relative == pytest.approx(0.5)

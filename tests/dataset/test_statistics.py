@@ -17,6 +17,7 @@ from riserstudy.dataset.statistics import gumbel, peaks, record_statistics
 from riserstudy.dataset.statistics_tables import _histories, _sizes
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
+from riserstudy.study.demand_in_sea import demand
 
 TIME = np.arange(0.0, 200_000.0, 0.5)
 PERIOD, DEVIATION, MEAN = 10.0, 2.0, 5.0
@@ -129,6 +130,26 @@ def test_a_regular_motion_has_its_own_period_and_extremes(seed):
     for extreme, sign in ((told.most_probable_largest, 1.0), (told.most_probable_smallest, -1.0)):
         if cycles > 13.0:
             assert extreme == pytest.approx(mean + sign * size, abs=2e-3 * size)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_two_upcrossings_are_enough_for_a_period(seed):
+    draw = np.random.default_rng(seed)
+    period, cycles = draw.uniform(5.0, 20.0), draw.uniform(2.1, 2.9)
+    time = np.arange(0.0, cycles * period, period / 200.0)
+    values = np.sin(2.0 * math.pi * (time / period + draw.uniform()))
+    assert record_statistics(time, values, 3600.0).period == pytest.approx(period, rel=0.02)
+    few = time < 0.9 * period
+    assert math.isnan(record_statistics(time[few], values[few], 3600.0).period)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_mode_is_the_demand_of_so_many_runs_and_has_its_error(seed):
+    """In -ln(0.9) times the duration of a run, nine in ten largest values do not exceed the mode."""
+    values = np.random.default_rng(seed).gumbel(8.0, 1.5, 12)
+    found, same = gumbel(values), demand(values, "largest", -math.log(0.9))
+    assert same.value == pytest.approx(found.mode)
+    assert same.deviation == pytest.approx(found.mode_error)
 
 
 HEIGHT, PEAK = 6.0, 12.0
@@ -250,6 +271,15 @@ def test_extremes_over_seeds_are_gumbels(seeds, tmp_path, monkeypatch):
     expected = HEIGHT / 4.0 * math.sqrt(2.0 * math.log(count))
     allowed = 3.0 * float(row["its standard error"])
     assert float(row["most probable largest"]) == pytest.approx(expected, abs=allowed)
+
+
+def test_seeds_together_have_the_mean_and_the_variance_of_their_records(seeds, tmp_path, monkeypatch):
+    (row,) = table(monkeypatch, seeds, "-o", tmp_path / "all.csv", "--over", "seed")
+    out = tmp_path / "one.csv"
+    each = [table(monkeypatch, seeds, "-o", out, "--at", f"seed={k}")[0] for k in range(1, 9)]
+    mean, deviation = (np.array([float(one[n]) for one in each]) for n in ("mean", "standard deviation"))
+    assert float(row["mean"]) == pytest.approx(mean.mean(), rel=1e-3)
+    assert float(row["standard deviation"]) ** 2 == pytest.approx((deviation**2).mean(), rel=1e-3)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -174,6 +174,30 @@ def test_where_two_walls_meet_the_row_is_left_out_and_said(tmp_path):
     assert any("walls of two sections meet" in note for note in pair.notes)
 
 
+def test_the_wall_tension_over_time_where_two_walls_meet_is_not_known(tmp_path):
+    """A millimetre below and above it is, with the areas of either wall."""
+    model, time = SceneFile("pipe.yaml", two_walls(3)).resolved(), np.linspace(0.0, 9.0, 19)
+    s = np.linspace(0.0, sum(section.total_length for section in model.riser), 401)
+    z = model.bottom.elevation + s + np.sin(time)[:, None]
+    units = {"effective_tension": "N", "z": "m"}
+    data = {
+        name: (("time", "s"), 0.0 * z if unit == "N" else z, {"units": unit}) for name, unit in units.items()
+    }
+    run, meeting = xr.Dataset(data, {"time": time, "s": s}), model.riser[0].total_length
+    found = {}
+    for off in (-1e-3, 0.0, 1e-3):
+        head = f"wall_tension at {meeting + off!r} m (N)"
+        other = write(tmp_path / "other.csv", ["time (s)", head], time, 0.0 * time)
+        if off:
+            (pair,) = compared(run, other, scene=model).pairs
+            found[off] = pair.theirs
+        else:
+            with pytest.raises(InputError, match="two sections with different walls meet"):
+                compared(run, other, scene=model)
+    # the wider pipe above has more water around it
+    assert (found[1e-3] > found[-1e-3]).all()
+
+
 def test_a_step_of_the_wall_is_pushed_by_the_water_on_it(tmp_path):
     """The wider pipe stands above: water pushes its lower face up, so that wall tension drops there."""
     file = SceneFile("pipe.yaml", two_walls(5))

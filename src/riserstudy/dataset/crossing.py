@@ -34,11 +34,10 @@ def first_limit(times: xr.DataArray) -> xr.DataArray:
 
 def at_time(history: xr.DataArray, time: xr.DataArray) -> xr.DataArray:
     """Value of a history at times that may differ from run to run; after its end, its last value."""
-    within = time.clip(float(history["time"][0]), float(history["time"][-1]))
     values: xr.DataArray = xr.apply_ufunc(
         lambda h, t: np.interp(t, history["time"].values, h),
         history,
-        within,
+        time,
         input_core_dims=[["time"], []],
         vectorize=True,
     )

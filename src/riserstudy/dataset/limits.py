@@ -266,7 +266,7 @@ def _demand(limit: Limit, row: Mapping[str, Any]) -> tuple[float, float | None, 
     sides = [limit.side]
     if limit.side == "largest" and limit.output in SIGNED:
         sides = ["largest", "smallest"]
-    side = max(sides, key=lambda one: abs(row[one])) if len(sides) > 1 else sides[0]
+    side = max(sides, key=lambda one: abs(row[one]))
     value = abs(row[side]) if limit.output in SIGNED else row[side]
     return value, row.get(side + "_s"), row.get(side + "_time")
 

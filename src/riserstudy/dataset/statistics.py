@@ -89,8 +89,8 @@ def record_statistics(time: FloatArray, values: FloatArray, exposure: float) -> 
 def finer(values: FloatArray) -> FloatArray:
     """Outputs and values between them, (16 (n - 1) + 1,), by a spline of fifth degree through the outputs.
 
-    The spline exceeds outputs at most as a sine does. Constant outputs, and outputs of which some are
-    missing, are interpolated linearly.
+    The spline exceeds outputs at most as a sine does. Constant outputs, five outputs or fewer, and outputs of
+    which some are missing, are interpolated linearly.
 
     Parameters
     ----------
@@ -100,10 +100,10 @@ def finer(values: FloatArray) -> FloatArray:
 
     outputs = np.arange(len(values))
     places = np.arange(BETWEEN * (len(values) - 1) + 1) / BETWEEN
-    if not np.isfinite(values).all() or np.ptp(values) <= SAME * np.abs(values).max() or len(values) < 3:
+    straight = not np.isfinite(values).all() or np.ptp(values) <= SAME * np.abs(values).max()
+    if straight or len(values) <= DEGREE:
         return np.asarray(np.interp(places, outputs, values))
-    degree = min(DEGREE, (len(values) - 1) // 2 * 2 - 1)  # odd
-    made: FloatArray = make_interp_spline(outputs, values, degree)(places)
+    made: FloatArray = make_interp_spline(outputs, values, DEGREE)(places)
     for end in (slice(0, ENDS * BETWEEN), slice(-ENDS * BETWEEN, None)):
         made[end] = np.interp(places[end], outputs, values)
     made = np.minimum(made, _highest(values))
