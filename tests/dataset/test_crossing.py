@@ -6,7 +6,15 @@ import xarray as xr
 
 from riserstudy.dataset.crossing import first_crossing, first_limit
 from riserstudy.dataset.place_of_crossing import place_of_crossing
-from riserstudy.design.watch_circles import UNKNOWN, watch_circle
+from riserstudy.design.watch_circles import (
+    CIRCLE,
+    NEVER,
+    TOO_LATE,
+    UNKNOWN,
+    red_and_yellow,
+    watch_circle,
+    with_flags,
+)
 
 LEVEL = 1.0
 
@@ -78,3 +86,24 @@ def test_without_the_time_of_a_limit_neither_the_first_nor_a_watch_circle_is_kno
     circle = watch_circle(times.min("limit", skipna=False), offset, 10.0)
     assert int(circle["circle_outcome"]) == UNKNOWN
     assert np.isnan(float(circle["circle_radius"]))
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_each_outcome_of_a_circle_has_a_meaning(seed):
+    """Of a drift at constant speed, so that every radius is known; the flags are named in their order."""
+    draw = np.random.default_rng(seed)
+    speed, eds, prepare = draw.uniform(0.1, 2.0), draw.uniform(10.0, 30.0), draw.uniform(5.0, 9.0)
+    time = np.arange(0.0, 101.0)
+    offset = xr.DataArray(speed * time, dims="time", coords={"time": time})
+    first = xr.DataArray([draw.uniform(50.0, 100.0), 0.9 * eds, np.inf, np.nan], dims="run")
+    found = with_flags(red_and_yellow(first, offset, [f"{eds} s"], f"{prepare} s")).isel(eds_time=0)
+    words = ["circle", "even_an_alarm_at_the_start_is_too_late", "no_limit_is_reached", "not_known"]
+    for colour, before in (("red", eds), ("yellow", eds + prepare)):
+        outcome = found[f"{colour}_circle_outcome"]
+        assert outcome.values.tolist() == [CIRCLE, TOO_LATE, NEVER, UNKNOWN]
+        meanings = outcome.attrs["flag_meanings"].split()
+        named = dict(zip(outcome.attrs["flag_values"].tolist(), meanings, strict=True))
+        assert [named[code] for code in outcome.values.tolist()] == words
+        radius = [speed * (float(first[0]) - before), 0.0, speed * 100.0, np.nan]
+        np.testing.assert_allclose(found[f"{colour}_circle_radius"], radius)
+        assert "flag_values" not in found[f"{colour}_circle_radius"].attrs

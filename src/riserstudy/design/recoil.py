@@ -56,7 +56,7 @@ def _clearance(time: FloatArray, lift: FloatArray) -> float:
     after = lift > 0.0
     if not after.any():
         return float("nan")
-    start = max(int(after.argmax()) - 1, 0)
+    start = int(after.argmax())
     lowest = lowest_after_rise(time[start:], lift[start:])
     return float("nan") if lowest is None else float(lift[start + lowest])
 

@@ -11,9 +11,9 @@ from riserstudy.dataset.crossing import at_time
 from riserstudy.scene.units import to_si
 
 #: outcomes of a watch circle, as flags
-NEVER, TOO_LATE, CIRCLE, UNKNOWN = range(4)
+NEVER, TOO_LATE, CIRCLE, UNKNOWN = CODES = range(4)
 MEANINGS = "no_limit_is_reached even_an_alarm_at_the_start_is_too_late circle not_known"
-FLAGS = {"flag_values": np.arange(4, dtype=np.int8), "flag_meanings": MEANINGS}
+FLAGS = {"flag_values": np.array(CODES, np.int8), "flag_meanings": MEANINGS}
 
 
 def watch_circle(first: xr.DataArray, offset: xr.DataArray, before: xr.DataArray | float) -> xr.Dataset:
@@ -34,8 +34,7 @@ def watch_circle(first: xr.DataArray, offset: xr.DataArray, before: xr.DataArray
     latest = first - before
     outcome = xr.where(np.isinf(first), NEVER, xr.where(latest > 0.0, CIRCLE, TOO_LATE))
     outcome = xr.where(np.isnan(first), UNKNOWN, outcome)
-    radius = at_time(offset, latest.where(latest > 0.0, 0.0))
-    radius = xr.where(outcome == NEVER, offset.max("time"), radius)
+    radius = xr.where(outcome == NEVER, offset.max("time"), at_time(offset, latest))
     return xr.Dataset(
         {
             "circle_outcome": outcome.astype(np.int8),
