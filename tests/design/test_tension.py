@@ -55,6 +55,27 @@ def test_tolerances_change_the_engines_tension_as_the_formulas():
         assert engine_tension.needed(riser, tolerances).tension == pytest.approx(formula, rel=1e-9)
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_tolerances_apply_to_a_body_at_the_ring_as_well(seed):
+    """A body whose weight is given in any form, with a telescopic joint above it and without."""
+    draw = np.random.default_rng(seed)
+    weights = {
+        "submerged_weight": f"{draw.uniform(100.0, 400.0)} kN",
+        "density": f"{draw.uniform(2000.0, 8000.0)} kg/m^3",
+        "displaced_volume": f"{draw.uniform(1.0, 9.0)} m^3",
+    }
+    form = sorted(weights)[seed % 3]
+    changed = {"top.body": {"name": "ring", "mass": f"{draw.uniform(10.0, 50.0)} t", form: weights[form]}}
+    if seed % 2:
+        changed |= {"limits": None, "top.z": "free", "top.telescopic_joint": None, "top.tension": "4 MN"}
+        changed["top.elevation"] = None
+    riser, bare = scene(**changed), scene(**changed | {"top.body": None})
+    tolerances = Tolerances(float(draw.uniform(1.0, 1.1)), float(draw.uniform(0.9, 1.0)))
+    found, without = (engine_tension.needed(one, tolerances).tension for one in (riser, bare))
+    assert found == pytest.approx(tension.needed(riser, tolerances).max(), rel=1e-8)
+    assert found - without == pytest.approx(tolerances.weight * riser.ring_weight, rel=1e-6)
+
+
 def test_the_engines_tension_rises_with_mud_weight_by_bore_times_column():
     light, heavy = (scene(**dict.fromkeys(MUDS, f"{mud} kg/m^3")) for mud in (1200, 1800))
     rise = engine_tension.needed(heavy, AS_TOLD).tension - engine_tension.needed(light, AS_TOLD).tension
