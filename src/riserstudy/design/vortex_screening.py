@@ -174,11 +174,9 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
 
 def _in_water(scene: Resolved, z: FloatArray) -> NDArray[np.bool_]:
     """Which elevations (m) are between the ground and the water's surface, as far as these are known."""
-    water, soil = scene.water, scene.soil
-    surface = water.surface if water else None
-    ground = soil.mudline if soil else water.seabed if water else None
+    surface = scene.water.surface if scene.water else None
     below = np.full(z.shape, True) if surface is None else z <= surface
-    return below if ground is None else below & (z >= ground)
+    return below if scene.ground is None else below & (z >= scene.ground)
 
 
 def _coefficient(section: Section, z: float) -> float:

@@ -64,19 +64,18 @@ def wave(of: Layout) -> Iterator[Effect]:
 
 def hydrodynamics(of: Layout) -> Iterator[Effect]:
     """Effects of water and contents; a model with one direction has only tangential drag."""
-    scene, mesh, rho = of.scene, of.mesh, of.density
     across = of.d > 1
-    added = [*_added_mass(scene, mesh, rho)] if across else []
-    waves = [*_wave_force(scene, mesh, of.d, rho)] if across else []
-    drags = [*_drag(scene, mesh, of.d, rho)] if across else []
+    added = [*_added_mass(of)] if across else []
+    waves = [*_wave_force(of)] if across else []
+    drags = [*_drag(of)] if across else []
     constant = [drag for drag in drags if isinstance(drag.record, Drag)]
     by_depth = [drag for drag in drags if isinstance(drag.record, DragOverDepth)]
-    tangential = [*_tangential(scene, mesh, rho)]
+    tangential = [*_tangential(of)]
     lifts = [*vortex_forces(of)]
     if across:
-        yield from _contents(scene, mesh)
+        yield from _contents(of.scene, of.mesh)
     yield from [*added, *waves, *constant, *tangential, *lifts]
-    yield from _waterline(scene, [*drags, *tangential, *lifts], added, waves, of.last)
+    yield from _waterline(of.scene, [*drags, *tangential, *lifts], added, waves, of.last)
     yield from by_depth  # after the waterline, which changes their scale
 
 
@@ -86,60 +85,59 @@ def _contents(scene: Resolved, mesh: Mesh) -> Iterator[Effect]:
         yield Effect("contents", AddedMass(inside, -inside, 0), "riser.contents")
 
 
-def _added_mass(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
+def _added_mass(of: Layout) -> Iterator[Effect]:
     """Added mass of water that moves with the pipe, across the pipe or horizontally."""
     for direction in (None, "horizontal"):
-        _, added = _accelerated(scene, mesh, rho, direction)
+        _, added = _accelerated(of, direction)
         if np.any(added):
             record = AddedMass(added, -added, int(direction is not None))
             yield Effect("added mass", record, "riser.added_mass")
 
 
-def _wave_force(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
+def _wave_force(of: Layout) -> Iterator[Effect]:
     """The force in proportion to the water's acceleration, of displaced water and added mass."""
-    force = np.zeros(len(mesh.l0))
+    force = np.zeros(of.last)
     for direction in (None, "horizontal"):
-        displaced, added = _accelerated(scene, mesh, rho, direction)
+        displaced, added = _accelerated(of, direction)
         force += displaced + added
-    if scene.wave and np.any(force):
-        record = WaveForce(force, np.zeros((d, len(mesh.l0) + 1)))
+    if of.scene.wave and np.any(force):
+        record = WaveForce(force, np.zeros((of.d, of.last + 1)))
         yield Effect("wave force", record, "wave, riser.added_mass")
 
 
-def _accelerated(
-    scene: Resolved, mesh: Mesh, rho: float, direction: str | None
-) -> tuple[FloatArray, FloatArray]:
+def _accelerated(of: Layout, direction: str | None) -> tuple[FloatArray, FloatArray]:
     """Displaced and added mass of the segments whose added mass has a direction, (n,) each, kg."""
-    around = [s.added_mass for s in scene.riser]
+    around = [s.added_mass for s in of.scene.riser]
     these = [a if a and a.direction == direction else None for a in around]
-    displaced = [a.displaced(rho) if a else 0.0 for a in these]
+    displaced = [a.displaced(of.density) if a else 0.0 for a in these]
     added = [a.coefficient * m if a else 0.0 for a, m in zip(these, displaced, strict=True)]
-    return over(mesh, displaced), over(mesh, added)
+    return _in_water(of, displaced), _in_water(of, added)
 
 
-def _drag(scene: Resolved, mesh: Mesh, d: int, rho: float) -> Iterator[Effect]:
+def _drag(of: Layout) -> Iterator[Effect]:
     """One effect for all constant coefficients, and one for each table over elevation, by direction."""
-    drags = [s.drag for s in scene.riser]
+    drags, n = [s.drag for s in of.scene.riser], of.last
     for direction, table in dict.fromkeys((a.direction, a.table) for a in drags if a):
         these = [a if a and (a.direction, a.table) == (direction, table) else None for a in drags]
-        horizontal, scratch = int(direction is not None), np.zeros((d, len(mesh.l0) + 1))
-        scale = [0.5 * rho * a.diameter if a else 0.0 for a in these]
+        horizontal, scratch = int(direction is not None), np.zeros((of.d, n + 1))
+        scale = [0.5 * of.density * a.diameter if a else 0.0 for a in these]
         if table:
-            low, up = np.zeros((2, len(mesh.l0)))
+            low, up = np.zeros((2, n))
             elevation, coefficient = np.array(table).T.copy()
-            slope, whole = np.zeros((3, len(mesh.l0))), over(mesh, scale)
+            slope, whole = np.zeros((3, n)), _in_water(of, scale)
             record = DragOverDepth(low, up, scratch, horizontal, whole, elevation, coefficient, slope)
             yield Effect("drag", record, "riser.drag")
             continue
-        whole = over(mesh, [x * a.constant if a else 0.0 for x, a in zip(scale, these, strict=True)])
+        whole = _in_water(of, [x * a.constant if a else 0.0 for x, a in zip(scale, these, strict=True)])
         if np.any(whole):
             yield Effect("drag", Drag(whole, whole, scratch, horizontal), "riser.drag")
 
 
-def _tangential(scene: Resolved, mesh: Mesh, rho: float) -> Iterator[Effect]:
+def _tangential(of: Layout) -> Iterator[Effect]:
     """Drag along the pipe."""
-    around = [s.tangential_drag for s in scene.riser]
-    scale = over(mesh, [0.5 * rho * math.pi * a.coefficient * a.diameter if a else 0.0 for a in around])
+    around = [s.tangential_drag for s in of.scene.riser]
+    rho = of.density
+    scale = _in_water(of, [0.5 * rho * math.pi * a.coefficient * a.diameter if a else 0.0 for a in around])
     if np.any(scale):
         yield Effect("tangential drag", TangentialDrag(scale), "riser.tangential_drag")
 
@@ -179,6 +177,11 @@ def wave_of(sea: RegularWave | IrregularSea, water: Water, gravity: float, headi
         amplitude, frequency, number, phase, heading,
         water.surface, depth, sea.ramp or 0.0, ABOVE[sea.above_mean_level], np.zeros((3, len(amplitude))),
     )  # fmt: skip
+
+
+def _in_water(of: Layout, value: Sequence[float]) -> FloatArray:
+    """Section values per metre times the lengths (m) of the segments' parts above the ground, (n,)."""
+    return over(of.mesh, value) * of.above_ground
 
 
 def over(mesh: Mesh, value: Sequence[float]) -> FloatArray:

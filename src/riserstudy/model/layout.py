@@ -89,6 +89,14 @@ class Layout(NamedTuple):
         return np.asarray(self.bottom + self.mesh.s)
 
     @property
+    def above_ground(self) -> FloatArray:
+        """Share of each segment above the ground, (n,), 1: water exerts no forces on the part in the soil."""
+        ground = self.scene.ground
+        if ground is None:
+            return np.ones(self.last)
+        return np.clip((self.upright[1:] - ground) / self.mesh.l0, 0.0, 1.0)
+
+    @property
     def cornered(self) -> list[int]:
         """Sections at whose lower end the shear may jump, due to a joint, a guide or a rigid body below."""
         body = self.scene.bottom.body

@@ -50,7 +50,7 @@ def _record(of: Layout, each: list[Shed], first: int) -> tuple[Any, ...]:
     ``first``: row of the force's phases among the internal variables.
     """
     scales = [0.5 * of.density * one[0] * one[2].diameter if one else 0.0 for one in each]
-    scale = of.per_segment(lambda k: scales[k]) * of.mesh.l0
+    scale = of.per_segment(lambda k: scales[k]) * of.mesh.l0 * of.above_ground
     columns = [[0.0] * 5 if one is None else _column(one[1], one[2]) for one in each]
     diameter, *frequencies = at_nodes(of.mesh, np.array(columns), np.array([one is not None for one in each]))
     nodes = of.last + 1
@@ -163,13 +163,15 @@ def _lower_end(scene: Resolved) -> float:
 
 
 def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
-    """Speed of the current at elevations (m) in the water (m/s), 0 above it."""
+    """Speed of the current at elevations (m) in the water (m/s), 0 above it and in the ground."""
     if scene.current is None:
         return np.zeros_like(elevations)
     z, velocity = current_velocity(scene.current, scene.water)
     speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
     surface = scene.water.surface if scene.water else None
-    return speed if surface is None else np.where(elevations > surface, 0.0, speed)
+    highest = np.inf if surface is None else surface
+    lowest = -np.inf if scene.ground is None else scene.ground
+    return np.where((elevations > highest) | (elevations < lowest), 0.0, speed)
 
 
 def first_phases(scene: Resolved, mesh: Mesh, model: Model) -> None:

@@ -78,6 +78,13 @@ class Parts(Strict):
         return [end.body for end in (self.bottom, self.top) if end.body]
 
     @property
+    def ground(self) -> float | None:
+        """Elevation (m) below which there is no water: the mudline, or else the seabed; None if unknown."""
+        if self.soil:
+            return self.soil.mudline
+        return self.water.seabed if self.water else None
+
+    @property
     def ring_weight(self) -> float:
         """Submerged weight (N) of the body at the riser's upper end, such as a tension ring; 0 without."""
         body, water = self.top.body, self.water.density if self.water else 0.0

@@ -114,7 +114,10 @@ class SoilDamping(DampingAtPeriod):
 
 
 class Soil(Strict):
-    """Soil around the lowest sections of the riser, below the flex joint, from the mudline down."""
+    """Soil around the lowest sections of the riser, below the flex joint, from the mudline down.
+
+    Below the mudline, water exerts no forces: current, waves, drag and added mass act only above it.
+    """
 
     mudline: u.Length
     resistance: Matlock | Sand | ElasticSoil | TabulatedSoil
