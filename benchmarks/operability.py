@@ -28,7 +28,7 @@ def scene(speed: float) -> Resolved:
     """The generic riser with the first limits of drilling, in a current (m/s)."""
     whole = load_scene(SCENE, **{"current.profile.surface_speed": f"{speed} m/s"}).resolved()
     limits = [limit for limit in whole.limits or [] if limit.mode == "drilling"]
-    return whole.model_copy(update={"limits": limits[:LIMITS]})
+    return whole.replaced(limits=limits[:LIMITS])
 
 
 def main(processes: int) -> None:

@@ -73,9 +73,7 @@ def simulated(path: Path, elements: int, step: float, analysis: dict[str, Any]) 
 
     riser = checked(path, analysis | {"mesh": {"elements": elements}, "step": f"{step!r} s"})
     mesh = even(riser, elements)
-    short = riser.model_copy(
-        update={"analysis": riser.analysis.model_copy(update={"duration": riser.analysis.step})}
-    )
+    short = riser.replaced(analysis=riser.analysis.replaced(duration=riser.analysis.step))
     spent = []
     for what in (short, short, riser):
         started = time.process_time()

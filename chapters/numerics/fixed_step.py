@@ -24,9 +24,7 @@ def whole(scene: Resolved) -> Resolved:
     output = scene.analysis.output
     if output is None:
         return scene
-    everywhere = output.model_copy(update={"stations": None})
-    analysis = scene.analysis.model_copy(update={"output": everywhere})
-    return scene.model_copy(update={"analysis": analysis})
+    return scene.replaced(analysis=scene.analysis.replaced(output=output.replaced(stations=None)))
 
 
 def stepped(file: SceneFile, values: dict[str, Any], mesh: Mesh, step: float | None) -> Resolved:

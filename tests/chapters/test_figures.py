@@ -107,10 +107,10 @@ def small(paper, name, model):
     for axis, values in PAPERS[paper].axes.items():
         if axis in axes:
             field = "count" if axis == "sample" else "preview"
-            axes[axis] = axes[axis].model_copy(update={field: values})
+            axes[axis] = axes[axis].replaced(**{field: values})
     settings = model.set | PAPERS[paper].settings.get(name, {})
     update = {"axes": axes, "set": settings, "preview": model.preview}
-    return model.model_copy(update=coarsened(update, PAPERS[paper].coarser))
+    return model.replaced(**coarsened(update, PAPERS[paper].coarser))
 
 
 def coarsened(settings, by):

@@ -72,7 +72,7 @@ def test_the_riser_that_lets_go_is_the_riser_of_the_chapter():
     """Two files tell it: one with all that acts on it, one along its axis alone, with damping."""
     folder = Path(__file__).parents[2] / "config" / "scenes" / "design"
     whole, along = (load_scene(folder / f"{name}.yaml").resolved() for name in ("riser", "recoil"))
-    same = [s.model_copy(update={"structural_damping": None}) for s in along.riser]
+    same = [s.replaced(structural_damping=None) for s in along.riser]
     assert same == whole.riser
     assert along.bottom.body == whole.bottom.body
     assert along.hanging == whole.hanging

@@ -317,6 +317,6 @@ def test_a_check_that_names_the_unit_of_its_result_is_held_to_it():
         "of_another_unit": lambda runs: runs["quantity"].max().assign_attrs(units="N"),
     }
     assert graded("paper", item, checks.__getitem__, {"base": a_force([1.0, 2.0])}).verdict == "reproduced"
-    other = item.model_copy(update={"check": "of_another_unit"})
+    other = item.replaced(check="of_another_unit")
     with pytest.raises(InputError, match="'kN', but the check of_another_unit returns 'N'"):
         graded("paper", other, checks.__getitem__, {"base": a_force([1.0, 2.0])})

@@ -38,7 +38,7 @@ def test_every_printed_input_with_a_place_stands_there(paper):
     plain = {value for scene in read for value in plain_values(scene.tree, scene.origins)}
     for printed in printed_inputs(CONFIG, paper):
         for at in printed.paths:
-            here = printed.model_copy(update={"at": at})
+            here = printed.replaced(at=at)
             assert any(printed_as([here], *value) for value in plain), (printed.what, at)
 
 

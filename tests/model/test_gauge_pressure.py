@@ -43,8 +43,8 @@ def test_one_chamber_pulls_nothing_where_its_gas_is_down_to_the_atmosphere():
 
 def test_the_line_has_the_slope_of_the_law():
     tension, stiffness = linear_law(
-        rig(CHANG, **{"top.tensioners.gas.pressure": "190.2 bar gauge"}).model_copy(
-            update={"linearised": rig(CHANG, **{"top.tensioners.linearised": {"by": "tangent"}}).linearised}
+        rig(CHANG, **{"top.tensioners.gas.pressure": "190.2 bar gauge"}).replaced(
+            linearised=rig(CHANG, **{"top.tensioners.linearised": {"by": "tangent"}}).linearised
         )
     )
     gas = rig(CHANG, **{"top.tensioners.gas.pressure": "190.2 bar gauge"}).gas

@@ -62,7 +62,7 @@ def test_heave_cancels_shortly_before_it_resonates(unit):
 
 
 def test_undamped_heave_cancels_where_pressure_and_inertia_balance():
-    unit = UNITS["medium"].model_copy(update={"heave_damping": 1e-9})
+    unit = UNITS["medium"].replaced(heave_damping=1e-9)
     period = np.linspace(15.0, 21.8, 100001)
     found = response(unit, period)["heave"]
     zero = float(period[np.abs(found).argmin()])

@@ -114,8 +114,8 @@ def test_moment_and_shear_are_those_of_converged_iterations(seed, spatial, halvi
     scene, found, mesh = refined(moving(seed, spatial=spatial, conductor=False))
     for _ in range(halvings):
         mesh = mesh.halved()
-    analysis = scene.analysis.model_copy(update={"newton_tolerance": 1e-14})
-    sure = scene.model_copy(update={"analysis": analysis})
+    analysis = scene.analysis.replaced(newton_tolerance=1e-14)
+    sure = scene.replaced(analysis=analysis)
     step = found.facts["step"] / 2.0**halvings
     off = difference(single(scene, mesh, step), single(sure, mesh, step))
     assert off["moment"] <= 0.003

@@ -54,8 +54,8 @@ def test_the_second_run_from_a_rest_is_that_of_a_new_model_to_the_last_bit(scene
 
 def test_what_is_told_of_rest_is_not_told_of_the_last_moment_of_the_run(scene):
     mesh = prescribed(scene, 16)
-    still = scene.analysis.model_copy(update={"duration": None, "output": None})
-    resting = scene.model_copy(update={"analysis": still, "disconnect": None})
+    still = scene.analysis.replaced(duration=None, output=None)
+    resting = scene.replaced(analysis=still, disconnect=None)
     moved, rest = single(scene, mesh, 0.1, everywhere=True), single(resting, mesh, None)
     for name in ("shear_force_static", "bending_moment_static", "effective_tension_static"):
         np.testing.assert_allclose(moved.arrays[name], rest.arrays[name], rtol=1e-9, atol=1e-6, err_msg=name)

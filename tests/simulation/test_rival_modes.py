@@ -81,7 +81,7 @@ def test_of_a_riser_that_is_towed_nothing_is_claimed(monkeypatch):
     facts = {"warnings": []}
     resolved = scene().resolved()
     platform = Platform(cruise=Cruise(speed="0.5 m/s"))
-    warn_of_rivals(resolved.model_copy(update={"platform": platform}), facts)
+    warn_of_rivals(resolved.replaced(platform=platform), facts)
     (warning,) = facts["warnings"]
     assert "not checked for a platform that cruises" in warning
 

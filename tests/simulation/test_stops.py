@@ -45,8 +45,8 @@ def test_no_touch_no_stops_and_failed_cylinders_are_not_told_of(rig):
     beyond = reach.copy()
     beyond[:, 0] = 2.5
     assert stops_touched(rig, beyond, time)
-    assert stops_touched(rig.model_copy(update={"failed": [0]}), beyond, time) == []
-    assert stops_touched(rig.model_copy(update={"stroke": None}), beyond, time) == []
+    assert stops_touched(rig.replaced(failed=[0]), beyond, time) == []
+    assert stops_touched(rig.replaced(stroke=None), beyond, time) == []
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -59,7 +59,7 @@ def test_a_cylinder_that_fails_pushes_at_no_stop_afterwards(rig, seed):
     first = float(time[(reach[:, one] > 2.0).argmax()])
     for at, touches in ((first - 0.05, False), (first + 0.05, True)):
         failing = Failing(at=f"{at} s", cylinders=[one])
-        assert bool(stops_touched(rig.model_copy(update={"failing": failing}), reach, time)) == touches
+        assert bool(stops_touched(rig.replaced(failing=failing), reach, time)) == touches
 
 
 def test_a_touch_at_rest_is_told(rig):

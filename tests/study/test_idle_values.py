@@ -77,7 +77,7 @@ def test_a_value_that_every_value_of_an_axis_replaces_is_named(seed, sets, lost)
         "joint": {"fixed": {}, "pinned": {"bottom.rotation": "free"}},
     }
     study = as_study(file_of(seed), axes, None)
-    model = study.model.model_copy(update={"set": sets})
+    model = study.model.replaced(set=sets)
     found = [text.partition(" set.") for text in idle_values(replace(study, model=model))]
     assert [text.partition(":")[0] for _, sets, text in found if sets] == lost
 

@@ -286,9 +286,9 @@ def test_what_the_beam_has_not_is_refused_by_name_and_what_it_has_is_told():
     assert set(catalogue()) >= SUPPORTED | LARGE_ANGLES
     refused = set()
     for scene in [scene for group in scenes().values() for scene in group]:
-        analysis = scene.analysis.model_copy(update={"solver": "hermite"})
+        analysis = scene.analysis.replaced(solver="hermite")
         try:
-            told = effects_of(scene.model_copy(update={"analysis": analysis}))
+            told = effects_of(scene.replaced(analysis=analysis))
         except SimulationError as error:
             refused.add(str(error).split("hermite cannot simulate ")[1].split(" (")[0])
         else:

@@ -134,13 +134,9 @@ def test_the_gas_law_runs_in_space_with_a_cylinder_failed():
 def test_the_horizontal_force_balances_a_ring_held_aside():
     """Six cylinders of 24 m and a ring 0.24 m aside: one per cent of their pull."""
     scene = load_scene(SYSTEM).resolved()
-    rig = scene.top.tensioners.model_copy(
-        update={
-            "arrangement": scene.top.tensioners.arrangement.model_copy(
-                update={"ring_radius": 1e-9, "deck_radius": 1e-9}
-            )
-        }
+    rig = scene.top.tensioners.replaced(
+        arrangement=scene.top.tensioners.arrangement.replaced(ring_radius=1e-9, deck_radius=1e-9)
     )
-    scene = scene.model_copy(update={"top": scene.top.model_copy(update={"tensioners": rig})})
+    scene = scene.replaced(top=scene.top.replaced(tensioners=rig))
     force = pushed_back(scene, np.full(6, 1e5), np.array([0.24, 0.24]), np.array([500.0, 533.0]))
     assert force == pytest.approx(6e5 * 0.24 / np.hypot(24.0, 0.24), rel=1e-6)

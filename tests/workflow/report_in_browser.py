@@ -60,8 +60,8 @@ def simulated(paper, folder):
         if axis == "readings":
             axes[name] = {value: file.readings[name][value]}
         else:
-            axes[name] = axis.model_copy(update={"values": [value], "preview": None})
-    model = model.model_copy(update={"axes": axes, "set": model.set | RUNS[paper]})
+            axes[name] = axis.replaced(values=[value], preview=None)
+    model = model.replaced(axes=axes, set=model.set | RUNS[paper])
     study = Study(paper, shown.study, model, CONFIG, "preview", "1 %", file.readings)
     results, _ = results_of(study, 1, lambda text: None)
     target = folder / paper / f"{shown.study}.nc"

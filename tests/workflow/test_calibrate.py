@@ -21,7 +21,7 @@ def nearest():
     file = read_studies(CONFIG, PAPER)
     made = Study(PAPER, "nearest", file.studies["nearest"], CONFIG, "standard", None, file.readings)
     coarse = {"analysis.mesh": {"elements": 20}, "analysis.step": "1 s"}
-    return replace(made, model=made.model.model_copy(update={"set": made.model.set | coarse}))
+    return replace(made, model=made.model.replaced(set=made.model.set | coarse))
 
 
 @pytest.fixture(scope="module")
@@ -78,7 +78,7 @@ def test_fitting_improves_on_where_it_began_and_tells_what_it_found(nearest, ite
 
 
 def test_without_a_range_or_a_number_there_is_nothing_to_fit(nearest, items):
-    bare = replace(nearest, model=nearest.model.model_copy(update={"set": {}}))
+    bare = replace(nearest, model=nearest.model.replaced(set={}))
     with pytest.raises(InputError, match="no value is calibrated within a range"):
         calibrate.calibrate(bare, items, {}, 1)
     with pytest.raises(InputError, match="no published numbers"):

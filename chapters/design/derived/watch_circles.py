@@ -46,7 +46,7 @@ def watch_circles(
     first_offset, way = [], []
     for place, scene in scenes_of(rests):
         limits = [limit for limit in scene.limits or [] if limit.mode == MODE]
-        of_mode = scene.model_copy(update={"limits": limits})
+        of_mode = scene.replaced(limits=limits)
         found = offsets(of_mode, to_si(reach, "m"), allowed(allowances))
         first_offset.append(np.min([one.high for one in found]))
         way.append(drift(own, force, place["surface_speed"], TIMES).way)

@@ -192,10 +192,8 @@ def brief(scene: Resolved, step: float | None) -> Resolved:
     """Return the first steps of a scene, which load its kernels; all of it if later steps need others."""
     if step is None or scene.analysis.output is None or is_whole(scene) or scene.vessel:
         return scene
-    output = scene.analysis.output.model_copy(update={"start": None, "interval": FEW * step})
-    return scene.model_copy(
-        update={"analysis": scene.analysis.model_copy(update={"duration": FEW * step, "output": output})}
-    )
+    output = scene.analysis.output.replaced(start=None, interval=FEW * step)
+    return scene.replaced(analysis=scene.analysis.replaced(duration=FEW * step, output=output))
 
 
 def is_whole(scene: Resolved) -> bool:

@@ -86,8 +86,8 @@ def with_tension(scene: Resolved, tension: float) -> Resolved:
     top, joint = scene.top, scene.top.telescopic_joint
     changed: dict[str, Any] = {"tension": tension}
     if joint and (joint.tension is not None or top.tensioners):
-        changed = {"telescopic_joint": joint.model_copy(update=changed), "tension": None}
-    return scene.model_copy(update={"top": top.model_copy(update=changed | {"tensioners": None})})
+        changed = {"telescopic_joint": joint.replaced(**changed), "tension": None}
+    return scene.replaced(top=top.replaced(**changed, tensioners=None))
 
 
 def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
@@ -96,13 +96,12 @@ def _with_tolerances(scene: Resolved, tolerances: Tolerances) -> Resolved:
     steel, lift, water = (-np.diff(values) for values in (of.steel, of.lift, of.water))
     weights = carrying_tension(steel, lift, -water, tolerances)
     sections = [
-        section.model_copy(update={"submerged_weight": weight / section.total_length})
+        section.replaced(submerged_weight=weight / section.total_length)
         for section, weight in zip(scene.riser, weights.tolist(), strict=True)
     ]
     changed: dict[str, Any] = {"riser": sections}
     if body := scene.top.body:
         weight = tolerances.weight * scene.ring_weight
-        heavy = {"submerged_weight": weight, "density": None, "displaced_volume": None}
-        top = {"body": body.model_copy(update=heavy)}
-        changed["top"] = scene.top.model_copy(update=top)
-    return scene.model_copy(update=changed)
+        heavy = body.replaced(submerged_weight=weight, density=None, displaced_volume=None)
+        changed["top"] = scene.top.replaced(body=heavy)
+    return scene.replaced(**changed)

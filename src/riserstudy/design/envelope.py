@@ -122,7 +122,7 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
         raise InputError("scene", "current", "missing, but a current speed is given", allowed)
     profile = current.profile
     if isinstance(profile, Shape):
-        changed: object = profile.model_copy(update={"surface_speed": speed})
+        changed: object = profile.replaced(surface_speed=speed)
     elif isinstance(profile, list):
         x, y = surface_current(current, scene.water)  # a table may extend above the surface
         turn = current.towards
@@ -130,11 +130,11 @@ def with_current(scene: Resolved, speed: float) -> Resolved:
         if abs(own) <= STILL * max(abs(point.speed) for point in profile):
             found = "the current speed at the surface is 0 m/s, so the profile cannot be scaled"
             raise InputError("scene", "current.profile", found, allowed)
-        changed = [point.model_copy(update={"speed": point.speed * speed / own}) for point in profile]
+        changed = [point.replaced(speed=point.speed * speed / own) for point in profile]
     else:
         found = "the surface current speed of a sum or a wind drift cannot be changed"
         raise InputError("scene", "current.profile", found, allowed)
-    return scene.model_copy(update={"current": current.model_copy(update={"profile": changed})})
+    return scene.replaced(current=current.replaced(profile=changed))
 
 
 def _ends(limits: xr.DataArray, mode: str, lost: NDArray[np.bool_], also: NDArray[np.float64]) -> list[Cell]:

@@ -139,18 +139,16 @@ def moved(scene: Resolved, offset: float) -> Resolved:
     scene, top = at_rest(scene), scene.top
     if top.x == "platform" and scene.platform:
         position = scene.platform.position or Position()
-        position = position.model_copy(update={"surge": offset - (top.offset or 0.0)})
-        platform = scene.platform.model_copy(update={"position": position})
-        return scene.model_copy(update={"platform": platform})
+        position = position.replaced(surge=offset - (top.offset or 0.0))
+        return scene.replaced(platform=scene.platform.replaced(position=position))
     if top.x in ("held", "vessel"):
-        moved: dict[str, Any] = {"top": top.model_copy(update={"offset": offset})}
+        moved: dict[str, Any] = {"top": top.replaced(offset=offset)}
         about = scene.platform and scene.platform.centre_of_rotation
         # the centre of rotation moves with the platform, which tilts about it
         if scene.platform and about:
-            x = (about.x or 0.0) + offset - (top.offset or 0.0)
-            about = about.model_copy(update={"x": x})
-            moved["platform"] = scene.platform.model_copy(update={"centre_of_rotation": about})
-        return scene.model_copy(update=moved)
+            about = about.replaced(x=(about.x or 0.0) + offset - (top.offset or 0.0))
+            moved["platform"] = scene.platform.replaced(centre_of_rotation=about)
+        return scene.replaced(**moved)
     allowed = "write `held`, `platform` or `vessel`"
     found = f"{top.x!r} does not hold the riser at an offset" if top.x else "missing, so no offset is held"
     raise InputError("scene", "top.x", found, allowed)
@@ -159,8 +157,7 @@ def moved(scene: Resolved, offset: float) -> Resolved:
 def _fine_enough(scene: Resolved, reach: float) -> Mesh:
     """The finest of the meshes that the tolerance requires above the well and at both ends of the search."""
     accuracy = 0.5 * (scene.analysis.accuracy or MOMENT)  # the other half is for the offset itself
-    analysis = scene.analysis.model_copy(update={"duration": None, "accuracy": accuracy})
-    still = scene.model_copy(update={"analysis": analysis})
+    still = scene.replaced(analysis=scene.analysis.replaced(duration=None, accuracy=accuracy))
     meshes, why = [], None
     for offset in (0.0, -reach, reach):
         refinement = Refinement(moved(still, offset))

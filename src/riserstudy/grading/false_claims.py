@@ -93,7 +93,7 @@ class Falsified(Strict):
         }
         if self.published is not None:
             changed["published"] = self.published
-        return printed.model_copy(update=changed)
+        return printed.replaced(**changed)
 
 
 def _pair(value: object) -> object:
@@ -130,7 +130,7 @@ def read_false_claims(config: Path, paper: str, printed: PublishedFile) -> list[
     words = cache(partial(read_words, config))
     false = []
     for one in claims:
-        false.append(one.model_copy(update={"options": looked_up(one.options, printed, words)}))
+        false.append(one.replaced(options=looked_up(one.options, printed, words)))
         refuse_check(path, paper, false[-1].item(items[one.of]))
     return false
 

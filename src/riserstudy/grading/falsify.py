@@ -91,7 +91,7 @@ def _exchange_arguments(item: Item, one: Falsified) -> Item:
                 name: {**reads, a: reads[b], b: reads[a]} if reads else reads
                 for name, reads in (("reads", item.reads), ("over", item.over))
             }
-            item = item.model_copy(update=fields)
+            item = item.replaced(**fields)
     return item
 
 

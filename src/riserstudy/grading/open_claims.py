@@ -142,12 +142,10 @@ class ClaimsFile(Strict):
         same = claim.model_dump(exclude={"options", "within", "chosen"})
         reads = {"answers": f"{claim.id} {BASE}"} if claim.check else {}
         over = {"answers": f"{claim.id} {SAMPLES}"} if claim.check and self.open else {}
-        return Item(**same, figure="", reads=reads, over=over).model_copy(
-            update={
-                "within": claim.within,
-                "chosen": claim.chosen,
-                "options": {name: self._word(of) for name, of in claim.options.items()},
-            }
+        return Item(**same, figure="", reads=reads, over=over).replaced(
+            within=claim.within,
+            chosen=claim.chosen,
+            options={name: self._word(of) for name, of in claim.options.items()},
         )
 
     def _word(self, option: Any) -> Any:

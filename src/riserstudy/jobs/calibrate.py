@@ -109,7 +109,7 @@ def with_values(study: Study, free: Sequence[Free], shares: Shares) -> Study:
     sets = dict(study.model.set)
     for one, share in zip(free, shares, strict=True):
         sets[one.path] = sets[one.path] | {"calibrated": one.value(share)}
-    return replace(study, model=study.model.model_copy(update={"set": sets}))
+    return replace(study, model=study.model.replaced(set=sets))
 
 
 def values_of(

@@ -35,7 +35,7 @@ def joint_of(scene: Resolved) -> TelescopicJoint | None:
         return joint
     ring = _unstretched(scene) + stretch(scene)
     length = (scene.top.elevation or 0.0) - ring
-    return joint.model_copy(update={"length": length, "mid_stroke": None})
+    return joint.replaced(length=length, mid_stroke=None)
 
 
 def ring_at_mid_stroke(scene: Resolved) -> float:

@@ -19,8 +19,7 @@ def at_rest(scene: Resolved) -> Resolved:
     scene = unmoved(scene)
     if scene.current is None:
         return scene
-    current = scene.current.model_copy(update={"ramp": None})
-    return scene.model_copy(update={"current": current})
+    return scene.replaced(current=scene.current.replaced(ramp=None))
 
 
 def unmoved(scene: Resolved) -> Resolved:
@@ -28,7 +27,7 @@ def unmoved(scene: Resolved) -> Resolved:
     if scene.platform is None:
         return scene
     none = dict.fromkeys((*TRANSLATIONS, *TILTS, "cruise", "response"))
-    return scene.model_copy(update={"platform": scene.platform.model_copy(update=none)})
+    return scene.replaced(platform=scene.platform.replaced(**none))
 
 
 def moves_at(place: Sequence[float], scene: Resolved) -> bool:
@@ -43,5 +42,5 @@ def moves_at(place: Sequence[float], scene: Resolved) -> bool:
 def static(scene: Resolved) -> Resolved:
     """The scene at rest, without a time history and what is computed from one; mesh and accuracy stay."""
     none = dict.fromkeys(("duration", "output", "step", "start", "method"))
-    analysis = scene.analysis.model_copy(update=none)
-    return at_rest(scene).model_copy(update={"analysis": analysis, "fatigue": None})
+    analysis = scene.analysis.replaced(**none)
+    return at_rest(scene).replaced(analysis=analysis, fatigue=None)

@@ -39,5 +39,5 @@ class Buoyancy(Strict):
             inside = section.contents_mass * gravity
             dry = (section.mass or 0.0) * gravity + inside
             tension += self.tension_ratio * of_tension * dry * section.total_length
-            sections.append(section.model_copy(update={"submerged_weight": left * dry - inside}))
+            sections.append(section.replaced(submerged_weight=left * dry - inside))
         return sections, tension

@@ -115,4 +115,4 @@ class Disconnect(Strict):
         """The release at the time of its phase, in heave of a period (s) with an initial phase (rad)."""
         turn = ((self.phase or 0.0) - phase) / (2.0 * math.pi)
         turns = math.ceil(self.at / period - turn - SAME)
-        return self.model_copy(update={"at": (turns + turn) * period})
+        return self.replaced(at=(turns + turn) * period)

@@ -80,7 +80,7 @@ class Mirror(NamedTuple):
         """The operator for the mirrored waves: motions that change sign are half a turn later."""
         phases = {f"{name}_phase": getattr(row, f"{name}_phase") for name in self.reversed}
         turned = {name: phase + math.pi for name, phase in phases.items() if phase is not None}
-        return row.model_copy(update=turned)
+        return row.replaced(**turned)
 
 
 SIDES = Mirror(0.0, ("sway", "roll", "yaw"))

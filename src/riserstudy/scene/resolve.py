@@ -45,9 +45,9 @@ def _bodies(scene: Resolved) -> Resolved:
         end = getattr(scene, name)
         body, dry = end.body, at_level(surface, elevation) >= surface
         if body and dry and body.submerged_weight is None and not body.weightless:
-            air: dict[str, Any] = {"submerged_weight": body.weight(scene.gravity or 0.0, 0.0)}
-            body = body.model_copy(update=air | {"density": None, "displaced_volume": None})
-            scene = scene.model_copy(update={name: end.model_copy(update={"body": body})})
+            air = body.weight(scene.gravity or 0.0, 0.0)
+            body = body.replaced(submerged_weight=air, density=None, displaced_volume=None)
+            scene = scene.replaced(**{name: end.replaced(body=body)})
     return scene
 
 
@@ -71,15 +71,14 @@ def _loaded(scene: Resolved) -> Resolved:
         remedy = "write 'top.z: free' and remove top.tensioners, or remove buoyancy"
         raise Misfit(path, found, remedy, ("top.z", "top.tensioners"))
     riser, tension = scene.buoyancy.loads(sections, scene.gravity)
-    top = scene.top.model_copy(update={"tension": tension + scene.ring_weight})
-    return scene.model_copy(update={"riser": riser, "top": top})
+    return scene.replaced(riser=riser, top=scene.top.replaced(tension=tension + scene.ring_weight))
 
 
 def _sections(scene: Resolved) -> Resolved:
     """The scene with sections divided at the water surface, weighed, and with modules and lines added."""
     for sections in (cut, weighed, with_attachments):
         riser = sections(scene)
-        scene = scene if riser is scene.riser else scene.model_copy(update={"riser": riser})
+        scene = scene if riser is scene.riser else scene.replaced(riser=riser)
     return scene
 
 
@@ -110,8 +109,7 @@ def _carried(scene: Resolved) -> Resolved:
         found = f"{place.deck_elevation:g} m is not above the tension ring at {ring:g} m"
         remedy = f"give an elevation above {ring:g} m"
         raise Misfit("top.tensioners.arrangement.deck_elevation", found, remedy, ("top.elevation",))
-    top = scene.top.model_copy(update={"tensioners": rig.carrying(weight, mass, ring)})
-    return scene.model_copy(update={"top": top})
+    return scene.replaced(top=scene.top.replaced(tensioners=rig.carrying(weight, mass, ring)))
 
 
 def _timed(scene: Resolved) -> Resolved:
@@ -128,7 +126,7 @@ def _timed(scene: Resolved) -> Resolved:
     times, duration = {path: timed.at} | timed.times, scene.analysis.duration or 0.0
     if fault := next(too_late(times, duration, "platform.heave"), None):
         raise fault
-    return scene.model_copy(update={"disconnect": timed})
+    return scene.replaced(disconnect=timed)
 
 
 def _valved(scene: Resolved) -> Resolved:
@@ -146,7 +144,7 @@ def _valved(scene: Resolved) -> Resolved:
         raise Misfit("disconnect.valve.hold", found, allowed, ("top.tension",))
     share = (1.0 - (release.valve.failed or 0.0)) * left
     loss = TensionLoss.model_construct(share=share, at=release.at, over=release.valve.over)
-    return scene.model_copy(update={"top": scene.top.model_copy(update={"tension_loss": loss})})
+    return scene.replaced(top=scene.top.replaced(tension_loss=loss))
 
 
 def _with_rigid_body(scene: Resolved) -> Resolved:
@@ -159,6 +157,6 @@ def _with_rigid_body(scene: Resolved) -> Resolved:
     a = scene.analysis
     if a.output and a.output.stations:
         # stations count from the lower end of the riser, which is above the body
-        raised = {"stations": [body.reach + s for s in a.output.stations]}
-        changed["analysis"] = a.model_copy(update={"output": a.output.model_copy(update=raised)})
-    return scene.model_copy(update=changed)
+        raised = [body.reach + s for s in a.output.stations]
+        changed["analysis"] = a.replaced(output=a.output.replaced(stations=raised))
+    return scene.replaced(**changed)

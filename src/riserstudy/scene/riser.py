@@ -291,7 +291,7 @@ class Section(Strict):
         if len({line.name for line in self.lines or []}) < len(self.lines or []):
             raise Misfit("lines", "two lines have the same name", "give each line a different name")
         if self.wall_density:
-            return self.model_copy(update={"mass": self.wall_density * self.wall_area})
+            return self.replaced(mass=self.wall_density * self.wall_area)
         return self
 
     @property

@@ -317,7 +317,7 @@ class Tensioners(Strict):
         if isinstance(damping, DampingRatio):
             vertical = stiffness * cosine**2 + pull * (1.0 - cosine**2) / length
             damping = share * damping.damping(vertical, mass) / cosine**2
-        return self.model_copy(update={"carried": None, "linear": line, "damping": damping})
+        return self.replaced(carried=None, linear=line, damping=damping)
 
     @property
     def damper(self) -> float:

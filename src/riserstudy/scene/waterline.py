@@ -58,7 +58,7 @@ def cut(scene: Parts) -> list[Section]:
             raise Misfit(f"{section.line}.name", found, remedy, ("riser", "water.surface"))
         upper = _part(section, section.name + ABOVE, ends[1] - surface)
         lower = _part(section, section.name, surface - ends[0])
-        sections += [lower, upper.model_copy(update=above)]
+        sections += [lower, upper.replaced(**above)]
     return scene.riser if len(sections) == len(scene.riser) else sections
 
 
@@ -67,6 +67,5 @@ def _part(section: Section, name: str, length: float) -> Section:
     modules = section.modules
     if modules:
         share = length / section.total_length * (section.joints.count if section.joints else 1)
-        parts = {"mass": share * modules.mass, "lift": share * modules.lift}
-        modules = modules.model_copy(update=parts)
-    return section.model_copy(update={"name": name, "length": length, "joints": None, "modules": modules})
+        modules = modules.replaced(mass=share * modules.mass, lift=share * modules.lift)
+    return section.replaced(name=name, length=length, joints=None, modules=modules)

@@ -45,7 +45,7 @@ def weighed(scene: Parts) -> list[Section]:
                 ("gravity", "water", "riser"),
             )
         weight = (scene.gravity or 0.0) * ((section.mass or 0.0) - _displaced(scene, k))
-        sections[k] = section.model_copy(update={"submerged_weight": weight})
+        sections[k] = section.replaced(submerged_weight=weight)
     return sections
 
 
@@ -76,7 +76,7 @@ def with_attachments(scene: Parts) -> list[Section]:
             }
             if section.modules:
                 more["buoyancy_lift"] = adds.lift
-        sections[k] = section.model_copy(update=more)
+        sections[k] = section.replaced(**more)
     return sections
 
 

@@ -78,8 +78,8 @@ def by_parts(scene: Resolved, mesh: Mesh, elevation: float | None, lost: Lost) -
     if not any(_aside(scene, 1.0)) and not any(section.lateral_load for section in scene.riser):
         raise _failed(scene, mesh, lost.why, 0.0)
     d = len(lost.model.s.dim)
-    sections = [section.model_copy(update={"lateral_load": None}) for section in scene.riser]
-    calm = scene.model_copy(update={"current": None, "riser": sections})
+    sections = [section.replaced(lateral_load=None) for section in scene.riser]
+    calm = scene.replaced(current=None, riser=sections)
     reached, part, total = 0.0, 1.0, 0
     last = build(_moved(calm, 0.0), mesh, elevation, d)
     try:
@@ -116,13 +116,12 @@ def _moved(scene: Resolved, share: float) -> Resolved:
     top, platform = scene.top, scene.platform
     changed: dict[str, Any] = {}
     if top.offset:
-        changed["top"] = top.model_copy(update={"offset": share * top.offset})
+        changed["top"] = top.replaced(offset=share * top.offset)
     if platform and platform.position:
         kept = platform.position
         moved = {n: share * v for n in ("surge", "sway") if (v := getattr(kept, n)) is not None}
-        position = kept.model_copy(update=moved)
-        changed["platform"] = platform.model_copy(update={"position": position})
-    return scene.model_copy(update=changed)
+        changed["platform"] = platform.replaced(position=kept.replaced(**moved))
+    return scene.replaced(**changed)
 
 
 def _continue(model: Model, last: Model, further: tuple[float, float], mesh: Mesh, scene: Resolved) -> None:

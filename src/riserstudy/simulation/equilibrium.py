@@ -35,7 +35,7 @@ def settle_undeflected(scene: Resolved, mesh: Mesh, d: int) -> Model:
     Raises SimulationError when no equilibrium is found.
     """
     elevation = _elevation_at_rest(scene, mesh, d)
-    return _equilibrium(scene.model_copy(update={"current": None}), mesh, elevation, d)[0]
+    return _equilibrium(scene.replaced(current=None), mesh, elevation, d)[0]
 
 
 def _elevation_at_rest(scene: Resolved, mesh: Mesh, d: int | None) -> float | None:
@@ -57,8 +57,7 @@ def _elevation_under_tension(scene: Resolved, mesh: Mesh, d: int | None) -> floa
     """
     top = scene.top
     tension = (top.held_at_tension or 0.0) + scene.ring_weight
-    pull = {"z": "free", "held_at_tension": None, "tension": tension}
-    pulled = scene.model_copy(update={"top": top.model_copy(update=pull)})
+    pulled = scene.replaced(top=top.replaced(z="free", held_at_tension=None, tension=tension))
     first = _top(_equilibrium(pulled, mesh, None, d)[0], mesh)
     place = scene.platform.position if scene.platform else None
     if place is None:
@@ -120,11 +119,11 @@ def _stands_sideways(scene: Resolved, mesh: Mesh, model: Model, elevation: float
     tension = np.einsum("ke,ke->e", s.segment, s.tangent)
     if len(s.dim) > 1 or float(tension.min()) >= -rounding(scene):
         return True
-    top = scene.top if scene.top.x else scene.top.model_copy(update={"x": "held"})
+    top = scene.top if scene.top.x else scene.top.replaced(x="held")
     # one segment cannot buckle; a spring without bending stiffness may carry compression
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
     fine = even(scene, BUCKLING) if bends and len(mesh.l0) < BUCKLING else mesh
-    planar = build(scene.model_copy(update={"top": top}), fine, elevation, d=2)
+    planar = build(scene.replaced(top=top), fine, elevation, d=2)
     planar.s.r[1] = np.interp(fine.s, mesh.s, s.r[0])
     return unstable_directions(planar.programs, planar.state, planar.fixed) == 0
 

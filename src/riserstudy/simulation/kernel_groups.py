@@ -13,8 +13,7 @@ def group_of_modes(scene: Resolved) -> str:
     """The group with most of the kernels for a scene's modes, which include lateral modes without a load."""
     bends = all(bending for _, bending in (section.elasticity for section in scene.riser))
     if scene.spatial or scene.lateral or not bends or scene.top.x is None:
-        lumped = scene.analysis.model_copy(update={"solver": None})
-        return group_of(scene.model_copy(update={"analysis": lumped}))
+        return group_of(scene.replaced(analysis=scene.analysis.replaced(solver=None)))
     return "plane"
 
 

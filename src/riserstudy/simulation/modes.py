@@ -123,8 +123,7 @@ def _without_lag(scene: Resolved) -> Resolved:
     vessel = scene.vessel
     if vessel is None or vessel.thrusters is None or vessel.thrusters.lag is None:
         return scene
-    prompt = vessel.thrusters.model_copy(update={"lag": None})
-    return scene.model_copy(update={"vessel": vessel.model_copy(update={"thrusters": prompt})})
+    return scene.replaced(vessel=vessel.replaced(thrusters=vessel.thrusters.replaced(lag=None)))
 
 
 def _motion(size: NDArray[np.float64]) -> str:

@@ -12,9 +12,8 @@ def piece_of(scene: Resolved, piece: float) -> Resolved:
     a = scene.analysis
     if a.output is None:
         raise TypeError("a scene without time")  # excluded by the caller
-    output = a.output.model_copy(update={"start": None, "interval": min(a.output.interval, piece)})
-    first = a.model_copy(update={"duration": piece, "output": output})
-    return scene.model_copy(update={"analysis": first})
+    output = a.output.replaced(start=None, interval=min(a.output.interval, piece))
+    return scene.replaced(analysis=a.replaced(duration=piece, output=output))
 
 
 def longest_ramp(scene: Resolved) -> float:

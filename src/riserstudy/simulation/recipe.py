@@ -53,9 +53,7 @@ def recipe(scene: Resolved) -> Recipe | None:
     """
     if not _long(scene) or scene.analysis.mesh or (scene.analysis.accuracy or 0.0) >= ROUGH:
         return None
-    rough = scene.model_copy(
-        update={"analysis": scene.analysis.model_copy(update={"accuracy": ROUGH, "step": None})}
-    )
+    rough = scene.replaced(analysis=scene.analysis.replaced(accuracy=ROUGH, step=None))
     found = forecast(rough)
     if found is None:
         return None
@@ -96,8 +94,7 @@ def _error(scene: Resolved, piece: float) -> dict[str, float]:
 def _with(scene: Resolved, elements: int, layers: Layers | None, step: float) -> Resolved:
     """The scene with a prescribed mesh and time step (s)."""
     mesh = Mesh.model_construct(elements=elements, layers=layers)
-    own = {"accuracy": None, "mesh": mesh, "step": step}
-    return scene.model_copy(update={"analysis": scene.analysis.model_copy(update=own)})
+    return scene.replaced(analysis=scene.analysis.replaced(accuracy=None, mesh=mesh, step=step))
 
 
 def _long(scene: Resolved) -> bool:

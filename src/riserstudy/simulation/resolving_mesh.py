@@ -39,7 +39,7 @@ def error_from_resolved(
     """
     rest = static(scene)
     if scene.analysis.method == "explicit":  # which would require a shorter step on shorter segments
-        scene = scene.model_copy(update={"analysis": scene.analysis.model_copy(update={"method": None})})
+        scene = scene.replaced(analysis=scene.analysis.replaced(method=None))
     found: dict[str, float] = {}
     try:
         chosen = coarsest_mesh(rest)

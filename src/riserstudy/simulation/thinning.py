@@ -28,6 +28,5 @@ def thinned(scene: Resolved, step: float | None) -> tuple[Resolved, bool]:
     if often < 2.0:
         return scene, False
     interval = output.interval * 2 ** math.floor(math.log2(often))
-    output = output.model_copy(update={"interval": interval})
-    analysis = scene.analysis.model_copy(update={"output": output})
-    return scene.model_copy(update={"analysis": analysis}), True
+    analysis = scene.analysis.replaced(output=output.replaced(interval=interval))
+    return scene.replaced(analysis=analysis), True

@@ -136,7 +136,7 @@ class Grid:
 
 def _key(parts: dict[str, Part]) -> str:
     """Key of a scene of checked parts; ValueError when they do not fit together."""
-    scene = _EMPTY.model_copy(update={name: part.value for name, part in parts.items()})
+    scene = _EMPTY.replaced(**{name: part.value for name, part in parts.items()})
     check_rules(scene)
     resolved = resolve(scene)  # may replace parts by derived ones
     replaced = [name for name in COUNTS if getattr(resolved, name) is not parts[name].value]

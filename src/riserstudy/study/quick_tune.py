@@ -47,9 +47,8 @@ class QuickTuner(Tuner):
         refinement = Refinement(scene)
         requested = refinement.result()
         mesh = refinement.finest_mesh if massless(scene) else refinement.finest_mesh.halved()
-        analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
         step = requested.facts["step"] * (1.0 if scene.events else LONGER)
-        best = single(scene.model_copy(update={"analysis": analysis}), mesh, step)
+        best = single(scene.replaced(analysis=scene.analysis.replaced(method="ESDIRK4")), mesh, step)
         unsure = {name: off / LEFT for name, off in difference(requested, best).items()}
         return Place(index, file, best, unsure, sum(map(work_of, requested.facts["refinements"])))
 

@@ -43,7 +43,7 @@ def read_studies(config: Path, paper: str) -> StudyFile:
             for name, model in file.seas.items()
         }
         figures = {name: one for name, one in every.items() if not [*faults(one, studies)]}
-        return file.model_copy(update={"figures": figures})
+        return file.replaced(figures=figures)
     for name, figure in file.figures.items():
         for fault in faults(figure, studies):
             raise InputError(path, f"figures.{name}.{fault.path}", fault.found, fault.allowed)

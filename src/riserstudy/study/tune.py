@@ -312,9 +312,8 @@ def _finer(scene: Resolved, mesh: Mesh, requested: Result) -> Result:
     """
     if not massless(scene):
         mesh = mesh.halved().halved()
-    analysis = scene.analysis.model_copy(update={"method": "ESDIRK4"})
     step = requested.facts["step"] * (0.25 if scene.events else 0.5)
-    return single(scene.model_copy(update={"analysis": analysis}), mesh, step)
+    return single(scene.replaced(analysis=scene.analysis.replaced(method="ESDIRK4")), mesh, step)
 
 
 def _percent(error: dict[str, float]) -> str:

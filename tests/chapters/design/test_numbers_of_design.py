@@ -77,7 +77,7 @@ def test_a_vessel_without_drag_reaches_a_limit_by_its_acceleration(force, mass, 
     """x = F t^2 / 2 M: the limit at 60 m, red alarms 30 and 60 s before, yellow 90 s before these."""
     limits = [SimpleNamespace(mode="disconnect"), SimpleNamespace(mode="drilling")]
     seen = []
-    scene = SimpleNamespace(limits=limits, model_copy=lambda update: update)
+    scene = SimpleNamespace(limits=limits, replaced=lambda **update: update)
     monkeypatch.setattr(watch_circles, "scenes_of", lambda _: iter([({"surface_speed": 0.0}, scene)]))
 
     def offsets(of_mode, reach, allowances):

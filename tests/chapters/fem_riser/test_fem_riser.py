@@ -44,7 +44,7 @@ def test_the_drift_carries_water_across_the_wind_and_none_along_it(base):
     surface, depth = drift.surface_factor * strength, drift.depth_factor * strength
     z = np.linspace(-12.0 * depth, 0.0, 400_001)
     parts = {
-        name: profile(drift.model_copy(update={"component": name}), (z[0], 0.0), z)
+        name: profile(drift.replaced(component=name), (z[0], 0.0), z)
         for name in ("along the wind", "across the wind", "magnitude")
     }
     carried = {name: np.trapezoid(speed, z) for name, speed in parts.items()}

@@ -48,15 +48,7 @@ def run(name):
     if name in WITH:
         coarse["analysis.output"]["stress_in"] = "conductor"
     model = FILE.studies[name]
-    study = Study(
-        PAPER,
-        name,
-        model.model_copy(update={"set": model.set | coarse}),
-        CONFIG,
-        "preview",
-        None,
-        FILE.readings,
-    )
+    study = Study(PAPER, name, model.replaced(set=model.set | coarse), CONFIG, "preview", None, FILE.readings)
     return dataset_of(study, results_of(study, 1, lambda text: None)[0])
 
 

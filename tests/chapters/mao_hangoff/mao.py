@@ -17,7 +17,7 @@ WEIGHTS = FILE.readings["riser_weight"]
 
 
 def planned(name, **changes):
-    model = FILE.studies[name].model_copy(update=changes)
+    model = FILE.studies[name].replaced(**changes)
     return Study(PAPER, name, model, CONFIG, "preview", None, FILE.readings)
 
 
@@ -42,6 +42,6 @@ def hung_off(length, mass, more=None):
 
 def small_steady():
     axes = dict(FILE.studies["steady"].axes)
-    axes["riser_length"] = axes["riser_length"].model_copy(update={"preview": [1200.0]})
+    axes["riser_length"] = axes["riser_length"].replaced(preview=[1200.0])
     study = planned("steady", axes=axes, set={"analysis.mesh": {"elements": 40}})
     return dataset_of(study, results_of(study, 1, lambda text: None)[0])

@@ -58,11 +58,11 @@ STATIC = ("steady", "pe_pipe")
 def little(name, model):
     axes = dict(model.axes)
     if "sample" in axes:
-        axes["sample"] = axes["sample"].model_copy(update={"count": {"preview": 2}})
+        axes["sample"] = axes["sample"].replaced(count={"preview": 2})
     if name == "variants":
         return model
     settings = {"analysis.mesh": {"elements": 20}} if name in STATIC else COARSE
-    return model.model_copy(update={"axes": axes, "set": model.set | settings, "preview": {}})
+    return model.replaced(axes=axes, set=model.set | settings, preview={})
 
 
 @pytest.fixture(scope="module")

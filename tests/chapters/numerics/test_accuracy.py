@@ -20,8 +20,8 @@ CONFIG = Path(__file__).parents[3] / "config"
 STUDY = read_studies(CONFIG, "numerics").measured["accuracy"]
 HISTORY = CONFIG.parent / "tests/verification/data/S2c.npz"
 SHORT = {"analysis.duration": "20 s"}
-LADDER = STUDY.scenes["S2c"].model_copy(
-    update={"set": STUDY.scenes["S2c"].set | SHORT, "elements": [16, 32], "steps": [0.4, 0.2, 0.1]}
+LADDER = STUDY.scenes["S2c"].replaced(
+    set=STUDY.scenes["S2c"].set | SHORT, elements=[16, 32], steps=[0.4, 0.2, 0.1]
 )
 
 
@@ -31,7 +31,7 @@ def surge():
     few = {"scenes": {"S2c": LADDER}, "repeats": {"standard": 1}, "requested": {"standard": [0.05]}}
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("chapters.numerics.outside.PATIENCE", 60.0)  # as long as it takes
-        return accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
+        return accuracy(STUDY.replaced(**few), Setting(CONFIG, "standard"))
 
 
 def test_every_method_has_a_row_with_an_error_or_a_message(surge):
@@ -155,12 +155,12 @@ def test_what_took_too_long_is_not_tried_on_finer_meshes(monkeypatch):
         late = at == (0, 1)
         return Attempt(None, Outcome.TOO_LONG if late else Outcome.REFUSED, "late" if late else "no", 0.0)
 
-    ladder = STUDY.scenes["S2c"].model_copy(update={"elements": [8, 16], "steps": [0.8, 0.4]})
+    ladder = STUDY.scenes["S2c"].replaced(elements=[8, 16], steps=[0.8, 0.4])
     few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
     monkeypatch.setattr(module, "rung", rung)
     monkeypatch.setattr(module, "reference", lambda *_: stored(HISTORY))
     monkeypatch.setattr(module, "requests", lambda *_: [])
-    found = accuracy(STUDY.model_copy(update=few), Setting(CONFIG, "standard"))
+    found = accuracy(STUDY.replaced(**few), Setting(CONFIG, "standard"))
     assert tried == [(0, 0), (0, 1), (1, 0)]
     assert str(found["message"].squeeze().values[1, 1]) == "on a coarser mesh: late"
 
@@ -172,7 +172,7 @@ def test_on_a_mesh_that_shorter_steps_do_not_help_they_are_not_tried(monkeypatch
 
     ERRORS = (0.3, 0.1, 0.098, 0.097)
     best = Reference("known", lambda run: {"moment": run.facts["error"]})
-    ladder = STUDY.scenes["S2c"].model_copy(update={"elements": [8], "steps": [0.8, 0.4, 0.2, 0.1]})
+    ladder = STUDY.scenes["S2c"].replaced(elements=[8], steps=[0.8, 0.4, 0.2, 0.1])
     few = {"scenes": {"S2c": ladder}, "methods": {"only": STUDY.methods["ESDIRK4"]}}
     monkeypatch.setattr(module, "rung", rung)
     monkeypatch.setattr(module, "reference", lambda *_: best)
@@ -181,7 +181,7 @@ def test_on_a_mesh_that_shorter_steps_do_not_help_they_are_not_tried(monkeypatch
     monkeypatch.setattr(module, "with_recomputed", lambda dataset, *_: dataset)
     for tier, count in (("standard", 3), ("reference", 4)):
         tried = []
-        accuracy(STUDY.model_copy(update=few), Setting(CONFIG, tier))
+        accuracy(STUDY.replaced(**few), Setting(CONFIG, tier))
         assert len(tried) == count
 
 

@@ -57,7 +57,7 @@ def test_every_kind_of_scene_of_the_chapters_is_a_whole_scene(tier):
 def test_scenes_of_the_study_itself_have_effects_that_no_chapter_has():
     study = read_studies(CONFIG, "numerics").measured["effects"]
     slow = {"standard": ["without bending"]}  # whose kernels no other test needs
-    bent = study.model_copy(update={"left_out": slow})
+    bent = study.replaced(left_out=slow)
     found = effects(bent, Setting(CONFIG, "standard", 1, (), Path("not noted")))
     assert found["scene"].values.tolist() == ["vibration in a current"]
     lost = found.sel(scene="vibration in a current")
@@ -68,7 +68,7 @@ def test_scenes_of_the_study_itself_have_effects_that_no_chapter_has():
 
 
 def test_the_dataset_and_its_figure_name_every_scene(tmp_path):
-    model = read_studies(CONFIG, "numerics").measured["effects"].model_copy(update={"scenes": {}})
+    model = read_studies(CONFIG, "numerics").measured["effects"].replaced(scenes={})
     studies = [read_study(CONFIG, "bench", name, "preview", "1 %") for name in ("s1", "s3")]
     found = effects(model, Setting(CONFIG, "preview", 1, studies, tmp_path / "no marker"))
     assert list(found["scene"].values) == ["bench/s3", "bench/s1"]
@@ -158,10 +158,10 @@ def test_the_dataset_tells_signatures_and_times_of_kernels(tmp_path):
 def test_a_tier_leaves_out_named_changes_and_no_others():
     study = read_studies(CONFIG, "numerics").measured["effects"]
     one = {"surge": Family(scene="scenes/hard/surge.yaml", set=BRIEF)}
-    short = study.model_copy(update={"scenes": one, "budget": {"standard": 2e3}, "left_out": {}})
+    short = study.replaced(scenes=one, budget={"standard": 2e3}, left_out={})
 
     def made(left_out):
-        of_tiers = short.model_copy(update={"left_out": left_out})
+        of_tiers = short.replaced(left_out=left_out)
         found = effects(of_tiers, Setting(CONFIG, "standard", 1, (), Path("not noted")))
         return set(found["change"].values[found["moment_change"].notnull().any("scene")].tolist())
 

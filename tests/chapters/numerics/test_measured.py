@@ -29,7 +29,7 @@ CHANG = "chang2020 heave"
 def only(study, field, *names, **update):
     """The study with some of its cases."""
     some = {name: getattr(study, field)[name] for name in names}
-    return study.model_copy(update={field: some} | update)
+    return study.replaced(**{field: some}, **update)
 
 
 def with_references(folder, name, wanted, study):
@@ -72,11 +72,11 @@ def test_finer_tiers_estimate_smaller_errors(monkeypatch):
 
 def test_a_papers_own_setting_is_a_candidate_beside_ours(tmp_path):
     case = MEASURED["long_runs"].cases["46 hours"]
-    own = case.own.model_copy(update={"step": 0.01})
+    own = case.own.replaced(step=0.01)
     small = {"elements": [100], "graded": 1, "steps": [0.5], "own": own}
     cut = {"analysis.duration": "10 s", "analysis.output": {"interval": "0.5 s"}}
-    case = case.model_copy(update=small | {"set": cut, "preview": None})
-    study = MEASURED["long_runs"].model_copy(update={"cases": {"46 hours": case}})
+    case = case.replaced(**small, set=cut, preview=None)
+    study = MEASURED["long_runs"].replaced(cases={"46 hours": case})
     config = with_references(tmp_path, "long_runs", references_of_long_runs, study)
     found = long_runs(study, Setting(config, "standard", 2))
     labels = found["candidate"].values.tolist()
@@ -143,7 +143,7 @@ def test_every_scene_that_may_be_drawn_can_be_meant(tier):
 
 def test_a_request_that_takes_long_is_a_row_that_says_so():
     study = only(MEASURED["random_scenes"], "families", CHANG)
-    hasty = study.model_copy(update={"patience": {"preview": 1e-9}})
+    hasty = study.replaced(patience={"preview": 1e-9})
     found = random_scenes(hasty, Setting(CONFIG, "preview", 1))
     assert all(message.startswith("not judged: ") for message in found["message"].values)
     assert found["true"].isnull().all()

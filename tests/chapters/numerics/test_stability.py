@@ -31,7 +31,7 @@ FEW = ("surge", "step x10", "column above Euler's load", "Newmark beta 1/6")
 def few():
     """The study of a few cases, as in preview."""
     cases = {name: STUDY.cases[name] for name in FEW}
-    return stability(STUDY.model_copy(update={"cases": cases}), Setting(CONFIG, "preview", 1))
+    return stability(STUDY.replaced(cases=cases), Setting(CONFIG, "preview", 1))
 
 
 def test_a_scene_at_default_accuracy_is_accurate_and_its_estimate_bounds_the_error(few):
@@ -62,7 +62,7 @@ def test_longer_steps_have_larger_errors_and_take_fewer_iterations(few):
 
 
 def test_a_run_of_more_node_steps_than_the_budget_is_a_row_too():
-    tight = STUDY.model_copy(update={"explicit_budget": 10.0})
+    tight = STUDY.replaced(explicit_budget=10.0)
     case = STUDY.cases["surge"]
     file = case_file(CONFIG, "surge", case)
     told = run_case(tight, case, file, "preview", standard_of(CONFIG, "surge", file.resolved()))
@@ -239,8 +239,8 @@ def test_the_stated_error_of_a_stable_step_is_the_last_bracket():
 
 def test_the_stable_step_of_a_linear_riser_is_predicted_to_a_hundredth():
     model = read_studies(CONFIG, "numerics").measured["stable_step"]
-    coarse = model.variants["surge"].model_copy(update={"elements": [10]})
-    short = model.model_copy(update={"variants": {"surge": coarse}, "duration": "10 s"})
+    coarse = model.variants["surge"].replaced(elements=[10])
+    short = model.replaced(variants={"surge": coarse}, duration="10 s")
     found = stable_step(short, Setting(CONFIG, "preview"))
     ratio = found["measured"] / found["predicted"]
     assert ratio.values.ravel() == pytest.approx([1.0], abs=0.01)

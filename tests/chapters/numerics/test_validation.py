@@ -67,8 +67,8 @@ def test_an_engine_that_errs_does_not_hold_and_is_named(found, monkeypatch):
     from chapters.numerics import validation_cases as cases
 
     heavier = {"riser[0].mass": "1010 kg/m"}  # 0.4 %, which the closed form does not know of
-    wrong = STUDY.scenes["S4a"].model_copy(update={"set": heavier})
-    study = STUDY.model_copy(update={"scenes": STUDY.scenes | {"S4a": wrong}, "stored": {}})
+    wrong = STUDY.scenes["S4a"].replaced(set=heavier)
+    study = STUDY.replaced(scenes=STUDY.scenes | {"S4a": wrong}, stored={})
     monkeypatch.setattr("chapters.numerics.measured.validation.CASES", (cases.taut_beam, cases.cable))
     found = validation(study, SETTING)
     assert found["holds"].values.tolist() == [False, False, True]
