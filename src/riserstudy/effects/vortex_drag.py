@@ -32,8 +32,8 @@ from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.effects.synchronisation import PHASE, STILL, VARIABLES, grown, past, rest, synchronise
 from riserstudy.effects.vortex_lift import EXAMPLE
 from riserstudy.solve.jit import inner
-from riserstudy.solve.spread import spread_and_keep, spread_stiffness
-from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
+from riserstudy.solve.spread import spread_and_keep, spread_stiffness, supplied
+from riserstudy.solve.state import ACCELERATION, OTHER, OWN, VELOCITY
 from riserstudy.solve.vec import add, at, cross, dot, mul, outer, put, put_block, sub, upward
 
 
@@ -113,14 +113,6 @@ def tangent(vortices, s):
     return 0.0
 
 
-@inner
-def power(vortices, s):
-    """Power that the water supplies (W); after ``force``."""
-    for i in range(s.l0.shape[0] + 1):
-        s.flow[SUPPLIED] += dot(at(s.dim, vortices.force, i), at(s.dim, s.v, i))
-    return 0.0
-
-
 register(
     VortexDrag,
     Called(
@@ -132,5 +124,5 @@ register(
     string=force,
     internal=internal,
     tangent=tangent,
-    power=power,
+    power=supplied,
 )

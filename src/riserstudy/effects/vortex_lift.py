@@ -27,8 +27,8 @@ import numpy as np
 from riserstudy.effects.registry import Called, register, taken_out
 from riserstudy.effects.synchronisation import PHASE, STILL, VARIABLES, grown, past, rest, synchronise
 from riserstudy.solve.jit import inner
-from riserstudy.solve.spread import spread_and_keep, spread_stiffness
-from riserstudy.solve.state import ACCELERATION, OTHER, OWN, SUPPLIED, VELOCITY
+from riserstudy.solve.spread import spread_and_keep, spread_stiffness, supplied
+from riserstudy.solve.state import ACCELERATION, OTHER, OWN, VELOCITY
 from riserstudy.solve.vec import add, at, cross, dot, mul, outer, put, put_block, sub, upward
 
 #: includes lift and excitation in line with the flow, which are in the same section of a scene
@@ -117,14 +117,6 @@ def tangent(lift, s):
     return 0.0
 
 
-@inner
-def power(lift, s):
-    """Power that the water supplies (W); after ``force``."""
-    for i in range(s.l0.shape[0] + 1):
-        s.flow[SUPPLIED] += dot(at(s.dim, lift.force, i), at(s.dim, s.v, i))
-    return 0.0
-
-
 register(
     VortexLift,
     Called(
@@ -136,5 +128,5 @@ register(
     string=force,
     internal=internal,
     tangent=tangent,
-    power=power,
+    power=supplied,
 )

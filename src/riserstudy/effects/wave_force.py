@@ -20,8 +20,8 @@ import numpy as np
 
 from riserstudy.effects.registry import Called, register
 from riserstudy.solve.jit import inner
-from riserstudy.solve.spread import spread_and_keep
-from riserstudy.solve.state import OTHER, OWN, SUPPLIED
+from riserstudy.solve.spread import spread_and_keep, supplied
+from riserstudy.solve.state import OTHER, OWN
 from riserstudy.solve.vec import at, dot, mul, put, sub
 
 
@@ -43,12 +43,4 @@ def force(wave_force, s):
     return 0.0
 
 
-@inner
-def power(wave_force, s):
-    """Power that the water supplies (W); after ``force``."""
-    for i in range(s.l0.shape[0] + 1):
-        s.flow[SUPPLIED] += dot(at(s.dim, wave_force.force, i), at(s.dim, s.v, i))
-    return 0.0
-
-
-register(WaveForce, Called("wave force", "wave, and riser.added_mass"), string=force, power=power)
+register(WaveForce, Called("wave force", "wave, and riser.added_mass"), string=force, power=supplied)

@@ -10,6 +10,8 @@ function.
 from __future__ import annotations
 
 from riserstudy.solve.jit import inner
+from riserstudy.solve.state import SUPPLIED
+from riserstudy.solve.vec import at, dot
 
 
 @inner
@@ -36,6 +38,14 @@ def spread_and_keep(s, low, up, own, other, q, kept, into):
             kept[k, i] = near + other * (up[i - 1] * q[k, i - 1] + low[i] * q[k, i + 1])
         for i in range(n + 1):
             into[k, i] += kept[k, i]
+
+
+@inner
+def supplied(load, s):
+    """Power that the water supplies (W) by the nodal forces that `spread_and_keep` wrote."""
+    for i in range(s.l0.shape[0] + 1):
+        s.flow[SUPPLIED] += dot(at(s.dim, load.force, i), at(s.dim, s.v, i))
+    return 0.0
 
 
 @inner
