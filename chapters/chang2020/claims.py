@@ -51,7 +51,7 @@ def falls_convex(law: xr.Dataset) -> Found:
         convex = float(above(slope[1:], slope[:-1]).min())
         return float(steepness), min(float(falling), convex)
 
-    return _of_curves(slopes, law, "gas law")
+    return _of_curves(slopes, law)
 
 
 def secant_falls(law: xr.Dataset) -> Found:
@@ -63,7 +63,7 @@ def secant_falls(law: xr.Dataset) -> Found:
         secant = np.abs((curve(at) - curve(0.0)) / at)
         return float(secant[0] / secant[-1]), float(below(secant[1:], secant[:-1]).min())
 
-    return _of_curves(secants, law, "gas law")
+    return _of_curves(secants, law)
 
 
 def line_differs(law: xr.Dataset, visibly: Word) -> Found:
@@ -87,12 +87,10 @@ def line_differs(law: xr.Dataset, visibly: Word) -> Found:
     return judged(gap, above(gap, visibly.bound))
 
 
-def _of_curves(
-    judge: Callable[[FloatArray, FloatArray], tuple[float, float]], law: xr.Dataset, model: str
-) -> Found:
+def _of_curves(judge: Callable[[FloatArray, FloatArray], tuple[float, float]], law: xr.Dataset) -> Found:
     value, margin = xr.apply_ufunc(
         judge,
-        *_curves(law, model),
+        *_curves(law, "gas law"),
         input_core_dims=[["heave_position"], ["heave_position"]],
         output_core_dims=[[], []],
         vectorize=True,

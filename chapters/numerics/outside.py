@@ -126,7 +126,7 @@ def by_euler(model: Model, record: Packed, longest: float) -> Count:
         When velocities grow without bound.
     """
     done, now = 0, 0.0
-    move_state(model, 0.0)
+    move_state(model)
     for time in record.value.time:
         count = math.ceil((time - now) / longest * (1.0 - 1e-9))
         h = (time - now) / max(1, count)
@@ -170,7 +170,7 @@ def by_radau(model: Model, record: Packed, tolerance: float) -> Count:
         accelerations(model.programs, model.state, time, model.fixed)
         return np.concatenate([y[half:], s.a[free]])
 
-    move_state(model, 0.0)
+    move_state(model)
     length = float(s.l0.sum())
     absolute = tolerance * np.repeat([1e-3 * length, FASTEST], half)
     y0 = np.concatenate([s.r[free], s.v[free]])
@@ -222,6 +222,6 @@ def neighbours(free: BoolArray) -> sp.csc_array:
     return sp.block_array([[None, sp.eye_array(len(node))], [near, near]], format="csc")
 
 
-def move_state(model: Model, time: float) -> None:
-    """Move held nodes to their positions at a time (s), and compute the accelerations."""
-    accelerations(model.programs, model.state, time, model.fixed)
+def move_state(model: Model) -> None:
+    """Move held nodes to their positions at the beginning, and compute the accelerations."""
+    accelerations(model.programs, model.state, 0.0, model.fixed)

@@ -201,11 +201,15 @@ def is_partial(path: Path) -> bool:
     return bool(_PARTIAL.fullmatch(path.name)) and path.is_file()
 
 
+def sha256_of(file: Path) -> str:
+    """Return the SHA-256 of the content of a file."""
+    with file.open("rb") as stream:
+        return hashlib.file_digest(stream, "sha256").hexdigest()
+
+
 def seal_line(file: Path, name: Path) -> bytes:
     """The seal of a file, which has a name in its results folder, as ``sha256sum --check`` reads it."""
-    with file.open("rb") as stream:
-        digest = hashlib.file_digest(stream, "sha256").hexdigest()
-    return f"{digest}  {name.as_posix()}\n".encode()
+    return f"{sha256_of(file)}  {name.as_posix()}\n".encode()
 
 
 def fits_seal(file: Path, results: Path) -> bool:

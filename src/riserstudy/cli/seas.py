@@ -95,6 +95,7 @@ def seas(
     if csv is not None and not contour:
         why = f"{csv} has no effect without --contour"
         raise InputError("seas", "--csv", why, "add --contour, or omit --csv")
+    from riserstudy.seas import contours
     from riserstudy.seas.record import read_record, with_peak_period, write_record
     from riserstudy.seas.synthetic import synthetic as made
 
@@ -112,30 +113,18 @@ def seas(
     found = with_peak_period(found, gamma or USUAL_GAMMA)
     # both may refuse the record, before anything is printed
     heights = return_heights(found, period) if period else None
-    places = _contour(found, contour) if contour else None
+    places = contours.contour(found, contour) if contour else None
     for line in described(found):
         print(line)
     if heights:
         show(heights, None)
     if places:
         show(places, csv)
-        for line in _doubts(found, places):
+        for line in contours.doubts(found, places):
             print(line)
     if output is not None:
         write_record(found, output)
         wrote(output)
-
-
-def _contour(record: xr.Dataset, years: float) -> Table:
-    from riserstudy.seas.contours import contour
-
-    return contour(record, years)
-
-
-def _doubts(record: xr.Dataset, contour: Table) -> list[str]:
-    from riserstudy.seas.contours import doubts
-
-    return doubts(record, contour)
 
 
 def check_gamma(command: str, gamma: float | None, record: xr.Dataset) -> None:

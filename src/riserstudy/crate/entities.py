@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import hashlib
 from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from platform import python_version
 from typing import Any
 from urllib.parse import quote
+
+from riserstudy.folders import sha256_of
 
 Entity = dict[str, Any]
 #: formats of files, by their suffix
@@ -41,14 +42,12 @@ def ref(*names: str) -> list[Entity]:
 def file_entity(file: Path, name: str) -> Entity:
     """Describe a file: size, SHA-256, date and format. ``name``: path from the root of the crate."""
     stat = file.stat()
-    with file.open("rb") as stream:
-        digest = hashlib.file_digest(stream, "sha256").hexdigest()
     entity: Entity = {
         "@id": quote(name),
         "@type": "File",
         "name": Path(name).name,
         "contentSize": str(stat.st_size),
-        "sha256": digest,
+        "sha256": sha256_of(file),
         "dateModified": datetime.fromtimestamp(stat.st_mtime, UTC).isoformat(timespec="seconds"),
     }
     if (known := FORMATS.get(file.suffix)) is not None:

@@ -7,9 +7,8 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from riserstudy.database.ask import ask
-from riserstudy.database.sources import digest_of
 from riserstudy.errors import InputError, printable
-from riserstudy.folders import SEALS
+from riserstudy.folders import SEALS, sha256_of
 
 
 def outdated(db: sqlite3.Connection, database: Path) -> str:
@@ -46,7 +45,7 @@ def _changed(db: sqlite3.Connection, database: Path) -> Iterator[Path]:
         elif seal.is_file():
             if seal.read_bytes()[: len(digest)] != digest.encode():
                 yield file
-        elif file.stat().st_mtime > built and digest_of(file) != digest:
+        elif file.stat().st_mtime > built and sha256_of(file) != digest:
             yield file
     papers = {Path(path).parts[0] for path in known}
     for seal in (file for paper in papers for file in (folder / SEALS / paper).glob("*.nc")):

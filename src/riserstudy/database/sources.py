@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import hashlib
 from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
 from riserstudy.errors import InputError
+from riserstudy.folders import sha256_of
 
 KINDS = {".nc": "dataset", ".png": "figure", ".pdf": "figure", ".csv": "table"}
 
@@ -41,7 +41,7 @@ def described(file: Path, folder: Path) -> File:
         path = file.resolve().relative_to(folder.resolve()).as_posix()
         if file.exists() and not file.is_file():  # a device or pipe, which may never end
             raise ValueError
-        return File(path, kind, file.stat().st_size, digest_of(file))
+        return File(path, kind, file.stat().st_size, sha256_of(file))
     except OSError as error:
         raise InputError(
             file, "", error.strerror or "cannot be read", "repeat the command that writes it"
@@ -49,9 +49,3 @@ def described(file: Path, folder: Path) -> File:
     except (ValueError, KeyError):
         allowed = f"give a file of the folders {', '.join(KINDS)} in {folder}"
         raise InputError(file, "", "this is not a file of results", allowed) from None
-
-
-def digest_of(file: Path) -> str:
-    """Return the SHA-256 of the content of a file."""
-    with file.open("rb") as stream:
-        return hashlib.file_digest(stream, "sha256").hexdigest()

@@ -158,7 +158,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
         found = f"no row of the record has {' and '.join(columns)}"
         raise InputError("--seas", "", found, "give a record with these values")
     if np.issubdtype(record["time"].dtype, np.datetime64):
-        check_spacing("--seas", "time", record["time"].values[whole])
+        check_spacing("--seas", record["time"].values[whole])
     found_states, counts = np.unique(table[whole], axis=0, return_counts=True)
     values = {axis: found_states[:, k] for k, axis in enumerate(columns)}
     notes = _notes(record, axes, whole)

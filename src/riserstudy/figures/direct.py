@@ -23,7 +23,6 @@ def label_ends(
     lines: Sequence[Line2D] | None = None,
     *,
     names: Sequence[str] | None = None,
-    left: bool = False,
     size: str = "small",
 ) -> None:
     """Write the names of lines at the right edge of a panel, where the lines end, without overlap.
@@ -34,7 +33,6 @@ def label_ends(
     ----------
     lines : lines to name; absent: all lines of the panel that have a name.
     names : their names; absent: the names of the lines.
-    left : whether to write at the left edge instead, where the lines begin.
     size : size of the text.
     """
     figure = ax.get_figure(root=True)
@@ -46,14 +44,13 @@ def label_ends(
     apart = APART * points / POINTS_AN_INCH * figure.dpi / ax.bbox.height
     chosen = named(ax) if lines is None else list(lines)
     to_share = ax.transData + ax.transAxes.inverted()
-    ends = np.array([to_share.transform(_end(ax, line, left))[1] for line in chosen])
+    ends = np.array([to_share.transform(_end(ax, line))[1] for line in chosen])
     texts = [str(line.get_label()) for line in chosen] if names is None else names
     heights = apart * np.array([1.0 + text.count("\n") for text in texts])
     for line, text, place in zip(chosen, texts, spread(ends, heights), strict=True):
         ax.annotate(
-            text, (0.0 if left else 1.0, float(place)), xycoords="axes fraction",
-            xytext=(-4.0 if left else 4.0, 0.0), textcoords="offset points",
-            ha="right" if left else "left", va="center", fontsize=size,
+            text, (1.0, float(place)), xycoords="axes fraction",
+            xytext=(4.0, 0.0), textcoords="offset points", va="center", fontsize=size,
             color=legible(line.get_color()), annotation_clip=False,
         )  # fmt: skip
 
@@ -127,12 +124,12 @@ def spread(places: NDArray[np.float64], heights: NDArray[np.float64]) -> NDArray
     return moved
 
 
-def _end(ax: Axes, line: Line2D, left: bool) -> tuple[float, float]:
+def _end(ax: Axes, line: Line2D) -> tuple[float, float]:
     """Point at which a line ends, or leaves its panel at the side."""
     x, y = (np.asarray(values, dtype=float) for values in line.get_data())
     finite = np.isfinite(x) & np.isfinite(y)
     order = np.argsort(x[finite], kind="stable")
     x, y = x[finite][order], y[finite][order]
     low, high = sorted(ax.get_xlim())
-    edge = min(max(float(x[0] if left else x[-1]), low), high)
+    edge = min(max(float(x[-1]), low), high)
     return edge, float(np.interp(edge, x, y))

@@ -250,7 +250,7 @@ def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.
     Raises InputError when known rows have a longer interval in a part of the record.
     """
     time = record["time"].values[known]
-    check_spacing("RECORD", "time", time)
+    check_spacing("RECORD", time)
     interval = interval_of_rows(time, float(record.attrs["interval_hours"]))
     years = by_year(time, workable, interval)
     return Hours(

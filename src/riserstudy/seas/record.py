@@ -349,7 +349,7 @@ def _check(path: Path, frame: pd.DataFrame) -> None:
     time, there = frame.index.to_numpy(), np.isfinite(frame["significant_wave_height"].to_numpy())
     for rows in (np.ones(len(time), bool), there):
         _check_interval(path, time, rows)
-    check_spacing(path, "time", time[there])
+    check_spacing(path, time[there])
     both = [frame[n].to_numpy() for n in ("peak_period", "zero_crossing_period") if n in frame]
     if len(both) == 2 and np.nanmedian(both[0] / both[1]) < 1.0:
         found = "in most rows it is shorter than the zero-crossing period"

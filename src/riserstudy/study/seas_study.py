@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from riserstudy.errors import InputError
+from riserstudy.folders import sha256_of
 from riserstudy.inputs.validate import check
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Labels, Tier
@@ -109,8 +110,7 @@ class SeasStudy:
         try:
             if record.exists() and not record.is_file():  # reading a device or a pipe may never end
                 raise OSError(0, "this is not a regular file")
-            with record.open("rb") as file:
-                return hashlib.file_digest(file, "sha256").hexdigest()
+            return sha256_of(record)
         except OSError as error:
             found = f"{record} cannot be read: {error.strerror}"
             raise InputError(self.settings.where, "record", found, "give the path of a record") from None

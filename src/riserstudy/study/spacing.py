@@ -17,7 +17,7 @@ SUCCESSIVE = 8
 MOST = 0.01  # largest share of the recorded time with another interval
 
 
-def check_spacing(where: Path | str, field: str, time: NDArray[np.datetime64]) -> None:
+def check_spacing(where: Path | str, time: NDArray[np.datetime64]) -> None:
     """Check that rows do not have a longer interval than usual for a part of a record.
 
     Each row counts equally, so a part with a longer interval would count too little. Gaps of unequal lengths,
@@ -26,7 +26,7 @@ def check_spacing(where: Path | str, field: str, time: NDArray[np.datetime64]) -
 
     Parameters
     ----------
-    where, field : file, and column, or columns, in errors.
+    where : file or option, in errors.
     time : (n,) increasing times of rows with values.
     """
     steps = np.diff(time) / np.timedelta64(1, "s") / 3600.0
@@ -48,7 +48,7 @@ def check_spacing(where: Path | str, field: str, time: NDArray[np.datetime64]) -
         f"{percent(hours.sum() / recorded)} of the time"
     )
     allowed = f"keep only rows that are {steps[first]:g} h apart, because each row counts equally"
-    raise InputError(where, field, found, allowed)
+    raise InputError(where, "time", found, allowed)
 
 
 def stretches(flags: NDArray[np.bool_], joined: NDArray[np.bool_]) -> NDArray[np.int64]:
