@@ -10,7 +10,7 @@ import pytest
 from riserstudy.dataset.open import open_dataset
 from riserstudy.dataset.other_files import refuse_other_files
 from riserstudy.errors import InputError
-from riserstudy.importers.rao_files import from_capytaine
+from riserstudy.importers.capytaine import from_capytaine
 from riserstudy.seas.record import read_record
 
 #: HDF5 files, compressed, whose values are in the file `secret` or `secret.nc` beside them

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from riserstudy.errors import InputError
-from riserstudy.importers.rao_files import from_wamit
+from riserstudy.importers.wamit import from_wamit
 
 HEADINGS = (
     "",

@@ -10,7 +10,8 @@ import xarray as xr
 
 from riserstudy.cli import main
 from riserstudy.errors import InputError
-from riserstudy.importers.rao_files import from_capytaine, from_wamit
+from riserstudy.importers.capytaine import from_capytaine
+from riserstudy.importers.wamit import from_wamit
 from riserstudy.model.rao import harmonics
 from riserstudy.scene.load import SceneFile
 

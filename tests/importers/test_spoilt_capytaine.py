@@ -6,7 +6,7 @@ import xarray as xr
 from test_rao_files import capytaine
 
 from riserstudy.errors import InputError
-from riserstudy.importers.rao_files import from_capytaine
+from riserstudy.importers.capytaine import from_capytaine
 
 
 def refused(tmp_path, dataset):

@@ -7,7 +7,7 @@ import xarray as xr
 from riserstudy.dataset.external.text import read_table
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import of_table
-from riserstudy.importers.rao_files import from_wamit
+from riserstudy.importers.wamit import from_wamit
 from riserstudy.inputs.number_cell import number_in
 from riserstudy.scene.tables import fill_in_tables
 

@@ -137,14 +137,16 @@ def _import_operators(
     source: Path, output: Path, length: str | None, first_column: FirstColumn | None, force: bool
 ) -> None:
     """Write the table of RAOs from a file of WAMIT or Capytaine."""
-    from riserstudy.importers import rao_files
+    from riserstudy.importers.capytaine import from_capytaine
+    from riserstudy.importers.operators import lines_of_scene, write_table
+    from riserstudy.importers.wamit import from_wamit
 
     if not source.is_file():
         raise InputError(source, "", "No such file or directory", "give the path of an existing file")
     check_output(output, ("table of operators",), [source], force)
     if source.suffix == ".nc":
         _refuse_wamit_options(length, first_column)
-        operators = rao_files.from_capytaine(source)
+        operators = from_capytaine(source)
     elif length is None:
         allowed = "give ULEN of the .gdf file, for example --length '1 m'"
         found = "missing, but WAMIT multiplies rotations by this length"
@@ -154,11 +156,11 @@ def _import_operators(
         ulen = quantity("--length", length, "m", allowed)
         if not ulen > 0.0:
             raise InputError("--length", length, "the length is not above 0", allowed)
-        operators = rao_files.from_wamit(source, ulen, first_column.value if first_column else None)
-    rao_files.write_table(operators, output)
+        operators = from_wamit(source, ulen, first_column.value if first_column else None)
+    write_table(operators, output)
     for line in operators.left_out:
         print(f"left out: {line}")
-    print(f"{output} is written; in a scene: {rao_files.lines_of_scene(operators, output)}")
+    print(f"{output} is written; in a scene: {lines_of_scene(operators, output)}")
     print("Motions refer to the origin of the body's axes: enter this origin as platform.centre_of_rotation")
 
 
