@@ -19,7 +19,7 @@ from riserstudy.advice.changes import fitting
 from riserstudy.dataset.result import Result
 from riserstudy.effects.registry import Change
 from riserstudy.errors import RiserStudyError
-from riserstudy.model.mesh import Mesh, prescribed
+from riserstudy.model.mesh import Mesh, even, own_mesh
 from riserstudy.model.vortices import shedding
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -236,8 +236,7 @@ def fixed(file: SceneFile, budget: float, shortest: float = 0.0) -> tuple[SceneF
     """
     scene = file.resolved()
     a = scene.analysis
-    segments = len(scene.riser) if massless(scene) else SEGMENTS
-    mesh = prescribed(scene, a.mesh.elements if a.mesh else segments)
+    mesh = own_mesh(scene) or even(scene, len(scene.riser) if massless(scene) else SEGMENTS)
     values: dict[str, Any] = {"analysis.accuracy": None, "fatigue": None}  # peaks are compared
     if not (a.mesh and a.mesh.layers):
         values["analysis.mesh"] = {"elements": len(mesh.l0) - int(mesh.joint)}

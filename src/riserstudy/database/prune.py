@@ -8,11 +8,9 @@ from pathlib import Path
 
 from riserstudy.database.ask import ask, connect
 from riserstudy.digests import engine_digest
-from riserstudy.errors import InputError
-from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.validate import check
 from riserstudy.study import store
-from riserstudy.study.config import Config
+from riserstudy.study.config import Config, read_config
 from riserstudy.study.modes import key_of_modes
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
@@ -89,8 +87,4 @@ def _seas(config: Path) -> list[str]:
 
 def _settings(config: Path) -> Config:
     path = config / "config.yaml"
-    tree = read_yaml(path, keep=True)
-    if not isinstance(tree, dict):
-        found = "this is not a configuration"
-        raise InputError(path, "", found, "write fields, each as 'name: value', such as 'papers: [own]'")
-    return check(Config, tree, path)
+    return check(Config, read_config(path), path)

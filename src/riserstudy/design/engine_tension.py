@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from riserstudy.design import tension as formula
 from riserstudy.design.tension import Tolerances, carrying_tension, columns_above
 from riserstudy.errors import SimulationError
-from riserstudy.model.mesh import prescribed
+from riserstudy.model.mesh import own_mesh
 from riserstudy.records.numerals import newtons
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.pressures import mud_above_the_riser
@@ -74,8 +74,7 @@ def along(scene: Resolved) -> tuple[FloatArray, FloatArray]:
     Stack and conductor below the riser's flex joint are excluded, because they stand on the seabed. Raises
     SimulationError when no equilibrium is found.
     """
-    elements = scene.analysis.mesh and scene.analysis.mesh.elements
-    mesh = prescribed(scene, elements) if elements else coarsest_mesh(scene)
+    mesh = own_mesh(scene) or coarsest_mesh(scene)
     model, _ = settle(at_rest(scene), mesh)
     first = riser_foot(scene, mesh)
     return mesh.s[first:], outputs.at_rest(scene, model, mesh)["effective_tension_static"][first:]

@@ -21,7 +21,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 from riserstudy.dataset.limits import Error, demand_of, error_of, rows_of, taken_by, too_coarse
 from riserstudy.errors import InputError, SimulationError
-from riserstudy.model.mesh import Mesh, prescribed
+from riserstudy.model.mesh import Mesh, own_mesh
 from riserstudy.records.facts import RunFacts
 from riserstudy.scene.at_rest import at_rest, static
 from riserstudy.scene.forcing import Position
@@ -99,8 +99,7 @@ class AtRest:
 
     def __init__(self, scene: Resolved, reach: float) -> None:
         self.scene, self.reach = scene, reach
-        elements = scene.analysis.mesh and scene.analysis.mesh.elements
-        self.mesh = prescribed(scene, elements) if elements else _fine_enough(scene, reach)
+        self.mesh = own_mesh(scene) or _fine_enough(scene, reach)
         self.rows: dict[float, list[dict[str, Any]]] = {}  # extremes by offset
         self.lost: dict[float, str] = {}  # reasons for missing equilibria, by offset
         self.estimated: dict[float, RunFacts] = {}  # facts with an estimated error, by offset

@@ -16,7 +16,6 @@ from riserstudy.folders import write_whole
 from riserstudy.grading.false_claims import read_false_claims
 from riserstudy.grading.models import PublishedFile
 from riserstudy.grading.published import published_path, read_published
-from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.validate import check
 from riserstudy.jobs.plan_checks import (
     refuse_seas,
@@ -27,7 +26,7 @@ from riserstudy.jobs.plan_checks import (
 )
 from riserstudy.scene.load import SceneFile
 from riserstudy.study.axes import Tier
-from riserstudy.study.config import GRADED, RULES, Config
+from riserstudy.study.config import GRADED, RULES, Config, read_config
 from riserstudy.study.models import RENAME, StudyFile
 from riserstudy.study.read import read_studies
 from riserstudy.study.seas_study import SeasStudy
@@ -90,12 +89,7 @@ class Configuration:
 
         Raises InputError when the file cannot be read, or is invalid.
         """
-        path = config / "config.yaml"
-        settings = read_yaml(path, keep=True)
-        if not isinstance(settings, dict):
-            found = "this is not a configuration"
-            raise InputError(path, "", found, "write fields, each as 'name: value', such as 'papers: [own]'")
-        return cls(config, settings | overrides, only)
+        return cls(config, read_config(config / "config.yaml") | overrides, only)
 
     def _refuse_equal_names(self) -> None:
         """Refuse names that give two rules one name: figure ``b_c`` of ``a`` and figure ``c`` of ``a_b``.

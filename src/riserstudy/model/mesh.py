@@ -110,6 +110,11 @@ def prescribed(scene: Resolved, elements: int) -> Mesh:
     return graded(scene, ends).with_about(elements)
 
 
+def own_mesh(scene: Resolved) -> Mesh | None:
+    """The mesh that the scene prescribes; None without one."""
+    return prescribed(scene, scene.analysis.mesh.elements) if scene.analysis.mesh else None
+
+
 def even(scene: Resolved, elements: int) -> Mesh:
     """Equal segments within each section, about ``elements`` in total."""
     lengths = [section.total_length for section in scene.riser]

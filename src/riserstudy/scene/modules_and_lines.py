@@ -55,13 +55,7 @@ class Line(Strict):
 
     @model_validator(mode="after")
     def _fits(self) -> Self:
-        if self.inner_diameter >= self.outer_diameter:
-            raise Misfit(
-                "",
-                f"inner_diameter {self.inner_diameter:g} m is not smaller than outer_diameter "
-                f"{self.outer_diameter:g} m",
-                "correct one of them",
-            )
+        check_wall(self.outer_diameter, self.inner_diameter)
         if (self.mass is None) == (self.wall_density is None):
             raise Misfit("", "mass or wall_density is required, not both", "give one of them")
         if (self.young_modulus is None) != (self.tension is None):
@@ -100,6 +94,13 @@ class Line(Strict):
         second = math.pi / 64.0 * (self.outer_diameter**4 - self.inner_diameter**4)
         axial = modulus * self.wall_area if self.tension == "shared" else 0.0
         return axial, modulus * self.number * second
+
+
+def check_wall(outer: float, inner: float) -> None:
+    """Check that a pipe with these diameters (m) has a wall. Raises Misfit otherwise."""
+    if inner >= outer:
+        found = f"inner_diameter {inner:g} m is not smaller than outer_diameter {outer:g} m"
+        raise Misfit("", found, "correct one of them")
 
 
 class Attached(NamedTuple):

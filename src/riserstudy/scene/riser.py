@@ -13,7 +13,7 @@ from riserstudy.inputs.strict import Strict
 from riserstudy.scene import units as u
 from riserstudy.scene.base import NOT_NEGATIVE, POSITIVE, WHOLE, Coefficient
 from riserstudy.scene.damping import DampingAtPeriod
-from riserstudy.scene.modules_and_lines import Line, Modules
+from riserstudy.scene.modules_and_lines import Line, Modules, check_wall
 
 RIGID = 1e3  # ratio of the bending stiffness of a rigid body to that of the section above it
 
@@ -254,13 +254,8 @@ class Section(Strict):
         outer, inner = self.outer_diameter, self.inner_diameter
         if inner is not None and outer is None:
             raise Misfit("", "inner_diameter is given without outer_diameter", "add outer_diameter")
-        if inner is not None and outer is not None and inner >= outer:
-            raise Misfit(
-                "",
-                f"inner_diameter {self.inner_diameter:g} m is not smaller than outer_diameter "
-                f"{self.outer_diameter:g} m",
-                "correct one of them",
-            )
+        if inner is not None and outer is not None:
+            check_wall(outer, inner)
         if self.wall_density and (self.mass or self.inner_diameter is None):
             raise Misfit(
                 "",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, NamedTuple
 
-from riserstudy.model.mesh import prescribed
+from riserstudy.model.mesh import own_mesh
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.long_record import is_long
 from riserstudy.simulation.piece import longest_ramp, piece_of
@@ -58,8 +58,7 @@ def forecast(scene: Resolved, watch: Watch | None = None) -> Forecast | None:
 def _facts(scene: Resolved, watch: Watch) -> RunFacts:
     """Facts of a run; a previous run, which loads the kernels, is not included in its time."""
     a = scene.analysis
-    if a.mesh is not None:
-        mesh = prescribed(scene, a.mesh.elements)
+    if mesh := own_mesh(scene):
         watch.begin(f"the first periods: {size(len(mesh.l0), a.step)}")
         single(scene, mesh, a.step, watch=watch)
         return single(scene, mesh, a.step, watch=watch).facts

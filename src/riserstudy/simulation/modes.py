@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
 from riserstudy.model.layout import AXES, directions, stiffness
-from riserstudy.model.mesh import Mesh, prescribed
+from riserstudy.model.mesh import Mesh, even, own_mesh
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
@@ -103,8 +103,7 @@ def frequency_errors(scene: Resolved, frequency: NDArray[np.float64]) -> NDArray
 
 def mesh_of_modes(scene: Resolved) -> tuple[Mesh, int]:
     """The mesh and the number of directions for the computation of modes."""
-    most = len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS
-    mesh = prescribed(scene, scene.analysis.mesh.elements if scene.analysis.mesh else most)
+    mesh = own_mesh(scene) or even(scene, len(scene.riser) if massless(scene) else DEFAULT_ELEMENTS)
     bends = all(stiffness(section).bending > 0.0 for section in scene.riser)
     return mesh, max(directions(scene), 2 if bends and scene.top.x is not None else 1)
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal, Self
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, model_validator
 
+from riserstudy.errors import InputError
 from riserstudy.inputs.misfit import Misfit
+from riserstudy.inputs.plain_yaml import read_yaml
 from riserstudy.inputs.strict import Strict
 from riserstudy.study.axes import Tier
 from riserstudy.study.models import Name
@@ -56,3 +59,12 @@ class Config(Strict):
                 "papers", f"{taken.pop()!r} is a name that the workflow uses itself", "give another name"
             )
         return self
+
+
+def read_config(path: Path) -> dict[str, Any]:
+    """The fields of config.yaml, not yet checked. Raises InputError when the file cannot be read."""
+    tree = read_yaml(path, keep=True)
+    if not isinstance(tree, dict):
+        allowed = "write fields, each as 'name: value', such as 'papers: [own]'"
+        raise InputError(path, "", "this is not a configuration", allowed)
+    return tree
