@@ -35,6 +35,15 @@ settings.load_profile("riserstudy")
 
 
 @pytest.fixture
+def own_store(tmp_path, monkeypatch):
+    """A store of points that is empty before a test, and its folder."""
+    from riserstudy.study import store  # other tests need not load it
+
+    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+    return tmp_path
+
+
+@pytest.fixture
 def commands(monkeypatch, capsys):
     """Runs commands of the command line; exit code, output and messages."""
     from riserstudy.cli import main  # other tests need not load it

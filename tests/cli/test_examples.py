@@ -5,7 +5,7 @@ import shlex
 import pytest
 import typer
 
-from riserstudy.cli import app, main
+from riserstudy.cli import app
 from riserstudy.cli.examples import EXAMPLES
 
 COMMANDS = typer.main.get_command(app).commands
@@ -30,12 +30,10 @@ def test_the_help_has_five_groups():
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_the_help_shows_every_word_of_its_text(name, monkeypatch, capsys):
+def test_the_help_shows_every_word_of_its_text(name, commands):
     """Names of extras are in square brackets: ``pip install "riserstudy[formats]"``."""
-    monkeypatch.setattr("sys.argv", ["riserstudy", name, "--help"])
-    main()
-    shown = "".join(capsys.readouterr().out.split())
-    assert "".join(COMMANDS[name].help.split()) in shown
+    _, shown, _ = commands(name, "--help")
+    assert "".join(COMMANDS[name].help.split()) in "".join(shown.split())
 
 
 @pytest.mark.parametrize("name", EXAMPLES)
@@ -49,10 +47,8 @@ def test_an_example_is_a_command_line_that_is_understood(name):
 
 
 @pytest.mark.parametrize("command, target", [("draw", "a.png"), ("run", "a.nc"), ("table", "a.csv")])
-def test_a_command_that_succeeds_names_the_file(command, target, tmp_path, monkeypatch, capsys):
+def test_a_command_that_succeeds_names_the_file(command, target, tmp_path, monkeypatch, commands):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "scene.yaml").write_text(SCENE)
-    monkeypatch.setattr("sys.argv", ["riserstudy", command, "scene.yaml", "-o", target])
-    main()
-    assert capsys.readouterr().out.splitlines()[-1] == f"written: {target}"
+    assert commands(command, "scene.yaml", "-o", target)[1].splitlines()[-1] == f"written: {target}"
     assert (tmp_path / target).stat().st_size > 0

@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from riserstudy import simulate
-from riserstudy.cli import main
 from riserstudy.dataset.limit_lines import lines
 from riserstudy.dataset.limits import use
 from riserstudy.errors import InputError
@@ -103,24 +102,21 @@ def test_where_walls_meet_both_sides_have_the_stress_of_the_thinner():
     assert walls((0.04, 0.02)) == pytest.approx([thin[0], thin[0]], rel=1e-6)
 
 
-def test_the_command_ends_with_what_it_found(tmp_path, monkeypatch, capsys):
+def test_the_command_ends_with_what_it_found(tmp_path, commands):
     scene = tmp_path / "hung.yaml"
 
-    def status(limits):
+    def checked(limits):
         scene.write_text(json.dumps(HUNG | {"limits": limits}))
-        monkeypatch.setattr("sys.argv", ["riserstudy", "check", str(scene)])
-        try:
-            main()
-        except SystemExit as ended:
-            return ended.code
-        return 0
+        return commands("check", scene)
 
-    assert status(HUNG["limits"][:1]) == 0
-    assert " 50 % " in capsys.readouterr().out
-    assert status(HUNG["limits"][:2]) == 1
-    assert status(HUNG["limits"][4:]) == 4
-    assert status([{"output": "colour", "largest": "1 m", "mode": "drilling"}]) == 2
-    assert "limits[0]" in capsys.readouterr().err
+    code, said, _ = checked(HUNG["limits"][:1])
+    assert code == 0
+    assert " 50 % " in said
+    assert checked(HUNG["limits"][:2])[0] == 1
+    assert checked(HUNG["limits"][4:])[0] == 4
+    code, _, said = checked([{"output": "colour", "largest": "1 m", "mode": "drilling"}])
+    assert code == 2
+    assert "limits[0]" in said
 
 
 @pytest.mark.parametrize(
@@ -170,25 +166,22 @@ def test_use_is_above_one_where_a_limit_is_exceeded(side, demand, allowable, sha
     assert use(side, demand, allowable) == pytest.approx(share)
 
 
-def test_tables_are_csv_and_what_is_none_is_refused(tmp_path, monkeypatch, capsys):
+def test_tables_are_csv_and_what_is_none_is_refused(tmp_path, commands):
     scene, out = tmp_path / "hung.yaml", tmp_path / "out.csv"
     scene.write_text(json.dumps(HUNG))
 
     def table(*words):
-        monkeypatch.setattr("sys.argv", ["riserstudy", *words])
-        main()
+        assert commands(*words, "-o", out)[0] == 0
         return list(csv.reader(out.open()))
 
-    found = table("table", str(scene), "--kind", "stack-up", "-o", str(out))
+    found = table("table", scene, "--kind", "stack-up")
     assert [row[0] for row in found] == ["section", "upper", "lower"]
     assert float(found[2][found[0].index("wet weight from the top (kN)")]) == pytest.approx(500.0)
-    found = table("table", str(scene), "-o", str(out))
+    found = table("table", scene)
     assert ["effective_tension", "upper end of upper", "N"] in [row[:3] for row in found]
-    assert len(table("run", str(scene), "-o", str(out))) > 1
+    assert len(table("run", scene)) > 1
     for name in ("out.xlsx", "out.txt"):
-        with pytest.raises(SystemExit) as ended:
-            table("run", str(scene), "-o", str(tmp_path / name))
-        assert ended.value.code == 2
+        assert commands("run", scene, "-o", tmp_path / name)[0] == 2
         assert not (tmp_path / name).exists()
 
 

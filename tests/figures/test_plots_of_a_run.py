@@ -8,7 +8,6 @@ import xarray as xr
 from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
-from riserstudy.cli import main
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.figures.figure_text import headline
 from riserstudy.figures.run import draw
@@ -118,27 +117,20 @@ def test_a_riser_that_moves_along_itself_has_no_shape():
         draw("shape", run().drop_vars(["x", "x_max", "x_min", "x_static"]))
 
 
-def test_the_command_draws_a_point_of_a_study(tmp_path, monkeypatch, capsys):
+def test_the_command_draws_a_point_of_a_study(tmp_path, commands):
     points = [run(), run()]
     points[1]["bending_moment"] = 2.0 * points[1]["bending_moment"]
     grid = xr.concat(points, xr.DataArray([1.0, 5.0], dims="heave", name="heave"))
     grid["point_key"] = ("heave", ["a", "b"])
     grid.to_netcdf(tmp_path / "grid.nc")
 
-    def status(*words):
-        monkeypatch.setattr("sys.argv", ["riserstudy", "plot", str(tmp_path / "grid.nc"), *words])
-        try:
-            main()
-        except SystemExit as ended:
-            return ended.code
-        return 0
-
-    out = str(tmp_path / "out.png")
-    assert status("-o", out, "--at", "heave=5", "--kind", "time-series") == 0
-    assert (tmp_path / "out.png").read_bytes().startswith(b"\x89PNG")
-    assert status("-o", out) == 2
-    assert "with one of 1.0, 5.0" in capsys.readouterr().err
-    assert status("-o", str(tmp_path / "out.doc"), "--at", "heave=5") == 2
+    plot, out = ("plot", tmp_path / "grid.nc", "-o"), tmp_path / "out.png"
+    assert commands(*plot, out, "--at", "heave=5", "--kind", "time-series")[0] == 0
+    assert out.read_bytes().startswith(b"\x89PNG")
+    code, _, said = commands(*plot, out)
+    assert code == 2
+    assert "with one of 1.0, 5.0" in said
+    assert commands(*plot, tmp_path / "out.doc", "--at", "heave=5")[0] == 2
     assert not (tmp_path / "out.doc").exists()
 
 
@@ -152,20 +144,18 @@ def test_the_command_draws_a_point_of_a_study(tmp_path, monkeypatch, capsys):
         ["compare"],
     ],
 )
-def test_of_a_point_that_failed_nothing_is_made(words, tmp_path, monkeypatch, capsys):
+def test_of_a_point_that_failed_nothing_is_made(words, tmp_path, commands):
     grid = run().expand_dims(at=["well", "lost"]).assign(point_key=("at", ["a", "b"]))
     failed = grid.where(grid["at"] == "well").assign(point_key=("at", ["a", "b"]))
     why = "no static equilibrium was found"
     failed.assign(failure=("at", ["", why])).to_netcdf(tmp_path / "grid.nc")
     (tmp_path / "other.csv").write_text("time (s), x at 0 m (m)\n0, 0\n1, 1\n2, 0\n3, 1\n")
-    other = [str(tmp_path / "other.csv")] if words == ["compare"] else []
+    other = [tmp_path / "other.csv"] if words == ["compare"] else []
     target = tmp_path / ("made.csv" if words == ["statistics"] else "made.png")
-    call = [words[0], str(tmp_path / "grid.nc"), *other, *words[1:], "--at", "at=lost"]
-    monkeypatch.setattr("sys.argv", ["riserstudy", *call, "-o", str(target)])
-    with pytest.raises(SystemExit) as ended:
-        main()
-    assert ended.value.code == SimulationError.exit_code
-    assert f"this point has no results: {why}" in capsys.readouterr().err
+    call = [words[0], tmp_path / "grid.nc", *other, *words[1:], "--at", "at=lost"]
+    code, _, said = commands(*call, "-o", target)
+    assert code == SimulationError.exit_code
+    assert f"this point has no results: {why}" in said
     assert not target.exists()
 
 

@@ -11,7 +11,6 @@ from riserstudy.database.read_dataset import read_dataset
 from riserstudy.dataset.origins import origins_of
 from riserstudy.grading.grade import Found, graded
 from riserstudy.grading.models import Item
-from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.models import StudyFile
 from riserstudy.study.study import Study
@@ -60,9 +59,7 @@ ELSEWHERE = {
 
 
 @pytest.fixture
-def simulated(tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
-
+def simulated(own_store, tmp_path):
     def make(weight, on_top, axes, readings):
         (tmp_path / "hung.yaml").write_text(json.dumps(scene(weight)))
         model = {"scene": "hung.yaml", "caption": "c", "set": on_top, "axes": axes}

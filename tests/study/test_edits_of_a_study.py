@@ -158,12 +158,6 @@ def same(one, other):
     return one.equals(other) and content(one) == content(other)
 
 
-@pytest.fixture
-def own_store(tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
-    return tmp_path
-
-
 RENAMED = [
     (("studies", "pull", "axes", "allow", "tight"), "narrow"),
     (("studies", "pull", "axes", "allow"), "allowed"),

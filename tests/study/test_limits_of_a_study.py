@@ -8,7 +8,6 @@ import pytest
 from riserstudy.dataset.unit_systems import UnitSystem, reading_in
 from riserstudy.errors import InputError
 from riserstudy.report.limits import limit_tables
-from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.models import StudyModel
 from riserstudy.study.study import Study
@@ -41,10 +40,7 @@ def dataset(folder, **changes):
     return dataset_of(made, results_of(made, 1, lambda _: None)[0])
 
 
-@pytest.fixture(autouse=True)
-def own_store(tmp_path, monkeypatch):
-    """No point is there before a test."""
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+pytestmark = pytest.mark.usefixtures("own_store")
 
 
 def test_every_point_says_what_it_uses_of_each_limit(tmp_path):

@@ -16,7 +16,7 @@ from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.plain_yaml import plain_yaml
 from riserstudy.scene.load import read_scene
 from riserstudy.study import modes as of_study
-from riserstudy.study import simulate_points, store
+from riserstudy.study import simulate_points
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.models import StudyModel
 from riserstudy.study.new import new_study
@@ -48,8 +48,7 @@ AT_REST = {"platform": None, "top.x": "held", "analysis": {"mesh": {"elements": 
 
 
 @pytest.fixture(autouse=True)
-def own_store(tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+def own_files(own_store, tmp_path):
     (tmp_path / "string.yaml").write_text(json.dumps(STRING))
     (tmp_path / "riser.yaml").write_text(SCENE)
     (tmp_path / "current.csv").write_text(CURRENT)

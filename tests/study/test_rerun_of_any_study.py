@@ -58,8 +58,7 @@ def drawn(seed):
 
 
 @pytest.mark.parametrize("seed", range(12))
-def test_an_exact_point_has_changed_in_nothing(seed, tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+def test_an_exact_point_has_changed_in_nothing(seed, own_store, tmp_path):
     (tmp_path / "riser.yaml").write_text(SCENE)
     (tmp_path / "current.csv").write_text(CURRENT)
     file = StudyFile.model_validate({"paper": "own", "studies": {"one": drawn(seed)}})
@@ -133,8 +132,7 @@ def test_statistics_of_a_point_are_those_of_its_run(seed, tmp_path, monkeypatch)
             assert deviation == pytest.approx(float(history.std()), rel=1e-5, abs=1e-4)
 
 
-def test_another_limit_is_seen(tmp_path, monkeypatch):
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+def test_another_limit_is_seen(own_store, tmp_path):
     (tmp_path / "riser.yaml").write_text(SCENE)
     (tmp_path / "current.csv").write_text(CURRENT)
     model = {"scene": "riser.yaml", "caption": "c", "set": AT_REST, "limits": LIMITS, "axes": {}}

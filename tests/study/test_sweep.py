@@ -26,10 +26,7 @@ PERIODS = [8, 12]
 TWO_WAYS = {"free": {"bottom.rotation": "free"}, "fixed": {"bottom.rotation": "fixed"}}
 
 
-@pytest.fixture(autouse=True)
-def own_store(tmp_path, monkeypatch):
-    """No point is there before a test."""
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+pytestmark = pytest.mark.usefixtures("own_store")
 
 
 def scene(**overrides):

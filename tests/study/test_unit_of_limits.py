@@ -11,7 +11,6 @@ import xarray as xr
 from riserstudy.database.build import build
 from riserstudy.database.sources import Sources
 from riserstudy.dataset.variables import attributes
-from riserstudy.study import store
 from riserstudy.study.collect import dataset_of, results_of, write_dataset
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
@@ -32,10 +31,7 @@ LIMITS = [
 OF_LIMITS = ("demand_of_limit", "allowable_of_limit")
 
 
-@pytest.fixture(autouse=True)
-def own_store(tmp_path, monkeypatch):
-    """No point is there before a test."""
-    monkeypatch.setattr(store, "_file", lambda key: tmp_path / f"{key}.point")
+pytestmark = pytest.mark.usefixtures("own_store")
 
 
 @pytest.mark.parametrize("seed", range(6))

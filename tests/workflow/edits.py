@@ -2,8 +2,17 @@
 
 import ast
 
+from riserstudy import digests
+
 FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 SCOPES = (ast.Module, ast.ClassDef, *FUNCTIONS)
+
+
+def forget_sources():
+    """Forget what this process has found out about sources, before or after an edit of them."""
+    for found in vars(digests).values():
+        if hasattr(found, "cache_clear"):
+            found.cache_clear()
 
 
 def prose_edit(text, draw):

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from edits import edit, prose_edit
+from edits import edit, forget_sources, prose_edit
 
 from riserstudy import digests
 from riserstudy.digests import ENGINE, dependencies, digest
@@ -28,13 +28,6 @@ PARTS = [ENGINE, COLLECT, DERIVE, GRADE, REPORT, DATABASE, "riserstudy.schematic
 PARTS += CHAPTERS
 
 
-def forget():
-    """What this process has found out about sources."""
-    for found in vars(digests).values():
-        if hasattr(found, "cache_clear"):
-            found.cache_clear()
-
-
 @pytest.fixture
 def package(tmp_path, monkeypatch):
     """A copy of the package whose sources count."""
@@ -44,12 +37,12 @@ def package(tmp_path, monkeypatch):
     monkeypatch.setattr(digests, "PACKAGE", copy)
     yield copy
     monkeypatch.undo()
-    forget()
+    forget_sources()
 
 
 def found():
     """Digests of everything that a rule carries."""
-    forget()
+    forget_sources()
     kernels = digests.kernel_digest()
     return {"kernels": kernels} | {part: digest(dependencies(part)) for part in PARTS}
 
@@ -153,11 +146,11 @@ def chapter(tmp_path, monkeypatch):
     folder.mkdir(parents=True)
     monkeypatch.chdir(tmp_path)
     yield folder
-    forget()
+    forget_sources()
 
 
 def names_behind(module):
-    forget()
+    forget_sources()
     return {path.name for path in dependencies(module)}
 
 
@@ -184,10 +177,10 @@ def test_an_edit_of_what_a_chapter_imports_from_where_one_works_changes_its_dige
     text = draw.choice([line, f"def inner():\n    {line}", checked])
     (chapter / "figures.py").write_text("from . import near\n")
     (chapter / "near.py").write_text(f"import numpy\n{text}\n")
-    forget()
+    forget_sources()
     before = digest(dependencies("chapters.mine.figures"))
     file.write_text(f"FACTOR = {draw.random()}\n")
-    forget()
+    forget_sources()
     assert digest(dependencies("chapters.mine.figures")) != before
 
 
@@ -206,16 +199,16 @@ def test_the_file_that_python_imports_counts_beside_a_folder_with_its_name(seed,
         (where / "tools/__init__.py").write_text("FACTOR = 2\n")
     command = [sys.executable, "-c", f"import sys; sys.path[0] = ''; import {name} as m; print(m.__file__)"]
     imported = Path(subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip())
-    forget()
+    forget_sources()
     assert [path for path in dependencies("chapters.mine.claims") if path.name != "claims.py"] == [imported]
 
 
 def test_a_file_where_one_works_is_behind_nothing_of_the_package(chapter, tmp_path):
-    forget()
+    forget_sources()
     before = dependencies(ENGINE), dependencies(DERIVE)
     for name in ("numpy", "json", "time", "xarray"):
         (tmp_path / f"{name}.py").write_text("")
-    forget()
+    forget_sources()
     assert (dependencies(ENGINE), dependencies(DERIVE)) == before
 
 

@@ -10,15 +10,14 @@ from types import SimpleNamespace
 import jsonschema
 import pytest
 import xarray as xr
+from edits import forget_sources
 from planning import dry_run, jobs_in
 from ruamel.yaml import YAML
 
-from riserstudy import digests
 from riserstudy.chapters import checks_of
 from riserstudy.chapters.derive import derive
 from riserstudy.chapters.draw import draw
 from riserstudy.chapters.measure import measure
-from riserstudy.cli import main
 from riserstudy.errors import InputError
 from riserstudy.grading.grade import grade
 from riserstudy.grading.published import read_published
@@ -181,13 +180,11 @@ def test_the_readme_names_every_file(folder):
         assert f"`{name}`" in text
 
 
-def test_a_folder_that_holds_something_is_left_alone(folder, monkeypatch, capsys):
+def test_a_folder_that_holds_something_is_left_alone(folder, commands):
     before = {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
-    monkeypatch.setattr(sys, "argv", ["riserstudy", "new", str(folder)])
-    with pytest.raises(SystemExit) as stopped:
-        main()
-    assert stopped.value.code == 2
-    assert "already contains files" in capsys.readouterr().err
+    code, _, said = commands("new", folder)
+    assert code == 2
+    assert "already contains files" in said
     assert before == {path: path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
@@ -287,13 +284,6 @@ def test_an_edit_of_what_a_chapter_tells_makes_the_report_anew(measuring):
         file.write("more = 1\n")
     forget_sources()
     assert Workplan.read(measuring / "config", {}, only=[]).report_digest != before
-
-
-def forget_sources():
-    """What this process has found out about sources."""
-    for found in vars(digests).values():
-        if hasattr(found, "cache_clear"):
-            found.cache_clear()
 
 
 LISTED = "    elements: [10, 20, 40]\n"

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 import xarray as xr
+from edits import forget_sources
 
-from riserstudy import digests
 from riserstudy.jobs.tasks import run
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.study.new import new_study
@@ -42,19 +42,12 @@ def folder(tmp_path, monkeypatch):
     words = "no_difference: 2 %\nbecause: curves touch\nwords: {}\n"
     (here / "config/published/words.yaml").write_text(words)
     yield here
-    forget()
-
-
-def forget():
-    """What this process has found out about sources."""
-    for found in vars(digests).values():
-        if hasattr(found, "cache_clear"):
-            found.cache_clear()
+    forget_sources()
 
 
 def planned(kind):
     """The command of a job, as the rules of the workflow write it."""
-    forget()
+    forget_sources()
     plan, results = Workplan.read(Path("config"), {}), "results/example"
     if kind == "derive":
         settings = plan.derived_settings("example", "tension_swing")
@@ -73,7 +66,7 @@ def planned(kind):
 
 def exit_status(command):
     """That of a job, which reads everything anew."""
-    forget()
+    forget_sources()
     for name in [name for name in sys.modules if name.startswith("chapters.example")]:
         del sys.modules[name]
     return run(command)
@@ -103,6 +96,6 @@ def test_an_older_study_file_in_the_place_of_a_newer_one_makes_the_database_stal
     text, found = study.read_text(), set()
     for caption in ("one", "two"):
         study.write_text(text.replace("heave of several amplitudes", caption))
-        forget()
+        forget_sources()
         found.add(Workplan.read(Path("config"), {}).database_digest)
     assert len(found) == 2
