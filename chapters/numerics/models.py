@@ -13,9 +13,9 @@ from chapters.numerics.scenes import bases, case_file, in_tier
 from riserstudy.inputs.strict import Strict
 from riserstudy.scene.base import Positive
 from riserstudy.scene.load import SceneFile
+from riserstudy.study.axes import Tier
 from riserstudy.study.measured import MeasuredModel, Setting
 
-Tiers = Literal["preview", "standard", "reference"]
 Pair = Annotated[list[Positive], Field(min_length=2, max_length=2)]
 Factors = Annotated[list[Positive], Field(min_length=1)]
 
@@ -83,7 +83,7 @@ class StabilityStudy(EngineStudy):
     references = "stability"
 
     methods: dict[str, Method]
-    ladder: dict[Tiers, Factors]
+    ladder: dict[Tier, Factors]
     explicit_ladder: Factors
     budget: Positive
     explicit_budget: Positive
@@ -119,9 +119,9 @@ class EffectsStudy(EngineStudy):
     timed = True
     cases_in = "scenes"
 
-    repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
-    budget: dict[Tiers, Positive]
-    left_out: dict[Tiers, list[str]] = Field(default_factory=dict)
+    repeats: dict[Tier, Annotated[int, Field(ge=1)]]
+    budget: dict[Tier, Positive]
+    left_out: dict[Tier, list[str]] = Field(default_factory=dict)
     scenes: dict[str, Family] = Field(default_factory=dict)
 
     def scene_files(self, setting: Setting) -> Iterator[tuple[str, SceneFile]]:
@@ -160,7 +160,7 @@ class AccuracyStudy(EngineStudy):
 
     patience: Positive
     peers: dict[str, dict[str, list[Pair]]] = Field(default_factory=dict)
-    repeats: dict[Tiers, Annotated[int, Field(ge=1)]]
+    repeats: dict[Tier, Annotated[int, Field(ge=1)]]
     budget: Positive
     requested: dict[Literal["preview", "standard", "reference"], list[float]]
     methods: dict[str, Method]
@@ -197,8 +197,8 @@ class RandomStudy(EngineStudy):
 
     accuracy: str
     seed: int
-    count: dict[Tiers, Annotated[int, Field(ge=2)]]
-    patience: dict[Tiers, Positive]
+    count: dict[Tier, Annotated[int, Field(ge=2)]]
+    patience: dict[Tier, Positive]
     families: dict[str, Family]
 
     @property
@@ -260,7 +260,7 @@ class EnergyCase(Strict):
 class EnergyStudy(EngineStudy):
     """Energy balance over time, at ``instants`` times, by every method."""
 
-    instants: dict[Tiers, Annotated[int, Field(ge=1)]]
+    instants: dict[Tier, Annotated[int, Field(ge=1)]]
     methods: dict[str, Method]
     cases: dict[str, EnergyCase]
 
@@ -275,8 +275,8 @@ class TiersStudy(EngineStudy):
     cases_in = "scenes"
     references = "tiers"
 
-    patience: dict[Tiers, Positive]
-    accuracies: dict[Tiers, str]
+    patience: dict[Tier, Positive]
+    accuracies: dict[Tier, str]
     scenes: dict[str, Family]
 
 

@@ -9,11 +9,11 @@ from matplotlib.figure import Figure
 
 from chapters.liu2020.below_ring import RING
 from chapters.liu2020.figures.colours import LINEAR, LINEARISED, ON_TENSIONERS, VERTICAL_CYLINDERS
+from chapters.liu2020.figures.motion_shared import DEPTH, TIME
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import GREY, field, headline, key_below, panel_title, panels, shades
 
-DEPTH, TIME = "depth below the riser's top (m)", "time (s)"
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 ALIKE = 0.02  # share of an amplitude, below which a difference is invisible
 STROKE = 7.5  # m, in both directions

@@ -89,7 +89,7 @@ def read_provenance(dataset: xr.Dataset) -> dict[str, Any]:
     if not isinstance(record["scene"], dict):
         raise _damaged(dataset, "scene", "is not a group of fields")
     if fault := plain_fault(record["scene"]):
-        raise InputError(_name(dataset), *fault)
+        raise InputError(name_of(dataset), *fault)
     return record
 
 
@@ -100,7 +100,7 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
     is already selected, as by ``isel``, has this value. Raises InputError when the dataset was not simulated,
     or has no scene of the point.
     """
-    record, source = read_provenance(dataset), _name(dataset)
+    record, source = read_provenance(dataset), name_of(dataset)
     origins = {path: Origin(status, None) for path, status in record["origins"].items()}
     file = SceneFile(source, record["scene"], origins, held=record["tables"])
     for axis, label in _labels(dataset, index).items():
@@ -108,12 +108,12 @@ def scene_file_of(dataset: xr.Dataset, index: Mapping[str, int]) -> SceneFile:
         if not isinstance(of_axis.get(value), dict):
             raise _damaged(dataset[axis], "sets", f"has no entry for {axis} = {value}")
         if fault := plain_fault(of_axis[value], f"{axis}.sets"):
-            raise InputError(_name(dataset), *fault)
+            raise InputError(name_of(dataset), *fault)
         file = file.with_values(of_axis[value], f"{source}: axes")
     if "by_request" in dataset and dataset["by_request"].isel(index).item():
         request = _mapping(dataset, "request")
         if fault := plain_fault(request, "request"):
-            raise InputError(_name(dataset), *fault)
+            raise InputError(name_of(dataset), *fault)
         file = file.with_values(request, f"{source}: axes")
     return file
 
@@ -140,7 +140,7 @@ def first_scene(dataset: xr.Dataset) -> Resolved:
     return scene_of_point(dataset, index)
 
 
-def _name(dataset: xr.Dataset | xr.DataArray) -> str:
+def name_of(dataset: xr.Dataset | xr.DataArray) -> str:
     """Name of a dataset in errors: its file, if it was read from one."""
     return str(dataset.encoding.get("source", "dataset"))
 
@@ -159,4 +159,4 @@ def _mapping(labelled: xr.Dataset | xr.DataArray, name: str) -> dict[str, Any]:
 def _damaged(labelled: xr.Dataset | xr.DataArray, name: str, found: str) -> InputError:
     """The error for a dataset that no simulation can have written."""
     allowed = "repeat the run of its scene, since the file is damaged or not written by riserstudy"
-    return InputError(_name(labelled), name, found, allowed)
+    return InputError(name_of(labelled), name, found, allowed)

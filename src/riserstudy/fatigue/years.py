@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.dataset.place import value_of
-from riserstudy.dataset.provenance import first_scene
+from riserstudy.dataset.provenance import first_scene, name_of
 from riserstudy.errors import InputError
 from riserstudy.fatigue.occurrence import Occurrence, within
 from riserstudy.fatigue.response import ORDER, Response, in_parts
@@ -97,7 +97,7 @@ def axes_of(study: xr.Dataset) -> list[str]:
     """Axes of a study; empty for a single run. Raises InputError when it has no damage."""
     if "damage_rate" not in study:
         allowed = "give a study or run whose scene has 'fatigue:' and which keeps damage_rate"
-        raise InputError(_name(study), "damage_rate", "the dataset has no fatigue damage", allowed)
+        raise InputError(name_of(study), "damage_rate", "the dataset has no fatigue damage", allowed)
     return [str(dim) for dim in study["damage_rate"].dims if dim not in PLACES]
 
 
@@ -134,7 +134,7 @@ def over_years(study: xr.Dataset, occurs: Occurrence, at: Mapping[str, str], cal
     elsewhere = missing.all(axis=0)  # places without the detail
     if elsewhere.all() or (missing != elsewhere).any():
         allowed = "repeat the study until all its points are complete"
-        raise InputError(_name(study), "damage_rate", "some points have no results", allowed)
+        raise InputError(name_of(study), "damage_rate", "some points have no results", allowed)
     response = Response(grid, np.where(elsewhere, 0.0, rates))
     total = in_parts(response, occurs.values, occurs.shares)
     total[elsewhere] = np.nan
@@ -265,7 +265,7 @@ def _details(study: xr.Dataset) -> list[Detail]:
     fatigue = first_scene(study).fatigue
     if fatigue is None:
         found = "the scene that is stored in the dataset has no fatigue details"
-        raise InputError(_name(study), "fatigue", found, "repeat the run with a scene with 'fatigue:'")
+        raise InputError(name_of(study), "fatigue", found, "repeat the run with a scene with 'fatigue:'")
     return fatigue.details
 
 
@@ -321,7 +321,3 @@ def _error_of(seas: list[Sea]) -> float:
     known = [sea for sea in seas if math.isfinite(sea.error)]
     total = sum(sea.damage for sea in known)
     return sum(sea.error * sea.damage for sea in known) / total if total > 0.0 else math.nan
-
-
-def _name(study: xr.Dataset) -> str:
-    return str(study.encoding.get("source", "dataset"))

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from riserstudy.dataset.extremes import largest_size, statistic_of
+from riserstudy.dataset.extremes import OF_A_RUN, largest_size, statistic_of
 from riserstudy.dataset.unit_systems import read_in
 from riserstudy.dataset.variables import attributes
 from riserstudy.errors import InputError
@@ -21,7 +21,6 @@ from riserstudy.figures.style import key_below, panels
 from riserstudy.scene.limits import SIGNED
 
 #: dimensions that are not axes of the grid
-WITHIN_A_RUN = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")
 MOST = 7  # largest number of separate curves or panels
 ENDINGS = ("_max", "_min")
 SIZE = "_absmax"  # ending for the largest magnitude
@@ -35,7 +34,7 @@ LINE = 0.2  # height of a line of a legend (inches)
 def axes_of(dataset: xr.Dataset) -> list[str]:
     """Axes of the grid, in the order of the study."""
     dims = dataset["point_key"].dims if "point_key" in dataset else dataset.sizes
-    return [str(dim) for dim in dims if dim not in WITHIN_A_RUN]
+    return [str(dim) for dim in dims if dim not in OF_A_RUN]
 
 
 def along(dataset: xr.Dataset, count: int) -> list[str]:
@@ -90,7 +89,7 @@ def extreme(dataset: xr.Dataset, name: str) -> xr.DataArray:
         values = _size(dataset, name.removesuffix(SIZE))
     if values is None or values.dtype.kind not in "fiu":
         raise absent(dataset, name.removesuffix(ending))
-    within = [dim for dim in values.dims if dim in WITHIN_A_RUN]
+    within = [dim for dim in values.dims if dim in OF_A_RUN]
     reduced: xr.DataArray = values.min(within) if ending == "_min" else values.max(within)
     return reduced.rename(name).assign_attrs(attributes(name) or values.attrs)
 
@@ -150,7 +149,7 @@ def label(values: xr.DataArray) -> str:
 def varies_within(dataset: xr.Dataset, name: str) -> bool:
     """Whether a quantity has many values per point, so that its extremes are relevant."""
     if name in dataset:
-        return any(dim in WITHIN_A_RUN for dim in dataset[name].dims)
+        return any(dim in OF_A_RUN for dim in dataset[name].dims)
     return not name.endswith((*ENDINGS, SIZE))
 
 

@@ -74,18 +74,18 @@ class Line(Strict):
     @property
     def wall_area(self) -> float:
         """Cross section of the walls of all lines together (m2)."""
-        return self.number * _disc(self.outer_diameter) - self.number * _disc(self.inner_diameter)
+        return self.number * disc(self.outer_diameter) - self.number * disc(self.inner_diameter)
 
     @property
     def all_mass(self) -> float:
         """Mass of all lines together, with their contents (kg/m)."""
         own = (self.wall_density or 0.0) * self.wall_area + self.number * (self.mass or 0.0)
-        return own + (self.contents or 0.0) * self.number * _disc(self.inner_diameter)
+        return own + (self.contents or 0.0) * self.number * disc(self.inner_diameter)
 
     @property
     def outside(self) -> float:
         """Cross section that all lines together displace (m2)."""
-        return self.number * _disc(self.outer_diameter)
+        return self.number * disc(self.outer_diameter)
 
     @property
     def elasticity(self) -> tuple[float, float]:
@@ -124,5 +124,6 @@ def attached(section: Section, gravity: float, water: float) -> Attached:
     return Attached(mass + own, weight + (-lift if water else gravity * own), lift)
 
 
-def _disc(diameter: float) -> float:
+def disc(diameter: float) -> float:
+    """Area (m2) of a circle with a diameter (m)."""
     return 0.25 * math.pi * diameter**2

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.chapter_variables import chapter_table
 from riserstudy.dataset.complete import complete
-from riserstudy.dataset.extremes import OVER, as_variables, of_runs
+from riserstudy.dataset.extremes import OF_A_RUN, OVER, as_variables, of_runs
 from riserstudy.dataset.label import UNLABELLED, coordinates, dimensions, history, quantities, with_details
 from riserstudy.dataset.netcdf import write_netcdf
 from riserstudy.dataset.provenance import provenance_of_study
@@ -131,9 +131,6 @@ def _once(shared: dict[Any, Any], value: Any) -> Any:
     return shared.setdefault(key, value)
 
 
-SHARED = ("time", "s", "s_node", "cylinder", "detail", "wall_angle")  # dimensions of runs
-
-
 def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
     """Dataset with the study's axes as dimensions, over the quantities of its runs.
 
@@ -155,7 +152,7 @@ def dataset_of(study: Study, results: list[Result]) -> xr.Dataset:
         if not column.about.optional or any(column.is_in(r.facts) for r in results):
             flat[column.name] = ("point", [column.value(r.facts) for r in results])
     flat["point_key"] = ("point", [p.key for p in study.plan])
-    dataset = xr.Dataset(coords={n: flat[n] for n in (*SHARED, OVER) if n in flat.variables})
+    dataset = xr.Dataset(coords={n: flat[n] for n in (*OF_A_RUN, OVER) if n in flat.variables})
     for coordinate in dataset.coords:
         dataset[coordinate].attrs = attributes(str(coordinate))
     add_on_axes(dataset, flat, "point", study)

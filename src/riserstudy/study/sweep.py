@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from riserstudy.dataset.extremes import OF_A_RUN
 from riserstudy.dataset.result import Result
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.inputs.validate import check
@@ -28,7 +29,7 @@ from riserstudy.scene.paths import as_name, value_at
 from riserstudy.scene.units import factor
 from riserstudy.simulation.compile import available_cores
 from riserstudy.study import store
-from riserstudy.study.collect import SHARED, dataset_of
+from riserstudy.study.collect import dataset_of
 from riserstudy.study.far_values import far_values
 from riserstudy.study.grid import Point
 from riserstudy.study.idle_values import idle_values
@@ -49,7 +50,7 @@ Labelled = Mapping[str, Mapping[str, Any]]
 _QUANTITY = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*([^\s\d].*?)\s*")
 EVERY = 5.0  # interval of progress lines (s)
 # arrays that say where and when, of points without numbers too
-KEPT = frozenset((*SHARED, "mesh_corner"))
+KEPT = frozenset((*OF_A_RUN, "mesh_corner"))
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from riserstudy.importers.orcaflex.deck import CHANGE, GUESS, Part, q
+from riserstudy.scene.modules_and_lines import disc
 
 if TYPE_CHECKING:
     from riserstudy.importers.orcaflex.ends import Line
@@ -187,8 +188,3 @@ def axial(kind: Part) -> float:
     if kind.data.get("Category") != "Homogeneous pipe":
         return kind.number("EA")
     return kind.number("E") * (disc(kind.number("OD")) - disc(kind.number("ID")))
-
-
-def disc(diameter: float) -> float:
-    """Return the area (m2) of a circle with the given diameter (m)."""
-    return 0.25 * math.pi * diameter**2

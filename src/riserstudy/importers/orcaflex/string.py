@@ -13,7 +13,6 @@ from riserstudy.importers.orcaflex.pipe import (
     across,
     along,
     contents_of,
-    disc,
     kind_of,
     lengths_of,
     stressed,
@@ -22,6 +21,7 @@ from riserstudy.importers.orcaflex.pipe import (
 )
 from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.scene.geometry import at_level
+from riserstudy.scene.modules_and_lines import disc
 
 # share of its length by which a line along the riser may be longer or shorter than that
 SLACK = 1e-3

@@ -13,17 +13,10 @@ from riserstudy.importers.orcaflex.chain import Roles, depth
 from riserstudy.importers.orcaflex.constraints import guided_by, slides_in
 from riserstudy.importers.orcaflex.deck import Part, q
 from riserstudy.importers.orcaflex.ends import BENDING, GROUND, PLACE, Line, rotation, upright
-from riserstudy.importers.orcaflex.pipe import (
-    axial,
-    contents_of,
-    disc,
-    flexural,
-    kind_of,
-    lengths_of,
-    mass_of,
-)
+from riserstudy.importers.orcaflex.pipe import axial, contents_of, flexural, kind_of, lengths_of, mass_of
 from riserstudy.importers.orcaflex.sea import Sea
 from riserstudy.importers.orcaflex.tensioners import Anchorage, constant, fastened, tensioners
+from riserstudy.scene.modules_and_lines import disc
 
 SAME = 1e-6  # largest difference of elevations that count as equal (m)
 ALIKE = "give equal products with the coefficient along x and y, since a scene has one horizontal value"
