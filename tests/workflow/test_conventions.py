@@ -1,13 +1,11 @@
 """The pages for beginners: what they state of signs is so, and their commands run."""
 
-import os
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from typed_commands import typed
 
 from riserstudy import load_scene, simulate
 
@@ -78,15 +76,13 @@ def test_the_tension_changes_by_the_submerged_weight(aside):
     assert tension[-1] - tension[0] == pytest.approx(3e3 * height, rel=0.02)
 
 
-def test_the_commands_of_the_five_minutes_run_and_write_what_the_page_says(tmp_path):
+def test_the_commands_of_the_five_minutes_run_and_write_what_the_page_says(commands, tmp_path, monkeypatch):
     (tmp_path / "riser.yaml").write_text(SCENE)
-    commands = "\n".join(re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL))
-    environment = os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
-    done = subprocess.run(
-        ["bash", "-ec", commands], cwd=tmp_path, env=environment, capture_output=True, text=True
-    )
-    assert done.returncode == 0, done.stderr
-    assert "not evaluated" not in done.stdout
-    for name in re.findall(r"-o (\S+)", commands):
+    lines = "\n".join(re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL))
+    monkeypatch.chdir(tmp_path)
+    code, said, complained = typed(lines, commands)
+    assert code == 0, complained
+    assert "not evaluated" not in said
+    for name in re.findall(r"-o (\S+)", lines):
         assert (tmp_path / name).stat().st_size > 1000
-        assert f"written: {name}" in done.stdout
+        assert f"written: {name}" in said

@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from typed_commands import typed
 
 from riserstudy import load_scene, simulate
 
@@ -21,11 +22,9 @@ BLOCKS = BLOCK.findall(PAGE)
 WHOLE = "snakemake"
 
 
-def run(commands, folder):
+def run(lines, folder):
     environment = os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
-    return subprocess.run(
-        ["bash", "-ec", commands], cwd=folder, env=environment, capture_output=True, text=True
-    )
+    return subprocess.run(["bash", "-ec", lines], cwd=folder, env=environment, capture_output=True, text=True)
 
 
 @pytest.fixture(scope="module")
@@ -42,27 +41,29 @@ def test_the_page_shows_commands_and_what_they_say():
 
 
 @pytest.mark.parametrize("number", range(len(BLOCKS) - 1))
-def test_commands_say_what_the_page_prints(copy, number):
-    commands, printed = BLOCKS[number]
-    done = run(commands, copy)
-    assert done.returncode == int("exceeded" in printed), done.stderr
+def test_commands_say_what_the_page_prints(commands, copy, monkeypatch, number):
+    lines, printed = BLOCKS[number]
+    monkeypatch.chdir(copy)
+    code, out, complained = typed(lines, commands)
+    assert code == int("exceeded" in printed), complained
     if printed:
-        said, page = (" ".join(NUMBER.sub("#", t).split()) for t in (done.stdout, printed))
+        said, page = (" ".join(NUMBER.sub("#", t).split()) for t in (out, printed))
         assert said == page  # but for the width of columns
-        told, numbers = ([float(x) for x in NUMBER.findall(text)] for text in (done.stdout, printed))
+        told, numbers = ([float(x) for x in NUMBER.findall(text)] for text in (out, printed))
         assert told == pytest.approx(numbers, rel=0.02)  # the accuracy asked for
-    for name in re.findall(r"-o (\S+)", commands):
+    for name in re.findall(r"-o (\S+)", lines):
         assert (copy / name).stat().st_size > 200
 
 
-def test_the_stack_up_of_the_page_is_what_the_tension_loses(copy):
+def test_the_stack_up_of_the_page_is_what_the_tension_loses(commands, copy, monkeypatch):
     """Sum of the table against the engine: what tensioners pull less what is left at the lower end."""
-    run(BLOCKS[0][0], copy)
+    monkeypatch.chdir(copy)
+    typed(BLOCKS[0][0].replace(" -o ", " --force -o "), commands)
     last = (copy / "stack_up.csv").read_text().splitlines()[-1].split(",")
     plumb = "--set current=null --set platform=null --set top.x=held --set top.z=held"
     plumb += " --set analysis.duration=null --set analysis.output=null"
-    done = run(f"riserstudy table config/scenes/riser.yaml -o rest.csv {plumb}", copy)
-    assert done.returncode == 0, done.stderr
+    code, _, complained = typed(f"riserstudy table config/scenes/riser.yaml -o rest.csv {plumb}", commands)
+    assert code == 0, complained
     rows = [row.split(",") for row in (copy / "rest.csv").read_text().splitlines()]
     value = {(row[0], row[1]): float(row[3]) for row in rows[1:]}
     lost = value["effective_tension", "upper end of pup joint"] - value["lower_end_tension", ""]
