@@ -231,6 +231,7 @@ def test_what_cannot_be_meant_in_a_chapter_is_told_in_one_line(chapter, text, to
 
 def test_what_was_found_out_is_kept_and_damage_of_it_changes_nothing(tmp_path, monkeypatch, package):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(sys.modules[__name__], "PARTS", ["riserstudy.inputs.plain_yaml", CHAPTERS[0]])
     first = found()
     (kept,) = (tmp_path / "cache").glob("sources-*.json")
     with monkeypatch.context() as context:
@@ -246,6 +247,7 @@ def test_what_was_found_out_is_kept_and_damage_of_it_changes_nothing(tmp_path, m
 
 def test_only_what_was_edited_is_read_again(tmp_path, monkeypatch, package):
     monkeypatch.setenv("RISERSTUDY_CACHE", str(tmp_path / "cache"))
+    monkeypatch.setattr(sys.modules[__name__], "PARTS", [ENGINE])
     found()
     (package / "solve/newton.py").open("a").write("# edited\n")
     read, parse = [], ast.parse
