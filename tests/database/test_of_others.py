@@ -49,7 +49,7 @@ COMMANDS = [
     ["sql", "select count(*) from {table}", "--csv", "out.csv"],
     ["verify"],
 ]
-SOON = 0.3  # seconds that a statement may take here
+SOON = 0.1  # seconds that a statement may take here
 LATEST = 30.0  # seconds that a command may take, of several statements and long single steps
 
 

@@ -51,14 +51,14 @@ def record(rows=ROWS):
     return "time,hs (m),tp (s),wave_from_direction (deg)\n" + text
 
 
-def lay_out(folder, **changes):
-    """A configuration with such a dataset alone."""
+def lay_out(folder, rows=ROWS, **changes):
+    """A configuration with such a dataset alone, of a record of so many rows."""
     for name in ("scenes", "studies", "records"):
         (folder / "config" / name).mkdir(parents=True)
     config = folder / "config"
     (config / "config.yaml").write_text(CONFIG)
     (config / "scenes/riser.yaml").write_text(yaml.safe_dump(load_scene(RISER).tree))
-    (config / "records/sea.csv").write_text(record())
+    (config / "records/sea.csv").write_text(record(rows))
     file = {"paper": "mine", "studies": {}, "seas": {"years": MODEL | changes}}
     (config / "studies/mine.yaml").write_text(yaml.safe_dump(file, sort_keys=False))
     return config
@@ -181,7 +181,7 @@ def test_the_workflow_makes_dataset_figure_and_rows_once(tmp_path):
         file.unlink()
     for folder in ("scenes", "studies"):
         (tmp_path / "config" / folder).rmdir()
-    lay_out(tmp_path)
+    lay_out(tmp_path, rows=30)
 
     def made():
         """Files of the dataset and its parts, and when each was written."""

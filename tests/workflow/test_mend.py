@@ -2,12 +2,14 @@
 
 import os
 import random
+import shutil
 import subprocess
 import sys
 import time
 from pathlib import Path
 
 import pytest
+from planning import dry_run
 from snakemake.persistence import MetadataRecord
 from snakemake.persistence.file import FilePersistence
 
@@ -124,16 +126,29 @@ def test_nothing_is_from_the_future_and_the_past_stays(tmp_path, seed):
         assert path.stat().st_mtime == pytest.approx(min(when, began), abs=60.0 if when > began else 1e-3)
 
 
-@pytest.fixture
-def folder(tmp_path):
-    """A workflow of two results that begins as ours does, done once."""
-    (tmp_path / "Snakefile").write_text(SNAKEFILE)
+@pytest.fixture(scope="module")
+def done(tmp_path_factory):
+    """A workflow of two results that begins as ours does, done once; only to copy."""
+    folder = tmp_path_factory.mktemp("done")
+    (folder / "Snakefile").write_text(SNAKEFILE)
     for name in ("config/a.yaml", "config/b.yaml", "chapters/paper.py"):
-        (tmp_path / name).parent.mkdir(exist_ok=True)
-        (tmp_path / name).write_text(name)
-    status, said = snakemake(tmp_path)
+        (folder / name).parent.mkdir(exist_ok=True)
+        (folder / name).write_text(name)
+    status, said = snakemake(folder)
     assert (status, "(100%) done" in said) == (0, True), said
-    return tmp_path
+    return folder
+
+
+@pytest.fixture
+def folder(done, tmp_path):
+    """A copy of it, of the same dates."""
+    shutil.copytree(done, tmp_path / "folder")
+    return tmp_path / "folder"
+
+
+def planned(folder):
+    """Exit status of a dry run, and what it says."""
+    return dry_run(folder, os.environ)
 
 
 def snakemake(folder, *words):
@@ -155,12 +170,12 @@ def test_an_edit_is_seen_whatever_became_of_the_records(folder, how):
     source = folder / "config/a.yaml"
     source.write_text("other")
     os.utime(source, (time.time() - DAY, time.time() - DAY))  # so that its record alone tells of it
-    assert "a run repairs it" in snakemake(folder, "-n")[1]
+    assert "a run repairs it" in planned(folder)[1]
     status, said = snakemake(folder)
     assert status == 0, said
     assert "damaged; the files of its job are made again" in said
     assert (folder / "results/paper/a.nc").read_text() == "other"
-    assert "Nothing to be done" in snakemake(folder)[1]
+    assert "Nothing to be done" in planned(folder)[1]
 
 
 def test_inputs_and_results_of_tomorrow_stop_no_run(folder):
@@ -171,11 +186,11 @@ def test_inputs_and_results_of_tomorrow_stop_no_run(folder):
     assert status == 0, said
     assert "config/a.yaml is dated in the future; its date is set to today" in said
     assert (folder / "results/paper/a.nc").read_text() == "config/a.yaml"
-    assert "Nothing to be done" in snakemake(folder)[1]
+    assert "Nothing to be done" in planned(folder)[1]
 
 
 def test_a_dry_run_dates_nothing(folder):
     when = time.time() + DAY
     os.utime(folder / "config/a.yaml", (when, when))
-    assert snakemake(folder, "-n")[0] == 0
+    assert planned(folder)[0] == 0
     assert (folder / "config/a.yaml").stat().st_mtime == pytest.approx(when, abs=1e-3)

@@ -18,6 +18,7 @@ SIMULATE = {f"simulate chang2020/{study}" for study in ("steady", "from_rest", "
 AFTER = {"derive chang2020/asymmetry", "draw chang2020/fig14"}
 COMPILE = {"compile kernels, once: line"}
 STUDY = "config/studies/chang2020.yaml"
+PLAIN = ("chang2020", "--workflow-profile", "none", "--quiet", "host")
 SCENE = "config/scenes/chang2020/heave.yaml"
 
 
@@ -239,12 +240,22 @@ def test_damaged_kernels_are_compiled_anew(checkout, finished):
         ("config/config.yaml", "- chang2020", "- nobody2020", "studies/nobody2020.yaml: No such file"),
     ],
 )
-def test_bad_input_stops_before_any_job(fresh, file, old, new, where):
-    fresh.edit(file, old, new)
-    status, said, complained = fresh.run()
-    assert (status, said) == (2, "")
+def test_bad_input_is_told_in_one_line_where_jobs_would_be_planned(laid_out, file, old, new, where):
+    laid_out.edit(file, old, new)
+    status, complained = dry_run(laid_out.folder, laid_out.environment, *PLAIN)
+    assert status == 2
     assert complained.startswith("riserstudy: ")
     assert where in complained
     assert complained.count("\n") == 1
-    assert not (fresh / "results").exists()
-    assert not (fresh / "logs").exists()
+
+
+@pytest.mark.parametrize(
+    "file, old, new", [(SCENE, "volume: 3.2 m^3", "volume: 3.2 m^2"), (STUDY, "studies:", "studies: [")]
+)
+def test_bad_input_stops_a_run_before_any_job_in_the_same_words(laid_out, file, old, new):
+    laid_out.edit(file, old, new)
+    planned = dry_run(laid_out.folder, laid_out.environment, *PLAIN)
+    status, said, complained = laid_out.run()
+    assert (status, said, complained) == (2, "", planned[1])
+    assert not (laid_out / "results").exists()
+    assert not (laid_out / "logs").exists()
