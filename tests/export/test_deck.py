@@ -7,6 +7,7 @@ import pytest
 from drawn_decks import drawn, file_of, there_and_back
 from random_rigs import LAWS, at_mid_stroke, rig, written
 from ruamel.yaml import YAML
+from some_seeds import seeds
 
 from riserstudy import load_scene, simulate
 from riserstudy.cli import main
@@ -29,7 +30,7 @@ def test_a_deck_read_back_is_the_same_riser_at_rest(tmp_path, seed):
         assert np.abs(a - b).max() < 2e-4 * np.abs(a).max(), name
 
 
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", seeds(20, few=8))
 def test_the_table_of_a_cylinder_has_each_length_once(tmp_path, seed):
     """Mid-stroke or a row of a table may be a point of its even steps but for rounding."""
     tree = rig(seed, spatial=False, conductor=False)

@@ -12,6 +12,7 @@ from drawn_whole import assert_whole
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.collections import QuadMesh
 from matplotlib.colors import to_hex
+from some_seeds import seeds
 
 from riserstudy.errors import InputError
 from riserstudy.figures import draw_plot
@@ -123,7 +124,7 @@ def test_utilisation_is_the_largest_of_all_limits_and_names_the_one_that_governs
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", seeds(12, few=5))
 @pytest.mark.parametrize("axes", [("tug",), ("heave_amplitude", "tug")], ids="-".join)
 def test_utilisation_counts_the_points_of_which_nobody_knows_whether_they_exceed_a_limit(axes, seed):
     """A limit whose error is larger than its margin has a utilisation below 1, and is not evaluated."""
@@ -280,7 +281,7 @@ def cells_of(figure):
 
 
 @pytest.mark.parametrize("plot", ["heat map", "utilisation"])
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", seeds(6, few=3))
 def test_a_map_does_not_depend_on_the_order_of_its_axes(seed, plot):
     draw = np.random.default_rng(seed)
     ordered = grid("heave_amplitude", "tug")

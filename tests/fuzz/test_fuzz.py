@@ -14,7 +14,7 @@ from riserstudy import load_scene
 from riserstudy.errors import InputError
 
 SURGE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
-SHARE = {"scene": 100, "study": 20, "table": 40, "command": 25}
+SHARE = {"scene": 50, "study": 10, "table": 20, "command": 15}
 
 
 @pytest.mark.parametrize("kind", SHARE)

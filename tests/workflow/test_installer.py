@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from package_index import certificate, lay_out, lock, served, source, wheel
+from some_seeds import seeds
 
 import installer
 
@@ -68,7 +69,7 @@ def request(folder, text):
     return target, (*installer.LOCKED, "--no-deps", "--target", target, "-r", folder / "one.lock")
 
 
-@pytest.mark.parametrize("seed", range(10))
+@pytest.mark.parametrize("seed", seeds(10, few=5))
 def test_uv_finds_a_package_where_pip_finds_it_and_nowhere_else(seed, uv, tmp_path, reached):
     """Indexes that have it and that do not, named in a file or by variables, in any mixture."""
     draw = random.Random(seed)
