@@ -5,6 +5,10 @@ r"""Bending structural damping, proportional to the rate of curvature (Kelvin-Vo
 The moments therefore follow from the turning angles plus :math:`\tau` times their rates. In a plane
 moments and angles are numbers, in space they are vectors of three components.
 
+A flex joint at a node is not damped: there only the pipe's share of the turning angle counts, which is its
+share of the node's flexibility. This neglects the square of :math:`\tau` times the frequency, and the share
+decreases with the length of the segments.
+
 References
 ----------
 Elementary: Kelvin and Voigt's solid, in bending.
@@ -20,13 +24,15 @@ from riserstudy.effects.registry import Called, register
 from riserstudy.solve.blocktri import flexibility_solve
 from riserstudy.solve.jit import inner
 from riserstudy.solve.state import DISSIPATED, VELOCITY
-from riserstudy.solve.vec import add, at, cross, mul, outer, plus, plus_block, skew, sub, transposed
+from riserstudy.solve.vec import add, at, cross, mul, outer, plus, plus_block, skew, sub, transposed, within
 
 
 class BendingDamping(NamedTuple):
     """Relaxation of the pipe in bending."""
 
-    time: float  # tau (s)
+    time: np.ndarray  # (n+1,) tau, times the pipe's share of the flexibility of a node (s)
+    lower: np.ndarray  # (3, 3) direction held at the lower end, its rates; zeros if it turns freely
+    upper: np.ndarray  # (3, 3) the same at the upper end
     rate: np.ndarray  # (m, n+1) scratch: turning rate at the nodes (rad/s)
     moment: np.ndarray  # (m, n+1) scratch: viscous part of the moments (N m)
 
@@ -39,12 +45,21 @@ def _segment_rate(s, e):
 
 
 @inner
+def _held_rate(s, held):
+    """Angular velocity of a held direction (rad/s)."""
+    return cross(within(s.dim, held, 0), within(s.dim, held, 1))
+
+
+@inner
 def turn(damping, s):
     """Add tau times their rates to the turning angles."""
-    for e in range(s.l0.shape[0]):
-        extra = mul(damping.time, _segment_rate(s, e))
-        plus(s.turn, e, extra)
-        plus(s.turn, e + 1, mul(-1.0, extra))
+    time, n = damping.time, s.l0.shape[0]
+    for e in range(n):
+        swing = _segment_rate(s, e)
+        plus(s.turn, e, mul(time[e], swing))
+        plus(s.turn, e + 1, mul(-time[e + 1], swing))
+    plus(s.turn, 0, mul(-time[0], _held_rate(s, damping.lower)))
+    plus(s.turn, n, mul(time[n], _held_rate(s, damping.upper)))
     return 0.0
 
 
@@ -56,24 +71,26 @@ def tangent(damping, s):
         apart = sub(at(s.dim, s.v, e + 1), at(s.dim, s.v, e))
         by_velocity = mul(s.rate[VELOCITY] * inverse, skew(t))
         turning = add(mul(inverse * inverse, skew(apart)), mul(2.0 * inverse, outer(_segment_rate(s, e), t)))
-        slope = mul(damping.time, transposed(sub(by_velocity, turning)))
-        plus_block(s.turn_low, e, slope)
-        plus_block(s.turn_up, e, mul(-1.0, slope))
+        slope = transposed(sub(by_velocity, turning))
+        plus_block(s.turn_low, e, mul(damping.time[e], slope))
+        plus_block(s.turn_up, e, mul(-damping.time[e + 1], slope))
     return 0.0
 
 
 @inner
 def _viscous_moments(damping, s):
     """Viscous part of the moments: the flexibility matrix solved for tau times the rates."""
-    rate, moment = damping.rate, damping.moment
+    rate, moment, n = damping.rate, damping.moment, s.l0.shape[0]
     rate[:] = 0.0
-    for e in range(s.l0.shape[0]):
+    plus(rate, 0, mul(-1.0, _held_rate(s, damping.lower)))
+    plus(rate, n, _held_rate(s, damping.upper))
+    for e in range(n):
         swing = _segment_rate(s, e)
         plus(rate, e, swing)
         plus(rate, e + 1, mul(-1.0, swing))
     for u in range(rate.shape[0]):
         for i in range(rate.shape[1]):
-            moment[u, i] = damping.time * rate[u, i]
+            moment[u, i] = damping.time[i] * rate[u, i]
         flexibility_solve(s, moment[u])
 
 
@@ -84,7 +101,7 @@ def energy(damping, s):
     total = 0.0
     for u in range(damping.rate.shape[0]):
         for i in range(s.l0.shape[0] + 1):
-            angle = damping.time * damping.rate[u, i]
+            angle = damping.time[i] * damping.rate[u, i]
             total += angle * (0.5 * damping.moment[u, i] - s.moment[u, i])
     return total
 

@@ -50,10 +50,33 @@ def bending(of: Layout, relaxation: float) -> Iterator[Effect]:
     record: Any = (Bending if of.m == 1 else SpatialBending)(flex, other.copy())
     yield Effect("bending", record, why)
     yield Effect("foreshortening", Foreshortening(of.axial * flexibility(of) ** 2 / 72.0), why)
+    joints = list(_end_joints(of))
     if relaxation:
-        record = BendingDamping(relaxation, *np.zeros((2, of.m, of.last + 1)))
-        yield Effect("bending damping", record, "riser.structural_damping")
-    yield from _end_joints(of)
+        pipe = flex.copy()
+        pipe[:-1] += other
+        pipe[1:] += other
+        yield _damping(of, relaxation, pipe, [joint.record for joint in joints])
+    yield from joints
+
+
+def _damping(of: Layout, relaxation: float, pipe: NDArray[np.float64], joints: list[Any]) -> Effect:
+    """Damping of the pipe, but not of its joints.
+
+    ``relaxation``: relaxation time (s); ``pipe``: angle at each node due to equal moments at it and at its
+    neighbours, (n + 1,), rad/(N m); ``joints``: records of the joints and clamps at the ends.
+    """
+    soft, free = np.zeros(of.last + 1), np.zeros((3, 3))
+    held = {0: free, of.last: free}
+    for joint in joints:
+        soft[joint.node] = joint.flex
+        held[joint.node] = joint.held
+    for k, section in enumerate(of.scene.riser):
+        if section.flex_joint_below:
+            soft[of.mesh.foot(k)] = 1.0 / section.flex_joint_below.stiffness
+    time = relaxation * pipe / (pipe + soft)
+    scratch = np.zeros((2, of.m, of.last + 1))
+    record = BendingDamping(time, held[0], held[of.last], *scratch)
+    return Effect("bending damping", record, "riser.structural_damping")
 
 
 def _end_joints(of: Layout) -> Iterator[Effect]:

@@ -171,7 +171,10 @@ class Joints(Strict):
 
 
 class StructuralDamping(DampingAtPeriod):
-    """Damping proportional to stiffness, as a ratio of critical damping at one period."""
+    """Damping of the pipe proportional to its stiffness, as a ratio of critical damping at one period.
+
+    Flex joints are not damped: their moment is their stiffness times their angle.
+    """
 
 
 class InnerJoint(Strict):

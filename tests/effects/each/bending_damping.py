@@ -45,19 +45,29 @@ def bending_damping(record, s):
     else:
         dv = np.diff(s.v, axis=1)
         swing = ((t[1] * dv[0] - t[0] * dv[1]) / length)[None, :]
-    return {"turn": record.time * nodes(swing)}
+    rate = nodes(swing)
+    for node, sign, held in ((0, -1.0, record.lower), (-1, 1.0, record.upper)):
+        turning = np.cross(held[0], held[1])
+        rate[:, node] += sign * (turning if len(t) == 3 else turning[1:2])
+    return {"turn": record.time * rate}
 
 
-CASES = {
-    BendingDamping: Case(
-        lambda d: BendingDamping(0.4, *np.zeros((2, MOMENTS[d], N + 1))), lambda d: [pipe(d)], (2, 3)
-    )
-}
+def damped(d):
+    draw = np.random.default_rng(4)
+    time = draw.uniform(0.1, 0.4, N + 1)
+    return BendingDamping(time, *draw.normal(0.0, 0.5, (2, 3, 3)), *np.zeros((2, MOMENTS[d], N + 1)))
+
+
+CASES = {BendingDamping: Case(damped, lambda d: [pipe(d)], (2, 3))}
 
 PLAIN = {BendingDamping: [("turn", bending_damping)]}
 
 # without a load, in a plane on n segments
-UNLOADED = {"bending damping": lambda n: BendingDamping(0.0, np.zeros((1, n + 1)), np.zeros((1, n + 1)))}
+UNLOADED = {
+    "bending damping": lambda n: BendingDamping(
+        np.zeros(n + 1), *np.zeros((2, 3, 3)), *np.zeros((2, 1, n + 1))
+    )
+}
 
 
 def test_a_mass_on_a_cantilever_swings_with_the_ratio_that_its_damping_has_at_its_period(tmp_path):
