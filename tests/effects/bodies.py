@@ -49,7 +49,10 @@ def bodies(
     loose = int(yaw)
     every = [*records]
     if mass:
-        every += [EndMass(node, weight, np.full(DIRECTIONS, mass), np.zeros(2)) for node in free]
+        every += [
+            EndMass(node, weight, np.full(DIRECTIONS, mass), np.zeros(2), np.zeros(DIRECTIONS))
+            for node in free
+        ]
     fixed = [(node, k) for node in (LOWER, UPPER) if node not in free for k in range(DIRECTIONS)]
     fixed += [(UPPER + 1, k) for k in range(DIRECTIONS - 1)] * loose
     effects = [Effect(type(record).__name__, record, "") for record in every]

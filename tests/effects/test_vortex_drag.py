@@ -28,7 +28,7 @@ def cylinder(speed, stiffness=SPRING, drag=C_D, ramp=1e-9, begin=0.3, turned=Fal
     lift, pressed = np.array([0.5 * RHO * C_X * D]), np.array([0.5 * RHO * drag * D])
     effects = [
         Current(np.array([0.0, 1.0]), np.full(2, speed), heading, np.zeros(2, np.int64), 0.0),
-        *(EndMass(i, 0.0, np.full(3, 0.5 * MASS), np.zeros(2)) for i in range(2)),
+        *(EndMass(i, 0.0, np.full(3, 0.5 * MASS), np.zeros(2), np.zeros(3)) for i in range(2)),
         *(Guide(i, 0.5 * stiffness) for i in range(2)),
         Drag(pressed, pressed, np.zeros((3, 2)), 0),
         VortexDrag(lift, lift, np.zeros((3, 2)), np.full(2, D), np.repeat(SHED[:, None], 2, 1), ramp, 0,

@@ -36,7 +36,7 @@ def cylinder(speed, stiffness=(2.0 * np.pi * OWN) ** 2 * MASS, drag=C_D, ramp=1e
     flow = Current(np.array([0.0, 1.0]), np.full(2, speed), np.array([1.0, 0.0]), np.zeros(2, np.int64), 0.0)
     effects = [
         flow,
-        *(EndMass(i, 0.0, half, np.zeros(2)) for i in range(nodes)),
+        *(EndMass(i, 0.0, half, np.zeros(2), np.zeros(3)) for i in range(nodes)),
         *(Guide(i, 0.5 * stiffness) for i in range(nodes)),
         Drag(pressed, pressed, np.zeros((3, nodes)), 0),
         VortexLift(lift, lift, np.zeros((3, nodes)), np.full(nodes, D), shed, ramp, 0, np.zeros((3, nodes))),

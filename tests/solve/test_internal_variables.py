@@ -71,7 +71,7 @@ def maxwell(monkeypatch):
 def model(bound=np.inf):
     """Two nodes a metre apart; the upper one moves sideways alone."""
     effects = [
-        EndMass(1, 0.0, np.full(2, M), np.zeros(2)),
+        EndMass(1, 0.0, np.full(2, M), np.zeros(2), np.zeros(2)),
         Guide(1, K),
         Maxwell(1, SOFT, TIME, np.array([bound])),
     ]

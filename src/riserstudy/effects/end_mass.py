@@ -1,16 +1,17 @@
 r"""A concentrated mass at a node: LMRP, tension ring, telescopic joint.
 
-It has a submerged weight and inertia. Added mass and quadratic drag can differ between horizontal and
-vertical motion:
+It has a submerged weight and inertia. Added mass :math:`m_a` and quadratic drag can differ between
+horizontal and vertical motion. With the relative velocity u of the water, its acceleration :math:`\dot w`
+and the displaced volume V,
 
-.. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u
+.. math:: f = \tfrac12 \rho\,C_D A\,|u|\,u + (\rho V + m_a)\,\dot w - m_a\,a
 
 Horizontal drag acts in the direction of the horizontal relative velocity. Vertical drag is computed
 separately.
 
 References
 ----------
-Elementary: Newton's second law. Drag as in `drag`.
+Elementary: Newton's second law. Drag as in `drag`, force of accelerating water as in `wave_force`.
 """
 
 from __future__ import annotations
@@ -32,18 +33,22 @@ class EndMass(NamedTuple):
     weight: float  # submerged weight, positive down (N)
     mass: np.ndarray  # (d,) mass with added mass, by direction (kg)
     drag: np.ndarray  # (2,) rho C_D A / 2 horizontally and vertically (kg/m)
+    displaced: np.ndarray  # (d,) mass of displaced water with added mass, by direction (kg)
 
 
 @inner
 def force(body, s):
-    """Weight and drag."""
+    """Weight, drag, and force of accelerating water."""
     up, i = len(s.dim) - 1, body.node
     sideways = 0.0
     for k in range(up):
         sideways += (s.water[k, i] - s.v[k, i]) ** 2
     for k in range(up):
         s.force[k, i] += body.drag[0] * sqrt(sideways) * (s.water[k, i] - s.v[k, i])
-    s.force[up, i] += body.drag[1] * abs(s.v[up, i]) * -s.v[up, i] - body.weight
+    rise = s.water[up, i] - s.v[up, i]
+    s.force[up, i] += body.drag[1] * abs(rise) * rise - body.weight
+    for k in range(up + 1):
+        s.force[k, i] += body.displaced[k] * s.water_rate[k, i]
     return 0.0
 
 
@@ -63,7 +68,8 @@ def tangent(body, s):
                 if p == q:
                     slope += speed
                 s.k_node[i, p * d + q] += s.rate[VELOCITY] * body.drag[0] * slope
-    s.k_node[i, d * d - 1] += s.rate[VELOCITY] * 2.0 * body.drag[1] * abs(s.v[up, i])
+    rise = s.water[up, i] - s.v[up, i]
+    s.k_node[i, d * d - 1] += s.rate[VELOCITY] * 2.0 * body.drag[1] * abs(rise)
     return 0.0
 
 
@@ -116,9 +122,13 @@ def power(body, s):
     for k in range(up):
         sideways += (s.water[k, i] - s.v[k, i]) ** 2
     speed = sqrt(sideways)
-    s.flow[DISSIPATED] += body.drag[0] * speed**3 + body.drag[1] * abs(s.v[up, i]) ** 3
+    rise = s.water[up, i] - s.v[up, i]
+    s.flow[DISSIPATED] += body.drag[0] * speed**3 + body.drag[1] * abs(rise) ** 3
+    s.flow[SUPPLIED] += body.drag[1] * abs(rise) * rise * s.water[up, i]
     for k in range(up):
         s.flow[SUPPLIED] += body.drag[0] * speed * (s.water[k, i] - s.v[k, i]) * s.water[k, i]
+    for k in range(up + 1):
+        s.flow[SUPPLIED] += body.displaced[k] * s.water_rate[k, i] * s.v[k, i]
     return 0.0
 
 

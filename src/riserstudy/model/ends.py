@@ -42,9 +42,10 @@ def body(of: Layout, body: Body, node: int, share: float, why: str) -> Effect:
     """The effect of a share of a body, at a node."""
     extra = body.added_mass or BodyAddedMass()
     area = body.drag_area or Areas()
-    mass = np.full(of.d, body.mass)
-    mass[-1] += extra.vertical or 0.0
-    mass[:-1] += extra.horizontal or 0.0
+    added = np.full(of.d, extra.horizontal or 0.0)
+    added[-1] = extra.vertical or 0.0
+    mass, displaced = body.mass + added, body.displaced(of.gravity, of.density) + added
     drag = 0.5 * of.density * np.array([area.horizontal or 0.0, area.vertical or 0.0])
     weight = body.weight(of.gravity, of.density)
-    return Effect("end mass", EndMass(node, share * weight, share * mass, share * drag), why)
+    record = EndMass(node, share * weight, share * mass, share * drag, share * displaced)
+    return Effect("end mass", record, why)

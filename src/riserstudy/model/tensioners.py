@@ -126,7 +126,7 @@ def pistons(rig: Tensioners, ring: int, directions: int) -> Iterator[Effect]:
     if rig.piston_mass:
         mass = np.zeros(directions)
         mass[-1] = sum(rig.working) * rig.piston_mass
-        record = EndMass(ring, 0.0, mass, np.zeros(2))
+        record = EndMass(ring, 0.0, mass, np.zeros(2), np.zeros(directions))
         yield Effect("piston mass", record, PISTONS)
 
 

@@ -34,7 +34,9 @@ class Body(Strict):
     The submerged weight of the body is given, or follows from mass, gravity and either the displaced volume
     or the density of the material. If it follows from volume or density, a body at or above the water surface
     has its weight in air; the end's elevation is that of the unstretched riser. Weight, drag and added mass
-    are zero if they are not given. Without ``centre_below`` the body is a point at the riser's end.
+    are zero if they are not given. In waves, the accelerating water acts on the displaced volume, which also
+    follows from mass and ``submerged_weight``, and on the added mass. Without ``centre_below`` the body is a
+    point at the riser's end.
     ``centre_below`` is the distance from the riser's lower end down to the centre of the body, which then
     turns rigidly with this end. ``rotary_inertia``, by default zero, refers to axes across the riser through
     the centre. With ``centre_below``, arclengths in results start below the riser, at the body's centre of
@@ -88,10 +90,22 @@ class Body(Strict):
 
     def weight(self, gravity: float, water: float) -> float:
         """Submerged weight (N); ``gravity`` in m/s2, density of the ``water`` in kg/m3."""
-        displaced = self.mass / self.density if self.density else self.displaced_volume
-        if displaced is None:
+        if self._volume is None:
             return self.submerged_weight or 0.0
-        return (self.mass - water * displaced) * gravity
+        return (self.mass - water * self._volume) * gravity
+
+    def displaced(self, gravity: float, water: float) -> float:
+        """Mass of the displaced water (kg); ``gravity`` in m/s2, density of the ``water`` in kg/m3."""
+        if self._volume is not None:
+            return water * self._volume
+        if self.submerged_weight is None or not gravity:
+            return 0.0
+        return max(self.mass - self.submerged_weight / gravity, 0.0)
+
+    @property
+    def _volume(self) -> float | None:
+        """Displaced volume (m3), None if only its weight is known."""
+        return self.mass / self.density if self.density else self.displaced_volume
 
 
 class FlexJoint(Strict):

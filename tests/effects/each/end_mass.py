@@ -54,7 +54,9 @@ def end_mass(record, s):
     out = np.zeros_like(s.force)
     u = (s.water - s.v)[:-1, i]
     out[:-1, i] = record.drag[0] * np.sqrt((u**2).sum()) * u
-    out[-1, i] = -record.weight - record.drag[1] * abs(s.v[-1, i]) * s.v[-1, i]
+    rise = s.water[-1, i] - s.v[-1, i]
+    out[-1, i] = -record.weight + record.drag[1] * abs(rise) * rise
+    out[:, i] += record.displaced * s.water_rate[:, i]
     return {"force": out}
 
 
@@ -66,14 +68,17 @@ def end_mass_inertia(record, s):
 
 CASES = {
     EndMass: Case(
-        lambda d: EndMass(0, 1.2e6, 1.4e5 * np.linspace(1.1, 1.0, d), pair(3e3, 7e3)), lambda d: [uniform(d)]
+        lambda d: EndMass(
+            0, 1.2e6, 1.4e5 * np.linspace(1.1, 1.0, d), pair(3e3, 7e3), 2e4 * np.linspace(1.5, 1.0, d)
+        ),
+        lambda d: [uniform(d)],
     )
 }
 
 PLAIN = {EndMass: [("device", end_mass), ("device_inertia", end_mass_inertia)]}
 
 # without a load, in a plane on n segments
-UNLOADED = {"end mass": lambda n: EndMass(n, 0.0, np.zeros(2), np.zeros(2))}
+UNLOADED = {"end mass": lambda n: EndMass(n, 0.0, *np.zeros((3, 2)))}
 
 
 def test_the_mass_with_its_added_mass_swings_on_a_spring(tmp_path):

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def sea(scene: Parts) -> Iterator[Misfit]:
-    """A wave requires a sea of known depth, gravity, and sections with drag or added mass."""
+    """A wave requires a sea of known depth, gravity, and sections or bodies with drag or added mass."""
     response = scene.platform and scene.platform.response
     if response and response.wave is None and scene.wave is None:
         found = "requires a wave"
@@ -32,7 +32,10 @@ def sea(scene: Parts) -> Iterator[Misfit]:
     if scene.gravity is None:
         found, remedy = "requires gravity in the scene", "add gravity, or remove wave"
         yield Misfit("wave", found, remedy, ("gravity",))
-    if not any(s.drag or s.added_mass for s in scene.riser):
+    in_water = [s.drag or s.added_mass for s in scene.riser] + [
+        b.drag_area or b.added_mass for b in scene.bodies
+    ]
+    if not any(in_water):
         found = "has no effect: no riser section has drag or added_mass"
         yield Misfit("wave", found, "add drag or added_mass to a section, or remove wave", ("riser",))
     for k, section in enumerate(scene.riser):
