@@ -34,8 +34,9 @@ class Limit(Strict):
     ``output`` can be an output along the riser (``effective_tension``, ``bending_moment``, ``shear_force``,
     ``von_mises_stress``, ``x`` or ``y``). It can also be ``lower_end_tension``, ``ufj_angle``, ``lfj_angle``,
     ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or ``largest_stress``. In a scene
-    with a disconnect, it can also be ``overpull`` or ``lmrp_clearance``. The range of stress cannot be a
-    limit; use ``fatigue`` instead. The clearance of the riser in a moonpool cannot be a limit either.
+    with a disconnect, it can also be ``overpull`` or ``lmrp_clearance``. ``largest_stress`` neglects the
+    pressures of contents and sea; ``von_mises_stress`` includes them. The range of stress cannot be a limit;
+    use ``fatigue`` instead. The clearance of the riser in a moonpool cannot be a limit either.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
     magnitude. For these outputs, the engine refuses a smallest allowed value, and a negative allowed value.
