@@ -59,6 +59,21 @@ def test_a_run_that_ends_on_the_way_up_or_down_is_not_judged(seed):
     assert 0 < judged < 60
 
 
+@pytest.mark.parametrize("seed", range(8))
+def test_a_lower_end_that_has_come_to_rest_is_judged_and_one_that_still_sinks_is_not(seed):
+    """It rises within 3 s, and sinks by an exponential function to its place at rest."""
+    draw = np.random.default_rng(seed)
+    rest, above, decay = draw.uniform(2.0, 5.0), draw.uniform(0.5, 2.0), draw.uniform(1.0, 1.5)
+    since = np.maximum(TIME - 5.0, 0.0)
+    lift = np.where(since < 3.0, (rest + above) * since / 3.0, rest + above * np.exp(-(since - 3.0) / decay))
+    judged = outcome(TIME, lift[None], 0.0 * lift[None], (-7.0, 7.0))
+    assert judged.clearance[0] == pytest.approx(rest, rel=1e-6)
+    assert not judged.recontact[0]
+    short = 5.0 + 3.0 + 3.0 * decay > TIME  # in the second half, it sinks by several per cent
+    with pytest.raises(ValueError, match="1 of 1 runs"):
+        outcome(TIME[short], lift[None, short], 0.0 * lift[None, short], (-7.0, 7.0))
+
+
 def test_settings_that_serve_lie_between_those_that_were_tried_and_do_not():
     setting = np.array([2.0, 3.0, 4.0, 5.0, 6.0])
     down = np.array([True, True, False, False, False])

@@ -157,6 +157,10 @@ def test_waits_that_are_cut_short_do_not_make_the_others_shorter():
     draw = np.random.default_rng(5)
     true, cut = draw.exponential(10.0, 40_000), draw.exponential(15.0, 40_000)
     of = statistics_of(waits_of(np.minimum(true, cut), true <= cut))
+    assert of.open == np.count_nonzero(true > cut)
+    none = statistics_of(waits_of(cut, np.zeros(len(cut), bool)))
+    assert none.open == len(cut)
+    assert np.isnan([none.mean, none.p50, none.p90]).all()
     assert of.mean == pytest.approx(10.0, rel=0.03)
     assert of.p90 == pytest.approx(10.0 * np.log(10.0), rel=0.03)
 

@@ -139,7 +139,7 @@ def whole_years(
 
     Raises InputError when there are fewer than five.
     """
-    year = time.astype("datetime64[Y]").astype(int) + 1970
+    year = time.astype("datetime64[Y]")
     rows = [year == one for one in np.unique(year)]
     whole = [of for of in rows if int(known[of].sum()) * interval >= WHOLE * 8766.0]
     if len(whole) < FEWEST_YEARS:

@@ -82,7 +82,7 @@ def _predicted(years: Sequence[Year], count: int | None, persistence: float) -> 
     rows = sum(year.rows for year in years)
     share = sum(year.workable for year in years) / rows
     shares = np.array([year.share for year in years])
-    if len(years) < 2 or np.ptp(shares) == 0.0:
+    if np.ptp(shares) == 0.0:
         return Band(share, math.nan, math.nan)
     known = _known(shares, np.array([year.year for year in years]), count or 0, persistence)
     draw = np.random.default_rng(0)
