@@ -5,7 +5,7 @@ import pytest
 
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.scene.limits import Limit
-from riserstudy.seas.cover import cover
+from riserstudy.seas.cover import corners, cover
 from riserstudy.seas.riser_hours import by_rows, met, response_of, riser_hours
 from riserstudy.seas.sea_states import SeaStates, sea_states
 from riserstudy.seas.surface import Surface
@@ -187,6 +187,22 @@ def test_beyond_the_sea_states_that_were_simulated_there_is_no_number():
     inside = np.array([[1.0, 5.0], [4.0, 15.0], [3.0, 7.0]])
     np.testing.assert_allclose(surface.at(inside), inside, rtol=1e-6)
     assert np.isnan(surface.at(np.array([[4.1, 10.0], [2.0, 16.0]]))).all()
+
+
+@pytest.mark.parametrize("error", [0.1, 0.03])
+def test_a_response_and_its_mirror_need_the_same_sea_states(record, error):
+    """An allowable of zero has no sign: the size of the responses is what errors are compared with."""
+    of, run = sea_states(record), resonant()
+    found = cover(of, run, ALLOWED, error, 500)
+    mirror = cover(of, lambda states: -run(states), -ALLOWED, error, 500)
+    np.testing.assert_array_equal(mirror.states, found.states)
+    np.testing.assert_allclose(mirror.error, found.error, rtol=1e-9)
+    np.testing.assert_allclose(mirror.responses, -found.responses)
+
+
+def test_three_sea_states_enclose_a_record_of_three():
+    states = np.array([[1.0, 5.0], [4.0, 9.0], [2.0, 12.0]])
+    assert sorted(corners(states)) == [0, 1, 2]
 
 
 def test_too_few_sea_states_and_those_on_a_line_are_refused(record):
