@@ -65,6 +65,22 @@ def test_a_limit_without_a_place_is_that_of_all_sections_of_the_riser_and_names_
         assert without["s"] >= FOOT
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_a_limit_on_moment_or_shear_without_a_place_also_covers_the_conductor(seed):
+    """The soil holds the conductor, so that its moment is often the largest of all."""
+    tree = rig(seed, conductor=True)
+    names, below = [section["name"] for section in tree["riser"]], 0
+    for output, unit in (("bending_moment", "kN*m"), ("shear_force", "kN"), ("x", "m")):
+        limits = [{"output": output, "largest": f"500 {unit}", "mode": "drilling"}]
+        limits += [{**limits[0], "at": name} for name in names]
+        run = simulate(SceneFile("rig.yaml", written(tree) | {"limits": limits}), progress=False)
+        without, *each = json.loads(run.attrs["limits"])
+        assert without["demand"] == max(one["demand"] for one in each)
+        assert "without stack and conductor" not in without["takes"]
+        below += without["s"] < FOOT
+    assert below > 0
+
+
 def test_a_joint_has_one_zero_in_limits_statistics_and_series():
     tree = rig(3, spatial=False, conductor=False)
     tree["platform"]["heave"] = {"amplitude": 2.0, "period": 12.0, "ramp": 12.0}
