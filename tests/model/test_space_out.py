@@ -82,6 +82,33 @@ def test_the_joint_rests_at_mid_stroke(seed):
     assert tension[0] == pytest.approx(tension[1], rel=1e-9)  # a length of a joint pulls nothing
 
 
+@pytest.mark.parametrize("by", [None, "tangent", "chord", "least squares"])
+@pytest.mark.parametrize("seed", range(4))
+def test_the_joint_rests_at_mid_stroke_below_pistons_that_weigh(seed, by):
+    """Two chambers of gas, whose law is also a straight line, along the joint or inclined."""
+    file, draw = drawn(4), np.random.default_rng((seed, 7))
+    gas = file.tree["top"]["tensioners"]["gas"]
+    pressure = float(gas["pressure"].split()[0])
+    low = {"area": "0.08 m^2", "pressure": f"{0.2 * pressure} Pa absolute", "volume": "2 m^3"}
+    high = {"area": "0.1 m^2", "pressure": f"{1.5 * pressure} Pa absolute", "volume": "3 m^3"}
+    pistons = {"mass": f"{draw.uniform(1.0, 20.0)} t", "counted": ("once", "each")[seed % 2]}
+    law = {"high": high, "low": low, "exponent": 1.1, "pistons": pistons}
+    ends = {"shortest": "-5 m", "longest": "6 m"}
+    line = {"by": by} | ({"at": "1 m"} if by == "tangent" else ends)
+    more = {"gas": None, "two_chamber_gas": law, "linearised": line if by else None}
+    more["mid_stroke"] = ("riser unstretched", "riser in equilibrium")[seed // 2]
+    if draw.random() < 0.5:
+        more["arrangement"] = None
+    file = file.with_values({f"top.tensioners.{name}": value for name, value in more.items()}, "test")
+    heavy = simulate(file, progress=False)
+    assert abs(float(heavy["joint_stroke_static"])) < 1e-6
+    if more["mid_stroke"] == "riser in equilibrium" and by is None:
+        each = float(pistons["mass"].split()[0]) * 9.81e3 / (6.0 if pistons["counted"] == "once" else 1.0)
+        pull = pressure * (1.5 * 0.1 - 0.2 * 0.08)
+        force = float(heavy["tensioner_force_static"][0])
+        assert force == pytest.approx(pull - each, rel=1e-6)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_stops_count_from_mid_stroke(seed):
     """The platform a metre up: a stop nearer than that stroke is touched, one further is not."""
