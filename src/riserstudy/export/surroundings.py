@@ -51,7 +51,7 @@ def _current(deck: Deck, surface: float) -> dict[str, Any]:
     along = np.array([math.cos(reference), math.sin(reference)])
     if flow.turns:
         factor = np.hypot(*velocity)
-        turn = np.degrees(np.arctan2(velocity[1], velocity[0]))
+        turn = np.degrees(np.unwrap(np.arctan2(velocity[1], velocity[0])))
     else:
         factor, turn = along @ velocity, np.zeros(len(z))
     rows = [[float(surface - level), float(f), float(t)] for level, f, t in zip(z, factor, turn, strict=True)]
