@@ -1,12 +1,15 @@
-"""What waves do to a section without added mass is said."""
+"""Warnings about parts in water without some of its forces: sections without added mass, joints."""
 
 import json
 from pathlib import Path
 
 import numpy as np
+import pytest
+from random_rigs import rig, written
 
 from riserstudy import load_scene, simulate
-from riserstudy.scene.wave_forces import without_inertia
+from riserstudy.scene.load import SceneFile
+from riserstudy.scene.wave_forces import joint_in_water, without_inertia
 
 BASE = Path(__file__).parents[2] / "config/scenes/fem_riser/base.yaml"
 RUN = {"duration": "6 s", "output": {"interval": "1 s"}, "mesh": {"elements": 40}, "step": "0.1 s"}
@@ -28,3 +31,14 @@ def test_drag_in_waves_without_added_mass_is_told_in_the_run():
     assert not any("Froude-Krylov" in w for w in json.loads(zero.attrs["warnings"]))
     moved = np.abs(zero["x"] - zero["x"][0]).max()
     assert np.abs(none["x"] - zero["x"]).max() > 0.01 * moved
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_joint_that_is_mostly_in_water_has_a_warning(seed):
+    tree = rig(seed, conductor=False)
+    length, top = tree["top"]["telescopic_joint"]["length"], tree["top"]["elevation"]
+    share = float(np.random.default_rng(seed).uniform(0.0, 1.2))
+    tree["water"]["surface"] = top - length + share * length
+    assert bool(joint_in_water(SceneFile("rig.yaml", written(tree)).resolved())) == (share > 0.5)
+    del tree["current"]
+    assert joint_in_water(SceneFile("rig.yaml", written(tree)).resolved()) == []

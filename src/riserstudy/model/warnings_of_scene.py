@@ -10,7 +10,7 @@ from riserstudy.scene.limit_inputs import lacks_outputs
 from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
-from riserstudy.scene.wave_forces import without_inertia
+from riserstudy.scene.wave_forces import joint_in_water, without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.scene.without_time import without_time
 
@@ -22,6 +22,7 @@ def warnings_of(scene: Resolved) -> list[str]:
         *without_time(scene),
         *uncovered(scene),
         *without_inertia(scene),
+        *joint_in_water(scene),
         *sudden_wave(scene),
         *breaking(scene),
         *unusual_loads(scene),

@@ -1,11 +1,15 @@
-"""Wave forces on a section require both drag and added mass: drag alone is half of a Morison force."""
+"""Warnings about parts in the water on which it exerts only a part of its forces, or none."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from riserstudy.scene.geometry import levels
+
 if TYPE_CHECKING:
     from riserstudy.scene.resolve import Resolved
+
+MOST_IN_WATER = 0.5  # share of a telescopic joint below the surface, up to which there is no warning
 
 
 def without_inertia(scene: Resolved) -> list[str]:
@@ -21,4 +25,20 @@ def without_inertia(scene: Resolved) -> list[str]:
         "acceleration exerts no force on it; add added_mass (its coefficient 0 gives the Froude-Krylov force)"
         for section in scene.riser
         if section.drag is not None and section.added_mass is None
+    ]
+
+
+def joint_in_water(scene: Resolved) -> list[str]:
+    """A warning about a telescopic joint that is mostly in the water, which exerts no forces on it."""
+    joint, surface = scene.top.telescopic_joint, scene.water.surface if scene.water else None
+    ends = levels(scene, len(scene.riser) - 1)
+    acts = (scene.current or scene.wave) and any(s.drag or s.added_mass for s in scene.riser)
+    if joint is None or surface is None or ends is None or not acts:
+        return []
+    deep = surface - ends[1]
+    if deep <= MOST_IN_WATER * joint.length:
+        return []
+    return [
+        f"top.telescopic_joint: {min(deep, joint.length):.3g} m of {joint.length:.3g} m are below the water "
+        "surface, but water exerts no forces on the joint; model its part in water as a section of the riser"
     ]
