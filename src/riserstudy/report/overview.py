@@ -12,7 +12,6 @@ from riserstudy.report.wording import counted, sentence
 from riserstudy.study.models import StudyFile
 
 WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine")
-MOST = 3  # verdicts in a sentence
 #: verdict of a claim that is true in all samples, of which there are too few
 TOO_FEW = "too few samples"
 #: words for one and for several verdicts
@@ -20,8 +19,8 @@ PLURALS = {
     "reproduced": ("is reproduced", "are reproduced"),
     "holds": ("holds", "hold"),
     TOO_FEW: (
-        "is true in all samples, but these are too few for the verdict “holds”",
-        "are true in all samples, but these are too few for the verdict “holds”",
+        "is true in all samples, but the samples are too few for the verdict “holds”",
+        "are true in all samples, but the samples are too few for the verdict “holds”",
     ),
     "fails": ("fails", "fail"),
     "depends": (
@@ -29,9 +28,12 @@ PLURALS = {
         "can be neither confirmed nor refuted, because they depend on inputs that the papers omit",
     ),
     "calibrated": ("is met with a fitted input", "are met with a fitted input"),
-    "not comparable": ("is defined differently in the paper", "are defined differently in the papers"),
+    "not comparable": ("has another definition in the paper", "have other definitions in the papers"),
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }
+#: verdicts in the first sentence, and verdicts with a sentence of their own
+FIRST = ("reproduced", "holds", "fails")
+APART = ("depends", TOO_FEW)
 
 
 class Bar(NamedTuple):
@@ -97,18 +99,21 @@ def bars(claims: list[Claim], files: dict[str, StudyFile]) -> list[Bar]:
 def totals(claims: list[Claim]) -> str:
     """Return the verdicts about all numbers and claims; "" if none is graded.
 
-    A sentence has at most ``MOST`` verdicts. Claims that "depend" only because their samples are too few are
-    named apart.
+    Claims that "depend" only because their samples are too few are named apart.
     """
     if not claims:
         return ""
     counts = Counter(TOO_FEW if _true_in_too_few(claim) else claim.verdict for claim in claims)
     order = sorted(counts, key=[*PLURALS, *counts].index)
-    parts = [f"{counts[v]} {PLURALS[v][counts[v] > 1] if v in PLURALS else v}" for v in order]
-    sentences = [sentence(f"Of {len(claims)} published values and claims, {listed(parts[:MOST])}")]
-    if parts[MOST:]:
-        left = sum(counts[verdict] for verdict in order[MOST:])
-        sentences.append(f"Of the remaining {left}, {listed(parts[MOST:])}.")
+    parts = {v: f"{counts[v]} {PLURALS[v][counts[v] > 1] if v in PLURALS else v}" for v in order}
+    first = [verdict for verdict in order if verdict in FIRST] or order[:1]
+    apart = [verdict for verdict in order if verdict in APART and verdict not in first]
+    rest = [verdict for verdict in order if verdict not in (*first, *apart)]
+    sentences = [f"Of {len(claims)} published values and claims, {listed(parts[v] for v in first)}."]
+    sentences += [f"{parts[verdict]}." for verdict in apart]
+    if rest:
+        left = sum(counts[verdict] for verdict in rest)
+        sentences.append(f"Of the remaining {left}, {listed(parts[v] for v in rest)}.")
     if counts[TOO_FEW]:
         sentences.append("The tier standard (make study) has more samples.")
     return " ".join(sentences)

@@ -167,6 +167,7 @@ class JointStop(Strict):
 class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
+    Water exerts no forces on the joint; a warning appears if more than half of it is below the surface.
     ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
     The outer and the inner barrel bend as one. ``tension`` is an additional constant pull of tensioners along
     the joint. Without the key ``stop``, the joint has no end stops. A run then warns if the joint becomes
@@ -219,7 +220,7 @@ class Top(Strict):
 
     ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is free.
 
-    With ``x: vessel`` the top moves with a freely floating vessel, in the directions in which the vessel is
+    With ``x: vessel`` the top moves with a vessel whose motion is computed, in the directions in which it is
     free. If the scene also has a ``platform``, its horizontal first-order (wave-frequency) motions are added.
     With ``z: platform``, its vertical first-order motions are added, too. The deck of the tensioners is
     always vertically above the top, so an offset moves both.

@@ -101,7 +101,7 @@ class TabulatedSoil(Strict):
 
 
 class SoilDamping(DampingAtPeriod):
-    """Dashpots parallel to the soil springs, which represent the hysteresis of the soil.
+    """Dashpots that represent the hysteresis of the soil, parallel to the soil springs.
 
     ``ratio`` is the damping ratio (damping divided by critical damping) at one period of motion. In a cycle
     with the period ``at_period`` and the amplitude ``at_displacement``, a dashpot dissipates 4 pi ``ratio``
