@@ -54,6 +54,19 @@ def pytest_collection():
 
 
 @pytest.fixture
+def scene_of(tmp_path):
+    """Loads the scene of a text, with other values by path."""
+    from riserstudy import load_scene  # other tests need not load it
+
+    def load(text, **changes):
+        file = tmp_path / "scene.yaml"
+        file.write_text(text)
+        return load_scene(file, **changes)
+
+    return load
+
+
+@pytest.fixture
 def own_store(tmp_path, monkeypatch):
     """A store of points that is empty before a test, and its folder."""
     from riserstudy.study import store  # other tests need not load it

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from riserstudy import load_scene
 from riserstudy.model.mesh import prescribed
 from riserstudy.simulation.rest import Rest
 from riserstudy.simulation.run import march, single
@@ -34,10 +33,8 @@ EVENT = "disconnect: {at: 2 s, over: 0.5 s, drain: {friction: 0.02}, stack: {sti
 
 
 @pytest.fixture(params=["", EVENT], ids=["connected", "let go"])
-def scene(request, tmp_path):
-    file = tmp_path / "scene.yaml"
-    file.write_text(SPATIAL.replace("EVENT", request.param))
-    return load_scene(file).resolved()
+def scene(request, scene_of):
+    return scene_of(SPATIAL.replace("EVENT", request.param)).resolved()
 
 
 def test_the_second_run_from_a_rest_is_that_of_a_new_model_to_the_last_bit(scene):

@@ -52,7 +52,7 @@ def readings_near(
         "count": worst.size,
         "printed_ratio": light / heavy,
         "all": _near(worst, within),
-        "best": _of_reading(least["reading"].item()),
+        "best": " / ".join(least["reading"].item()),
         "worst": float(least),
     }
 
@@ -62,10 +62,6 @@ def _near(miss: xr.DataArray, within: float) -> str:
     near = int((miss <= within).sum())
     count = f"{near} of {miss.size}" if near else f"None of {miss.size}"
     return f"{count} combinations {'is' if near < 2 else 'are'}"
-
-
-def _of_reading(labels: tuple[str, ...]) -> str:
-    return " / ".join(labels)
 
 
 def parts_of_samples(

@@ -108,7 +108,7 @@ def _time_over_error(ax: Axes, end: float) -> None:
     ax.set_yscale("log")
     ax.set_xlim(WIDEST, end)
     _percent_ticks(ax)
-    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: _time(x)))
+    ax.yaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:g}"))
     ax.yaxis.set_minor_formatter(NullFormatter())
     ax.grid(True, color="0.92", linewidth=0.6)
     ax.set_axisbelow(True)
@@ -296,7 +296,3 @@ def over_lowest_cost(accuracy: xr.Dataset, scene: str) -> tuple[float, float, st
     least = seconds[good].min()
     every, last = (float(of[f"request_{name}"][0]) for name in ("seconds", "last_seconds"))
     return every / least, last / least, ""
-
-
-def _time(seconds: float) -> str:
-    return f"{seconds:g}"

@@ -51,7 +51,7 @@ def statics(beam: Beam) -> Response:
     fixed, forced = _prescribed(beam, np.zeros(1))
     u, still = np.zeros((2, 2 * len(beam.s)))
     u[fixed] = forced[0, :, 0]
-    sea = _sea(beam, mesh)
+    sea = _sea(beam)
     drag = np.einsum("eg,egi->ei", mesh.strength * np.abs(sea.current) * sea.current, mesh.value)
     force = mesh.force + _add(drag) - _times(mesh.stiffness_band, u)
     for dof in fixed:
@@ -153,7 +153,7 @@ def dynamics(
     grid = np.arange(each * (times.size - 1) + 1) * (times[1] / each)
     by_mass, by_stiffness = stepping.rayleigh
     damping = by_mass * mesh.mass_band + by_stiffness * mesh.stiffness_band
-    sea = _sea(beam, mesh)
+    sea = _sea(beam)
     drag, most = DRAG.index(stepping.drag), stepping.iterations
     steps = Steps(grid[1], each, stepping.beta, stepping.gamma, drag, stepping.tolerance, most)
     motion, taken, failed = march(mesh, sea, damping, first, _prescribed(beam, grid), steps)
@@ -249,7 +249,7 @@ def _linear(ends: Array) -> Array:
     return np.asarray(ends[:, :1] * (1.0 - POINT) + ends[:, 1:] * POINT)
 
 
-def _sea(beam: Beam, mesh: Mesh) -> Sea:
+def _sea(beam: Beam) -> Sea:
     """Current and waves at the Gauss points."""
     s = beam.s[:-1, None] + np.diff(beam.s)[:, None] * POINT
     current = np.zeros(s.shape) if beam.current is None else np.zeros(s.shape) + beam.current(s)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from surroundings import Case
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.guide import Guide
 from riserstudy.errors import InputError
 from riserstudy.model.build import build
@@ -34,11 +34,9 @@ CASES = {Guide: Case(lambda d: Guide(3, 2e5), directions=(2, 3))}
 PLAIN = {Guide: [("device", guide)]}
 
 
-def test_a_string_bends_at_its_guide_alone(tmp_path):
+def test_a_string_bends_at_its_guide_alone(scene_of):
     """T (u / 60 + (u - 0.5) / 40) + k u = 0 where slopes are small: straight below and above."""
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE)
-    found = simulate(load_scene(file))
+    found = simulate(scene_of(SCENE))
     tension, k = 500e3, 2e3
     u = tension * 0.5 / 40.0 / (tension / 60.0 + tension / 40.0 + k)
     x = found["x"].interp(s=[30.0, 60.0, 80.0])  # all three are nodes
@@ -47,15 +45,11 @@ def test_a_string_bends_at_its_guide_alone(tmp_path):
 
 
 @pytest.mark.parametrize("offset, there", [(", offset: 0.5 m", True), ("", False)])
-def test_a_guide_is_there_where_something_moves_aside(tmp_path, offset, there):
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE.replace(", offset: 0.5 m", offset))
-    scene = load_scene(file).resolved()
+def test_a_guide_is_there_where_something_moves_aside(scene_of, offset, there):
+    scene = scene_of(SCENE.replace(", offset: 0.5 m", offset)).resolved()
     assert ("guide" in [effect.name for effect in build(scene, even(scene, 10)).effects]) == there
 
 
-def test_a_guide_at_a_held_end_is_refused(tmp_path):
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE.replace("length: 60 m,", "length: 60 m, guide_below: {stiffness: 2 kN/m},"))
+def test_a_guide_at_a_held_end_is_refused(scene_of):
     with pytest.raises(InputError, match="give it to a section above"):
-        load_scene(file).resolved()
+        scene_of(SCENE.replace("length: 60 m,", "length: 60 m, guide_below: {stiffness: 2 kN/m},")).resolved()

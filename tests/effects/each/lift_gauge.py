@@ -7,7 +7,7 @@ import pytest
 from bodies import LOWER, bodies
 from surroundings import CYLINDERS, Case
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.lift_gauge import LiftGauge
 from riserstudy.solve.evaluate import one_call
 
@@ -35,11 +35,9 @@ analysis: {duration: 3 s, output: {interval: 0.1 s}, mesh: {elements: 4}, step: 
 """
 
 
-def test_an_overpull_raises_a_string_evenly_from_the_middle_of_its_release(tmp_path):
+def test_an_overpull_raises_a_string_evenly_from_the_middle_of_its_release(scene_of):
     """The connector's force fades evenly about 0.6 s: from 0.7 s on, v = F / m (t - 0.6)."""
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE)
-    found = simulate(load_scene(file))
+    found = simulate(scene_of(SCENE))
     t, gain = found["time"].values, (1e6 - 8e5) / 1e5
     late = t > 0.7 + 1e-9  # the string is so stiff that it does not ring by more than 1e-9
     assert late.sum() > 20

@@ -7,7 +7,7 @@ import pytest
 from bodies import UPPER, bodies, energy, motion, on_two_cylinders
 from surroundings import Case, cylinders, pair
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.linear_spring import LinearSpring
 
 
@@ -34,11 +34,9 @@ analysis: {mesh: {elements: 10}}
 """
 
 
-def test_the_weight_that_hangs_on_springs_extends_them(tmp_path):
+def test_the_weight_that_hangs_on_springs_extends_them(scene_of):
     """Each carries a quarter of 800 kN, wherever the platform is."""
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE)
-    found = simulate(load_scene(file))
+    found = simulate(scene_of(SCENE))
     np.testing.assert_allclose(found["tensioner_force_static"], 200e3, rtol=1e-9)
     extension = 30.0 / 12.0
     np.testing.assert_allclose(found["tensioner_stroke_static"], extension, rtol=1e-9)

@@ -7,7 +7,7 @@ import pytest
 from plain import along
 from surroundings import Case, pipe
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.stress_gauge import StressGauge
 
 
@@ -44,11 +44,9 @@ analysis: {duration: 1 s, output: {interval: 0.5 s, stress_in: beam}, mesh: {ele
 
 
 @pytest.mark.parametrize("tension", [2e5, 1e6])
-def test_a_tensioned_beam_under_a_load_has_naviers_stress_at_its_middle(tmp_path, tension):
+def test_a_tensioned_beam_under_a_load_has_naviers_stress_at_its_middle(scene_of, tension):
     """T / A + M D / 2 I, M = (w / k^2) (1 - sech(k L / 2)), k^2 = T / EI."""
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE.replace("TENSION", f"{tension} N"))
-    found = simulate(load_scene(file))
+    found = simulate(scene_of(SCENE.replace("TENSION", f"{tension} N")))
     area = 0.25 * np.pi * (0.5**2 - 0.4**2)
     second = np.pi / 64.0 * (0.5**4 - 0.4**4)
     k = np.sqrt(tension / (200e9 * second))

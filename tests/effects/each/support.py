@@ -8,7 +8,7 @@ from bodies import UPPER, bodies
 from plain import carried
 from surroundings import TOP, Case, N
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.support import Support
 from riserstudy.model.layout import AXES
 from riserstudy.solve.evaluate import one_call
@@ -54,11 +54,9 @@ analysis: {mesh: {elements: 4}}
 """
 
 
-def test_a_platform_that_pitches_and_then_yaws_carries_the_top_along(tmp_path):
+def test_a_platform_that_pitches_and_then_yaws_carries_the_top_along(scene_of):
     """An arm of 5 m along x and 40 m up pitches towards x, and this side then faces y."""
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE)
-    found = simulate(load_scene(file)).isel(s=-1)
+    found = simulate(scene_of(SCENE)).isel(s=-1)
     c, s = np.cos(np.deg2rad(5.0)), np.sin(np.deg2rad(5.0))
     place = -5.0, 5.0 * c + 40.0 * s, 61.0 + 2.0 + 40.0 * c - 5.0 * s
     np.testing.assert_allclose([found["x"], found["y"], found["z"]], place, atol=1e-9)

@@ -8,7 +8,7 @@ from bodies import UPPER, bodies, energy, motion, on_two_cylinders
 from scipy.interpolate import PPoly
 from surroundings import Case, cylinders, pair
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.tabulated_law import TabulatedLaw
 from riserstudy.model.tensioner_law import table_law
 from riserstudy.scene.tensioners import TableRow
@@ -50,11 +50,9 @@ analysis: {mesh: {elements: 10}}
 
 
 @pytest.mark.parametrize("failed, reach", [([], 0.5), ([1], 3.0), ([1, 2], 5.0)])
-def test_a_string_hangs_at_the_point_of_the_table_that_carries_it(tmp_path, failed, reach):
+def test_a_string_hangs_at_the_point_of_the_table_that_carries_it(scene_of, failed, reach):
     """800 kN on four, three or two cylinders."""
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE)
-    found = simulate(load_scene(file, **{"top.tensioners.failed": failed}))
+    found = simulate(scene_of(SCENE, **{"top.tensioners.failed": failed}))
     working = [c for c in range(4) if c not in failed]
     np.testing.assert_allclose(found["tensioner_force_static"][working], 800e3 / len(working), rtol=1e-9)
     np.testing.assert_allclose(found["tensioner_force_static"][failed], 0.0)

@@ -7,7 +7,7 @@ import pytest
 from bodies import UPPER, bodies, energy, motion
 from surroundings import Case, N
 
-from riserstudy import load_scene, simulate
+from riserstudy import simulate
 from riserstudy.effects.weight import Weight
 
 
@@ -35,15 +35,13 @@ analysis: {mesh: {elements: 10}}
 """
 
 
-def equilibrium(tmp_path, **changes):
-    file = tmp_path / "scene.yaml"
-    file.write_text(SCENE)
-    return simulate(load_scene(file, **changes))
+def equilibrium(scene_of, **changes):
+    return simulate(scene_of(SCENE, **changes))
 
 
-def test_weight_lowers_tension_and_stretches_the_string_half_as_much_as_at_its_end(tmp_path):
+def test_weight_lowers_tension_and_stretches_the_string_half_as_much_as_at_its_end(scene_of):
     """T = P - w (L - s), and the top rises by P L / EA - w L^2 / 2 EA."""
-    found = equilibrium(tmp_path)
+    found = equilibrium(scene_of)
     s = found["s"].values
     # tensions of segments stand at their middles, at nodes their means: exact inside, where T is straight
     np.testing.assert_allclose(found["effective_tension"][1:-1], 1e6 - 4e3 * (100.0 - s[1:-1]), rtol=1e-9)
@@ -51,11 +49,11 @@ def test_weight_lowers_tension_and_stretches_the_string_half_as_much_as_at_its_e
     assert float(found["z"][-1]) - 100.0 == pytest.approx(stretched, rel=1e-9)
 
 
-def test_a_load_across_a_string_sags_it_to_a_parabola(tmp_path):
+def test_a_load_across_a_string_sags_it_to_a_parabola(scene_of):
     """x = w s (L - s) / 2 T for small slopes."""
     load = {"riser[0].submerged_weight": "0 N/m", "riser[0].lateral_load": "20 N/m"}
     stiff = {"riser[0].axial_stiffness": "10 TN"}
-    found = equilibrium(tmp_path, **load, **stiff)
+    found = equilibrium(scene_of, **load, **stiff)
     s = found["s"].values
     # slopes of 0.001: their squares, 1e-6; and a strain of 1e-7
     np.testing.assert_allclose(found["x"], 20.0 * s * (100.0 - s) / 2e6, atol=1e-5 * 0.025)
