@@ -69,12 +69,17 @@ def test_a_limit_without_a_place_is_that_of_all_sections_of_the_riser_and_names_
 def test_a_limit_on_moment_or_shear_without_a_place_also_covers_the_conductor(seed):
     """The soil holds the conductor, so that its moment is often the largest of all."""
     tree = rig(seed, conductor=True)
-    names, below = [section["name"] for section in tree["riser"]], 0
-    for output, unit in (("bending_moment", "kN*m"), ("shear_force", "kN"), ("x", "m")):
-        limits = [{"output": output, "largest": f"500 {unit}", "mode": "drilling"}]
-        limits += [{**limits[0], "at": name} for name in names]
-        run = simulate(SceneFile("rig.yaml", written(tree) | {"limits": limits}), progress=False)
-        without, *each = json.loads(run.attrs["limits"])
+    places = [{}, *({"at": section["name"]} for section in tree["riser"])]
+    of = {"bending_moment": "500 kN*m", "shear_force": "500 kN", "x": "500 m"}
+    limits = [
+        {"output": output, "largest": most, "mode": "drilling"} | place
+        for output, most in of.items()
+        for place in places
+    ]
+    run = simulate(SceneFile("rig.yaml", written(tree) | {"limits": limits}), progress=False)
+    found, below = json.loads(run.attrs["limits"]), 0
+    for k in range(len(of)):
+        without, *each = found[k * len(places) : (k + 1) * len(places)]
         assert without["demand"] == max(one["demand"] for one in each)
         assert "without stack and conductor" not in without["takes"]
         below += without["s"] < FOOT

@@ -82,21 +82,21 @@ def test_the_joint_rests_at_mid_stroke(seed):
     assert tension[0] == pytest.approx(tension[1], rel=1e-9)  # a length of a joint pulls nothing
 
 
-@pytest.mark.parametrize("by", [None, "tangent", "chord", "least squares"])
-@pytest.mark.parametrize("seed", range(4))
-def test_the_joint_rests_at_mid_stroke_below_pistons_that_weigh(seed, by):
+@pytest.mark.parametrize("seed", range(8))
+def test_the_joint_rests_at_mid_stroke_below_pistons_that_weigh(seed):
     """Two chambers of gas, whose law is also a straight line, along the joint or inclined."""
     file, draw = drawn(4), np.random.default_rng((seed, 7))
+    by = (None, "tangent", "chord", "least squares")[seed // 2]
     gas = file.tree["top"]["tensioners"]["gas"]
     pressure = float(gas["pressure"].split()[0])
     low = {"area": "0.08 m^2", "pressure": f"{0.2 * pressure} Pa absolute", "volume": "2 m^3"}
     high = {"area": "0.1 m^2", "pressure": f"{1.5 * pressure} Pa absolute", "volume": "3 m^3"}
-    pistons = {"mass": f"{draw.uniform(1.0, 20.0)} t", "counted": ("once", "each")[seed % 2]}
+    pistons = {"mass": f"{draw.uniform(1.0, 20.0)} t", "counted": str(draw.choice(["once", "each"]))}
     law = {"high": high, "low": low, "exponent": 1.1, "pistons": pistons}
     ends = {"shortest": "-5 m", "longest": "6 m"}
     line = {"by": by} | ({"at": "1 m"} if by == "tangent" else ends)
     more = {"gas": None, "two_chamber_gas": law, "linearised": line if by else None}
-    more["mid_stroke"] = ("riser unstretched", "riser in equilibrium")[seed // 2]
+    more["mid_stroke"] = ("riser unstretched", "riser in equilibrium")[seed % 2]
     if draw.random() < 0.5:
         more["arrangement"] = None
     file = file.with_values({f"top.tensioners.{name}": value for name, value in more.items()}, "test")
