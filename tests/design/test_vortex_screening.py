@@ -159,6 +159,24 @@ def test_a_stronger_current_excites_higher_modes():
     assert highest - spacing < float(fast["natural_frequency"].max()) <= highest
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_a_screening_can_be_repeated_by_the_coefficients_that_its_dataset_states(seed):
+    """And it is the same without a surface, above which the string only rises by its stretch."""
+    draw = np.random.default_rng(seed)
+    tree = string([(0.0, 0.2), (LENGTH, float(draw.uniform(0.4, 0.8)))])
+    given = {"strouhal": draw.uniform(0.17, 0.25), "slowest": draw.uniform(3.5, 4.5)}
+    given |= {"drag": float(draw.uniform(0.8, 1.2))} if seed % 2 else {}
+    found = screened(tree, **{name: float(value) for name, value in given.items()})
+    stated = {k.removeprefix("assumed_"): v for k, v in found.attrs.items() if k.startswith("assumed_")}
+    assert ("drag" in stated) == ("drag" in given)
+    assert stated.keys() | {"drag"} == {*Coefficients._fields}
+    again, without = screened(tree, **stated), tree | {"water": {"density": "1025 kg/m^3"}}
+    for same, rel in ((again, 1e-12), (screened(without, **stated), 1e-3)):
+        assert same.sizes == found.sizes
+        for name in ("amplitude", "excited_length", "shedding_frequency", "drag_factor"):
+            np.testing.assert_allclose(same[name], found[name], rtol=rel)
+
+
 def test_what_cannot_be_screened_is_refused():
     still = string([(0.0, 0.0), (LENGTH, 0.0)])
     with pytest.raises(SimulationError, match="does not flow across"):
