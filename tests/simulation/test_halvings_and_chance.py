@@ -46,8 +46,9 @@ def test_errors_of_mesh_and_step_add_up_and_chance_is_added(seed):
     chance = {name: float(draw.uniform(0.0, 0.1)) for name in NAMES[:2]}
     with_it = {name: both[name] + chance.get(name, 0.0) for name in NAMES}
     assert error_of(seen.values(), chance) == pytest.approx(with_it)
-    double = seen["mesh"].scaled({"moment": 2.0})
-    assert double.error == pytest.approx(left[0] | {"moment": 2.0 * left[0]["moment"]})
+    double, moment = seen["mesh"].scaled({"moment": 2.0}), seen["mesh"].change["moment"]
+    assert double.error == double.above == pytest.approx(left[0] | {"moment": 2.0 * left[0]["moment"]})
+    assert double.change == pytest.approx(seen["mesh"].change | {"moment": 2.0 * moment})
     assert seen["mesh"].error == pytest.approx(left[0])  # unchanged
 
 
