@@ -9,7 +9,6 @@ from hypothesis import HealthCheck, settings
 
 from riserstudy.blas import use_one_thread
 from riserstudy.inputs import plain_yaml as reading
-from riserstudy.simulation.compile import compile_once
 
 use_one_thread()  # several processes test at once
 
@@ -40,6 +39,8 @@ def pytest_configure(config):
     """Compile the kernels on all cores before all tests: each of several processes would compile them."""
     whole = config.args_source == config.ArgsSource.TESTPATHS and not config.option.collectonly
     if whole and config.getoption("numprocesses", None):
+        from riserstudy.simulation.compile import compile_once
+
         compile_once(print)
 
 
