@@ -47,3 +47,16 @@ def test_times_that_are_close_together_once_do_not_fill_the_memory():
     along = np.append(np.arange(0.0, 1000.0, 0.5), 999.5 + 1e-9)
     found, _ = lag(along, np.sin(along), np.sin(along + 1.0))
     assert found == pytest.approx(1.0, abs=0.01)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_lag_beyond_the_search_is_unknown(seed):
+    draw = np.random.default_rng(seed)
+    along, late = 0.1 * np.arange(1000), float(draw.uniform(25.5, 29.0)) * draw.choice([-1.0, 1.0])
+
+    def pulse(t):  # wide enough to be felt at the end of the search
+        return np.exp(-(((t - 50.0) / 12.0) ** 2))
+
+    assert np.isnan(lag(along, pulse(along - late), pulse(along))).all()
+    within = 0.5 * late
+    assert lag(along, pulse(along - within), pulse(along))[0] == pytest.approx(within, abs=0.05)

@@ -79,7 +79,10 @@ def compare(
     with reading_in(units), as_written():
         _print([(pair, difference(pair)) for pair in found])
         save(comparison(found, str(of_run.attrs.get("title", "a run")), other.name), output)
-    print("differences: run minus table; the lag is positive if the run is later")
+    print(
+        "differences: run minus table; the lag is positive if the run is later, and is sought within a "
+        "quarter of the record"
+    )
     for note in notes:
         print(f"{other.name}: {note}")
     for pair in found:

@@ -28,7 +28,8 @@ def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float,
     The search covers a quarter of the record in both directions. Series are interpolated to equally spaced
     times, at the smallest interval of theirs, but at most two million. A periodic series fits equally well
     one period later; of equally good lags, the one nearest to zero is returned. Both results are NaN if a
-    series does not vary. ``along``: times (s), (n,), rising. ``ours``, ``theirs``: (n,).
+    series does not vary, or if the fit is best at an end of the search, because the lag may then be larger.
+    ``along``: times (s), (n,), rising. ``ours``, ``theirs``: (n,).
     """
     if not np.ptp(ours) or not np.ptp(theirs):
         return math.nan, math.nan
@@ -39,6 +40,8 @@ def lag(along: FloatArray, ours: FloatArray, theirs: FloatArray) -> tuple[float,
     left = _left(a, b)
     half = len(even) // 4
     best = _nearest_least(left, half, ALIKE * float(np.var(b)))
+    if best in (0, len(left) - 1):
+        return math.nan, math.nan
     a_there, b_there = _shifted(a, b, best - half)
     rms = float(np.sqrt(np.mean((a_there - b_there) ** 2)))
     return (best - half + _between(left, best)) * step, rms
