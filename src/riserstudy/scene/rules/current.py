@@ -21,7 +21,7 @@ def acts(scene: Parts) -> Iterator[Misfit]:
     in_water = [s.drag for s in scene.riser] + [b.drag_area and b.drag_area.horizontal for b in scene.bodies]
     on_hull = scene.vessel and scene.vessel.hull_drag
     if scene.current and not any(in_water) and not on_hull:
-        found = "has no effect: no riser section has drag, and no vessel has hull_drag"
+        found = "has no effect: no riser section, body or vessel has drag"
         yield Misfit("current", found, "add drag to a section, or remove current", ("riser", "vessel"))
 
 

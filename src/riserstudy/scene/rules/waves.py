@@ -32,11 +32,9 @@ def sea(scene: Parts) -> Iterator[Misfit]:
     if scene.gravity is None:
         found, remedy = "requires gravity in the scene", "add gravity, or remove wave"
         yield Misfit("wave", found, remedy, ("gravity",))
-    in_water = [s.drag or s.added_mass for s in scene.riser] + [
-        b.drag_area or b.added_mass for b in scene.bodies
-    ]
-    if not any(in_water):
-        found = "has no effect: no riser section has drag or added_mass"
+    on_bodies = any(body.drag_area or body.added_mass for body in scene.bodies)
+    if not on_bodies and not any(s.drag or s.added_mass for s in scene.riser):
+        found = "has no effect: no riser section and no body has drag or added mass"
         yield Misfit("wave", found, "add drag or added_mass to a section, or remove wave", ("riser",))
     for k, section in enumerate(scene.riser):
         if section.added_mass and section.added_mass.direction:
