@@ -19,7 +19,11 @@ WIDTH = 140  # characters in a line of the pages
 WORDS = (
     (("reproduced",), "is reproduced", "are reproduced"),
     (("holds",), "holds", "hold"),
-    (("depends",), "depends on inputs that the papers omit", "depend on inputs that the papers omit"),
+    (
+        ("depends",),
+        "depends on omitted inputs or on an interpretation",
+        "depend on omitted inputs or on an interpretation",
+    ),
     (("fails",), "fails", "fail"),
     (("calibrated",), "is met with a fitted input", "are met with a fitted input"),
     (

@@ -79,7 +79,7 @@ def _times(found: Price, scenes: np.ndarray, seconds: np.ndarray) -> str:
         f"a simulation of “{in_one_line(str(scenes[0]))}” takes" if one else f"{len(scenes)} test scenes take"
     )
     return (
-        f"With a tolerance of {100 * found.coarse:g}\u00a0%, {what} "
+        f"With an error of at most {100 * found.coarse:g}\u00a0%, {what} "
         f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
         f"With {100 * found.fine:g}\u00a0%, {'it takes' if one else 'they take'} {found.words} times as long."
     )
@@ -106,8 +106,8 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     words.append("difficulties are, for example, compression and disconnects")
     if counts.compared and not silent:
         words.append(
-            f"{counts.compared} results were compared with reference solutions, "
-            "and each is accurate or has a warning"
+            f"{counts.compared} results have a reference solution, "
+            "and each of them is accurate or has a warning"
         )
     answer = " ".join(map(sentence, words))
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
@@ -124,8 +124,10 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     number = listed(one.name for one in top) if top else "none"
     answers = []
     if top:
+        names = " or ".join(f"“{one.name}”" for one in top)
+        subject = f"The effect {names}" if any(one.added for one in top) else f"Leaving out {names}"
         answers.append(
-            f"{_named(top)} displacement, moment or tension by more than 1\u00a0% in at least "
+            f"{subject} changes displacement, moment or tension by more than 1\u00a0% in at least "
             f"{least}\u00a0% of the scenes that include {'them' if len(top) > 1 else 'it'}"
         )
     if none:

@@ -24,8 +24,8 @@ PLURALS = {
     ),
     "fails": ("fails", "fail"),
     "depends": (
-        "can be neither confirmed nor refuted, because it depends on inputs that the papers omit",
-        "can be neither confirmed nor refuted, because they depend on inputs that the papers omit",
+        "can be neither confirmed nor refuted, because it depends on omitted inputs or on an interpretation",
+        "can be neither confirmed nor refuted, because they depend on omitted inputs or on an interpretation",
     ),
     "calibrated": ("is met with a fitted input", "are met with a fitted input"),
     "not comparable": ("has another definition in the paper", "have other definitions in the papers"),
@@ -76,7 +76,8 @@ def subject(files: dict[str, StudyFile], claims: list[Claim]) -> tuple[str, str]
     plain = "paper" if len(papers) == 1 else "papers"
     return (
         f"{count} {plain} on drilling risers, simulated again",
-        "riserstudy is a simulation program for drilling risers. Here it repeats the simulations of "
+        "riserstudy is a simulation program for drilling risers, the pipes between a floating platform and a "
+        "well on the seabed. Here it repeats the simulations of "
         f"{count.lower()} published {plain}, and checks every published value and claim. "
         "Inputs that a paper omits are assumed, and varied in random samples.",
     )
