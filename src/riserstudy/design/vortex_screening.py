@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from riserstudy.errors import InputError, SimulationError
 from riserstudy.model.layout import AXES
-from riserstudy.model.sea import current_velocity
+from riserstudy.model.sea import current_velocity, in_water
 from riserstudy.scene.at_rest import at_rest
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
@@ -147,11 +147,11 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
         elevations, velocity = current_velocity(scene.current, scene.water)
         for c in axes[:-1]:
             ends[c] = np.interp(heights, elevations, velocity[c])
-    in_water = _in_water(scene, heights)
-    parts = in_water[1:] & in_water[:-1]
+    wetted = in_water(scene, heights)
+    parts = wetted[1:] & wetted[:-1]
     wet = parts.mean(axis=0)
     ends -= (ends * tangent[:, np.newaxis]).sum(axis=0) * tangent[:, np.newaxis]
-    speeds = np.where(in_water, np.linalg.norm(ends, axis=0), 0.0)
+    speeds = np.where(wetted, np.linalg.norm(ends, axis=0), 0.0)
     across = ends[:, PARTS // 2]
     # at the middle of a segment, or the mean of its part in water
     mean = (0.5 * (speeds[1:] + speeds[:-1]) * parts).sum(axis=0) / np.maximum(parts.sum(axis=0), 1)
@@ -170,13 +170,6 @@ def flow_along(scene: Resolved, given: Coefficients) -> Flow:
         sideways = np.cross(tangent, across, axis=0) / np.where(speed > 0.0, speed, np.inf)
     speed, diameter = np.where(bare, 0.0, speed), np.where(bare, 1.0, diameter)
     return Flow(z, mesh.l0, speed, diameter, drag, sideways, np.where(bare, 0.0, speeds), heights, wet)
-
-
-def _in_water(scene: Resolved, z: FloatArray) -> NDArray[np.bool_]:
-    """Which elevations (m) are between the ground and the water's surface, as far as these are known."""
-    surface = scene.water.surface if scene.water else None
-    below = np.full(z.shape, True) if surface is None else z <= surface
-    return below if scene.ground is None else below & (z >= scene.ground)
 
 
 def _coefficient(section: Section, z: float) -> float:

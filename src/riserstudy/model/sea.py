@@ -60,6 +60,16 @@ def still_surface(scene: Resolved) -> float | None:
     return scene.water.surface if scene.water and not scene.wave else None
 
 
+def in_water(scene: Resolved, elevations: FloatArray) -> NDArray[np.bool_]:
+    """Which elevations (m) are between the ground and the water's surface, as far as these are known.
+
+    The result has the shape of the elevations.
+    """
+    surface = scene.water.surface if scene.water else None
+    below = np.full(elevations.shape, True) if surface is None else elevations <= surface
+    return below if scene.ground is None else below & (elevations >= scene.ground)
+
+
 def fastest_current(current: Current, water: Water | None) -> float:
     """Largest speed of a current at any elevation (m/s)."""
     _, velocity = current_velocity(current, water)

@@ -15,7 +15,7 @@ from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.model.layout import Layout, lower_end
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
-from riserstudy.model.sea import current_velocity, fastest_current
+from riserstudy.model.sea import current_velocity, fastest_current, in_water
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
@@ -168,10 +168,7 @@ def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
         return np.zeros_like(elevations)
     z, velocity = current_velocity(scene.current, scene.water)
     speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
-    surface = scene.water.surface if scene.water else None
-    highest = np.inf if surface is None else surface
-    lowest = -np.inf if scene.ground is None else scene.ground
-    return np.where((elevations > highest) | (elevations < lowest), 0.0, speed)
+    return np.where(in_water(scene, elevations), speed, 0.0)
 
 
 def first_phases(scene: Resolved, mesh: Mesh, model: Model) -> None:
