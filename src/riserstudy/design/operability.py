@@ -184,12 +184,11 @@ def _between(at: AtRest, limit: Limit, reach: float, allowances: Mapping[str, Ad
         return Offsets(math.nan, math.nan, "a static equilibrium")
     try:
         tried = sorted(at.rows)
-        inside = min(tried, key=over)
+        inside = best = min(tried, key=over)
+        if over(best) > 0.0:
+            inside = _least(over, best, tried)
         if over(inside) > 0.0:
-            inside = _least(over, inside, tried)
-        if over(inside) > 0.0:
-            mud = not_in_demand(at.scene, limit)
-            return Offsets(math.nan, math.nan, taken_by(mud) if over(inside) <= mud else "")
+            return Offsets(math.nan, math.nan, _why_none(at, limit, over(inside), best, tried))
         _climb(over, at, first)
         found = Offsets(_edge(over, inside, at, -1), _edge(over, inside, at, 1))
         outside = [one for one in first if one in at.rows and not found.low <= one <= found.high]
@@ -240,6 +239,20 @@ def _least(over: Callable[[float], float], near: float, tried: list[float]) -> f
     k = tried.index(near)
     ends = tried[max(k - 1, 0)], tried[min(k + 1, len(tried) - 1)]
     return float(minimize_scalar(over, bounds=ends, method="bounded", options={"xatol": CLOSE}).x)
+
+
+def _why_none(at: AtRest, limit: Limit, least: float, best: float, tried: list[float]) -> str:
+    """What is missing to know an offset at which a limit is met; empty if it is exceeded at every offset.
+
+    ``least``: the smallest excess that was found, near the best offset (m) of all that were tried.
+    """
+    k = tried.index(best)
+    low, _, high = [-math.inf, *tried, math.inf][k : k + 3]
+    for offset, why in at.lost.items():
+        if low < offset < high:  # the limit may be met before it
+            return f"a static equilibrium ({why})"
+    mud = not_in_demand(at.scene, limit)
+    return taken_by(mud) if least <= mud else ""
 
 
 def _climb(over: Callable[[float], float], at: AtRest, first: list[float]) -> None:

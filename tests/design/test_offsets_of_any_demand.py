@@ -1,0 +1,92 @@
+"""Offsets at which limits are reached, for demands that are known functions of the offset: dense scans."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from riserstudy import load_scene
+from riserstudy.design.operability import CLOSE, AtRest, offsets_at
+from riserstudy.errors import SimulationError
+
+SCENE = Path(__file__).parents[2] / "config/scenes/design/riser.yaml"
+REACH = 100.0
+FIRST = np.linspace(-REACH, REACH, 9)
+ALLOWED = 0.5  # rad
+LIMIT = {"output": "ufj_angle", "mode": "drilling"}
+
+
+@pytest.fixture(scope="module")
+def scene():
+    """A riser with a limit on an extreme, and one on the mean."""
+    limits = [LIMIT | {side: f"{ALLOWED} rad"} for side in ("largest", "mean")]
+    return load_scene(SCENE).with_values({"limits": limits, "analysis.mesh": None}, "test").resolved()
+
+
+class Known(AtRest):
+    """At rest with a demand that is a function of the offset, and without equilibrium beyond one."""
+
+    def __init__(self, scene, demand, before, beyond):
+        self.scene, self.reach, self.rows, self.lost = scene, REACH, {}, {}
+        self.demand, self.beyond = demand, beyond
+        for offset in before:  # for other limits
+            self.extremes(offset)
+
+    def extremes(self, offset):
+        """Rows of one output."""
+        if offset > self.beyond:
+            self.lost[offset] = "lost"
+            raise SimulationError("lost")
+        value = self.demand(offset)
+        sides = {"largest": 0.3 * value, "smallest": -value, "mean": value}
+        self.rows[offset] = [{"output": "ufj_angle", "where": "", **sides}]
+        return self.rows[offset]
+
+
+def drawn(draw):
+    """A demand (rad), as a function of the offset: with one range below a value, or two."""
+    middle, wide, less = draw.uniform(-50.0, 50.0), draw.uniform(1.0, 70.0), draw.uniform(0.05, 0.3)
+    kind = draw.random()
+    if kind < 0.2:  # exceeded about a maximum, of which the first offsets may show nothing
+        wide = draw.uniform(9.0, 20.0)
+        return lambda x: ALLOWED + less * (2.0 / (1.0 + ((x - middle) / wide) ** 2) - 1.0)
+    if kind < 0.7:
+        power = draw.uniform(1.0, 3.0)
+        return lambda x: ALLOWED + less * (abs((x - middle) / wide) ** power - 1.0)
+    gap = draw.uniform(20.0, 70.0)
+    top = draw.uniform(0.5, 3.0) * less
+    return lambda x: ALLOWED - less + top * (((x - middle) / gap) ** 2 - 1.0) ** 2
+
+
+@pytest.mark.parametrize("beyond", [math.inf, 40.0])
+@pytest.mark.parametrize("added", [0.0, 0.04])
+@pytest.mark.parametrize("seed", range(40))
+def test_offsets_are_those_of_a_dense_scan(scene, seed, added, beyond):
+    draw = np.random.default_rng(seed)
+    demand, which = drawn(draw), int(draw.integers(2))
+    before = draw.uniform(-REACH, min(REACH, beyond), draw.integers(0, 4)).tolist()
+    at = Known(scene, demand, before, beyond)
+    (found,) = offsets_at(at, [scene.limits[which]], REACH, {"ufj_angle": added})
+    allowance = 0.0 if which else added  # means have none
+    scan = np.linspace(-REACH, REACH, 40001)
+    excess = demand(scan) + allowance - ALLOWED
+    ends = np.flatnonzero((excess[1:] > 0.0) != (excess[:-1] > 0.0))
+    ends = np.r_[-math.inf, 0.5 * (scan[ends] + scan[ends + 1]), math.inf]
+    tried = np.r_[[one for one in FIRST if one <= beyond], before]
+    best = min(tried, key=demand)
+    if demand(best) + allowance > ALLOWED:  # between those that are tried first
+        best = scan[scan <= beyond][excess[scan <= beyond].argmin()]
+        if demand(best) + allowance > ALLOWED:
+            assert math.isnan(found.low)
+            assert found.missing == ""
+            return
+    low, high = ends[ends < best].max(), ends[ends > best].min()
+    if beyond < math.inf and not any(high < one for one in tried[tried > best]):
+        assert "lost" in found.missing  # it may be reached where nothing is known
+        return
+    assert found.low == pytest.approx(low, abs=2.0 * CLOSE)
+    assert found.high == pytest.approx(high, abs=2.0 * CLOSE)
+    met = [one for one in FIRST if demand(one) + allowance <= ALLOWED and one <= beyond]
+    also = min((abs(one) for one in met if not low <= one <= high), default=math.nan)
+    assert abs(found.also) == pytest.approx(also, nan_ok=True)
