@@ -1,0 +1,25 @@
+"""The addition of a sea, against seas that are drawn from a known distribution."""
+
+import math
+
+import numpy as np
+import pytest
+
+from riserstudy.design.sea_allowances import allowance
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_nine_seas_in_ten_do_not_exceed_the_addition(seed):
+    """The distribution of extremes is a Gumbel distribution, of which many seeds are known."""
+    draw = np.random.default_rng(seed)
+    mode, scale = draw.uniform(0.1, 5.0), draw.uniform(0.05, 1.0)
+    found = allowance(draw.gumbel(mode, scale, 20000))
+    others = draw.gumbel(mode, scale, 40000)
+    assert (others <= found).mean() == pytest.approx(0.9, abs=0.01)
+    assert found == pytest.approx(mode - scale * math.log(-math.log(0.9)), rel=0.01)
+
+
+@pytest.mark.parametrize("value", [-2.0, 0.0, 3.0])
+def test_a_sea_that_only_relieves_adds_nothing(value):
+    assert allowance(np.full(5, value)) == max(value, 0.0)
+    assert allowance(np.array([value])) == max(value, 0.0)
