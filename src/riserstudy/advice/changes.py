@@ -74,8 +74,7 @@ def _expanded(change: Change, tree: dict[str, Any], scene: Resolved) -> Iterator
             continue
         field = path[len(SECTIONS) + 1 :]
         for k, own in enumerate(tree["riser"]):
-            if value is None or change.kind == "removed" or not value_at(own, field):
-                yield (f"riser[{k}].{field}", _filled(value, scene, _resolved_place(scene, own["name"])))
+            yield f"riser[{k}].{field}", _filled(value, scene, _resolved_place(scene, own["name"]))
 
 
 def _resolved_place(scene: Resolved, name: str) -> int:

@@ -23,11 +23,14 @@ from riserstudy.solve.program import assemble
 
 REPEATED = 200  # calls in a timed program
 TIMES = 5  # repeats, of which the shortest counts
-FORCES = ("drive", "law", "turn", "string", "device", "string_inertia", "device_inertia")
+FORCES = ("drive", "law", "turn", "string", "device")
 #: count by which a run calls each role: per force evaluation, tangent, step or output
 PER = dict.fromkeys(FORCES, "evaluations") | {
+    "string_inertia": "inertias",
+    "device_inertia": "inertias",
     "tangent": "iterations",
-    "mass": "iterations",
+    "mass": "masses",
+    "lump": "lumps",
     "motion": "moves",
     "place": "moves",
     "power": "steps",
@@ -46,7 +49,7 @@ class Cost(NamedTuple):
 
 
 def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
-    """Return the share (1) of run time by effect, the largest first; the rest is the solver's time."""
+    """Return the share (1) of run time by effect; the rest, which comes last, is the solver's time."""
     best, counts = _timed(scene, mesh, step)
     model, _ = settle(scene, mesh)
     h = step or 1.0
@@ -62,8 +65,7 @@ def costs(scene: Resolved, mesh: Mesh, step: float | None) -> list[Cost]:
             seconds[effect.name] = seconds.get(effect.name, 0.0) + many * _time_of(model, program)
             calls[effect.name] = calls.get(effect.name, 0) + many
     rows = [Cost(name, calls[name], spent / best) for name, spent in seconds.items()]
-    rows.append(Cost(REST, 0, max(0.0, 1.0 - sum(cost.share for cost in rows))))
-    return sorted(rows, key=lambda cost: -cost.share)
+    return [*rows, Cost(REST, 0, max(0.0, 1.0 - sum(cost.share for cost in rows)))]
 
 
 def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict[str, int]]:
@@ -72,18 +74,14 @@ def _timed(scene: Resolved, mesh: Mesh, step: float | None) -> tuple[float, dict
     facts = results[-1].facts
     best = min(float(result.facts["solve_seconds"]) for result in results)
     iterations, steps = facts.get("newton_iterations", 0), facts.get("steps", 0)
-    if not steps:
-        iterations = facts["statics_iterations"]
-        return best, {"evaluations": iterations, "iterations": iterations}
+    if not steps:  # nothing accelerates
+        return best, dict.fromkeys(("evaluations", "iterations"), facts["statics_iterations"])
     outputs = len(results[-1].arrays["time"])
-    tangents = iterations or steps  # explicit integration builds the mass matrix at every step
-    return best, {
-        "evaluations": iterations + steps + outputs,
-        "iterations": tangents,
-        "moves": steps + outputs,
-        "steps": steps,
-        "outputs": outputs,
-    }
+    often = {"evaluations": iterations + steps + outputs, "moves": steps + outputs}
+    often |= {"inertias": often["evaluations"], "steps": steps, "outputs": outputs}
+    if not iterations:  # explicit integration lumps the masses at every step
+        return best, often | {"lumps": steps}
+    return best, often | {"iterations": iterations, "masses": iterations}
 
 
 def _time_of(model: Model, program: NDArray[np.int64]) -> float:
