@@ -37,7 +37,7 @@ def readings_of(
     axes = axes_of_readings(found)
     if axes and "sample" not in found.dims:
         axes = _deciding_axes(found, axes)
-        found = found.isel({dim: 0 for dim in found.dims if dim not in axes}, drop=True)
+        found = found.max([dim for dim in found.dims if dim not in axes])  # all known ones are equal
     return [*_each(kind, found, axes, about, called)] if axes else []
 
 
