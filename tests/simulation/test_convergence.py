@@ -112,3 +112,28 @@ def test_time_left_is_the_sum_of_runs_that_take_twice_as_long_each():
     four_runs = errors.excess(errors.error) / 4.0**3
     assert 1.0 < four_runs <= 4.0  # errors fall to a quarter each: four more runs
     assert errors.time_left(3.0) == pytest.approx(3.0 * (2.0 + 4.0 + 8.0 + 16.0))
+
+
+@pytest.mark.parametrize("seed", range(30))
+def test_time_left_is_that_of_the_fewest_halvings_of_both(seed):
+    """Against all ways to divide halvings between mesh and step; each quarters the error of one."""
+    draw = np.random.default_rng(seed)
+    errors = Convergence({"moment": 0.01}, ["mesh", "step"])
+    for errors.way in ("mesh", "step"):
+        errors.enter({"moment": 0.01 * 10.0 ** draw.uniform(-1.0, 3.0)}, {})
+    mesh, step = (errors.excess(errors.halved[way].error) for way in ("mesh", "step"))
+    enough = [
+        count
+        for count in range(1, RUNS)
+        if any(mesh / 4.0**k + step / 4.0 ** (count - k) <= 1.0 for k in range(count + 1))
+    ]
+    seconds = draw.uniform(0.1, 9.0)
+    assert errors.time_left(seconds) == pytest.approx(sum(seconds * 2.0**k for k in range(1, enough[0] + 1)))
+
+
+@pytest.mark.parametrize("first, other", [("mesh", "step"), ("step", "mesh")])
+def test_each_of_both_gives_way_to_the_other(first, other):
+    errors = Convergence({"moment": 0.01}, ["mesh", "step"])
+    for errors.way, change in (("mesh", 0.2), ("step", 0.2), (first, 0.19)):
+        errors.enter({"moment": change}, {})
+    assert errors.next_way() == other
