@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from riserstudy.simulation.curve import curve, largest_moment
+from riserstudy.simulation.section_forces import shear
 
 
 def drawn(draw):
@@ -61,3 +62,33 @@ def test_the_largest_moment_is_that_of_a_dense_scan(seed):
     if not near or scan[k] in s:
         assert (found, place) == (pytest.approx(size[k], abs=1e-6), pytest.approx(scan[k], abs=0.05))
         assert found == pytest.approx(abs(float(law(place))), abs=1e-6)
+
+
+@pytest.mark.parametrize("seed", range(40))
+def test_shear_is_the_slope_of_the_moment_and_at_corners_the_larger_of_both(seed):
+    """By differences of the parabolas on either side; in space, of each component."""
+    draw = np.random.default_rng(seed)
+    s, corner, law, _ = drawn(draw)
+    h = 1e-6
+    nodes = range(len(s))
+    up = np.array([(law(s[k] + h) - law(s[k])) / h if k < len(s) - 1 else 0.0 for k in nodes])
+    down = np.array([(law(s[k]) - law(s[k] - h)) / h if k else 0.0 for k in nodes])
+    expected = np.where(abs(down) > abs(up), down, up)
+    arrays = {"s_node": s, "mesh_corner": corner}
+    np.testing.assert_allclose(shear(arrays, law(s), False, None), expected, atol=1e-5)
+    away = np.array([0.6, 0.0, -0.8])
+    spatial = shear(arrays, away[:, None] * law(s), True, None)
+    np.testing.assert_allclose(spatial, abs(expected), atol=1e-5)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_shear_of_a_telescopic_joint_is_that_of_its_own_line(seed):
+    """The joint begins with another moment than the riser below it has at the ring."""
+    draw = np.random.default_rng(seed)
+    s = np.r_[0.0, np.cumsum(draw.uniform(1.0, 3.0, 4))]
+    moment, above = draw.uniform(-2.0, 2.0, 5), draw.uniform(-2.0, 2.0)
+    corner = np.array([0.0, 0.0, 0.0, 1.0, 0.0])
+    found = shear({"s_node": s, "mesh_corner": corner}, moment, False, np.array(above))
+    assert found[-1] == pytest.approx((moment[-1] - above) / (s[-1] - s[-2]))
+    plain = shear({"s_node": s, "mesh_corner": corner}, moment, False, None)
+    np.testing.assert_allclose(found[:3], plain[:3])
