@@ -18,10 +18,10 @@ STEP_FOUND = 0.6  # error (%) of measured stable steps, which are found by bisec
 SURE = 1.96  # standard deviations of a 95 % interval
 ACCURATE, INACCURATE = "accurate", "stable but inaccurate"
 IMPOSSIBLE, TOO_LONG = "refused", "refused: longer than the study allows"
+#: motions that a scene prescribes for the platform
+MOTIONS = frozenset({"surge", "sway", "heave", "roll", "pitch", "yaw", "cruise"})
 #: effects that a scene prescribes; all other effects are physics of riser, water and tensioners
-PRESCRIBED = frozenset(
-    {*("surge", "sway", "heave", "roll", "pitch", "yaw", "cruise", "platform response"), *("wave", "current")}
-)
+PRESCRIBED = MOTIONS | {"platform response", "wave", "current"}
 #: effect that is added to scenes instead of removed: the engine decides whether a scene has it
 DECIDED = "with motion out of the plane"
 WITHOUT = "without "
@@ -155,9 +155,10 @@ def ranking(effects: xr.Dataset) -> list[Ranked]:
         time = times[np.isfinite(times[:, k]), k]
         share = time / (1.0 + time) if added else -time
         changed = int((values > TOLERANCE).sum())
+        shown = f"platform {name}" if name in MOTIONS else name
         ranked.append(
             Ranked(
-                name, name in PRESCRIBED, added, values.size, changed, tuple(map(float, values)),
+                shown, name in PRESCRIBED, added, values.size, changed, tuple(map(float, values)),
                 *_quartiles(share),
             )
         )  # fmt: skip

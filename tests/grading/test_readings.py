@@ -179,7 +179,11 @@ def test_what_was_chosen_by_a_claim_is_told_and_proves_nothing_where_it_is_not_v
     found = claim(space, space.isel(sample=0, drop=True), chosen=chosen)
     assert found.verdict == verdict
     note = row_of(found).note
-    then = "The samples also include other assumptions" if varied else "No sample varies this assumption"
+    then = (
+        "The samples also include other values of this input"
+        if varied
+        else "No sample varies this assumption"
+    )
     assert f"the base case agrees with the paper: the profile. {then}" in note
     assert Grounds.from_json(row_of(found).grounds) == found.grounds
     none = of_lines([0.0]).isel(line=0, drop=True)

@@ -48,7 +48,7 @@ def _cost(accuracy: xr.Dataset) -> tuple[str, str, str] | None:
     answer = _times(found, scene[usual := (requested == found.coarse) & (seconds > 0.0)], seconds[usual])
     if peers := others(accuracy):
         answer += (
-            f" For the surge of a riser with an error of {100 * peers.error:g}\u00a0%, {peers.codes} other "
+            f" For the surge of a riser, with an error of {100 * peers.error:g}\u00a0%, {peers.codes} other "
             f"programs take {peers.low:.2g} to {peers.high:.3g} times as long as riserstudy."
         )
     lines = []
@@ -79,7 +79,7 @@ def _times(found: Price, scenes: np.ndarray, seconds: np.ndarray) -> str:
         f"a simulation of “{in_one_line(str(scenes[0]))}” takes" if one else f"{len(scenes)} test scenes take"
     )
     return (
-        f"With an error of at most {100 * found.coarse:g}\u00a0%, {what} "
+        f"With errors of at most {100 * found.coarse:g}\u00a0% in all results, {what} "
         f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
         f"With {100 * found.fine:g}\u00a0%, {'it takes' if one else 'they take'} {found.words} times as long."
     )
@@ -97,21 +97,27 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
         words.append(number)
         number = f"{silent} of {counts.compared} results inaccurate without a warning"
     left = [
-        f"{count} {'is' if count == 1 else 'are'} {end}"
+        (count, end)
         for count, end in ((refused, "refused with a reason"), (other, "not as expected"))
         if count
     ]
     if left:
-        words.append(f"of the others, {listed(left)}")
+        words.append(_not_run(left))
     words.append("difficulties are, for example, compression and disconnects")
     if counts.compared and not silent:
         words.append(
-            f"{counts.compared} results have a reference solution, "
-            "and each of them is accurate or has a warning"
+            f"{counts.compared} results are compared with a reference solution, "
+            "and each of these is accurate or has a warning"
         )
     answer = " ".join(map(sentence, words))
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return number, answer, _stack(parts) + _key(each)
+
+
+def _not_run(left: Sequence[tuple[int, str]]) -> str:
+    """State what became of the scenes that do not run to their end, from the number of each outcome."""
+    are = [f"{count} {'is' if count == 1 else 'are'} {end}" for count, end in left]
+    return f"the other {are[0]}" if len(are) == 1 else f"of the others, {listed(are)}"
 
 
 def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:

@@ -308,7 +308,7 @@ def _chosen(chosen: Chosen | None) -> Iterator[str]:
     """Inputs of the base case that were chosen to meet it."""
     if chosen is None:
         return
-    then = "The samples also include other assumptions."
+    then = "The samples also include other values of this input."
     if not chosen.varied:
         then = "No sample varies this assumption, so the agreement is no evidence for the model."
     yield f"An assumption was chosen so that the base case agrees with the paper: {chosen.what}. {then}"

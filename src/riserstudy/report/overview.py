@@ -32,8 +32,8 @@ PLURALS = {
     "not reproducible": ("cannot be checked", "cannot be checked"),
 }
 #: verdicts in the first sentence, and verdicts with a sentence of their own
-FIRST = ("reproduced", "holds", "fails")
-APART = ("depends", TOO_FEW)
+FIRST = ("reproduced", "holds", "fails", "depends")
+APART = (TOO_FEW,)
 
 
 class Bar(NamedTuple):

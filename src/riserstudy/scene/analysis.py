@@ -22,7 +22,7 @@ MOST_VALUES = 300_000_000  # largest number of values of a history over all time
 
 
 class Layers(Strict):
-    """Lengths of the end layers in which bending is concentrated, about sqrt(EI/T); by default none."""
+    """Lengths of layers of short segments at the ends, where the riser bends most; sqrt(EI/T) is suitable."""
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
     top: Annotated[u.Length, POSITIVE] | None = None
