@@ -56,8 +56,9 @@ def calibration(calibration: xr.Dataset, deadline: float) -> Figure:
     ax.legend(handles=[used], loc="lower right", fontsize="small")
     if upper:
         gains = [gain for gain, _ in upper]
+        last = " to ".join(dict.fromkeys(f"{gain:.0f}" for gain in (min(gains), max(gains))))
         ax.annotate(
-            f"the lines end at {min(gains):.0f} to {max(gains):.0f} kN/m: for larger\n"
+            f"the lines end at {last} kN/m: for larger\n"
             f"gains the angle passes its largest value before {deadline:g} s", (0.02, 0.97),
             xycoords="axes fraction", va="top", fontsize="small",
         )  # fmt: skip
