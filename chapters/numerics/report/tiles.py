@@ -126,15 +126,17 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
         return None
     top = [one for one in ranked[:TOP] if one.changed]
     none = never(ranked)[:2]
-    least = min((math.floor(100 * one.changed / one.scenes + 0.5) for one in top), default=0)
+    least = min((100 * one.changed // one.scenes for one in top), default=0)
     number = listed(one.name for one in top) if top else "none"
     answers = []
     if top:
-        names = " or ".join(f"“{one.name}”" for one in top)
-        subject = f"The effect {names}" if any(one.added for one in top) else f"Leaving out {names}"
+        several, added = len(top) > 1, any(one.added for one in top)
+        subject = ("each of them" if several else "it") if added else (
+            "leaving one of them out" if several else "leaving it out"
+        )  # fmt: skip
         answers.append(
             f"{subject} changes displacement, moment or tension by more than 1\u00a0% in at least "
-            f"{least}\u00a0% of the scenes that include {'them' if len(top) > 1 else 'it'}"
+            f"{least}\u00a0% of the scenes that include it"
         )
     if none:
         what = "none of these" if top else "no displacement, moment or tension"

@@ -1,5 +1,7 @@
 """The three answers of the first screen: cost, stability, effects."""
 
+import re
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -82,3 +84,22 @@ def test_scenes_without_any_run_in_time_are_named_where_the_others_are_drawn(mis
     named = " and ".join(f"“{name}”" for name in missed)
     assert f"without {named}, whose runs exceed the time limit" in one.spark
     assert one.spark.count("<polyline") == 3 - len(missed)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_the_tile_of_effects_states_a_share_of_scenes_that_no_effect_it_names_falls_below(seed):
+    rng = np.random.default_rng(seed)
+    names = [f"effect {k}" for k in range(rng.integers(2, 6))]
+    sizes = np.where(rng.random((71, len(names))) < rng.uniform(0.8, 1.0, len(names)), 0.5, 0.001)
+    sizes[rng.random(sizes.shape) < 0.1] = np.nan  # scenes without the effect
+    every = {
+        f"{of}_change": (("scene", "change"), sizes) for of in ("displacement", "moment", "tension", "time")
+    }
+    effects = xr.Dataset(every, {"change": [f"without {name}" for name in names]})
+    (one,) = shown({"effects": effects})
+    least = int(re.search(r"in at least (\d+)", one.answer)[1])
+    named = [k for k, name in enumerate(names) if name in one.number]
+    shares = [100 * np.mean(sizes[np.isfinite(sizes[:, k]), k] > 0.01) for k in named]
+    assert len(named) == min(3, len(names))
+    assert least <= min(shares) < least + 1
+    assert one.answer.startswith("Leaving one of them out changes")
