@@ -11,7 +11,7 @@ from riserstudy.scene.resolve import Resolved
 from riserstudy.solve.evaluate import move_to
 from riserstudy.solve.modes import stable_step
 
-INSTANTS = 16  # number of times in the longest period at which platform positions are examined
+INSTANTS = 16  # number of times in the period of each motion at which platform positions are examined
 
 
 def explicit_limit(scene: Resolved, model: Model) -> float:
@@ -30,8 +30,9 @@ def explicit_limit(scene: Resolved, model: Model) -> float:
     if not periods:
         return limit
     kept = [array.copy() for array in (state.r, state.v, state.a)]
-    for k in range(INSTANTS):
-        move_to(model.programs, model.state, max(ramps) + max(periods) * k / INSTANTS)
+    # at times in the longest period alone, a motion of a sixteenth of it would always be at one phase
+    for after in sorted({period * k / INSTANTS for period in periods for k in range(INSTANTS)}):
+        move_to(model.programs, model.state, max(ramps) + after)
         state.r[:], state.v[:] = kept[0], 0.0
         longest = float(stable_step(model.programs, model.state, model.fixed))
         limit = min(limit, longest) if math.isfinite(longest) else limit
