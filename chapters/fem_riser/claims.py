@@ -16,6 +16,7 @@ from riserstudy.grading.grade import Found, judged
 from riserstudy.grading.margin import above, below
 from riserstudy.grading.word import Word
 from riserstudy.grading.yardstick import Condition, all_along, all_of, growing, more
+from riserstudy.records.numerals import rounded_up
 
 FloatArray = NDArray[np.float64]
 LUMPED, BEAM = "lumped masses", "Hermite beam"
@@ -311,7 +312,7 @@ def run_time(own: xr.Dataset) -> dict[str, Any]:
     longer = f"Time steps of {float(steps.max()):g} s change the largest deflection and moment"
     words = (
         f"With the paper's elements, time steps and integration rule, the run takes {seconds:.0f} s. "
-        f"{longer} by at most {100 * max(apart):.1g} %."
+        f"{longer} by at most {rounded_up(100 * max(apart))} %."
     )
     return times | {"run": words}
 

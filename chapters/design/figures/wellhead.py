@@ -8,6 +8,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
 from riserstudy.figures.style import COLOURS, GREY, headline, panel_title, panels
+from riserstudy.records.numerals import rounded_up
 
 WORDS = {
     "riser[2].mass": "mass of the stack",
@@ -42,7 +43,7 @@ def wellhead_fatigue(wellhead_fatigue: xr.Dataset) -> Figure:
         low, 99.0, f" grey: 90 % of samples,\n a factor of {high / low:.0f}", va="top", fontsize="small"
     )
     left.set_ylabel("share of samples with less (%)")
-    panel_title(left, f"all samples; error of the mesh at most {error:.1g} %")
+    panel_title(left, f"all samples; error of the mesh at most {rounded_up(error)} %")
     names = [str(name) for name in wellhead_fatigue["varied_input"].values]
     shares = 100.0 * wellhead_fatigue["share_explained"].values
     chance = 100.0 * wellhead_fatigue["by_chance"].values

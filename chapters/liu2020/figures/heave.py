@@ -13,6 +13,7 @@ from chapters.liu2020.figures.motion_shared import DEPTH, TIME
 from riserstudy.figures.direct import label_ends
 from riserstudy.figures.insets import enlarge
 from riserstudy.figures.style import GREY, field, headline, key_below, panel_title, panels, shades
+from riserstudy.records.numerals import rounded_up
 
 DEPTHS = (100.0, 200.0, 300.0, 400.0)  # m below the riser's top, as in Fig 18
 ALIKE = 0.02  # share of an amplitude, below which a difference is invisible
@@ -93,11 +94,9 @@ def fig15(heave: xr.Dataset) -> Figure:
     axes[1].set_xlabel(PERIOD)
     panel_title(axes[0], "over heave amplitude")
     panel_title(axes[1], "over period, gas law, by heave amplitude")
-    spread = (law.max("heave_period") / law.min("heave_period") - 1.0).max()
-    headline(
-        figure,
-        f"Heave amplitude sets the tension amplitude; the period adds at most {100.0 * float(spread):.1f} %",
-    )
+    spread = float((law.max("heave_period") / law.min("heave_period") - 1.0).max())
+    most = rounded_up(100.0 * spread, 2)
+    headline(figure, f"Heave amplitude sets the tension amplitude; the period adds at most {most} %")
     key_below(figure, axes[0], 3)
     label_ends(axes[1])
     axes[1].margins(x=0.02)  # room for whole marks at both ends
