@@ -10,6 +10,7 @@ from riserstudy.scene.limit_inputs import lacks_outputs
 from riserstudy.scene.motion_records import uncovered
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.sudden import sudden_wave
+from riserstudy.scene.turning_centre import centre_above_the_well
 from riserstudy.scene.wave_forces import joint_in_water, without_inertia
 from riserstudy.scene.weight import doubts
 from riserstudy.scene.without_time import without_time
@@ -25,6 +26,7 @@ def warnings_of(scene: Resolved) -> list[str]:
         *joint_in_water(scene),
         *sudden_wave(scene),
         *breaking(scene),
+        *centre_above_the_well(scene),
         *unusual_loads(scene),
         *rao.doubts(scene),
         *not_followed(scene),

@@ -132,7 +132,9 @@ class Position(Strict):
 class Centre(Strict):
     """Position of the platform's centre of rotation with the platform at rest.
 
-    Without x and y the centre is vertically above the well.
+    Without x and y the centre is vertically above the well, even if the riser's top has an `offset`. With
+    the platform at an offset, x is therefore usually equal to this offset. A `position` of the platform
+    moves the centre, too.
     """
 
     x: u.Length | None = None
