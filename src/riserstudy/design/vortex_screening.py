@@ -88,7 +88,7 @@ def screening(file: SceneFile, coefficients: Coefficients | None = None) -> xr.D
     Parameters
     ----------
     file : SceneFile
-        A scene with a current. Its modes are about its static equilibrium in still water.
+        A scene with a current. Its modes are about its static equilibrium in this current.
     coefficients : Coefficients
         Assumed coefficients; absent: the defaults of this class.
 
