@@ -24,7 +24,7 @@ def limit(seed, **motions):
 
 
 @pytest.mark.parametrize("ratio", [2, 16, 32])
-@pytest.mark.parametrize("seed", [0, 1, 4, 5])
+@pytest.mark.parametrize("seed", [0, 4])
 def test_a_slow_motion_of_a_centimetre_does_not_hide_the_stops(seed, ratio):
     """At a sixteenth of its period, the heave always has the same phase."""
     alone = limit(seed, heave=(3.0, 8.0))
