@@ -71,7 +71,8 @@ def test_a_row_says_first_what_is_certain():
     found = claim(of_lines([1.0, 0.0, 0.5]), base, base={"line": "chord"})
     assert row_of(found).depends_on == (
         "line: true with “chord”; false with “tangent”; "
-        "with “least squares”, true in 64 of 128 samples (50 %, 95 % interval 41 to 59 %), decided by a"
+        "with “least squares”, true in 64 of 128 samples (50 %, 95 % confidence interval 41 to 59 %), "
+        "decided by a"
     )
     same = claim(of_lines([1.0, 0.0], other=1.0), base, base={"line": "chord"})
     assert row_of(same).depends_on == "line: true with “chord”; no difference with “tangent”"

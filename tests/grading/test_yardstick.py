@@ -214,6 +214,9 @@ def test_differences_of_a_hundredth_of_a_per_cent_hold_nothing():
         '"Smaller" is interpreted as a difference of at least 2 %; less than 2 % counts as no difference.'
         in note
     )
-    assert "true in 0 of 256 samples (0 %, 95 % interval 0 to 1 %), no difference in 256" in note.lower()
+    assert (
+        "true in 0 of 256 samples (0 %, 95 % confidence interval 0 to 1 %), no difference in 256"
+        in note.lower()
+    )
     assert "Base case: the value is 1; this counts as no difference." in note
     assert all(case.same and not case.met for case in found.cases)

@@ -17,7 +17,7 @@ MANY = 100  # smallest number of samples for an interval of a share
 
 
 def share_with_interval(found: xr.DataArray) -> Share:
-    """Number of hits among the samples with a result, with the 95 % interval for many samples.
+    """Number of hits among the samples with a result, with the 95 % confidence interval for many samples.
 
     The interval is Wilson's, which is too wide for evenly spread samples. All cells of a sample count as one
     draw.

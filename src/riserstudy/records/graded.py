@@ -59,7 +59,7 @@ class Share(Travelling):
 
     ``same``: number of samples in which the compared values do not differ.
     ``draws``: number of draws, without cells; None if all combinations of interpretations are judged.
-    ``low``, ``high``: 95 % interval of the share, 0 to 1; None for few or no draws.
+    ``low``, ``high``: 95 % confidence interval of the share, 0 to 1; None for few or no draws.
     """
 
     met: int

@@ -47,8 +47,8 @@ class Claim(ItemResult):
     """A number or claim, its verdict, and the reason.
 
     ``met``, ``samples``: number of samples of the unspecified inputs that meet it, and of all; None without
-    samples. ``band``: 95 % interval of the share (%), if samples are enough. ``sentences``: how it was
-    judged. ``results``: rows of a table, in addition to the row of the samples.
+    samples. ``band``: 95 % confidence interval of the share (%), if samples are enough. ``sentences``: how it
+    was judged. ``results``: rows of a table, in addition to the row of the samples.
     """
 
     decided_by: str
@@ -187,8 +187,10 @@ def _results(kind: Kind, unit: str, grounds: Grounds) -> list[tuple[str, str]]:
         rows.append(
             ("Inputs that explain the outcome better than chance", "none, with this number of samples")
         )
+    judged = "simulated value" if kind == "number" else "judged quantity"
     for outcome in grounds.outcomes:
-        rows.append((outcome.name, "; ".join(result_of(kind, unit, outcome, grounds.together))))
+        found = "; ".join(result_of(kind, unit, outcome, grounds.together))
+        rows.append((f"{outcome.name}: {judged}", found))
     return rows
 
 

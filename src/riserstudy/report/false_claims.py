@@ -65,7 +65,7 @@ def _of(row: dict[str, str]) -> FalseClaim:
 
 
 def _summary(rows: list[dict[str, str]]) -> str:
-    """Return how many are accepted, undecided and refused, with the 95 % interval of the rate.
+    """Return how many are accepted, undecided and refused, with the 95 % confidence interval of the rate.
 
     References
     ----------
@@ -86,7 +86,7 @@ def _summary(rows: list[dict[str, str]]) -> str:
         f"{subtle} of these differ only slightly from a claim of a paper. "
         f"The checks accept {accepted or 'none'} of the false claims. {failing} fail, "
         f"and {undecided} depend on unspecified inputs.{others} The false-positive rate is "
-        f"{100.0 * accepted / count:.0f} % (95 % interval up to {high:.0f} %). The same checks "
+        f"{100.0 * accepted / count:.0f} % (95 % confidence interval up to {high:.0f} %). The same checks "
         f"accept {believed or 'none'} of the {counted(len(originals), 'original claim')}, from which the "
         "false claims were made."
     )
