@@ -7,7 +7,17 @@ from collections.abc import Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING
 
-from chapters.numerics.answers import Price, Ranked, hard, never, others, price, ranking, without_time
+from chapters.numerics.answers import (
+    QUANTITIES,
+    Price,
+    Ranked,
+    hard,
+    never,
+    others,
+    price,
+    ranking,
+    without_time,
+)
 from chapters.numerics.figures.scenes import in_one_line
 from chapters.numerics.figures.stability import ENDS, REFUSED, WRONG, ended
 from riserstudy.records.numerals import plain
@@ -79,7 +89,7 @@ def _times(found: Price, scenes: np.ndarray, seconds: np.ndarray) -> str:
         f"a simulation of “{in_one_line(str(scenes[0]))}” takes" if one else f"{len(scenes)} test scenes take"
     )
     return (
-        f"With errors of at most {100 * found.coarse:g}\u00a0% in all results, {what} "
+        f"With a tolerance of {100 * found.coarse:g}\u00a0% for {listed(QUANTITIES)}, {what} "
         f"{low if low == high else f'{low} to {high}'}\u00a0ms. "
         f"With {100 * found.fine:g}\u00a0%, {'it takes' if one else 'they take'} {found.words} times as long."
     )
@@ -97,12 +107,12 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
         words.append(number)
         number = f"{silent} of {counts.compared} results inaccurate without a warning"
     left = [
-        (count, end)
+        f"{count} {'is' if count == 1 else 'are'} {end}"
         for count, end in ((refused, "refused with a reason"), (other, "not as expected"))
         if count
     ]
     if left:
-        words.append(_not_run(left))
+        words.append(f"of the others, {listed(left)}" if len(left) > 1 else f"the other {left[0]}")
     words.append("difficulties are, for example, compression and disconnects")
     if counts.compared and not silent:
         words.append(
@@ -112,12 +122,6 @@ def _hard(stability: xr.Dataset) -> tuple[str, str, str]:
     answer = " ".join(map(sentence, words))
     each = [(ENDS[end], f"{ends.count(end)} {end}") for end in ENDS if end in ends]
     return number, answer, _stack(parts) + _key(each)
-
-
-def _not_run(left: Sequence[tuple[int, str]]) -> str:
-    """State what became of the scenes that do not run to their end, from the number of each outcome."""
-    are = [f"{count} {'is' if count == 1 else 'are'} {end}" for count, end in left]
-    return f"the other {are[0]}" if len(are) == 1 else f"of the others, {listed(are)}"
 
 
 def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
@@ -130,10 +134,9 @@ def _effects(effects: xr.Dataset) -> tuple[str, str, str] | None:
     number = listed(one.name for one in top) if top else "none"
     answers = []
     if top:
-        several, added = len(top) > 1, any(one.added for one in top)
-        subject = ("each of them" if several else "it") if added else (
-            "leaving one of them out" if several else "leaving it out"
-        )  # fmt: skip
+        added = any(one.added for one in top)
+        one_of, each_of = ("it", "each of them") if added else ("leaving it out", "leaving one of them out")
+        subject = each_of if len(top) > 1 else one_of
         answers.append(
             f"{subject} changes displacement, moment or tension by more than 1\u00a0% in at least "
             f"{least}\u00a0% of the scenes that include it"

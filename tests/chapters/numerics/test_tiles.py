@@ -45,8 +45,8 @@ def test_the_tile_of_cost_is_the_ratio_of_times_and_draws_a_line_per_scene():
     (one,) = shown({"accuracy": accuracy})
     assert one.number == "0.05\u00a0% error instead of 1\u00a0%: 2.5 to 3× the time"
     assert one.answer == (
-        "With errors of at most 1\u00a0% in all results, 2 test scenes take 100 to 200\u00a0ms. With "
-        "0.05\u00a0%, they take 2.5 to 3 times as long."
+        "With a tolerance of 1\u00a0% for displacement, moment and tension, 2 test scenes take "
+        "100 to 200\u00a0ms. With 0.05\u00a0%, they take 2.5 to 3 times as long."
     )
     assert one.spark.count("<polyline") == 2
     assert "time limit" not in one.spark
