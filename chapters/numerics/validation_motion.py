@@ -125,7 +125,7 @@ def energy(files: Files) -> Iterator[Row]:
         share = float(json.loads(run.attrs["audit"])["unexplained_share"])
         case, by = f"energy of {name}", "work = stored + dissipated"
         because = "integration of the energies over time steps"
-        yield Row(case, "share unexplained", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
+        yield Row(case, "relative energy residual", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
 
 
 def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
