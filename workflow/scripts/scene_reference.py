@@ -26,14 +26,15 @@ A scene is a YAML file that describes one riser, its supports, its motions and i
 The command `riserstudy effects SCENE.yaml` lists the effects (physical mechanisms) of a scene, and the line
 of the scene that includes each effect.
 
-Values have the units of their source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`; the engine converts them
-to SI. [Units](#units) lists the names of units. The engine refuses a bare number where a unit is required, a
-rotational stiffness without `/deg` or `/rad`, and a pressure without `absolute` or `gauge`. The engine also
-refuses `t` (tonne) as a force; write `tf`. Elevations increase upwards from one datum of your choice;
-arclengths start at the lower end of the riser.
+Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
+converts all values to SI units. The section [Units](#units) lists the names of units. The engine refuses a
+number without a unit where a unit is required, a rotational stiffness without `/deg` or `/rad`, and a
+pressure without `absolute` or `gauge`. The engine also refuses `t` (tonne) as a force; write `tf`. Elevations
+increase upwards from one datum of your choice. Arclengths start at the lower end of the riser.
 
 Every value has an origin, which states where the value comes from. A value without a stated origin is
-*published* if the scene has the key `paper`, and *given* otherwise. Other origins are written with the value:
+*published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written together with
+the value, as in these examples:
 
 ```yaml
 count: {assumed: 6, options: [6, 7], because: "six make the pull that the paper states"}
@@ -43,13 +44,15 @@ added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
 interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-*Chosen* values do not describe the riser; examples are the datum of elevations and the outputs. The list
-`inputs` of a file in `config/published` contains the values that a paper prints. In a scene of this paper,
-every value without a stated origin must be in this list. A study can vary all *assumed* values together, over
-their ranges or options.
+An *assumed* value is not known; its `range` or `options` give other possible values. A study can vary all
+*assumed* values together. A *calibrated* value was fitted to a published number. A *derived* value was
+computed from other values. A *chosen* value does not describe the riser; examples are the datum of elevations
+and the output interval. The list `inputs` of a file in `config/published` contains the values that a paper
+prints. In a scene of this paper, every value without a stated origin must be in this list.
 
-A table can be given as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
-line of the CSV file gives the columns with their units, in any order. The tables have these columns:
+You can give a table as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
+line of the CSV file gives the names of the columns with their units, in any order. The following keys accept
+a CSV file with these columns:
 
 %s
 
@@ -58,7 +61,8 @@ phase, for example `heave_phase`.
 
 Editors that support JSON schema can complete and check scene files. The command `riserstudy schema` prints
 the schema, [`scene.schema.json`](../workflow/schemas/scene.schema.json). To use the schema, write the
-following comment in the first line of a scene. The path starts at the folder of the scene:
+following comment in the first line of a scene. The path in this comment is relative to the folder of the
+scene:
 
 ```yaml
 # yaml-language-server: $schema=../../../workflow/schemas/scene.schema.json
@@ -89,11 +93,11 @@ def _named(columns: tuple[str, ...]) -> str:
 UNITS = """\
 ## Units
 
-A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The table lists the
-usual names by SI unit; other names of the library pint are accepted, too. A pressure needs `absolute` or
-`gauge` after its unit; moduli and stresses do not. `t` is a tonne, `short_ton` is 2000 lb, and `gal` is a
-US gallon. A barrel (`bbl`) is 42 US gallons. `lb` is a mass; `lbf`, `kip` and `tf` are forces. The engine
-refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
+A unit is a product or a quotient of names, with powers: `kN*m/deg`, `lb/ft`, `m^2`. The table lists the usual
+names by SI unit. Other unit names of the Python library pint are accepted, too. A pressure requires the word
+`absolute` or `gauge` after its unit; moduli and stresses do not. `t` is a tonne, `short_ton` is 2000 lb, and
+`gal` is a US gallon. A barrel (`bbl`) is 42 US gallons. `lb` is a mass; `lbf`, `kip` and `tf` are forces. The
+engine refuses `ton`, because it can mean 1000 kg, 2000 lb or 2240 lb.
 
 | SI unit | names |
 |---|---|

@@ -29,7 +29,7 @@ class Layers(Strict):
 
 
 class Mesh(Strict):
-    """Smallest number of segments. Segments have equal lengths within each section.
+    """Mesh with at least ``elements`` segments. Segments have equal lengths within each section.
 
     With ``layers`` the number of segments is approximate, and segments become shorter towards an end that has
     a layer.
@@ -59,8 +59,9 @@ class Newmark(Strict):
 class Output(Strict):
     """Times and places of time histories, by default from the start of the run and at all nodes.
 
-    Extremes and limits are evaluated from the time ``start`` on. ``stress_in`` names a section whose largest
-    stress at the outer fibre is output over time.
+    Extremes and limits are evaluated from the time ``start`` on. ``stations`` lists the arclengths of the
+    time histories. ``stress_in`` names a section: the time histories then include the largest stress at the
+    outer fibre of this section.
     """
 
     interval: Annotated[u.Time, POSITIVE]
@@ -82,13 +83,16 @@ class Analysis(Strict):
 
     Without ``duration`` only the static equilibrium is computed, with the platform at its ``position`` and
     the current at its full speed. A warning then lists the parts of the scene that have no effect, such as
-    motions, waves and thrusters. By default the run starts from equilibrium; ``undeflected`` starts from the
-    equilibrium without current. If mesh and time step are not given, they are chosen for the tolerance
-    ``accuracy``, by default 0.2 % of displacement and 1 % of moment. The default method is generalised-alpha
-    with a spectral radius of 0.8. The default solver uses lumped masses; ``hermite`` is a beam with small
+    motions, waves and thrusters. By default the run starts from the static equilibrium. With ``start:
+    undeflected``, it starts from the equilibrium without current. With ``start: unstretched``, it starts from
+    the shape of the equilibrium, but with unstretched segments. If mesh and time step are not given, the
+    engine chooses them for the tolerance ``accuracy``, by default 0.2 % of displacement and 1 % of moment.
+    The default method of time integration is generalised-alpha with a spectral radius of 0.8. In a scene with
+    a sudden event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the default
+    method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements for small
     slopes. Newton's iteration ends when the correction of positions is smaller than ``newton_tolerance``
-    times the length of the riser, by default 1e-9. A smaller value also reduces the limit for corrections of
-    moments, by the same factor.
+    times the length of the riser, by default 1e-9. A value below 1e-9 also reduces the limit for corrections
+    of moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

@@ -49,8 +49,8 @@ class RecoilValve(Strict):
 
     ``opening`` is the area of the open valve; the open valve throttles the oil even before the release.
     ``discharge`` is the discharge coefficient of the valve. At the time ``delay`` after the release, the
-    valve starts to close. Within the time ``over`` it closes smoothly to the fraction ``residual`` of its
-    opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default ``delay`` is 0 s.
+    valve starts to close. Within the time ``over``, the valve closes smoothly to the fraction ``residual`` of
+    its opening. The valves of ``failed`` cylinders, counted from 0, stay open. By default ``delay`` is 0 s.
     Without ``isolation`` no gas bottles are shut off.
     """
 
@@ -67,8 +67,8 @@ class RecoilValve(Strict):
 class Drain(Strict):
     """Contents that drain after the release, as one column between the air above and the sea below.
 
-    ``friction`` is the Darcy friction factor of the wall. ``losses`` is the number of velocity heads lost at
-    the ends, by default zero.
+    ``friction`` is the Darcy friction factor of the wall. ``losses`` is the pressure loss at the ends of the
+    column in velocity heads, by default zero.
     """
 
     friction: Annotated[float, NOT_NEGATIVE]
@@ -87,10 +87,10 @@ class Disconnect(Strict):
     With ``phase``, the disconnect is delayed until the platform's heave has this phase. The phase is 0 when
     the heave rises through its mean, and 90 deg at its maximum. The heave must be a single harmonic. ``over``
     is the time over which the force of the connector decreases. By default the disconnect is sudden, which
-    sends steep wave fronts along an undamped riser. A constant top tension remains unchanged after the
-    disconnect, unless ``valve`` is given. Tensioners act as before, unless ``recoil_valve`` is given. By
-    default, the contents stay in the riser; ``drain`` lets them flow out. Without ``stack`` the LMRP does not
-    re-contact the BOP stack but can move through it, with a warning.
+    sends steep fronts of tension waves along an undamped riser. A constant top tension remains unchanged
+    after the disconnect, unless ``valve`` is given. Tensioners act as before, unless ``recoil_valve`` is
+    given. By default, the contents stay in the riser; ``drain`` lets them flow out. Without ``stack`` the
+    LMRP does not re-contact the BOP stack but can move through it, with a warning.
     """
 
     at: Annotated[u.Time, POSITIVE]

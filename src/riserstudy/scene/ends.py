@@ -31,16 +31,17 @@ class BodyAddedMass(Strict):
 class Body(Strict):
     """A concentrated mass, such as an LMRP or a tension ring.
 
-    The submerged weight of the body is given, or follows from mass, gravity and either the displaced volume
-    or the density of the material. If it follows from volume or density, a body at or above the water surface
-    has its weight in air; the end's elevation is that of the unstretched riser. Weight, drag and added mass
-    are zero if they are not given. In waves, the accelerating water acts on the displaced volume, which also
-    follows from mass and ``submerged_weight``, and on the added mass. Without ``centre_below`` the body is a
-    point at the riser's end.
-    ``centre_below`` is the distance from the riser's lower end down to the centre of the body, which then
-    turns rigidly with this end. ``rotary_inertia``, by default zero, refers to axes across the riser through
-    the centre. With ``centre_below``, arclengths in results start below the riser, at the body's centre of
-    percussion. The ``stations`` of the output still start at the riser's lower end.
+    Give the submerged weight of the body, or give its displaced volume or the density of its material. From
+    volume or density, the engine computes the submerged weight with the mass and gravity. A body at or above
+    the water surface then has its weight in air; to decide this, the engine uses the elevation of the riser's
+    end in the unstretched riser. Weight, drag and added mass are zero if they are not given. In waves, the
+    acceleration of the water causes a force on the displaced volume and on the added mass. If the volume is
+    not given, the engine computes it from mass and ``submerged_weight``. Without ``centre_below`` the body is
+    a point at the riser's end. ``centre_below`` is the distance from the riser's lower end down to the centre
+    of the body. The body then turns rigidly with this end. ``rotary_inertia``, by default zero, refers to
+    axes across the riser through the centre. With ``centre_below``, the arclengths in results start below the
+    riser, at the body's centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still
+    start at the riser's lower end.
     """
 
     name: str
@@ -170,14 +171,15 @@ class TelescopicJoint(Strict):
     Water exerts no forces on the joint; a warning appears if more than half of it is below the surface.
     ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
     The outer and the inner barrel bend as one. ``tension`` is an additional constant pull of tensioners along
-    the joint. Without the key ``stop``, the joint has no end stops. A run then warns if the joint becomes
-    shorter than half of its length or longer than twice its length, because a real joint cannot do so. The
-    mass of the outer barrel is part of ``top.body`` at the ring; the inner barrel moves with the platform.
-    The stops of the joint and the stops of the tensioners (``stroke``) are separate: a rig can have both.
+    the joint. Without the key ``stop``, the joint has no end stops. A run then prints a warning if the joint
+    becomes shorter than half of ``length`` or longer than twice ``length``, because a real joint cannot do
+    so. Include the mass of the outer barrel in ``top.body`` at the ring; the inner barrel moves with the
+    platform. The stops of the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are
+    separate: a rig can have both.
 
     The stroke and the positions of the stops are measured from ``length``. With ``mid_stroke: riser in
-    equilibrium``, they are measured from the length that the joint has when the riser is vertical in still
-    water, carried by its tensioners.
+    equilibrium``, they are measured from another length: the length of the joint when the riser is vertical
+    in still water, carried by its tensioners.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -220,19 +222,19 @@ class Top(Strict):
 
     ``x`` (for x and y) and ``z`` state whether the riser's top follows the platform, is held, or is free.
 
-    With ``x: vessel`` the top moves with a vessel whose motion is computed, in the directions in which it is
-    free. If the scene also has a ``platform``, its horizontal first-order (wave-frequency) motions are added.
-    With ``z: platform``, its vertical first-order motions are added, too. The deck of the tensioners is
-    always vertically above the top, so an offset moves both.
+    With ``x: vessel`` the top moves with a vessel whose motion is computed, in the directions in which the
+    vessel is free. If the scene also has a ``platform``, the horizontal first-order (wave-frequency) motions
+    of this platform are added. With ``z: platform``, its vertical first-order motions are added, too. The
+    deck of the tensioners is always vertically above the top, so an ``offset`` moves the top and the deck.
 
     By default the top is vertically above the bottom (no ``offset``), at the height of the static equilibrium
     (no ``elevation``). Tension, tension loss, force, tensioners and body are absent if they are not given.
-    With ``held_at_tension``, the top is held at the height at which this force is the vertical component of
-    the pull on the static riser, below a body at the top. For this height, the platform is in its position in
-    calm water, and the current has its full speed. If ``x`` follows the platform,
-    a joint or clamp at the top rotates with the platform. With a telescopic joint, the top is the upper end
-    of the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring,
-    below the joint.
+    With ``held_at_tension``, the engine computes the height at which the top is held: at this height, the
+    vertical component of the pull on the static riser, below any body at the top, equals the given force. In
+    this computation, the platform is in its position in calm water, and the current has its full speed. If
+    ``x`` follows the platform, a flex joint or clamp at the top rotates with the platform. With a telescopic
+    joint, the top is the upper end of the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body``
+    are then at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

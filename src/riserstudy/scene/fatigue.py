@@ -113,13 +113,14 @@ class StandardCurve(Strict):
 class Detail(Strict):
     """A detail whose fatigue damage is computed: welds of the wall, a connector, a weld of the wellhead.
 
-    ``at`` gives sections of the riser, named as in ``limits``, by default all sections. ``face`` selects the
-    inner or outer face of the wall, at which the stress by wall tension and bending is computed. For a detail
-    at one end of a section, enter ``stress_per_moment`` instead of ``face``: the stress in the detail divided
-    by the bending moment at this end. For example, ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress
-    by tension is then neglected. The computed nominal stress is multiplied by ``stress_concentration``. The
-    default thickness is the wall thickness of the section; with ``stress_per_moment``, the thickness must be
-    given. The factored damage is the damage times ``safety_factor``.
+    ``at`` gives the sections of the riser with this detail, named as in ``limits``. By default all sections
+    have the detail. ``face`` selects the inner or outer face of the wall. The stress by wall tension and
+    bending is computed at this face. For a detail at one end of a section, enter ``stress_per_moment``
+    instead of ``face``: the stress in the detail divided by the bending moment at this end. For example,
+    ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress by tension is then neglected. The computed
+    nominal stress is multiplied by ``stress_concentration``. The default thickness is the wall thickness of
+    the section; with ``stress_per_moment``, you must give the thickness. The factored damage is the damage
+    times ``safety_factor``.
     """
 
     name: Annotated[str, Field(min_length=1)]

@@ -102,9 +102,9 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A motion at points in time, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
-    Before the first point, the motion has the value of the first point, and after the last point, the value
-    of the last. A sway, roll or yaw whose values are all zero does not require a simulation in three
-    dimensions.
+    Before the first point, the motion has the value of the first point. After the last point, it has the
+    value of the last point. A sway, roll or yaw whose values are all zero does not require a simulation in
+    three dimensions.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -151,17 +151,18 @@ Turn = Tilt | Annotated[list[Tilt], Field(min_length=1)] | TimeSeries[Tilted]
 class Platform(Strict):
     """Prescribed motion: harmonic, a sum of harmonics, or a time series. A motion that is not given is zero.
 
-    Roll is about x, pitch about y (the platform's vertical leans towards +x), and yaw about z.
+    Roll is a rotation about x, pitch about y, and yaw about z. With a positive pitch, the platform's vertical
+    leans towards +x.
 
     In a scene with a ``vessel``, these motions are the first-order (wave-frequency) motions of the vessel,
     and the centre of rotation drifts with the vessel. Phases of response amplitude operators (RAOs) are
-    evaluated at the initial position of the vessel, even if it drifts. A run warns if the vessel drifts by
-    more than a tenth of the wavelength in the direction of the waves of the scene. With a ``vessel``, the
-    engine refuses a cruise, and a position in surge or sway: give the initial position of the vessel by
-    ``top.offset``.
+    evaluated at the initial position of the vessel, even if the vessel drifts. A run prints a warning if the
+    vessel drifts by more than a tenth of the wavelength in the direction of the waves of the scene. With a
+    ``vessel``, the engine refuses the key ``cruise``, and surge or sway in ``position``; give the initial
+    position of the vessel by ``top.offset`` instead.
 
-    RAOs refer to a hull along x. With RAOs, the engine refuses a rest position with a yaw, and a ``vessel``
-    with another heading.
+    RAOs refer to a hull along x. With RAOs, the engine therefore refuses yaw in ``position``, and a
+    ``vessel`` whose heading is not along x.
     """
 
     position: Position | None = None
@@ -296,11 +297,12 @@ class Current(Strict):
 
     By default the current flows along x, and acts from the start of the run without a ramp.
 
-    ``headings`` states whether headings are directions that the current flows to (towards, the default) or
-    comes from. This key also applies to the ``direction`` of points of the profile. Give a direction at all
-    points or at none. If the direction varies, the x and y components are interpolated linearly between
-    points. ``beyond`` is required if the profile does not cover the whole riser. Outside the elevations of
-    the profile, its end values apply (``hold``), or the water is still (``zero``).
+    ``headings`` states whether headings are directions that the current flows to (``towards``, the default)
+    or comes from (``from``). This key also applies to the ``direction`` of points of the profile. Give a
+    ``direction`` at all points or at none. If the direction varies, the x and y components of the velocity
+    are interpolated linearly between points. ``beyond`` is required if the profile does not cover the whole
+    riser. Outside the elevations of the profile, its end values apply (``hold``), or the water is still
+    (``zero``).
     """
 
     profile: Annotated[list[Point], Field(min_length=2)] | Shape | WindDrift | Combined

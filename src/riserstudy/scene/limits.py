@@ -32,20 +32,21 @@ class Limit(Strict):
     """Limit on one output: the largest or smallest allowed value, or the largest allowed mean over time.
 
     ``output`` can be an output along the riser (``effective_tension``, ``bending_moment``, ``shear_force``,
-    ``von_mises_stress``, ``x`` or ``y``). It can also be ``lower_end_tension``, ``ufj_angle``, ``lfj_angle``,
-    ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or ``largest_stress``. In a scene
-    with a disconnect, it can also be ``overpull`` or ``lmrp_clearance``. ``largest_stress`` neglects the
-    pressures of contents and sea; ``von_mises_stress`` includes them. The range of stress cannot be a limit;
-    use ``fatigue`` instead. The clearance of the riser in a moonpool cannot be a limit either.
+    ``von_mises_stress``, ``x`` or ``y``). ``output`` can also be ``lower_end_tension``, ``ufj_angle``,
+    ``lfj_angle``, ``stroke``, ``joint_stroke``, ``tensioner_stroke``, ``tensioner_force`` or
+    ``largest_stress``. In a scene with a disconnect, ``output`` can also be ``overpull`` or
+    ``lmrp_clearance``. ``largest_stress`` neglects the pressures of contents and sea; ``von_mises_stress``
+    includes them. A stress range cannot have a limit; use ``fatigue`` instead. The clearance of the riser in
+    a moonpool cannot have a limit either.
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
-    magnitude. For these outputs, the engine refuses a smallest allowed value, and a negative allowed value.
-    ``at`` states where the limit applies. It names a section, an end of a section (``lower end of`` or
-    ``upper end of``), or a group of consecutive sections by its lowest and highest section (``[lowest,
-    highest]``). By default the limit applies to the whole riser. For tension and stress, the default excludes
-    the stack and the conductor below the flex joint. A disconnect opens the lower flex joint, so the limit
-    applies to the angle of this joint only until the disconnect. An allowable value can have an origin, like
-    any other value of a scene.
+    magnitude. For these outputs, the engine therefore refuses the key ``smallest``, and negative allowed
+    values. ``at`` states where the limit applies: ``at`` names a section, an end of a section (``lower end
+    of`` or ``upper end of``), or a group of consecutive sections by its lowest and highest section
+    (``[lowest, highest]``). By default the limit applies to the whole riser. For tension and stress, the
+    default excludes the stack and the conductor below the flex joint. A disconnect opens the lower flex
+    joint, so the limit applies to the angle of this joint only until the disconnect. An allowable value can
+    have an origin, like any other value of a scene.
     """
 
     output: str

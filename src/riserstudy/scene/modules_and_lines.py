@@ -36,11 +36,11 @@ class Modules(Strict):
 class Line(Strict):
     """Choke, kill, booster or hydraulic lines along the pipe: ``count`` equal lines, or one by default.
 
-    The mass is given, or follows from the density of the wall. ``contents`` gives the density of the fluid
-    inside, which moves with the line; without ``contents`` the line is empty. Lines with a modulus bend
-    together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines share the
-    tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide and the lines carry
-    no tension. The engine neglects that the pressure in a line changes the tension of the pipe.
+    Give the mass, or ``wall_density``, from which the engine computes the mass. ``contents`` gives the
+    density of the fluid inside, which moves with the line; without ``contents`` the line is empty. Lines with
+    a modulus bend together with the pipe, each about its own axis. With ``tension: shared``, pipe and lines
+    share the tension by their stiffnesses. With ``tension: sliding``, the ends of the lines slide and the
+    lines carry no tension. The engine neglects that the pressure in a line changes the tension of the pipe.
     """
 
     name: str

@@ -114,17 +114,19 @@ class InLineExcitation(Strict):
 class VortexInducedVibration(Strict):
     """Vortex-induced vibration across the flow, by the synchronisation model of Thorsen and others (2014).
 
-    A lift force of C_v rho D / 2 times the squared flow speed acts across the flow relative to the pipe. The
-    phase of the lift force synchronises with the velocity of the riser. The section must also have drag
-    across the pipe, because drag limits the amplitude. A scene with this model is solved in three dimensions.
+    A lift force acts across the flow relative to the pipe. The amplitude of this force per length is C_v rho
+    D / 2 times the squared flow speed. The phase of the lift force synchronises with the velocity of the
+    riser. The section must also have drag across the pipe, because drag limits the amplitude. A scene with
+    this model is solved in three dimensions.
 
     ``coefficient`` is C_v, with a published value of 1.2. ``frequencies`` lists three frequencies of the lift
-    force, as multiples of flow speed divided by diameter. They are the lowest frequency, the frequency at
-    which force and velocity are in phase, and the highest frequency. The published values are 0.11, 0.18 and
-    0.26. The model averages the mean square of the motion over the time in which the water flows
-    ``memory`` diameters, for example 20. ``seed`` determines the initial phases, which vary smoothly along
-    the riser. ``ramp`` is the time over which the lift increases, by default ten shedding periods in the
-    fastest current. ``in_line`` adds an excitation along the flow; by default there is none.
+    force, as multiples of flow speed divided by diameter. In this order, they are the lowest frequency, the
+    frequency at which force and velocity are in phase, and the highest frequency. The published values are
+    0.11, 0.18 and 0.26. The model averages the mean square of the motion over the time in which the water
+    flows ``memory`` diameters, for example 20. ``seed`` determines the initial phases of the lift force,
+    which vary smoothly along the riser. ``ramp`` is the time over which the lift increases, by default ten
+    shedding periods in the fastest current. ``in_line`` adds an excitation along the flow; by default there
+    is none.
     """
 
     model: Literal["synchronisation"]
@@ -152,11 +154,11 @@ class Contents(Strict):
 
     The fluid moves with the pipe across the pipe axis, but not along it.
 
-    If the bore is open to the sea, give sea water as contents, or include its weight in ``submerged_weight``.
-    The contents reach up to ``level``, by default to the upper end of the highest section with contents. The
-    gauge pressure of the contents on the wall is the static pressure of the column up to this level. If an
-    intermediate section has no contents, the pressure below this section is unknown, and the von Mises stress
-    there is not computed.
+    If the bore is open to the sea, give sea water as contents, or include the weight of the sea water in
+    ``submerged_weight``. The contents reach up to ``level``, by default to the upper end of the highest
+    section with contents. The gauge pressure of the contents on the wall is the static pressure of the column
+    up to this level. If a section between others has no contents, the pressure below this section is unknown.
+    The von Mises stress below this section is then not computed.
     """
 
     density: Annotated[u.Density, POSITIVE]
@@ -171,9 +173,10 @@ class Joints(Strict):
 
 
 class StructuralDamping(DampingAtPeriod):
-    """Damping of the pipe proportional to its stiffness, as a ratio of critical damping at one period.
+    """Damping of the pipe, proportional to its stiffness.
 
-    Flex joints are not damped: their moment is their stiffness times their angle.
+    ``ratio`` is the ratio of damping to critical damping for a vibration with the period ``at_period``. Flex
+    joints are not damped: their moment is their stiffness times their angle.
     """
 
 
@@ -195,33 +198,35 @@ class Guide(Strict):
 class Section(Strict):
     """A length of riser with uniform properties. Sections are listed from the bottom up.
 
-    The stiffness is given, or follows from modulus and diameters; a section without bending stiffness is a
-    string. The mass is given, or follows from the density of the wall; without both, it is zero. The torsion
-    of the riser resists the yaw of a vessel if a section has a shear modulus. The sections without a shear
-    modulus are then rigid in torsion. Drag, added mass, contents and all other parts that are not given are
-    zero or absent.
+    Give the axial and the bending stiffness, or give Young's modulus and the diameters, from which the engine
+    computes both stiffnesses. A section without bending stiffness is a string: it carries no bending moment.
+    Give the mass, or ``wall_density``, from which the engine computes the mass; without both, the mass is
+    zero. If at least one section has a shear modulus, the torsion of the riser resists the yaw of a vessel.
+    The sections without a shear modulus are then rigid in torsion. Drag, added mass, contents and all other
+    parts that are not given are zero or absent.
 
     ``submerged_weight`` is the weight of the pipe and of everything fixed to it, minus the weight of the
     water that the *outer* surface displaces. It excludes ``contents``. An example is a bare pipe with
-    diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of 9.81
-    m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
+    diameters of 21 in and 19 in and 318.2 kg/m of steel. In sea water of 1025 kg/m^3, with a gravity of
+    9.81 m/s^2, its submerged weight is 874.7 N/m. If the pipe is full of mud of 1200 kg/m^3, ``contents`` add
     2153.4 N/m to this weight. A pipe full of sea water can be described in two ways: by 2714.1 N/m without
-    contents, or by 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, it is computed
-    from mass, diameters, gravity and water. The engine refuses the scene if this computation lacks the inner
-    diameter or the contents. For a section that is wholly above the water, ``submerged_weight`` is the weight
-    in air. A section that crosses the water surface is divided there if it has no ``submerged_weight``, or
-    has modules or lines. The upper part is named ``<name>, above water``. For this part, the engine adds the
-    weight of the water displaced by the outer diameter to a given ``submerged_weight``.
+    contents, or by 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, the engine
+    computes this weight from mass, diameters, gravity and water. For this computation, the section must have
+    an inner diameter and ``contents``; otherwise the engine refuses the scene. For a section that is wholly
+    above the water, ``submerged_weight`` is the weight in air. The engine divides a section at the water
+    surface if the section crosses the surface and has no ``submerged_weight``, or has modules or lines. In
+    results, the upper part is named ``<name>, above water``. For this part, the engine adds the weight of the
+    water displaced by the outer diameter to a given ``submerged_weight``.
 
     ``buoyancy_lift`` is the net lift of buoyancy modules in water. This lift has no effect on the simulation,
     because ``submerged_weight`` already includes it. Only the formula of the command ``tension`` requires
     ``buoyancy_lift``, because the formula treats steel and modules separately. Without ``buoyancy_lift``, the
     formula is not evaluated.
 
-    If a section has ``modules`` or ``lines``, its given mass, weight and stiffness refer to the pipe alone.
-    The engine adds the mass, weight and stiffness of modules and lines. The engine sets ``buoyancy_lift`` to
-    the lift of the modules, and to zero in sections without modules. The given diameters for drag and added
-    mass apply to pipe, modules and lines together.
+    If a section has ``modules`` or ``lines``, the given mass, weight and stiffness of the section refer to
+    the pipe alone. The engine adds the mass, weight and stiffness of modules and lines. The engine sets
+    ``buoyancy_lift`` to the lift of the modules, and to zero in sections without modules. The given diameters
+    for drag and added mass apply to pipe, modules and lines together.
     """
 
     name: str

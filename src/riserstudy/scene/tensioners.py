@@ -147,9 +147,9 @@ class Stroke(Strict):
 class Arrangement(Strict):
     """Cylinders evenly spaced around the ring, from points on the ring to points on the deck.
 
-    ``first_bearing`` is the bearing of the first cylinder, from +x towards +y; with ``half a spacing``, +x is
-    midway between two cylinders. ``deck_elevation`` is the elevation of the deck with the platform at rest.
-    The centre of the deck is vertically above the riser's top.
+    ``first_bearing`` is the bearing of the first cylinder, from +x towards +y. With ``half a spacing``, the
+    direction +x is midway between two cylinders. ``deck_elevation`` is the elevation of the deck with the
+    platform at rest. The centre of the deck is vertically above the riser's top.
     """
 
     ring_radius: Annotated[u.Length, NOT_NEGATIVE]
@@ -198,9 +198,11 @@ class Tensioners(Strict):
     equilibrium with the tension that the cylinders have at mid-stroke. In both states the riser is vertical
     in still water, at an offset of zero.
 
-    ``table`` gives any other law, as the pull of one cylinder over its reach (its extension from mid-stroke).
-    The table is interpolated smoothly and monotonically, or linearly with ``interpolation: linear``. Beyond
-    the ends of the table the pull continues linearly, with a warning.
+    Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
+    ``table``. ``linearised`` replaces a gas law by a straight line. ``table`` gives any other law, as the
+    pull of one cylinder over its reach (its extension from mid-stroke). The table is interpolated smoothly
+    and monotonically, or linearly with ``interpolation: linear``. Beyond the ends of the table the pull
+    continues linearly, with a warning.
 
     Without ``arrangement`` the cylinders are vertical. Cylinders listed in ``failed`` (the first is 0) exert
     no force. Cylinders that fail during the run are listed in ``failing``.

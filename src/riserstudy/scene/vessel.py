@@ -74,9 +74,9 @@ class Thrusters(Strict):
     refer to the directions of the hull in its initial position. Without ``heading``, the commanded position
     is on the x axis. Without ``velocity_gain`` the thrusters do not damp the motion. Without ``saturation``
     the thrust is unlimited; with ``saturation``, the magnitude of the thrust is limited in all directions. By
-    default the command acts suddenly; with ``rise``, it increases as 1 - exp(-t / rise). By default the
-    thrust follows the command immediately; with ``lag``, it follows with this time constant. Without ``sway``
-    there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
+    default the command acts suddenly; with ``rise``, the command increases as 1 - exp(-t / rise). By default
+    the thrust follows the command immediately; with ``lag``, the thrust follows with this time constant.
+    Without ``sway`` there is no thrust across the hull. Without ``yaw`` the thrusters exert no moment.
     """
 
     gain: Annotated[u.Stiffness, NOT_NEGATIVE]
@@ -166,16 +166,16 @@ class Coupling(Strict):
 class Vessel(Strict):
     """A platform that floats freely from its initial position, together with the top of the riser.
 
-    Added mass, hull drag (from the velocity relative to the surface current), wind, wave drift and thrusters
-    are zero if not given. Without ``sway`` the vessel moves only along x, and without ``yaw`` it keeps its
-    heading. Without ``heading`` the hull is along x. If all loads act along x, the vessel does not sway or
-    turn, and these degrees of freedom are removed. Platform and riser are solved as one system, or
-    alternately if ``coupling`` is given.
+    Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
+    velocity of the vessel relative to the surface current. Without ``sway`` the vessel moves only along x,
+    and without ``yaw`` it keeps its heading. Without ``heading`` the hull is along x. If all loads act along
+    x, the vessel does not sway or turn, and these degrees of freedom are removed. Platform and riser are
+    solved as one system, or alternately if ``coupling`` is given.
 
     A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
-    motion of the vessel. The riser's top, deck and tension ring move with the sum of both motions. Hull drag,
-    inertia and thrusters respond only to the slow motion. The mean wave drift of the vessel is a constant
-    force. The outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
+    motion of the vessel. The riser's top and the deck move with the sum of both motions. Hull drag, inertia
+    and thrusters respond only to the slow motion. The mean wave drift of the vessel is a constant force. The
+    outputs ``low_frequency_surge`` and ``low_frequency_sway`` give the slow motion. The outputs
     ``platform_surge`` and ``platform_sway`` give the sum.
     """
 

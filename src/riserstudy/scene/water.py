@@ -15,8 +15,8 @@ from riserstudy.scene.base import POSITIVE
 class Water(Strict):
     """The sea. Without ``water`` there is no drag, added mass, current or waves.
 
-    The elevations ``surface`` and ``seabed`` are required by waves, and by current profiles that give no
-    elevations.
+    Waves require the elevations ``surface`` and ``seabed``. Current profiles without elevations require them,
+    too.
     """
 
     density: Annotated[u.Density, POSITIVE]
