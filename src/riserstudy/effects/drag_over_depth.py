@@ -1,4 +1,4 @@
-r"""Drag whose coefficient depends on elevation, evaluated at the present place of the pipe.
+r"""Drag with a coefficient over elevation, evaluated at the present elevation of the moving pipe.
 
 The coefficient C(z) is linear between the points of a table, and has a jump where two points have the same
 elevation. It is integrated along the straight segments against the hat functions of their nodes,

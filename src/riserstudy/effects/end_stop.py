@@ -1,4 +1,4 @@
-"""End stops of the stroke: stiff springs that act beyond the limits.
+"""End stops of tensioner cylinders: stiff springs that act beyond the ends of the stroke.
 
 References
 ----------

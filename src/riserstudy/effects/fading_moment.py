@@ -1,4 +1,4 @@
-r"""A decreasing moment at the riser's lower end, which the connector carries during its release.
+r"""Moment at the riser's lower end that decreases to zero while the connector releases the riser.
 
 .. math:: M_0(t) = M\,\tfrac12\bigl(1 + \cos(\pi (t - t_0)/\tau)\bigr), \qquad 0 \le t - t_0 \le \tau
 

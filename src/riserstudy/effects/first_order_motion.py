@@ -1,4 +1,4 @@
-r"""First-order motion of a platform that floats freely: superposed on its low-frequency motion.
+r"""First-order (wave-frequency) motion of a freely floating platform, added to its slow drift.
 
 .. math:: x = X(t) + \xi(t),\qquad \xi = \eta + R(\varphi)\,a - a
 

@@ -1,4 +1,4 @@
-r"""Flex joints and clamps, which hold the direction of the riser's end.
+r"""Flex joints (rotational springs) and clamps at the ends of the riser.
 
 .. math:: M = K\,\theta
 

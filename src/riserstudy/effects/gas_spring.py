@@ -1,4 +1,4 @@
-r"""Tensioner gas: an accumulator that expands and compresses adiabatically.
+r"""Gas of a tensioner cylinder, whose pressure follows from its volume by a polytropic law.
 
 .. math:: F = A\,P_0 \left(\frac{V_0}{V_0 - A\,x}\right)^k
 

@@ -1,4 +1,4 @@
-r"""A guide: a spring that keeps one point of the riser above the well, such as a frame or a centraliser.
+r"""Guide, such as a frame or a centraliser: a spring between a point of the riser and the axis of the well.
 
 .. math:: \mathbf f = -k\,\mathbf x, \qquad V = \tfrac12 k\,|\mathbf x|^2
 

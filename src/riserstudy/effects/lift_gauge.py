@@ -1,4 +1,4 @@
-r"""A gauge of the lower end's height above the stack and distance from the well; it exerts no force.
+r"""Gauge of the lower end's height above the stack and its distance from the well; exerts no force.
 
 .. math:: \ell = z_0 - z_{stack}, \qquad a = \sqrt{x_0^2 + y_0^2}
 

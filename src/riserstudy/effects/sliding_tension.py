@@ -1,4 +1,4 @@
-r"""Tension of a telescopic joint held constant along its axis, by tensioners of unlimited reach.
+r"""Constant pull of tensioners along a telescopic joint, and the end stops of the joint.
 
 .. math:: T = T_0 + k\,[\max(0, \ell - \ell_{out}) + \min(0, \ell - \ell_{in})]
 

@@ -1,4 +1,4 @@
-r"""Soil around a conductor: springs at its nodes against lateral displacement y.
+r"""Soil around a conductor: springs that resist the lateral displacement y of its nodes.
 
 The springs are linear, :math:`p = k\,y`, or follow Matlock's soft clay under static load,
 

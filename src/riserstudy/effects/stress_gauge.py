@@ -1,4 +1,4 @@
-r"""A gauge of the largest stress along a section; it exerts no force.
+r"""Gauge of the largest stress along a section; exerts no force.
 
 .. math:: \sigma = |T_e| / A + |M|\,D / 2I
 

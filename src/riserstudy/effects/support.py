@@ -1,4 +1,4 @@
-"""A node held in some directions, at rest or moving with the platform.
+"""Support of a node in some directions: the node is fixed, or moves with the platform.
 
 References
 ----------

@@ -1,4 +1,4 @@
-r"""A tensioner law from a table of pull over reach, interpolated by monotone cubics.
+r"""Pull of a tensioner cylinder from a table over its extension, interpolated by monotone cubics.
 
 .. math:: F(x) = a_k t^3 + b_k t^2 + c_k t + d_k, \qquad t = x - x_k
 

@@ -1,4 +1,4 @@
-r"""Torsion of the riser by the yaw of the platform, as a spring.
+r"""Torsion of the riser: a spring that resists the yaw of the platform.
 
 .. math:: N = -\psi \Big/ \sum_k \frac{L_k}{G I_{p,k}}
 

@@ -1,4 +1,4 @@
-r"""Water surface: drag, added mass and wave force act on the wet share of a segment.
+r"""Water surface: drag, added mass and wave force act only on the part of a segment in the water.
 
 .. math:: w_e = \frac{d_+}{d_+ - d_-}
 
