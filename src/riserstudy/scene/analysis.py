@@ -22,7 +22,7 @@ MOST_VALUES = 300_000_000  # largest number of values of a history over all time
 
 
 class Layers(Strict):
-    """Lengths of layers of short segments at the ends, where the riser bends most; sqrt(EI/T) is suitable."""
+    """Lengths of layers of short segments at the ends of the riser; a suitable length is sqrt(EI/T)."""
 
     bottom: Annotated[u.Length, POSITIVE] | None = None
     top: Annotated[u.Length, POSITIVE] | None = None
@@ -84,15 +84,15 @@ class Analysis(Strict):
     Without ``duration`` only the static equilibrium is computed, with the platform at its ``position`` and
     the current at its full speed. A warning then lists the parts of the scene that have no effect, such as
     motions, waves and thrusters. By default the run starts from the static equilibrium. With ``start:
-    undeflected``, it starts from the equilibrium without current. With ``start: unstretched``, it starts from
-    the shape of the equilibrium, but with unstretched segments. If mesh and time step are not given, the
-    engine chooses them for the tolerance ``accuracy``, by default 0.2 % of displacement and 1 % of moment.
-    The default method of time integration is generalised-alpha with a spectral radius of 0.8. In a scene with
-    a sudden event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the default
-    method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements for small
-    slopes. Newton's iteration ends when the correction of positions is smaller than ``newton_tolerance``
-    times the length of the riser, by default 1e-9. A value below 1e-9 also reduces the limit for corrections
-    of moments, by the same factor.
+    undeflected``, the run starts from the equilibrium without current. With ``start: unstretched``, the run
+    starts from the shape of the equilibrium, but with unstretched segments. If mesh and time step are not
+    given, the engine chooses them for the tolerance ``accuracy``, by default 0.2 % of displacement and 1 % of
+    moment. The default method of time integration is generalised-alpha with a spectral radius of 0.8. In a
+    scene with a sudden event (a disconnect, a tension loss without ``over``, or ``failing`` cylinders), the
+    default method is ESDIRK4. The default solver uses lumped masses; ``solver: hermite`` uses beam elements
+    for small slopes. Newton's iteration ends when the correction of positions is smaller than
+    ``newton_tolerance`` times the length of the riser. The default of ``newton_tolerance`` is 1e-9. A value
+    below 1e-9 also reduces the limit for corrections of moments, by the same factor.
     """
 
     duration: Annotated[u.Time, POSITIVE] | None = None

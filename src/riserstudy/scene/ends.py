@@ -168,14 +168,14 @@ class JointStop(Strict):
 class TelescopicJoint(Strict):
     """Joint above the tension ring that slides without force, and carries shear and bending.
 
-    Water exerts no forces on the joint; a warning appears if more than half of it is below the surface.
-    ``length`` is the distance from the tension ring to the upper end of the joint with the platform at rest.
-    The outer and the inner barrel bend as one. ``tension`` is an additional constant pull of tensioners along
-    the joint. Without the key ``stop``, the joint has no end stops. A run then prints a warning if the joint
-    becomes shorter than half of ``length`` or longer than twice ``length``, because a real joint cannot do
-    so. Include the mass of the outer barrel in ``top.body`` at the ring; the inner barrel moves with the
-    platform. The stops of the joint (``stop``) and the stops of the tensioners (``tensioners.stroke``) are
-    separate: a rig can have both.
+    Water exerts no forces on the telescopic joint. A warning appears if more than half of the joint is below
+    the water surface. ``length`` is the distance from the tension ring to the upper end of the joint with the
+    platform at rest. The outer and the inner barrel bend as one. ``tension`` is an additional constant pull
+    of tensioners along the joint. Without the key ``stop``, the joint has no end stops. A run then prints a
+    warning if the joint becomes shorter than half of ``length`` or longer than twice ``length``, because a
+    real joint cannot do so. Include the mass of the outer barrel in ``top.body`` at the ring; the inner
+    barrel moves with the platform. The stops of the joint (``stop``) and the stops of the tensioners
+    (``tensioners.stroke``) are separate: a rig can have both.
 
     The stroke and the positions of the stops are measured from ``length``. With ``mid_stroke: riser in
     equilibrium``, they are measured from another length: the length of the joint when the riser is vertical

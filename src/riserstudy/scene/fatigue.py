@@ -155,8 +155,8 @@ class Fatigue(Strict):
     """Fatigue damage of details, by rainflow counting of stress and S-N curves (Palmgren and Miner).
 
     ``angles`` is the number of places around the wall at which damage is summed; the first place is on the
-    side of +x. Between two places, the damage can be larger than at both, by a factor of at most cos(pi /
-    angles)^-m. Here m is the exponent of the S-N curve.
+    side of +x. Between two places, the damage can be larger than at both places, by a factor of at most
+    cos(pi / angles)^-m. In this factor, m is the exponent of the S-N curve.
     """
 
     angles: Annotated[int, Field(ge=8, le=72, multiple_of=4), WHOLE]

@@ -44,13 +44,13 @@ class Harmonic(Strict):
 
 
 class Translation(Harmonic):
-    """Harmonic surge, sway or heave."""
+    """Harmonic surge, sway or heave: amplitude sin(2 pi t / period + phase). Default: phase 0, no ramp."""
 
     amplitude: Annotated[u.Length, NOT_NEGATIVE]
 
 
 class Tilt(Harmonic):
-    """Harmonic roll, pitch or yaw."""
+    """Harmonic roll, pitch or yaw: amplitude sin(2 pi t / period + phase). Default: phase 0, no ramp."""
 
     amplitude: Annotated[u.Angle, NOT_NEGATIVE]
 
@@ -102,9 +102,9 @@ P = TypeVar("P", bound=Instant)
 class TimeSeries(Strict, Generic[P]):
     """A motion at points in time, or by a CSV table ``{file: name.csv}``; a cubic spline joins the points.
 
-    Before the first point, the motion has the value of the first point. After the last point, it has the
-    value of the last point. A sway, roll or yaw whose values are all zero does not require a simulation in
-    three dimensions.
+    Before the first point, the motion has the value of the first point. After the last point, the motion has
+    the value of the last point. A sway, roll or yaw whose values are all zero does not require a simulation
+    in three dimensions.
     """
 
     points: Annotated[list[P], Field(min_length=4)]
@@ -251,10 +251,10 @@ def _within_a_turn(name: str, angle: float | None) -> None:
 class Shape(Strict):
     """A named profile of the speed from the seabed to the surface, relative to ``surface_speed``.
 
-    With ``power``, the profile is (height above the seabed / water depth)^power. With ``exponential``, the
-    profile is exp(-depth below the surface / scale). With ``layer``, the speed is uniform down to the depth
-    ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``. By default, seabed
-    and surface have the elevations that ``water`` gives.
+    With ``shape: power``, this relative speed is (height above the seabed / water depth)^power. With ``shape:
+    exponential``, it is exp(-depth below the surface / scale). With ``shape: layer``, the speed is uniform
+    down to the depth ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``.
+    By default, seabed and surface have the elevations that ``water`` gives.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]

@@ -62,7 +62,7 @@ class RegularWave(Swell, Wave):
 
 
 class Storm(Strict):
-    """A JONSWAP spectrum: components of equal energy, whose random phases depend on ``seed``."""
+    """An irregular sea by a JONSWAP spectrum: components of equal energy, with random phases by ``seed``."""
 
     significant_height: Annotated[u.Length, POSITIVE]
     peak_period: Annotated[u.Time, POSITIVE]
@@ -77,7 +77,7 @@ class Storm(Strict):
 
 
 class IrregularSea(Storm, Wave):
-    """A sea with a JONSWAP spectrum: components of equal energy, whose random phases depend on ``seed``.
+    """An irregular sea by a JONSWAP spectrum: components of equal energy, with random phases by ``seed``.
 
     By default the sea travels along x, and it acts from t = 0 without a ramp, on a riser in static
     equilibrium. ``above_mean_level`` has the same meaning as for a regular wave.
@@ -88,12 +88,12 @@ class WindDrift(Strict):
     """Ekman's drift of deep water under a steady wind.
 
     The speed of the drift at the surface is surface_factor W / sqrt(sin latitude), with the wind speed W. At
-    the surface, the direction of the drift is 45 degrees from the wind, and turns further away with depth. At
-    the friction depth, depth_factor W / sqrt(sin latitude), the drift is opposite to its surface direction,
-    with 1/23 of the surface speed. ``component`` selects the part of the drift that acts on the riser: the
-    part along the wind, the part across the wind, the magnitude, or both parts. With ``both``, the heading of
-    the current is the heading of the wind. The drift then turns to the right of the wind in the northern
-    ``hemisphere``, and to the left in the southern hemisphere.
+    the surface, the direction of the drift is 45 degrees from the wind. With depth, the drift turns further
+    away from the wind. At the friction depth, depth_factor W / sqrt(sin latitude), the drift is opposite to
+    its surface direction, with 1/23 of the surface speed. ``component`` selects the part of the drift that
+    acts on the riser: the part along the wind, the part across the wind, the magnitude, or both parts. With
+    ``both``, the heading of the current is the heading of the wind. The drift then turns to the right of the
+    wind in the northern ``hemisphere``, and to the left in the southern hemisphere.
     """
 
     wind_speed: Annotated[u.Speed, POSITIVE]

@@ -18,9 +18,10 @@ from riserstudy.scene.damping import DampingAtPeriod
 class Matlock(Strict):
     """Soft clay under static load, by Matlock's p-y curves.
 
-    The undrained shear strength increases linearly with depth. A p-y curve is infinitely stiff at zero
-    displacement. Up to a small displacement, a straight line therefore replaces the curve. This displacement
-    is ``straight_up_to`` times y50, the displacement at half of the ultimate resistance.
+    The undrained shear strength increases linearly with depth. Matlock's p-y curve (resistance over
+    displacement) is infinitely stiff at zero displacement. Up to a small displacement, a straight line
+    therefore replaces the curve. This displacement is ``straight_up_to`` times y50, the displacement at half
+    of the ultimate resistance.
     """
 
     strength_at_mudline: Annotated[u.Modulus, NOT_NEGATIVE]
@@ -116,7 +117,8 @@ class SoilDamping(DampingAtPeriod):
 class Soil(Strict):
     """Soil around the lowest sections of the riser, below the flex joint, from the mudline down.
 
-    Below the mudline, water exerts no forces: current, waves, drag and added mass act only above it.
+    Below the mudline, water exerts no forces: current, waves, drag and added mass act only above the
+    mudline.
     """
 
     mudline: u.Length

@@ -13,8 +13,8 @@ from riserstudy.scene.base import POSITIVE
 class DampingRatio(Strict):
     """Damping of cylinders as a ratio of critical damping.
 
-    Critical damping is computed for a single mass on a spring: the suspended mass, and the vertical stiffness
-    of the cylinders.
+    The engine computes critical damping for a single mass on a spring. The mass is the suspended mass. The
+    stiffness of the spring is the vertical stiffness of the cylinders.
     """
 
     ratio: Annotated[float, POSITIVE]

@@ -100,8 +100,8 @@ class Sway(Strict):
 class Yaw(Strict):
     """Freedom to rotate about the vertical axis through the riser's top.
 
-    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. If the sections of the riser have
-    a shear modulus, the riser resists the yaw like a spring.
+    Added inertia and hull drag (C |dpsi/dt| dpsi/dt) are zero if not given. If at least one section of the
+    riser has a shear modulus, the riser resists the yaw like a torsional spring.
     """
 
     inertia: Annotated[u.Inertia, POSITIVE]
