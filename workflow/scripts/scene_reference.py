@@ -28,9 +28,10 @@ of the scene that includes each effect.
 
 Write each value with the unit of its source, such as `21 in`, `27 kN*m/deg` or `2.5 knot`. The engine
 converts all values to SI units. The section [Units](#units) lists the names of units. The engine refuses a
-number without a unit where a unit is required, a rotational stiffness without `/deg` or `/rad`, and a
-pressure without `absolute` or `gauge`. The engine also refuses `t` (tonne) as a force; write `tf`. Elevations
-increase upwards from one datum of your choice. Arclengths start at the lower end of the riser.
+number without a unit where a unit is required. A rotational stiffness must have `/deg` or `/rad` in its unit,
+and a pressure `absolute` or `gauge` after its unit. The engine also refuses `t` (tonne) as a force; write
+`tf`. Elevations increase upwards from one datum of your choice. Arclengths start at the lower end of the
+riser.
 
 Every value has an origin, which states where the value comes from. A value without a stated origin is
 *published* if the scene has the key `paper`, and *given* otherwise. Any other origin is written together with

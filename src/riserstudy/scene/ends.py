@@ -33,15 +33,15 @@ class Body(Strict):
 
     Give the submerged weight of the body, or give its displaced volume or the density of its material. From
     volume or density, the engine computes the submerged weight with the mass and gravity. A body at or above
-    the water surface then has its weight in air; to decide this, the engine uses the elevation of the riser's
-    end in the unstretched riser. Weight, drag and added mass are zero if they are not given. In waves, the
-    acceleration of the water causes a force on the displaced volume and on the added mass. If the volume is
-    not given, the engine computes it from mass and ``submerged_weight``. Without ``centre_below`` the body is
-    a point at the riser's end. ``centre_below`` is the distance from the riser's lower end down to the centre
-    of the body. The body then turns rigidly with this end. ``rotary_inertia``, by default zero, refers to
-    axes across the riser through the centre. With ``centre_below``, the arclengths in results start below the
-    riser, at the body's centre of percussion. The arclengths of ``stations`` in ``analysis.output`` still
-    start at the riser's lower end.
+    the water surface then has its weight in air. For this comparison, the body has the elevation of the
+    riser's end in the unstretched riser. Weight, drag and added mass are zero if they are not given. In
+    waves, the acceleration of the water causes a force on the displaced volume and on the added mass. If the
+    volume is not given, the engine computes it from mass and ``submerged_weight``. Without ``centre_below``
+    the body is a point at the riser's end. ``centre_below`` is the distance from the riser's lower end down
+    to the centre of the body. The body then turns rigidly with this end. ``rotary_inertia``, by default zero,
+    refers to axes across the riser through the centre. With ``centre_below``, the arclengths in results start
+    below the riser, at the body's centre of percussion. The arclengths of ``stations`` in ``analysis.output``
+    still start at the riser's lower end.
     """
 
     name: str
@@ -178,8 +178,8 @@ class TelescopicJoint(Strict):
     (``tensioners.stroke``) are separate: a rig can have both.
 
     The stroke and the positions of the stops are measured from ``length``. With ``mid_stroke: riser in
-    equilibrium``, they are measured from another length: the length of the joint when the riser is vertical
-    in still water, carried by its tensioners.
+    equilibrium``, the reference is another length: the joint has this length when the tensioners carry the
+    riser, vertical and in still water.
     """
 
     length: Annotated[u.Length, POSITIVE]
@@ -229,12 +229,12 @@ class Top(Strict):
 
     By default the top is vertically above the bottom (no ``offset``), at the height of the static equilibrium
     (no ``elevation``). Tension, tension loss, force, tensioners and body are absent if they are not given.
-    With ``held_at_tension``, the engine computes the height at which the top is held: at this height, the
-    vertical component of the pull on the static riser, below any body at the top, equals the given force. In
-    this computation, the platform is in its position in calm water, and the current has its full speed. If
-    ``x`` follows the platform, a flex joint or clamp at the top rotates with the platform. With a telescopic
-    joint, the top is the upper end of the joint. ``tension``, ``tensioners``, ``lateral_force`` and ``body``
-    are then at the tension ring, below the joint.
+    With ``held_at_tension``, the engine computes the height at which the top is held. At this height, the
+    vertical component of the pull on the static riser equals the given force. If there is a body at the top,
+    the pull below this body counts. In this computation, the platform is in its position in calm water, and
+    the current has its full speed. If ``x`` follows the platform, a flex joint or clamp at the top rotates
+    with the platform. With a telescopic joint, the top is the upper end of the joint. ``tension``,
+    ``tensioners``, ``lateral_force`` and ``body`` are then at the tension ring, below the joint.
     """
 
     x: Literal["platform", "held", "free", "vessel"] | None = None

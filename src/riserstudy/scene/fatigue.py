@@ -115,8 +115,8 @@ class Detail(Strict):
 
     ``at`` gives the sections of the riser with this detail, named as in ``limits``. By default all sections
     have the detail. ``face`` selects the inner or outer face of the wall. The stress by wall tension and
-    bending is computed at this face. For a detail at one end of a section, enter ``stress_per_moment``
-    instead of ``face``: the stress in the detail divided by the bending moment at this end. For example,
+    bending is computed at this face. For a detail at one end of a section, give ``stress_per_moment`` instead
+    of ``face``. This key is the stress in the detail divided by the bending moment at this end. For example,
     ``0.02 MPa/kN/m`` means 0.02 MPa for each kN m. The stress by tension is then neglected. The computed
     nominal stress is multiplied by ``stress_concentration``. The default thickness is the wall thickness of
     the section; with ``stress_per_moment``, you must give the thickness. The factored damage is the damage

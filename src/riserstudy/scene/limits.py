@@ -41,10 +41,10 @@ class Limit(Strict):
 
     For moments, shear forces, angles, x and y, the sign is a convention, so the limit applies to the
     magnitude. For these outputs, the engine therefore refuses the key ``smallest``, and negative allowed
-    values. ``at`` states where the limit applies: ``at`` names a section, an end of a section (``lower end
-    of`` or ``upper end of``), or a group of consecutive sections by its lowest and highest section
-    (``[lowest, highest]``). By default the limit applies to the whole riser. For tension and stress, the
-    default excludes the stack and the conductor below the flex joint. A disconnect opens the lower flex
+    values. ``at`` states where the limit applies. The value is the name of a section, or an end of a section
+    (``lower end of`` or ``upper end of``). A group of consecutive sections is given by its lowest and highest
+    section (``[lowest, highest]``). By default the limit applies to the whole riser. For tension and stress,
+    the default excludes the stack and the conductor below the flex joint. A disconnect opens the lower flex
     joint, so the limit applies to the angle of this joint only until the disconnect. An allowable value can
     have an origin, like any other value of a scene.
     """

@@ -194,9 +194,9 @@ class Failing(Strict):
 class Tensioners(Strict):
     """Equal cylinders between tension ring and deck. By default the cylinders have no damping and no stops.
 
-    ``mid_stroke`` states in which state of the riser all cylinders are at mid-stroke: unstretched, or in
-    equilibrium with the tension that the cylinders have at mid-stroke. In both states the riser is vertical
-    in still water, at an offset of zero.
+    ``mid_stroke`` defines the state of the riser in which all cylinders are at mid-stroke. In this state, the
+    riser is unstretched, or in equilibrium with the tension that the cylinders have at mid-stroke. In both
+    states the riser is vertical in still water, at an offset of zero.
 
     Give exactly one law for the pull of a cylinder: ``gas``, ``two_chamber_gas``, ``linear``, ``carried`` or
     ``table``. ``linearised`` replaces a gas law by a straight line. ``table`` gives any other law, as the
