@@ -36,12 +36,12 @@ class Body(Strict):
     the water surface then has its weight in air. For this comparison, the body has the elevation of the
     riser's end in the unstretched riser. Weight, drag and added mass are zero if they are not given. In
     waves, the acceleration of the water causes a force on the displaced volume and on the added mass. If the
-    volume is not given, the engine computes it from mass and ``submerged_weight``. Without ``centre_below``
-    the body is a point at the riser's end. ``centre_below`` is the distance from the riser's lower end down
-    to the centre of the body. The body then turns rigidly with this end. ``rotary_inertia``, by default zero,
-    refers to axes across the riser through the centre. With ``centre_below``, the arclengths in results start
-    below the riser, at the body's centre of percussion. The arclengths of ``stations`` in ``analysis.output``
-    still start at the riser's lower end.
+    displaced volume is not given, the engine computes this volume from mass and ``submerged_weight``. Without
+    ``centre_below`` the body is a point at the riser's end. ``centre_below`` is the distance from the riser's
+    lower end down to the centre of the body. The body then turns rigidly with this end. ``rotary_inertia``,
+    by default zero, refers to axes across the riser through the centre. With ``centre_below``, the arclengths
+    in results start below the riser, at the body's centre of percussion. The arclengths of ``stations`` in
+    ``analysis.output`` still start at the riser's lower end.
     """
 
     name: str

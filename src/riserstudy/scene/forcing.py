@@ -252,9 +252,9 @@ class Shape(Strict):
     """A named profile of the speed from the seabed to the surface, relative to ``surface_speed``.
 
     With ``shape: power``, this relative speed is (height above the seabed / water depth)^power. With ``shape:
-    exponential``, it is exp(-depth below the surface / scale). With ``shape: layer``, the speed is uniform
-    down to the depth ``layer`` below the surface, then decreases linearly to zero at the depth ``vanishes``.
-    By default, seabed and surface have the elevations that ``water`` gives.
+    exponential``, this relative speed is exp(-depth below the surface / scale). With ``shape: layer``, the
+    speed is uniform down to the depth ``layer`` below the surface, then decreases linearly to zero at the
+    depth ``vanishes``. By default, seabed and surface have the elevations that ``water`` gives.
     """
 
     shape: Literal["uniform", "power", "exponential", "layer"]

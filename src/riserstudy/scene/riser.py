@@ -206,13 +206,13 @@ class Section(Strict):
     parts that are not given are zero or absent.
 
     ``submerged_weight`` is the weight of the pipe and of everything fixed to it, minus the weight of the
-    water that the *outer* surface displaces. It excludes ``contents``. An example is a bare steel pipe with
-    an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea water of 1025
-    kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the pipe is full
-    of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to describe a pipe
-    full of sea water. One is a ``submerged_weight`` of 2714.1 N/m without contents. The other is a
-    ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent, the
-    engine computes this weight from mass, diameters, gravity and water. For this computation, the section
+    water that the *outer* surface displaces. The weight of ``contents`` is not included. An example is a bare
+    steel pipe with an outer diameter of 21 in, an inner diameter of 19 in and a mass of 318.2 kg/m. In sea
+    water of 1025 kg/m^3, with a gravity of 9.81 m/s^2, the submerged weight of this pipe is 874.7 N/m. If the
+    pipe is full of mud of 1200 kg/m^3, ``contents`` add 2153.4 N/m to this weight. There are two ways to
+    describe a pipe full of sea water. One is a ``submerged_weight`` of 2714.1 N/m without contents. The other
+    is a ``submerged_weight`` of 874.7 N/m with contents of 1025 kg/m^3. If ``submerged_weight`` is absent,
+    the engine computes this weight from mass, diameters, gravity and water. For this computation, the section
     must have an inner diameter and ``contents``; otherwise the engine refuses the scene. For a section that
     is wholly above the water, ``submerged_weight`` is the weight in air. The engine divides a section at the
     water surface if the section crosses the surface and has no ``submerged_weight``, or has modules or lines.

@@ -79,7 +79,7 @@ class Storm(Strict):
 class IrregularSea(Storm, Wave):
     """An irregular sea by a JONSWAP spectrum: components of equal energy, with random phases by ``seed``.
 
-    By default the sea travels along x, and it acts from t = 0 without a ramp, on a riser in static
+    By default the sea travels along x. The sea acts from t = 0 without a ramp, on a riser in static
     equilibrium. ``above_mean_level`` has the same meaning as for a regular wave.
     """
 

@@ -65,8 +65,8 @@ class Pistons(Strict):
 class TwoChamberGas(Strict):
     """Two gas chambers per cylinder.
 
-    The pull of the cylinder is the force of the gas at high pressure, minus the force of the gas at low
-    pressure and the weight of the pistons.
+    The gas at high pressure pulls the tension ring up. The gas at low pressure and the weight of the pistons
+    act against this force. The pull of the cylinder is the difference.
 
     Without ``pistons``, the pistons have neither weight nor mass.
     """

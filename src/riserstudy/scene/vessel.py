@@ -168,9 +168,9 @@ class Vessel(Strict):
 
     Added mass, hull drag, wind, wave drift and thrusters are zero if not given. The hull drag depends on the
     velocity of the vessel relative to the surface current. Without ``sway`` the vessel moves only along x,
-    and without ``yaw`` it keeps its heading. Without ``heading`` the hull is along x. If all loads act along
-    x, the vessel does not sway or turn, and these degrees of freedom are removed. Platform and riser are
-    solved as one system, or alternately if ``coupling`` is given.
+    and without ``yaw`` the vessel keeps its heading. Without ``heading`` the hull is along x. If all loads
+    act along x, the vessel does not sway or turn, and these degrees of freedom are removed. Platform and
+    riser are solved as one system, or alternately if ``coupling`` is given.
 
     A ``platform`` in the same scene gives first-order motions in waves, which are superposed on the slow
     motion of the vessel. The riser's top and the deck move with the sum of both motions. Hull drag, inertia
