@@ -108,7 +108,9 @@ def _needs(missing: str) -> str:
 def advise(scene: SceneArgument, settings: SetOption = None) -> None:
     """Recommend effects to remove or add, within the tolerance of a scene.
 
-    The tension is compared at the upper end, and at the place where it is smallest.
+    For each effect, the command changes the scene by this effect alone, and compares displacement, bending
+    moment and tension with the results of the scene. Tension is compared at the riser's upper end, and at the
+    place where it is smallest. An effect is removable if the results change by at most the tolerance.
     """
     from rich.console import Console
     from rich.table import Table
@@ -150,10 +152,10 @@ def modes(
 ) -> None:
     """Compute natural frequencies and mode shapes about the static equilibrium.
 
-    The mesh is prescribed by the scene, or has about 200 segments. The errors of frequencies are estimated
-    from two finer meshes, with two and four times as many segments. More segments
-    (``analysis.mesh.elements``) give smaller errors. The estimate does not include one neglected effect:
-    tensioner cylinders also resist a rotation of the tension ring. In six rigs, this effect changed
+    If the scene does not prescribe a mesh, the riser has about 200 segments. The command estimates the errors
+    of the frequencies from two finer meshes, with two and four times as many segments. More segments
+    (``analysis.mesh.elements``) give smaller errors. The estimated errors do not include one neglected
+    effect: tensioner cylinders also resist a rotation of the tension ring. In six rigs, this effect changed
     frequencies by 0.03 to 0.16 %.
     """
     from rich.console import Console

@@ -119,7 +119,9 @@ MostOption = Annotated[
 CoresOption = Annotated[int | None, typer.Option(min=1, help="number of processes; default: number of cores")]
 LimitUnitsOption = Annotated[
     UnitSystem | None,
-    typer.Option(help="units of limits of the scene: SI (si), kN and MPa (field: default), or us"),
+    typer.Option(
+        help="units of printed limits: SI (si), kN and MPa (field, the default), or feet and kips (us)"
+    ),
 ]
 ResponsesOption = Annotated[
     Path | None,
@@ -157,12 +159,13 @@ def downtime(
 
     For future years, the command predicts a range of workable hours from the hours in each whole year of the
     record, by Student's t-distribution. The option --persistence sets how similar consecutive years are. A
-    weather window ends at a gap in the record. If the record has a gap while one waits for a window, only a
-    lower bound of the waiting time is known.
+    weather window ends at a gap in the record. If there is a gap before the next window starts, only a lower
+    bound of the waiting time is known.
 
-    With --scene, the limits of that scene must be met, too. The command then simulates sea states of the
-    record, and interpolates the response between them. It adds sea states until the error of the
-    interpolation is within the tolerance --error. Further simulated sea states check the result.
+    With --scene, the limits of that scene must be met, too. The command then simulates some sea states of the
+    record, and interpolates the response of the riser between them. It adds simulated sea states until the
+    error of the interpolation is within the tolerance --error. Finally, the command checks the interpolation
+    by simulations of other sea states.
     """
     from riserstudy.seas.hours import idle_limits, sea_limit
     from riserstudy.seas.record import check_windows

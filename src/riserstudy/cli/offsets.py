@@ -55,8 +55,8 @@ def operability(
 ) -> None:
     """Compute the static offset range within which each limit is met.
 
-    For each limit, the table gives the allowable value, the allowance if there is one, and the offsets. The
-    exit status is 4 if a limit could not be evaluated.
+    For each limit, the table gives the allowable value, the allowance for waves (if given by --allowance),
+    and the offsets. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     require_limits(file)
@@ -101,11 +101,11 @@ def envelope(
 ) -> None:
     """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
-    At each offset, the static equilibrium is computed. To include a sea, an allowance is added to the static
-    value of each output, or subtracted for a lower limit. In nine of ten random realisations of the sea, the
-    change due to waves does not exceed this allowance. The allowance is computed from runs in the current and
-    at the offset of the scene. Limits on means have no allowance. The exit status is 4 if a limit could not
-    be evaluated.
+    At each offset, the command computes the static equilibrium. To include a sea, the command adds an
+    allowance to the static value of each output. For a lower limit, it subtracts the allowance. In nine of
+    ten random realisations of the sea, the change due to waves does not exceed this allowance. The command
+    computes the allowance by simulations in the sea, with the current and the offset of the scene. Limits on
+    mean values have no allowance. The exit status is 4 if a limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

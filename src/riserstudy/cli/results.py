@@ -58,8 +58,9 @@ def results(
 ) -> None:
     """List studies, or the points of one study with their results.
 
-    If the arguments are other words, the command lists the points (single simulations) whose description
-    contains all these words. The description includes study, axis values, scene, effects and warnings.
+    If the arguments are not the name of a study, the command lists the points (single simulations) whose
+    description contains all given words. The description includes study, axis values, scene, effects and
+    warnings.
     """
     from riserstudy.database import listing
     from riserstudy.database.ask import NAME, connect
@@ -211,8 +212,8 @@ def crate(
     """Pack a study, its results and their description into one archive (run crate), which anyone can rerun.
 
     The command refuses results that are damaged or were edited. It also refuses results of a run that was
-    interrupted, failed or made only some files. The command prints a note with the results whose inputs were
-    edited later.
+    interrupted, failed or made only some files. If an input was edited after the run, the command prints a
+    note that names the results to which this applies.
     """
     from riserstudy.crate.pack import pack
 
