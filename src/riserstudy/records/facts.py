@@ -58,7 +58,7 @@ class EnergyAudit(TypedDict, total=False):
 #: relative errors by quantity
 ErrorEstimate = dict[str, float]
 _ERROR, _NOT_LIMITED = "estimated relative error of ", ", which the tolerance does not limit"
-_SAMPLING = "relative standard error, due to the finite length of the run, of the vibration's "
+_SAMPLING, _LENGTH = "relative standard error of the vibration's ", ", due to the finite length of the run"
 
 
 class _Rare(TypedDict):
@@ -74,17 +74,17 @@ class RunFacts(TypedDict, total=False):
 
     wall_seconds: Annotated[float, Column("elapsed time of the simulation", "s", repeats=False)]
     solve_seconds: Annotated[
-        float, Column("time of the single run, or of all refinements", "s", repeats=False)
+        float, Column("elapsed time of the run and of its refinements", "s", repeats=False)
     ]
     elements: Annotated[int, Column("segments of the riser", "1", kind="integer")]
     step: Annotated[float, Column("time step", "s")]
     newton_iterations: Annotated[
-        int, Column("Newton iterations of the riser, all steps", "1", kind="integer")
+        int, Column("number of Newton iterations in all time steps", "1", kind="integer")
     ]
     error_estimate: Annotated[
         ErrorEstimate,
         Column(
-            "whether the error was estimated at this point: 1, or 0",
+            "1 if the error was estimated at this point, otherwise 0",
             "1",
             name="error_estimated",
             kind="integer",
@@ -110,7 +110,7 @@ class RunFacts(TypedDict, total=False):
     audit: Annotated[
         EnergyAudit,
         Column(
-            "energy residual as a share of the energy exchanged or stored",
+            "energy residual, divided by the larger of exchanged and stored energy",
             "1",
             name="unexplained_energy",
             part="unexplained_share",
@@ -145,8 +145,8 @@ class RunFacts(TypedDict, total=False):
     vibration_scatter: Annotated[
         float,
         Column(
-            "change of the vibration's root mean squares from the first to the second half of the time, "
-            "over the riser, relative to that of the whole vibration",
+            "difference of the vibration between the first and the second half of the time, as root mean "
+            "square along the riser, divided by the root mean square of the vibration",
             "1",
             **_RARE,
         ),
@@ -156,11 +156,19 @@ class RunFacts(TypedDict, total=False):
     sampling_error: Annotated[
         ErrorEstimate,
         Column(
-            _SAMPLING + "displacement", "1", name="sampling_error_displacement", part="displacement", **_RARE
+            _SAMPLING + "displacement" + _LENGTH,
+            "1",
+            name="sampling_error_displacement",
+            part="displacement",
+            **_RARE,
         ),
-        Column(_SAMPLING + "bending moment", "1", name="sampling_error_moment", part="moment", **_RARE),
-        Column(_SAMPLING + "tension", "1", name="sampling_error_tension", part="tension", **_RARE),
-        Column(_SAMPLING + "fatigue damage", "1", name="sampling_error_damage", part="damage", **_RARE),
+        Column(
+            _SAMPLING + "bending moment" + _LENGTH, "1", name="sampling_error_moment", part="moment", **_RARE
+        ),
+        Column(_SAMPLING + "tension" + _LENGTH, "1", name="sampling_error_tension", part="tension", **_RARE),
+        Column(
+            _SAMPLING + "fatigue damage" + _LENGTH, "1", name="sampling_error_damage", part="damage", **_RARE
+        ),
     ]
 
     statistics: dict[str, Any]  # statistics of a vibration, for runs that are kept for comparisons
