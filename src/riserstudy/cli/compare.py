@@ -58,10 +58,10 @@ def compare(
     The first column of a table is `time (s)`, or the arclength `s (m)` from the riser's lower end. The other
     headings name a variable, its place and its unit, such as `effective_tension at 300 m (kN)`. Commas,
     semicolons or tabs separate the cells. A column `wall_tension` is converted to effective tension with the
-    pressures of the scene. The command also reads time histories and range graphs of OrcaFlex, such as
-    `Effective tension (kN)` over `Arc length (m)`. With the package `qats` (`pip install
-    "riserstudy[formats]"`), the command reads time series of SIMA, RIFLEX, Matlab and others. For each of
-    these series, --column must define the quantity, its place and its unit.
+    pressures inside and outside the pipe, computed from the scene. The command also reads time histories and
+    range graphs of OrcaFlex, such as `Effective tension (kN)` over `Arc length (m)`. With the package `qats`
+    (`pip install "riserstudy[formats]"`), the command reads time series of SIMA, RIFLEX, Matlab and others.
+    For each of these series, --column must define the quantity, its place and its unit.
     """
     from riserstudy.dataset.comparison import compared, difference
     from riserstudy.dataset.open import open_dataset
