@@ -11,19 +11,24 @@ from numpy.typing import NDArray
 
 from riserstudy.dataset.limits import error_of, rows_of, too_coarse
 from riserstudy.dataset.result import Result
+from riserstudy.model.layout import directions
 from riserstudy.model.mesh import Mesh, mesh_of
 from riserstudy.scene.at_rest import static
 from riserstudy.scene.limits import ALONG, SIGNED, Limit
 from riserstudy.scene.load import SceneFile
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.extremes import places
+from riserstudy.simulation.outputs import rotations_at_rest
 from riserstudy.simulation.refine import run
-from riserstudy.simulation.run import single
+from riserstudy.simulation.rest import Rest
+from riserstudy.simulation.run import finish, march
+from riserstudy.simulation.section_forces import shear
 from riserstudy.study.demand_in_sea import demand
 from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
+OUTPUTS = 20  # smallest number of outputs in the shortest period of a sea, for moments in space
 NO_VESSEL = "replace it by `platform`, with `top.x: platform`"
 
 
@@ -66,13 +71,45 @@ class Run(NamedTuple):
     mesh: Mesh
     moving: Result
     rest: Result
+    # in space, largest magnitudes of the changes of vectors from rest, by output: one value, or (n + 1,)
+    swings: Mapping[str, FloatArray]
 
 
 def _run(scene: Resolved, there: Resolved) -> Run:
     """Run a scene ``there``, in the sea; ``scene`` is itself."""
-    moving = run(there)
-    mesh = mesh_of(scene, moving.arrays["l0"])
-    return Run(mesh, moving, single(static(scene), mesh, None))
+    moving = run(_often(there) if directions(there) == len("xyz") else there)
+    mesh, still = mesh_of(scene, moving.arrays["l0"]), static(scene)
+    rest = Rest(still, mesh)
+    found = finish(still, mesh, march(still, mesh, None, rest=rest))
+    return Run(mesh, moving, found, _swings(still, mesh, moving, rest))
+
+
+def _often(there: Resolved) -> Resolved:
+    """The scene with outputs at all nodes, and so frequent that they miss few peaks of moments in space."""
+    output = there.analysis.output
+    if output is None or there.shortest_period is None:
+        return there
+    interval = min(output.interval, there.shortest_period / OUTPUTS)
+    output = output.replaced(stations=None, interval=interval)
+    return there.replaced(analysis=there.analysis.replaced(output=output))
+
+
+def _swings(scene: Resolved, mesh: Mesh, moving: Result, rest: Rest) -> dict[str, FloatArray]:
+    """In space, the largest magnitude of the change of angles, moments and shear from rest, as vectors.
+
+    A magnitude alone hides motions through zero, and motions across the direction at rest, which add to the
+    demand at other offsets. In a plane, where these outputs have signs, the result is empty.
+    """
+    still, found = rotations_at_rest(scene, rest.model, mesh), {}
+    for name, turned in moving.seen.rotations.items():
+        found[name] = np.linalg.norm(turned - still[name], axis=-1).max(axis=0)
+    if "mesh_moment" in moving.arrays:
+        change, above = moving.arrays["mesh_moment"] - rest.moment, moving.arrays.get("mesh_above_ring")
+        found["bending_moment"] = np.linalg.norm(change, axis=1).max(axis=0)
+        if above is not None:
+            above = above - rest.arrays["mesh_above_ring_static"]
+        found["shear_force"] = shear(rest.arrays, change, True, above).max(axis=0)
+    return found
 
 
 def _of_limit(scene: Resolved, limit: Limit, runs: Sequence[Run]) -> Allowance:
@@ -103,7 +140,7 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
 
     Along the riser it is the largest of the nodes of the place. For outputs with a sign it is the motion to
     either side. The motion against the sign at rest adds to the demand at offsets where the value at rest has
-    the other sign.
+    the other sign. In space, it is also at least the magnitude of the change of the vector.
     """
     at_rest = {row["where"]: row for row in rows_of(scene, limit, of.rest.facts["extremes"])}
     nodes = dict(places(scene, of.mesh, limit.output)) if limit.output in ALONG else {}
@@ -115,7 +152,10 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
         above = _motion(of, limit.output, "largest", nodes.get(where), row, at_rest[where])
         below = -_motion(of, limit.output, "smallest", nodes.get(where), row, at_rest[where])
         sided = below if limit.side == "smallest" else above
-        added[where] = max(above, below) if limit.output in SIGNED else sided
+        swing = of.swings.get(limit.output, np.zeros(1))
+        swing = swing[nodes[where]] if where in nodes and limit.output in of.swings else swing
+        both = max(above, below, float(np.max(swing)))
+        added[where] = both if limit.output in SIGNED else sided
     return added
 
 

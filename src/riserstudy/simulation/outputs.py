@@ -244,6 +244,11 @@ def rotations(scene: Resolved, model: Model, mesh: Mesh, record: Record) -> Arra
     return arrays
 
 
+def rotations_at_rest(scene: Resolved, model: Model, mesh: Mesh) -> Arrays:
+    """Angles of flex joints in space with their directions for a model at rest, (3,) rad, by name."""
+    return {name: of[0] for name, of in rotations(scene, model, mesh, _tabulated(model)).items()}
+
+
 def _deck_heave(scene: Resolved, record: Record, rest: AtRest) -> FloatArray:
     """Vertical motion of the deck above the riser from its rest position, (time,), m: by heave and tilts."""
     place = (scene.platform and scene.platform.position) or Position()

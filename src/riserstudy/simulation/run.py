@@ -159,7 +159,7 @@ def finish(scene: Resolved, mesh: Mesh, result: Result) -> Result:
             facts["limits_reached"] = [one.time for one in found]
             facts["limits_reached_error"] = [one.error for one in found]
     facts["solve_seconds"] += clock.perf_counter() - started
-    result.seen = Seen()
+    result.seen = Seen(rotations=seen.rotations)
     return result
 
 
