@@ -5,6 +5,7 @@ TIER ?= standard
 CORES ?= all
 STUDY = .venv/bin/python workflow/scripts/run_study.py --tier '$(TIER)' --cores '$(CORES)'
 IN_ENVIRONMENT = PATH="$(CURDIR)/.venv/bin:$$PATH"
+TESTS = pytest -q -n 2 --dist worksteal --benchmark-disable
 
 # The marker's name holds what the environment was made from, and where: a moved checkout, another
 # lock or an interpreter that is gone asks for a new one.
@@ -15,7 +16,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
-.PHONY: help study test test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
+.PHONY: help study test test-long test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
 .PHONY: environment test-crate test-formats test-container test-hostile test-faults test-pythons test-strangers
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
@@ -30,7 +31,10 @@ study: $(READY)  ## simulate, grade, draw and report all studies (TIER=preview|s
 	@exec $(STUDY)
 
 test: $(READY)  ## run the tests, without those of the other test targets
-	@$(IN_ENVIRONMENT) pytest -q -n 2 --dist worksteal --benchmark-disable -m 'not slow and not cluster and not page'
+	@$(IN_ENVIRONMENT) $(TESTS) -m 'not long and not slow and not cluster and not page'
+
+test-long: $(READY)  ## run the tests of whole studies, and the other seeds of those of `make test`
+	@$(IN_ENVIRONMENT) $(TESTS) -m 'long and not slow and not cluster and not page'
 
 test-slow: $(READY)  ## run the slow tests
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'

@@ -2,7 +2,9 @@
 
 import copy
 import gc
+import math
 import sys
+from collections import defaultdict
 
 import pytest
 from hypothesis import HealthCheck, settings
@@ -52,6 +54,22 @@ def pytest_collection():
         return (yield)
     finally:
         gc.enable()
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Mark as long all but the first third of the seeds of a test; at least two seeds stay."""
+    drawn = defaultdict(list)
+    for item in items:
+        values = getattr(item, "callspec", None)
+        if values and "seed" in values.params and not item.get_closest_marker("slow"):
+            drawn[item.path, item.originalname].append(item)
+    for tests in drawn.values():
+        seeds = sorted({test.callspec.params["seed"] for test in tests})
+        few = seeds[: max(2, math.ceil(len(seeds) / 3))]
+        for test in tests:
+            if test.callspec.params["seed"] not in few:
+                test.add_marker("long")
 
 
 @pytest.fixture

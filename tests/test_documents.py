@@ -92,6 +92,7 @@ def build(docs, target, builder):
     return subprocess.run(command, capture_output=True, text=True)
 
 
+@pytest.mark.long
 def test_the_site_builds_and_needs_no_network(tmp_path):
     site = tmp_path / "site"
     done = build(ROOT / "docs", site, "html")

@@ -11,6 +11,8 @@ from test_figures import FIGURES, drawn
 
 from riserstudy.figures.style import shades
 
+pytestmark = pytest.mark.long
+
 #: groups of meanings that are one thing
 SAME = {
     "chang2020": [

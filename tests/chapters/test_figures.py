@@ -29,6 +29,8 @@ from riserstudy.study.models import StudyFile
 from riserstudy.study.read import read_studies
 from riserstudy.study.study import Study
 
+pytestmark = pytest.mark.long
+
 CONFIG = Path(__file__).parents[2] / "config"
 
 

@@ -11,6 +11,8 @@ import pytest
 from riserstudy.simulation.kernel_groups import GROUPS, group_of
 from riserstudy.simulation.warm_up import scenes
 
+pytestmark = pytest.mark.long
+
 SCENES = Path(__file__).parents[2] / "config/scenes"
 GENERIC = SCENES / "design/riser.yaml"
 TENSIONERS = ("--units", 6, "--tension-ratio", 0.95, "--weight", 1.05, "--buoyancy", 0.96)

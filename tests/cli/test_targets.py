@@ -18,6 +18,8 @@ from riserstudy.cli.targets import ENDINGS, Writes
 from riserstudy.database.build import schema
 from riserstudy.scene.tables import PLACES, is_table
 
+pytestmark = pytest.mark.long
+
 DECKS = Path(__file__).parents[1] / "importers/decks"
 SCENE = """\
 title: one section in a current

@@ -16,6 +16,8 @@ from short_study import lay_out, numbers, same, shared_kernels, snakemake
 
 from riserstudy.crate.metadata import NAME, write_crate
 
+pytestmark = pytest.mark.long
+
 VALIDATE = Path(__file__).with_name("validate.py")
 TABLE = """\
 paper,id,figure,kind,statement,published,simulated,unit,error,verdict,depends_on,margin,margin_low,margin_high,note,grounds

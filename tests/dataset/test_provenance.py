@@ -135,6 +135,7 @@ def entries(folder):
     return {path.relative_to(folder).as_posix() for path in folder.rglob("*")}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", COMMANDS)
 def test_whatever_tables_are_called_only_the_output_is_written(commands, run, sandbox, monkeypatch, name):
     words, output = COMMANDS[name]

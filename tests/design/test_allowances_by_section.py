@@ -32,6 +32,7 @@ def ends(file, reach, seas):
     return (low, high), not found.missing
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("output", UNITS)
 @pytest.mark.parametrize("spatial", [False, True])
 @pytest.mark.parametrize("seed", SEEDS)

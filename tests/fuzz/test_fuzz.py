@@ -17,6 +17,7 @@ SURGE = Path(__file__).parents[2] / "config/scenes/bench/s2.yaml"
 SHARE = {"scene": 50, "study": 10, "table": 20, "command": 15}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", SHARE)
 def test_a_share_of_hostile_input_is_met(kind):
     faults, codes = faults_of(kind, range(SHARE[kind]))

@@ -88,6 +88,7 @@ def simulated(changes, method):
     return run(file.resolved(), estimated=False)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("method", [{"rho_inf": 0.8}, "TR-BDF2", "ESDIRK4"], ids=str)
 @pytest.mark.parametrize("case", CASES)
 def test_it_stays_bounded_and_its_energy_is_accounted_for(case, method):

@@ -163,6 +163,7 @@ def picture_of(scene):
     return hashlib.sha256(bytes(canvas.buffer_rgba())).hexdigest()
 
 
+@pytest.mark.long
 def test_what_is_said_to_be_shown_changes_the_drawing():
     """Each part that scenes of the project can do without: without it some drawing is another one."""
     tried, changed = set(), set()

@@ -2,7 +2,10 @@
 
 import csv
 
+import pytest
 from page_notebook import run_notebook
+
+pytestmark = pytest.mark.long
 
 
 def test_the_notebook_of_its_page_runs_and_writes_the_table(tmp_path, monkeypatch):

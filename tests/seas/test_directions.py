@@ -185,6 +185,7 @@ ALL_ROUND = [
 ]
 
 
+@pytest.mark.long
 def test_rows_between_headings_have_the_response_to_their_own_direction(file, record):
     """Against a run of every row in waves from its direction, of a platform that heaves more in beam seas."""
     of = Directions(8, math.radians(70.0))

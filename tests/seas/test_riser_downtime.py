@@ -61,6 +61,7 @@ def test_demands_are_those_of_runs_in_these_seas(file, record, found):
         np.testing.assert_allclose(of["demand_of_limit"][k], demands(run), rtol=1e-9)
 
 
+@pytest.mark.long
 def test_hours_are_those_of_a_run_of_every_row(file, record, found):
     """Each row simulated, which nothing is interpolated for."""
     rows = np.column_stack([record[n].values for n in ("significant_wave_height", "peak_period")])

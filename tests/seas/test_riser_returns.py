@@ -62,6 +62,7 @@ def test_the_true_value_is_that_of_drawn_years():
     assert np.quantile(largest, 1.0 - 1.0 / 50.0) == pytest.approx(true_value(50.0), rel=0.05)
 
 
+@pytest.mark.long
 def test_bands_hold_the_true_value_about_nine_times_in_ten_by_both_methods():
     truth = true_value(50.0)
     held = {"by_years": 0, "by_storms": 0}

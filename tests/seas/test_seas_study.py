@@ -18,6 +18,8 @@ from riserstudy.seas.directions import Directions
 from riserstudy.seas.riser_downtime import riser_downtime
 from riserstudy.seas.seas_hours import record_of, seas_hours, simulate_part
 
+pytestmark = pytest.mark.long
+
 LIMITS = [
     {"output": "ufj_angle", "largest": "0.6 deg", "mode": "drilling"},
     {"output": "effective_tension", "smallest": "2250.5 kN", "mode": "connected"},

@@ -66,6 +66,7 @@ def test_years_persist_as_increments_of_a_motion_that_scales():
             assert mean == pytest.approx(n ** (2.0 * exponent - 2.0))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("exponent", [0.5, 0.66, 0.9])
 @pytest.mark.parametrize("known, ahead", [(3, 3), (3, 10), (5, 5), (10, 3), (20, 10)])
 def test_bands_hold_nine_in_ten_of_years_that_persist_as_is_assumed(drawn, exponent, known, ahead):

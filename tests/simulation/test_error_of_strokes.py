@@ -47,6 +47,7 @@ def run_of(tree, finer=1, shorter=1):
     return run(SceneFile("rig.yaml", written(tree)).resolved(), estimated=finer == 1)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed, spatial, left", CASES)
 def test_estimates_cover_errors_and_limits_count_them(seed, spatial, left):
     tree = rig_of(seed, spatial, left)

@@ -163,6 +163,7 @@ def test_a_regular_motion_has_the_damage_of_its_largest_range():
     assert np.isnan(found.arrays["damage_rate"][0, :, 1:]).all()
 
 
+@pytest.mark.long
 def test_damage_converges_at_the_order_of_the_method():
     """Steps halved on one mesh: differences fall by four, as those of a second-order method.
 

@@ -57,6 +57,7 @@ def test_it_errs_by_less_than_asked_and_works_less(seed):
     assert work(by_piece) < work(as_whole)
 
 
+@pytest.mark.long
 def test_a_whole_that_errs_more_than_its_piece_is_refined_further(monkeypatch):
     """Runs of the whole are made to differ ten times as much as they do."""
     scene = record()

@@ -43,6 +43,7 @@ def given(words):
     return {path: plain_yaml(value, path) for path, value in pairs}
 
 
+@pytest.mark.long
 def test_the_words_of_a_recipe_make_a_run_with_an_error_like_that_of_its_piece():
     found = recipe(in_a_sea(1800).resolved())
     assert found is not None

@@ -71,6 +71,7 @@ def refined(seed, uniform):
     return refinement, found, max(true[k] / told[k] for k in controlled(told))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("uniform", [True, False])
 def test_the_estimate_covers_the_true_error_over_rivers(uniform):
     """Against a run on half the segments' length and a quarter of the step, of the same seed."""

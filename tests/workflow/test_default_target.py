@@ -3,6 +3,8 @@
 import pytest
 from planning import dry_run, jobs_in
 
+pytestmark = pytest.mark.long
+
 
 @pytest.mark.parametrize("arguments", [(), ("--snakefile", "workflow/Snakefile")])
 def test_a_plain_snakemake_plans_everything(laid_out, arguments):

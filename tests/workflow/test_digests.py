@@ -18,6 +18,8 @@ from riserstudy.folders import PACKAGE, cache_folder
 from riserstudy.jobs.workplan import COLLECT, DATABASE, DERIVE, GRADE, REPORT, Workplan
 from riserstudy.syntax import ANNOTATION_READERS, DOCSTRING_READERS, _names
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 CHAPTERS = [
     ".".join(path.relative_to(ROOT).with_suffix("").parts)

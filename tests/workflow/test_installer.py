@@ -14,6 +14,8 @@ from some_seeds import seeds
 
 import installer
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 PYTHON = Path(sys.executable)
 NAME = "weightless"

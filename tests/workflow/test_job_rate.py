@@ -11,6 +11,8 @@ import pytest
 import short_study
 from planning import dry_run
 
+pytestmark = pytest.mark.long
+
 RULES = Path(__file__).parents[2] / "workflow/rules"
 HANDLER = """
 

@@ -13,6 +13,8 @@ import pytest
 
 from riserstudy.jobs import CORES, SHARED, processes
 
+pytestmark = pytest.mark.long
+
 JOBS = (sys.executable, "-m", "riserstudy.jobs")
 JOIN = (*JOBS, "join_tables")
 

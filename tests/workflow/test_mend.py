@@ -15,6 +15,8 @@ from snakemake.persistence.file import FilePersistence
 
 from riserstudy.jobs import mend
 
+pytestmark = pytest.mark.long
+
 DAY = 24 * 3600.0
 SNAKEFILE = """\
 from riserstudy.jobs.begin import begin

@@ -27,6 +27,8 @@ from riserstudy.study.config import RULES
 from riserstudy.study.new import TEMPLATE, new_study
 from riserstudy.study.schemas import schema_files
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 EDITABLE = ["config/config.yaml", "config/studies/example.yaml", "config/scenes/riser.yaml"]
 

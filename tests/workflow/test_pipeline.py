@@ -13,6 +13,8 @@ import xarray as xr
 from edits import edit, prose_edit
 from planning import dry_run
 
+pytestmark = pytest.mark.long
+
 SEAL = 32  # bytes at the end of compiled code
 SIMULATE = {f"simulate chang2020/{study}" for study in ("steady", "from_rest", "quasi_static")}
 AFTER = {"derive chang2020/asymmetry", "draw chang2020/fig14"}

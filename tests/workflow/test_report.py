@@ -17,6 +17,8 @@ from riserstudy.report.claims import read_claims
 from riserstudy.report.contents import Sources
 from riserstudy.report.wording import grouped, share
 
+pytestmark = pytest.mark.long
+
 FLOW = Influence("flow", "the flow; U: m/s", by_option={"along, 1 m/s": 0.694, "against (2)": 1.0})
 PHASE = Influence("phase", "the phase", by_option={"early": 0.5, "late; or never": 0.0})
 ROWS = [

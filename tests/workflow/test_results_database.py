@@ -12,6 +12,8 @@ from riserstudy import query
 sys.path.append(str(Path(__file__).parents[1] / "database"))
 from page import QUESTIONS
 
+pytestmark = pytest.mark.long
+
 NAME = "results/results.sqlite"
 EMPTY = {2, 3, 4, 6}  # in small nothing is graded, and these risers neither bend nor have joints
 

@@ -11,6 +11,8 @@ import netCDF4
 import psutil
 import pytest
 
+pytestmark = pytest.mark.long
+
 SCRIPTS = Path(__file__).parents[2] / "workflow/scripts"
 SNAKEFILE = """\
 rule all:

@@ -10,6 +10,8 @@ from planning import dry_run
 
 from riserstudy.simulation.compile import compile_once
 
+pytestmark = pytest.mark.long
+
 STUDY = """\
 paper: example
 studies:

@@ -12,6 +12,8 @@ from typed_commands import typed
 
 from riserstudy.folders import cache_folder
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 #: scenes that pages simulate, in small
 SHORTER = [

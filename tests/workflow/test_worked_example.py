@@ -13,6 +13,8 @@ from typed_commands import typed
 
 from riserstudy import load_scene, simulate
 
+pytestmark = pytest.mark.long
+
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "examples/drilling_riser"
 PAGE = (ROOT / "docs/worked_example.md").read_text("utf-8")

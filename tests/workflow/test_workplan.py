@@ -15,6 +15,8 @@ from riserstudy.errors import InputError
 from riserstudy.folders import PACKAGE, chapter_files
 from riserstudy.jobs.workplan import Workplan
 
+pytestmark = pytest.mark.long
+
 CONFIG = Path(__file__).parents[2] / "config"
 FIGURES = sorted((CONFIG.parent / "chapters/numerics/figures").glob("[a-z]*.py"))
 PLAN = Workplan.read(CONFIG, {"tier": "preview"})

@@ -27,6 +27,7 @@ from riserstudy.study.collect import dataset_of, results_of
 from riserstudy.study.study import Study
 
 
+@pytest.mark.long
 def test_loads_are_those_of_the_slip_at_both_ends(datasets):
     """Against 1 m/s at 1 m/s the joint meets 2 m/s; C_D 1.2 and 0.7, no current at the LMRP."""
     readings = datasets["readings"]
