@@ -21,7 +21,7 @@ def lay_out(folder):
     """Put the workflow there, with the studies that are kept, and the compiled kernels by a link."""
     folder.mkdir(parents=True)
     shutil.copy(ROOT / "Snakefile", folder)
-    for part in ("workflow", "profiles"):
+    for part in ("workflow", "profiles", "chapters"):
         shutil.copytree(ROOT / part, folder / part)
     for part in ("studies", "scenes/bench"):
         shutil.copytree(ROOT / "config" / part, folder / "config" / part)
