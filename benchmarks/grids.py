@@ -17,8 +17,8 @@ from tempfile import TemporaryDirectory
 import psutil
 from ruamel.yaml import YAML
 
-from riserstudy.jobs import start_server
 from riserstudy.jobs.server import MANY
+from riserstudy.jobs.start_server import start_server
 from riserstudy.jobs.workplan import Workplan
 from riserstudy.simulation.compile import compile_once
 from riserstudy.solve.kernel_cache import kernel_cache

@@ -11,7 +11,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from riserstudy.jobs import CORES, SHARED, processes
+from riserstudy.jobs import CORES, SHARED
+from riserstudy.jobs.tasks import processes
 
 pytestmark = pytest.mark.long
 

@@ -202,3 +202,11 @@ def test_counts_that_cannot_be_written_end_no_plan(tmp_path):
     }
     (tmp_path / "full").write_text("a file, not a folder")
     PLAN.write_point_counts(tmp_path / "full/points.json")
+
+
+def test_a_job_that_the_server_does_imports_no_libraries_before():
+    names = "import sys, riserstudy.jobs.__main__; print(*sys.modules)"
+    ran = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True)
+    loaded = set(ran.stdout.split())
+    assert {"riserstudy.jobs.__main__", "json", "socket"} <= loaded
+    assert not {"subprocess", "multiprocessing", "concurrent.futures", "numpy", "typer"} & loaded

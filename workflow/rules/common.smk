@@ -8,8 +8,9 @@ from riserstudy.blas import use_one_thread
 from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
-from riserstudy.jobs import SHARED, start_server, use_this_python
+from riserstudy.jobs import SHARED
 from riserstudy.jobs.begin import begin
+from riserstudy.jobs.start_server import start_server, use_this_python
 from riserstudy.jobs.workplan import ALL_CORES, KERNELS, Workplan
 
 # A job on a cluster starts Snakemake again; all points were checked before it was submitted.

@@ -1,65 +1,9 @@
 """Jobs of the workflow's rules. ``python -m riserstudy.jobs <name>`` runs a function of ``tasks``.
 
-They belong to the package: a checkout and a user's own folder thus run the same code.
+They belong to the package: a checkout and a user's own folder thus run the same code. Every job imports this
+file and ``__main__`` in a process of its own, so they import little.
 """
-
-from __future__ import annotations
-
-import atexit
-import os
-import socket
-import subprocess
-import sys
-from pathlib import Path
-
-from riserstudy.study.processes import forks
 
 TAKEN = b"+"  # byte with which the server accepts a job
 CORES = "RISERSTUDY_CORES"  # environment variable: number of cores that the jobs share
 SHARED = 2  # processes per thread that a job claims, on a machine that jobs share
-
-
-def processes(claimed: int, worth: int) -> int:
-    """Return the number of processes of a job. It may exceed the threads that the job claims.
-
-    At its beginning and at its end another job leaves cores idle, which the additional processes use.
-
-    Parameters
-    ----------
-    claimed : threads that Snakemake counts for the job.
-    worth : threads that the job can use.
-    """
-    cores = int(os.environ.get(CORES, 0))  # of the run, where jobs share one machine
-    return min(worth, SHARED * claimed, cores) if cores else claimed
-
-
-def use_this_python() -> None:
-    """Put this Python first in ``PATH``, for all processes that are started from now on."""
-    others = os.environ.get("PATH", os.defpath)
-    os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), others])
-
-
-def start_server(compiled: str, cores: int) -> None:
-    """Start the server process, from which jobs are forked; it ends when the present process ends.
-
-    On a system without forks each job starts by itself. ``compiled`` is the file whose existence means that
-    all kernels are compiled; ``cores`` is the number of cores that the jobs share.
-    """
-    os.environ[CORES] = str(cores)
-    if not (forks() and hasattr(socket, "AF_UNIX")):
-        return
-    address, log_file = Path(".snakemake/jobs"), Path("logs/server.log")
-    address.unlink(missing_ok=True)
-    log_file.parent.mkdir(exist_ok=True)
-    # The socket is bound here: the first job then finds it and waits, and does not load everything itself.
-    with socket.socket(socket.AF_UNIX) as listener, log_file.open("wb") as log:
-        others = os.umask(0o077)  # only the owner may connect to the socket
-        listener.bind(str(address))
-        os.umask(others)
-        listener.listen(128)
-        number = listener.fileno()
-        command = [sys.executable, "-m", "riserstudy.jobs.server", str(number), compiled]
-        server = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=log, stderr=log, pass_fds=[number])
-    atexit.register(address.unlink, missing_ok=True)
-    atexit.register(server.communicate)  # closes the server's input and waits for its end
-    os.environ["RISERSTUDY_JOBS"] = str(address)

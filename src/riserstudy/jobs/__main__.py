@@ -2,7 +2,7 @@
 
 Without a server (a job on a node of a cluster, a run by hand, a server that was killed) the job runs in this
 process. With ``--alone`` it does so, too: times measured in a fork would depend on what the server has loaded
-by then. Little is imported before this is decided: waiting for a job of the server costs 50 ms.
+by then. Little is imported before this is decided: waiting for a job of the server costs 30 ms.
 """
 
 from __future__ import annotations

@@ -8,6 +8,7 @@ them: the server, from which jobs are forked, has most of them loaded, and a fig
 from __future__ import annotations
 
 import json
+import os
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -17,7 +18,7 @@ import typer
 
 from riserstudy.dataset.unit_systems import UnitSystem
 from riserstudy.errors import InputError, RiserStudyError, printable
-from riserstudy.jobs import processes
+from riserstudy.jobs import CORES, SHARED
 from riserstudy.jobs.planned import CONFIG, PointsDone, check_unchanged, datasets_of, read_plan, text_of
 from riserstudy.records.words import counted
 
@@ -58,6 +59,20 @@ def run(arguments: Sequence[str]) -> int:
 def job(function: Callable[..., None]) -> Callable[..., None]:
     """Register a function as a job under its own name."""
     return app.command(function.__name__)(function)
+
+
+def processes(claimed: int, worth: int) -> int:
+    """Return the number of processes of a job. It may exceed the threads that the job claims.
+
+    At its beginning and at its end another job leaves cores idle, which the additional processes use.
+
+    Parameters
+    ----------
+    claimed : threads that Snakemake counts for the job.
+    worth : threads that the job can use.
+    """
+    cores = int(os.environ.get(CORES, 0))  # of the run, where jobs share one machine
+    return min(worth, SHARED * claimed, cores) if cores else claimed
 
 
 # Grids
