@@ -45,11 +45,12 @@ added_mass: {derived: 1198 kg/m, from: "Ca rho pi D^2/4"}
 interval: {chosen: 0.1 s, because: "output interval of the run"}
 ```
 
-An *assumed* value is not known; its `range` or `options` give other possible values. A study can vary all
-*assumed* values together. A *calibrated* value was fitted to a published number. A *derived* value was
-computed from other values. A *chosen* value does not describe the riser; examples are the datum of elevations
-and the output interval. The list `inputs` of a file in `config/published` contains the values that a paper
-prints. In a scene of this paper, every value without a stated origin must be in this list.
+An *assumed* value is not known; a `range` or `options` can give other possible values. A study can vary all
+*assumed* values with a `range` or `options` together. A *calibrated* value was fitted to a published number.
+A *derived* value was computed from other values. A *chosen* value does not describe the riser; examples are
+the datum of elevations and the output interval. The list `inputs` of a file in `config/published` contains
+the values that a paper prints. In a scene of this paper, every value without a stated origin must be in this
+list.
 
 You can give a table as a CSV file next to the scene, for example `profile: {file: current.csv}`. The first
 line of the CSV file gives the names of the columns with their units, in any order. The following keys accept
