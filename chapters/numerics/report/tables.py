@@ -82,7 +82,7 @@ def changes(effects: xr.Dataset) -> Table:
             signed = f"{100 * time:+.0f} %" if time == time else ""
             signed = "0 %" if signed in ("+0 %", "-0 %") else signed.replace("-", "−")
             cells = [Cell(str(scene)), Cell(str(change)), *map(_share, values), Cell(signed, _order(time))]
-            rows.append([*cells, Cell(f"not possible: {_fault(sentences)}" if sentences else "")])
+            rows.append([*cells, Cell(f"Not possible, because {_fault(sentences)}." if sentences else "")])
     about = (
         "Each row compares two runs of a scene on one mesh and time step, with and without one effect. The "
         "columns give the relative change of the largest displacement, moment and top tension, and of the "
@@ -93,9 +93,14 @@ def changes(effects: xr.Dataset) -> Table:
 
 
 def _fault(message: str) -> str:
-    """Return the fault that an error about a scene names, without its file, its field and the remedy."""
-    named = re.match(r"\S+\.yaml[^:;]*: (?:\d+ faults:\s+)?(?:[\w.\[\]]+: )?([^;]+);", message)
-    return named[1] if named else message
+    """Return the fault that an error about a scene names, without its file and the remedy."""
+    where = r"\S+\.yaml.*?the change '[^']*': |\S+\.yaml[^:;]*: "
+    named = re.match(rf"(?:{where})?(?:\d+ faults:\s+)?(?:([\w.\[\]]+): )?([^;]+)", message)
+    if named is None:
+        return message
+    field, fault = named.groups()
+    is_verb = re.match(r"(requires|has|does|is|cannot) ", fault)
+    return f"{field or 'the scene'} {fault}" if is_verb else fault
 
 
 def requests(accuracy: xr.Dataset) -> Table:

@@ -143,8 +143,9 @@ def rows_by_reading(kind: Kind, readings: Sequence[Reading]) -> list[tuple[str, 
     for reading in readings:
         if reading.answer == "depends":
             inputs = listed([f"“{name}”" for name in reading.decided_by])
-            by = f"; decided by {inputs}" if reading.decided_by else ""
-            rows.append((reading_name(reading), f"{_share(reading.share, true)}{by}"))
+            by = f" The outcome depends most on {inputs}." if reading.decided_by else ""
+            found = f"{_capital(_JUDGED[kind])} {_share(reading.share, true)}."
+            rows.append((reading_name(reading), f"{found}{by}"))
     return rows
 
 
@@ -356,7 +357,7 @@ def result_of(kind: Kind, unit: str, outcome: Outcome, together: Together | None
         return values, "this counts as no difference"
     if together is not None:
         meets = "meets" if met else "does not meet"
-        return values, f"this case {meets} {listed(['this value', *together.others])} together"
+        return values, f"this case {meets} this value together with {listed(together.others)}"
     return values, f"{judged} {true if met else false}"
 
 

@@ -80,8 +80,8 @@ class Claim(ItemResult):
         names = [f"“{influence.name}”" for influence in self.grounds.decided_by]
         if self.grounds.because != "inputs" or not names:
             return f"The verdict depends on {self.decided_by}."
-        these = "this input" if len(names) == 1 else "these inputs"
-        return f"The verdict depends on {these}: {listed(names)}."
+        these = "the input" if len(names) == 1 else "the inputs"
+        return f"The verdict depends on {these} {listed(names)}."
 
     @property
     def _by_reading(self) -> str:
@@ -189,8 +189,9 @@ def _results(kind: Kind, unit: str, grounds: Grounds) -> list[tuple[str, str]]:
         )
     judged = "simulated value" if kind == "number" else "judged quantity"
     for outcome in grounds.outcomes:
-        found = "; ".join(result_of(kind, unit, outcome, grounds.together))
-        rows.append((f"{outcome.name}: {judged}", found))
+        value, found = result_of(kind, unit, outcome, grounds.together)
+        ranges = f"{judged} ranges from" if " to " in value else f"{judged} is"
+        rows.append((outcome.name, f"The {ranges} {value}; {found}."))
     return rows
 
 

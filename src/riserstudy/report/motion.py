@@ -118,7 +118,7 @@ def _with_unit(axis: xr.DataArray, value: Any) -> str:
     """Return a place on an axis as text, a number with its unit."""
     if axis.dtype.kind != "f":
         return str(value)
-    return f"{float(value):g}{unit(axis.attrs.get('units', '')).replace('degree', 'deg')}"
+    return f"{float(value):g}{unit(axis.attrs.get('units', ''))}"
 
 
 def _rest(run: xr.Dataset, geometry: Geometry, s: Array) -> tuple[Array, Array]:

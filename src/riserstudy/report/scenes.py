@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 from riserstudy.grading.models import PrintedInput
 from riserstudy.grading.printed import printed_as, printed_inputs
-from riserstudy.records.words import counted
+from riserstudy.records.words import counted, listed
 from riserstudy.report.wording import unit
 from riserstudy.scene.origin import CALLED
 from riserstudy.scene.paths import last_name, within
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 Printed = Callable[[str], list[PrintedInput]]  # the inputs that the file of a paper lists
 
 MOST_PARTS = 12  # most parts of a list that is shown in full
+FEW = 4  # of more datasets with the same value, the most frequent value names none
 
 
 class Value(NamedTuple):
@@ -72,11 +73,27 @@ def _table(
     for path in paths:
         by_value: dict[tuple[str, str, str], list[str]] = {}
         for name, parameters in values.items():
-            by_value.setdefault(parameters.get(path, ("–", "absent", "")), []).append(name)
-        single = len(by_value) == 1
-        rows.append((path, [Value(*v, "" if single else ", ".join(w)) for v, w in by_value.items()]))
-    varied = dict.fromkeys(f"{name}: {text}" for name in datasets for text in _varied(datasets[name]))
+            by_value.setdefault(parameters.get(path, ("no value", "absent", "")), []).append(name)
+        rows.append((path, [Value(*v, w) for v, w in _where(by_value).items()]))
+    varied = dict.fromkeys(
+        f"In the dataset {name}, {text}" for name, dataset in datasets.items() for text in _varied(dataset)
+    )
     return SceneTable(title, list(datasets), list(varied), rows)
+
+
+def _where(by_value: dict[tuple[str, str, str], list[str]]) -> dict[tuple[str, str, str], str]:
+    """Return in words in which datasets each value of a path holds; the value of most of many comes last."""
+    most = max(by_value, key=lambda value: len(by_value[value]))
+    if len(by_value) == 1:
+        return {most: ""}
+    words = {
+        value: f"the {'dataset' if len(names) == 1 else 'datasets'} {listed(names)}"
+        for value, names in by_value.items()
+    }
+    if len(by_value[most]) > FEW:
+        del words[most]
+        words[most] = "all other datasets"
+    return words
 
 
 def _values(
@@ -145,9 +162,13 @@ def _varied(dataset: xr.Dataset) -> list[str]:
         if values.dtype.kind == "f":
             of = str(dataset[axis].attrs.get("units", ""))
             ends = " to ".join(dict.fromkeys((f"{values.min():g}", f"{values.max():g}")))
-            words.append(f"{name}: {counted(len(values), 'value')}, {ends}{unit(of)}")
+            has = "the value" if len(values) == 1 else f"{len(values)} values, from"
+            words.append(f"“{name}” has {has} {ends}{unit(of)}.")
         elif values.dtype.kind in "iu":
-            words.append(f"{name}: {len(values)} samples of the unspecified inputs")
+            are = "is" if len(values) == 1 else "are"
+            words.append(f"{counted(len(values), 'sample')} of the unspecified inputs {are} simulated.")
         else:
-            words.append(f"{name}: {', '.join(map(str, values))}")
+            options = "; ".join(map(str, values))
+            has = "is" if len(values) == 1 else f"has {len(values)} options:"
+            words.append(f"“{name}” {has} {options}.")
     return words

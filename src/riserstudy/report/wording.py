@@ -13,6 +13,8 @@ from riserstudy.records import words
 from riserstudy.records.numerals import duration
 from riserstudy.records.words import listed
 
+DEGREES = ("deg", "degree")
+POWERS = {"2": "²", "3": "³", "4": "⁴"}
 _DOI = re.compile(r"\b10\.\d{4,9}/[^\s,;<>&]*[^\s,;.<>&]")
 _NUMBER = re.compile(r"(?<![\w.])[-+]?\d+\.?\d*(?:e[-+]?\d+)?(?![\w.])", re.IGNORECASE)
 
@@ -48,8 +50,9 @@ def spaced(count: int) -> str:
 
 
 def sentence(text: str) -> str:
-    """Return a text with a capital at its start and a full stop at its end."""
-    return text[:1].upper() + text[1:].rstrip(".") + "."
+    """Return a text with a capital at its start and a full stop at its end; a symbol at its start stays."""
+    symbol = re.match(r"(?!a\b)([a-z]|nu|phi|pi|rho)\b|[A-Za-z]\w*_", text)
+    return (text if symbol else text[:1].upper() + text[1:]).rstrip(".") + "."
 
 
 def with_links(text: str) -> Markup:
@@ -58,8 +61,21 @@ def with_links(text: str) -> Markup:
 
 
 def unit(name: str) -> str:
-    """Return a unit as written after a number; empty for a pure number."""
-    return "" if name in ("", "1") else f" {name}"
+    """Return a unit as written after a number, as in `` m/s`` for ``m s-1``; empty for a pure number."""
+    if name in ("", "1"):
+        return ""
+    if name in DEGREES:
+        return "°"
+    above: list[str] = []
+    below: list[str] = []
+    for part in name.split():
+        factor = re.fullmatch(r"([A-Za-z]+)(-?)([2-9]?|1)", part)
+        if factor is None:
+            return f" {name}"
+        (below if factor[2] else above).append(factor[1] + POWERS.get(factor[3], ""))
+    if len(below) > 1 or not above:
+        return f" {name}"
+    return f" {' '.join(above)}" + (f"/{below[0]}" if below else "")
 
 
 def grouped(warnings: Iterable[str]) -> list[tuple[str, list[str], int]]:
