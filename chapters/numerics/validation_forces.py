@@ -51,13 +51,13 @@ def gas(_: Files) -> Iterator[Row]:
     last = run["time"].values >= 40.0  # the ramp is over, the amplitude is constant
     top = int(np.argmax(np.where(last, stroke, -np.inf)))
     case, by = "gas cylinder extended by heave", "p V^n = const., from mid-stroke"
-    because = "the pipe stretches by 0.00001 mm; one output is at the platform's highest position"
+    because = "the stretch of the pipe, 0.00001 mm; one output is at the platform's highest position"
     exact = known.gas_pull(**GAS, reach=REACH)
     yield Row(case, "pull", "N", CLOSED, by, exact, float(force[top]), 1e-6, because)
     lift = slice(top - 100, top + 1)  # a quarter of a period, from mid-stroke
     work = float(np.trapezoid(force[lift], stroke[lift]))
     done = known.gas_work(**GAS, reach=REACH)
-    because = "trapezoidal rule over 100 outputs"
+    because = "the error of the trapezoidal rule over 100 outputs"
     yield Row(
         case,
         "work from mid-stroke to the top",
@@ -95,10 +95,10 @@ def two_chambers(_: Files) -> Iterator[Row]:
     (less, shorter), (pull, _middle), (more, longer) = (pulled(reach + d) for d in (-aside, 0.0, aside))
     exact, stiffness = known.two_chambers(HIGH, LOW, 1.4, reach)
     case, by = "direct-acting tensioner extended by 3 m", "p V^n = const. in both chambers"
-    because = "the pipe stretches by 0.0001 mm"
+    because = "the stretch of the pipe, 0.0001 mm"
     yield Row(case, "pull", "N", CLOSED, by, exact, pull, 1e-6, because)
     slope = (more - less) / (longer - shorter)
-    because = "finite difference over 2 cm, second order"
+    because = "the error of the finite difference over 2 cm, which is of second order"
     yield Row(case, "stiffness", "N/m", CLOSED, by, stiffness, slope, 1e-5, because)
 
 
@@ -138,7 +138,7 @@ def morison(_: Files) -> Iterator[Row]:
         },
     }
     by = "Morison's formula to the mean level, Airy's wave"
-    because = "240 segments, second order"
+    because = "the error of 240 segments, which is of second order in their length"
     for name, loads, exact in (
         ("inertia", {"added_mass": {"coefficient": 1.0}}, known.pile_by_inertia(1.0, **PILE)),
         ("drag", {"drag": {"coefficient": 1.0}}, known.pile_by_drag(1.0, **PILE)),
@@ -177,7 +177,7 @@ def terminal(_: Files) -> Iterator[Row]:
     run = simulated(SceneFile("validation", tree)).isel(time=-1)
     speed, way = known.driven(force, drag, mass + added, time)
     case, by = "platform driven to its terminal speed", "√(F/c) tanh(t √(F c) / m)"
-    because = "the thin riser of the model pulls with a few newtons"
+    because = "the pull of the model's thin riser, a few newtons"
     now = float(run["platform_speed_x"])
     yield Row(case, "speed after 400 s", "m/s", CLOSED, by, speed, now, 1e-5, because)
     distance = float(run["platform_surge"])

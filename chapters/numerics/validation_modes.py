@@ -43,7 +43,7 @@ def chain(_: Files) -> Iterator[Row]:
     for mode in (1, 2):
         exact = known.hanging_chain_frequency(mode, 300.0, 2700.0, 320.0)
         case, by = "hanging chain", "j₀ₙ / 2 √(w / (m L)) (Bernoulli)"
-        because = "second order at the free end, where tension vanishes; rounding of the large EA"
+        because = "the error of second order at the free end, where tension vanishes, and rounding"
         yield Row(case, f"frequency {mode}", "rad/s", CLOSED, by, exact, frequencies[mode - 1], 2e-5, because)
 
 
@@ -57,6 +57,4 @@ def pendulum(_: Files) -> Iterator[Row]:
     exact = known.compound_pendulum(30.0, 300.0, 1.2e6, 140e3, 3.0)
     lowest = frequencies_of(file, "lateral", 1)[0]
     case, by = "body below a rod", "√(W (L + a) / (M (L + a)² + m L³ / 3))"
-    yield Row(
-        case, "frequency", "rad/s", CLOSED, by, exact, lowest, 1e-5, "effect of the rod's bending: 0.0003 %"
-    )
+    yield Row(case, "frequency", "rad/s", CLOSED, by, exact, lowest, 1e-5, "the bending of the rod, 0.0003 %")

@@ -44,7 +44,8 @@ def wave(_: Files) -> Iterator[Row]:
     top = run["z"].isel(s=-1)
     fall = float(top[0] - top.sel(time=0.6, method="nearest"))
     exact = known.fall_of_a_bar(0.5 * pull, stiffness, mass, 0.6 - 0.15)
-    case, because = ("bar whose top loses half of its tension", "360 segments; the wave front lasts 0.2 s")
+    case = "bar whose top loses half of its tension"
+    because = "the error of 360 segments, for a wave front that lasts 0.2 s"
     by = "ΔF t / √(EA m), until the reflected wave returns"
     yield Row(case, "fall of its top in 0.6 s", "m", CLOSED, by, exact, fall, 1e-6, because)
     below = float(run["effective_tension"].isel(s=0, time=-1))
@@ -69,7 +70,7 @@ def decay(_: Files) -> Iterator[Row]:
     decrement = math.log(peaks[0] / peaks[5]) / 5.0
     exact = known.decrement(ratio)
     case, by = "mass on a damped spring (Kelvin, Voigt)", "2 π ζ / √(1 - ζ²)"
-    because = "time steps of a 300th of the period, second order"
+    because = "the error of time steps of a 300th of the period, which is of second order"
     yield Row(case, "decrement", "1", CLOSED, by, exact, decrement, 3e-4, because)
 
 
@@ -85,8 +86,8 @@ def _tops(values: NDArray[np.float64]) -> list[float]:
 
 def methods(files: Files) -> Iterator[Row]:
     """Surge by different time-stepping methods, with different steps."""
-    alike = "errors in time of both runs, with steps of 0.02 and 0.1 s"
-    lumped = "the explicit method lumps the masses, so its error is of second order in the segment length"
+    alike = "the time-stepping errors of both runs, with steps of 0.02 and 0.1 s"
+    lumped = "the lumped masses of the explicit method, whose error is of second order in the segments"
     for name, elements, sets, tolerances, because in (
         ("ESDIRK4", 40, {"analysis.step": "0.1 s"}, (5e-5, 2e-4), alike),
         ("explicit", 160, {"analysis.step": "0.4 ms"}, (1e-4, 2e-3), lumped),
@@ -113,7 +114,7 @@ def hermite(files: Files) -> Iterator[Row]:
     one, other = _envelope(lumped), _envelope(beam)
     for quantity, unit in UNITS.items():
         case, by = "small surge, lumped masses and finite elements", "Hermite's beam"
-        because = "the beam model neither stretches nor rotates: strain 0.03 %, slopes 0.17°"
+        because = "the strain of 0.03 % and the slopes of 0.17°, which the beam model neglects"
         yield Row(case, quantity, unit, SECOND, by, other[quantity], one[quantity], 1e-3, because)
 
 
@@ -124,7 +125,7 @@ def energy(files: Files) -> Iterator[Row]:
         run = simulated(files[name], sets)
         share = float(json.loads(run.attrs["audit"])["unexplained_share"])
         case, by = f"energy of {name}", "work = stored + dissipated"
-        because = "integration of the energies over time steps"
+        because = "the integration of the energies over time steps"
         yield Row(case, "relative energy residual", "1", CONSERVED, by, 0.0, share, 1e-4, because, 1.0)
 
 
@@ -136,7 +137,7 @@ def histories(files: Files, stored: Mapping[str, Path]) -> Iterator[Row]:
         scene = files[name].with_values(short, "validation").resolved()
         requested = {"displacement": DISPLACEMENT, "moment": MOMENT, "tension": MOMENT}
         for quantity, error in other.errors(run(scene)).items():
-            case, because = f"{name} over the whole run", "the default accuracy"
+            case, because = f"scene {name} over the whole run", "the errors that the default accuracy allows"
             yield Row(
                 case, f"largest difference of {quantity}", "1", SECOND,
                 other.about.removeprefix("stored: "), 0.0, error, requested[quantity], because, 1.0,

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     import xarray as xr
 
 
-FOURTH = "200 segments, fourth order"
+FOURTH = "the error of 200 segments, which is of fourth order in their length"
 CLOSED, SECOND, CONSERVED = "closed form", "second method", "conservation law"
 
 Files = Mapping[str, SceneFile]

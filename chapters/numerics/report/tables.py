@@ -170,7 +170,7 @@ def known(validation: xr.Dataset) -> Table:
         allowed = [Cell(f"{float(of[name]):.1e}", float(of[name])) for name in ("error", "tolerance")]
         verdict = Cell("holds" if bool(of["holds"]) else "does not hold")
         words = [Cell(text[name]) for name in ("name", "quantity", "kind", "by")]
-        rows.append([*words, *both, *allowed, verdict, Cell(text["because"])])
+        rows.append([*words, *both, *allowed, verdict, Cell(f"The tolerance covers {text['because']}.")])
     about = (
         "These comparisons are repeated in every run of the chapter. The error is the difference divided by "
         "the magnitude of the reference. The last column gives the reason for the tolerance."
