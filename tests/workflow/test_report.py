@@ -163,9 +163,9 @@ def test_the_page_tells_verdicts_errata_scenes_and_times(sources):
     assert "0.3 m 0.5389 m 80 % met in 25 % of samples depends" in text
     assert "The claim is true in all 256 samples." in text
     assert "E1 Eq. 3 A slip. Read so. says this" in text
-    pressure = r"top.tensioners.gas.pressure 190.2 bar absolute (in [a-z_, ]* )?assumed the table gives bar"
+    pressure = r"top.tensioners.gas.pressure 190.2 bar absolute [a-z_, ]+ assumed the table gives bar"
     assert re.search(pressure, text)
-    assert re.search(r"platform.heave.amplitude varied (in [a-z_, ]* )?axis heave_amplitude", text)
+    assert re.search(r"platform.heave.amplitude varied [a-z_, ]+ axis heave_amplitude", text)
     assert "“tensioner model” has 2 options: gas law; linear." in text
     assert "The elapsed times of the simulations add up to" in text
     assert "Compiling the engine took 81.5 s" in text

@@ -371,7 +371,7 @@ def _share(share: Share, word: str) -> str:
     percent = f"{100 * share.met / share.samples:.0f} %"
     if share.low is not None and share.high is not None:
         percent += f", 95 % confidence interval {100 * share.low:.0f} to {100 * share.high:.0f} %"
-    same = f", no difference in {share.same}" if share.same else ""
+    same = f" (in {share.same}, the compared values are nearly equal)" if share.same else ""
     return f"{word} in {share.met} of {_all_of(share)} ({percent}){same}"
 
 

@@ -29,7 +29,7 @@ FEW = 4  # of more datasets with the same value, the most frequent value names n
 
 
 class Value(NamedTuple):
-    """One value of a scene; ``where`` names the datasets in which it holds, "" for all."""
+    """One value of a scene; ``where`` names the datasets in which it holds."""
 
     value: str
     status: str
@@ -85,14 +85,11 @@ def _where(by_value: dict[tuple[str, str, str], list[str]]) -> dict[tuple[str, s
     """Return in words in which datasets each value of a path holds; the value of most of many comes last."""
     most = max(by_value, key=lambda value: len(by_value[value]))
     if len(by_value) == 1:
-        return {most: ""}
-    words = {
-        value: f"the {'dataset' if len(names) == 1 else 'datasets'} {listed(names)}"
-        for value, names in by_value.items()
-    }
+        return {most: "all"}
+    words = {value: listed(names) for value, names in by_value.items()}
     if len(by_value[most]) > FEW:
         del words[most]
-        words[most] = "all other datasets"
+        words[most] = "all others"
     return words
 
 
