@@ -72,7 +72,7 @@ CASES = {
     "still water": {"current.profile": speeds(0.0, 0.0), "riser[0].viv.ramp": "10 s"},
     "a current that turns with depth": {"current.profile": turning, "current.headings": "towards"},
     "a wire": {"riser[0].viv.diameter": "5 mm", "analysis.duration": "5 s", "analysis.step": "1 ms",
-               "analysis.output.interval": "50 ms"},
+               "analysis.output.interval": "10 ms"},
     "a column": {"riser[0].viv.diameter": "12 m", "riser[0].viv.ramp": "40 s"},
     "compression at the foot": {"top.tension": "0.45 MN", "riser[0].submerged_weight": "0.8 kN/m"},
     "a platform that surges": {"top.x": "platform",

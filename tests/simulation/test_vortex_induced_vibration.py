@@ -10,6 +10,7 @@ from random_rigs import rig, timed, written
 from riserstudy.errors import InputError
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
+from riserstudy.simulation.vortex_vibration import enter
 from riserstudy.simulation.vortex_vibration_statistics import frequency, vibration
 
 PIPE = {
@@ -154,7 +155,7 @@ def test_a_request_holds_for_the_statistics():
 
 
 def test_steps_and_outputs_too_long_for_the_vortices_are_told():
-    run_of = simulated(scene(analysis__step="40 ms", analysis__output__interval="200 ms"))
+    run_of = simulated(scene(analysis__step="40 ms", analysis__output__interval="80 ms"))
     told = [line for line in run_of.facts["warnings"] if line.startswith("riser.viv")]
     assert any("the time step is too long" in line for line in told)
     assert any("so no frequency is computed" in line for line in told)
@@ -165,6 +166,24 @@ def test_a_run_with_few_outputs_after_its_ramps_is_not_judged():
     short = simulated(scene(analysis__output__interval="0.5 s"))
     assert any("too few for statistics" in line for line in short.facts["warnings"])
     assert "vibration_rms" not in short.facts
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_few_outputs_in_a_period_give_the_same_statistics_or_none(seed):
+    """A vibration of known size, at any frequency of lock-in: its size is found, or said to be unknown."""
+    draw = np.random.default_rng(seed)
+    flow = {"current.profile": {"shape": "uniform", "surface_speed": "0.3 m/s"}}
+    rig_of = scene(**flow, analysis__duration="200 s").resolved()
+    hertz = draw.uniform(0.11, 0.26) * 0.3 / 0.028
+    time = np.arange(0.0, 200.0, draw.uniform(0.1, 2.0) * 0.028 / (0.26 * 0.3))
+    s, start = np.linspace(0.0, 13.0, 27), draw.uniform(0.0, 2.0 * pi)
+    wave = np.multiply.outer(np.sin(2.0 * pi * hertz * time + start), np.sin(pi * s / 13.0))
+    facts = {"warnings": []}
+    enter(rig_of, 0.001, {"time": time, "s": s, "x": 0.0 * wave, "y": 0.01 * wave}, facts)
+    if "vibration_rms" not in facts:
+        assert "statistics of the vibration are not computed" in facts["warnings"][0]
+    else:
+        assert facts["vibration_rms_max"] == pytest.approx(0.01 / np.sqrt(2.0), rel=0.03)
 
 
 @pytest.mark.parametrize(

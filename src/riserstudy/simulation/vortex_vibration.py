@@ -30,6 +30,8 @@ Array = NDArray[np.float64]
 LATER = 0.5  # share of the time after all ramps that is evaluated
 FEWEST = 16  # smallest number of outputs for statistics
 STEPS, OUTPUTS = 20, 4  # smallest numbers of time steps and outputs in a period of the vortices
+# number of outputs in a period of the vortices below which outputs show a vibration at other frequencies
+FOLDED = 2
 
 
 def since(scene: Resolved) -> float | None:
@@ -54,8 +56,8 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     """Add a run's vibration to its facts: start of the evaluated time, root mean square, place, frequency.
 
     There is a warning if time steps (s) or output intervals are too long for the vortices; with too few
-    outputs, the frequency is not computed. For a riser at rest, there are only root mean squares. ``arrays``:
-    histories (times, s), m.
+    outputs, the frequency is not computed, or no statistics at all. For a riser at rest, there are only root
+    mean squares. ``arrays``: histories (times, s), m.
     """
     start = since(scene)
     if start is None or "y" not in arrays:
@@ -71,6 +73,13 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
         facts["warnings"].append(
             f"riser.viv: fewer than {FEWEST} outputs after {start:.4g} s, too few for statistics of the "
             "vibration. Run longer, or with a shorter analysis.output.interval"
+        )
+        return
+    if interval > period / FOLDED:
+        facts["warnings"].append(
+            f"riser.viv: outputs every {interval:.3g} s may show fast vibrations as slow motion, since the "
+            f"shortest shedding period is {period:.3g} s, so statistics of the vibration are not computed; "
+            f"give an analysis.output.interval of {at_most(period / OUTPUTS, 2)} s"
         )
         return
     time, above = arrays["time"][late], slowest(scene)
