@@ -7,7 +7,7 @@ import xarray as xr
 
 from riserstudy.errors import InputError
 from riserstudy.seas.hours import hours, sea_limit
-from riserstudy.seas.record import FILLS, gaps, read_record
+from riserstudy.seas.record import FILLS, gaps, next_to_each_other, read_record
 
 HEIGHTS, FROM = "significant_wave_height", "wave_from_direction"
 PER_METRE = {"m": 1, "cm": 100, "mm": 1000}
@@ -128,17 +128,19 @@ def test_lines_may_end_as_on_any_system(tmp_path, end, separator):
 def test_rows_closer_than_others_are_refused_and_make_no_longer_windows(tmp_path, seed):
     """A record of three hours that becomes hourly: an hour is no three of them."""
     draw = np.random.default_rng(seed)
-    coarse, calm = int(draw.integers(200, 900)), int(draw.integers(4, 12))
+    coarse = int(draw.integers(200, 900))
     many = int(draw.integers(0.05 * coarse, 0.9 * coarse))
     steps = np.concatenate([np.full(coarse, 3), np.ones(many)]).astype("timedelta64[h]")
     time = np.datetime64("2001-01-01T00", "ns") + np.cumsum(steps)
     height = np.full(len(time), 5.0)
-    height[coarse : coarse + calm] = 1.0
     with pytest.raises(InputError, match=f"row {coarse + 2}: time: this row is 1 h after"):
         read_record(written(tmp_path, {"hs (m)": height}, times=time))
     sea = xr.Dataset({HEIGHTS: ("time", height)}, {"time": time}, {"interval_hours": 3.0})
-    found = hours(sea, [sea_limit("hs <= 2 m")])
-    assert found.of_windows(3.0 * (calm // 3 + 1)).number == 0
+    with pytest.raises(InputError, match="rows with values are 1 h apart"):
+        hours(sea, [sea_limit("hs <= 2 m")])
+    joined = next_to_each_other(time, 3.0)
+    assert joined[: coarse - 1].all()
+    assert not joined[coarse - 1 :].any()
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -59,6 +59,25 @@ def test_empty_cells_that_change_the_interval_are_refused(tmp_path, seed):
 
 
 @pytest.mark.parametrize("seed", range(8))
+def test_a_part_in_which_a_quantity_is_measured_more_often_is_refused(tmp_path, seed):
+    """Wind in every second to sixth row, and in each row of a rough part, which so counted too much."""
+    draw = np.random.default_rng(seed)
+    every, dense = int(draw.integers(2, 7)), int(draw.integers(40, 400))
+    rows = int(draw.uniform(1.5, 10.0) * every * dense)
+    first = every * int(draw.integers(0, (rows - dense) // every))
+    number = np.arange(rows)
+    rough = (number >= first) & (number < first + dense)
+    wind = ["12" if of else "5" if n % every == 0 else "" for n, of in zip(number, rough, strict=True)]
+    limits = [sea_limit("hs <= 2 m"), sea_limit("wind <= 8 m/s")]
+    record = read_record(written(tmp_path, {"hs (m)": np.full(rows, 1.0), "wind (m/s)": wind}))
+    with pytest.raises(InputError, match=f"rows with values are 1 h apart .* are {every} h apart"):
+        hours(record, limits)
+    thinned = [cell if n % every == 0 else "" for n, cell in enumerate(wind)]
+    record = read_record(written(tmp_path, {"hs (m)": np.full(rows, 1.0), "wind (m/s)": thinned}))
+    assert hours(record, limits).share == pytest.approx((~rough).mean(), abs=2.0 * every / rows)
+
+
+@pytest.mark.parametrize("seed", range(8))
 def test_gaps_at_random_are_allowed(tmp_path, seed):
     """Up to half of the rows missing one by one, and long gaps; or a coarse quantity in the whole record."""
     draw = np.random.default_rng(seed)

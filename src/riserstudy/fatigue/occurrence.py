@@ -135,7 +135,7 @@ def of_record(record: xr.Dataset, study: xr.Dataset, axes: list[str]) -> Occurre
     """Sea states of a record, hour by hour, each with its share of all hours that have every quantity.
 
     Raises InputError when no quantity of the record is an axis of the study, a unit does not fit, no row has
-    every quantity, rows have a longer interval in a part of the record, or an axis has the name of the
+    every quantity, rows have another interval in a part of the record, or an axis has the name of the
     record's bearings, which are not headings of a scene.
     """
     columns, irregular = {}, []

@@ -247,7 +247,7 @@ def met_by_rows(record: xr.Dataset, limits: Sequence[SeaLimit]) -> NDArray[np.bo
 def hours_of(record: xr.Dataset, known: NDArray[np.bool_], workable: NDArray[np.bool_]) -> Hours:
     """Workable hours from flags of known rows, (rows,), and of workable rows among these, (known,).
 
-    Raises InputError when known rows have a longer interval in a part of the record.
+    Raises InputError when known rows have another interval in a part of the record.
     """
     time = record["time"].values[known]
     check_spacing("RECORD", time)

@@ -10,19 +10,22 @@ from numpy.typing import NDArray
 from riserstudy.errors import InputError
 from riserstudy.records.numerals import percent
 
-FURTHER = 1.25  # distance of rows, in usual intervals, above which a gap is between them
+# distance of rows, in usual intervals, above which a gap is between them; its inverse: below which they are
+# closer than usual
+FURTHER = 1.25
 ALIKE = 0.05  # relative difference below which two gaps have equal lengths
 # number of successive equal gaps that are another interval; gaps at random are hardly ever so alike
 SUCCESSIVE = 8
-MOST = 0.01  # largest share of the recorded time with another interval
+MOST = 0.01  # largest share of the recorded time, and of the rows, with another interval
 
 
 def check_spacing(where: Path | str, time: NDArray[np.datetime64]) -> None:
-    """Check that rows do not have a longer interval than usual for a part of a record.
+    """Check that rows do not have a longer or a shorter interval than usual for a part of a record.
 
-    Each row counts equally, so a part with a longer interval would count too little. Gaps of unequal lengths,
-    or single gaps, are allowed. Raises InputError with the first and last time of the longest part if parts
-    with a longer interval are more than a hundredth of the recorded time.
+    Each row counts equally, so a part with a longer interval would count too little, and a part with a
+    shorter one too much. Gaps of unequal lengths, or single gaps, are allowed. Raises InputError with the
+    first and last time of the longest part if parts with another interval are more than a hundredth of the
+    recorded time, or of the rows.
 
     Parameters
     ----------
@@ -34,20 +37,25 @@ def check_spacing(where: Path | str, time: NDArray[np.datetime64]) -> None:
         return
     lengths, counts = np.unique(steps, return_counts=True)
     usual = float(lengths[counts.argmax()])
-    wide = steps > FURTHER * usual
-    parts = stretches(wide, np.abs(np.diff(steps)) <= ALIKE * steps[1:])
+    other = (steps > FURTHER * usual) | (steps < usual / FURTHER)
+    parts = stretches(other, np.abs(np.diff(steps)) <= ALIKE * steps[1:])
     parts = parts[parts[:, 1] - parts[:, 0] >= SUCCESSIVE]
     hours = np.array([float(steps[first:last].sum()) for first, last in parts])
-    recorded = float(hours.sum() + steps[~wide].sum())
-    if not len(parts) or hours.sum() <= MOST * recorded:
+    if not len(parts):
+        return
+    recorded = float(hours.sum() + steps[~other].sum())
+    of_time = float(hours.sum()) / recorded
+    of_rows = float((parts[:, 1] - parts[:, 0]).sum()) / len(steps)
+    if max(of_time, of_rows) <= MOST:
         return
     first, last = parts[hours.argmax()]
     found = (
         f"rows with values are {steps[first]:g} h apart from {_minute(time[first])} to "
-        f"{_minute(time[last])}, and most rows {usual:g} h; rows with a longer interval are "
-        f"{percent(hours.sum() / recorded)} of the time"
+        f"{_minute(time[last])}, and most rows {usual:g} h; rows with another interval are "
+        f"{percent(of_time)} of the time and {percent(of_rows)} of the rows"
     )
-    allowed = f"keep only rows that are {steps[first]:g} h apart, because each row counts equally"
+    longer = max(float(steps[first]), usual)
+    allowed = f"keep only rows that are {longer:g} h apart, because each row counts equally"
     raise InputError(where, "time", found, allowed)
 
 
