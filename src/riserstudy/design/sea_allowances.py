@@ -28,7 +28,7 @@ from riserstudy.study.departures import departure, refuse_departures
 from riserstudy.study.in_sea import Sea, in_sea
 
 FloatArray = NDArray[np.float64]
-OUTPUTS = 20  # smallest number of outputs in the shortest period of a sea, for moments in space
+OUTPUTS = 20  # smallest number of outputs in the shortest period of a sea
 NO_VESSEL = "replace it by `platform`, with `top.x: platform`"
 
 
@@ -77,7 +77,8 @@ class Run(NamedTuple):
 
 def _run(scene: Resolved, there: Resolved) -> Run:
     """Run a scene ``there``, in the sea; ``scene`` is itself."""
-    moving = run(_often(there) if directions(there) == len("xyz") else there)
+    peaked = directions(there) == len("xyz") or there.top.tensioners
+    moving = run(_often(there) if peaked else there)
     mesh, still = mesh_of(scene, moving.arrays["l0"]), static(scene)
     rest = Rest(still, mesh)
     found = finish(still, mesh, march(still, mesh, None, rest=rest))
@@ -85,7 +86,10 @@ def _run(scene: Resolved, there: Resolved) -> Run:
 
 
 def _often(there: Resolved) -> Resolved:
-    """The scene with outputs at all nodes, and so frequent that they miss few peaks of moments in space."""
+    """The scene with outputs at all nodes, and so frequent that they miss few peaks.
+
+    Extremes over all steps know neither vectors in space nor single cylinders.
+    """
     output = there.analysis.output
     if output is None or there.shortest_period is None:
         return there
@@ -159,12 +163,25 @@ def _added(scene: Resolved, limit: Limit, of: Run) -> dict[str, float]:
     return added
 
 
+def _of_cylinders(of: Run, output: str) -> list[float]:
+    """Largest and smallest change of any cylinder from rest at the outputs; empty for other outputs.
+
+    The cylinder that is extreme at rest need not be the one that moves most.
+    """
+    histories = of.moving.arrays.get(output)
+    if histories is None or histories.ndim < 2:
+        return []
+    change = histories - of.rest.arrays[f"{output}_static"]
+    return [float(change.max()), float(change.min())]
+
+
 def _motion(
     of: Run, output: str, side: str, nodes: slice | None, row: Mapping[str, Any], still: Mapping[str, Any]
 ) -> float:
-    """Largest change of an output from rest to a side, of any node or of a value without nodes."""
+    """Largest change of an output from rest to a side, of any node or cylinder, or of a single value."""
     if nodes is None:
-        return float(row[side] - still[side])
+        extreme = max if side == "largest" else min
+        return extreme([float(row[side] - still[side]), *_of_cylinders(of, output)])
     envelope = of.moving.arrays[output + ("_max" if side == "largest" else "_min")][nodes]
     change = envelope - of.rest.arrays[f"{output}_static"][nodes]
     return float(change.max() if side == "largest" else change.min())
