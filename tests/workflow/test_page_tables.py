@@ -35,7 +35,7 @@ def test_tables_filter_by_words(browser):
     table = graded(browser)
     table.find_element(By.CSS_SELECTOR, "input[type=search]").send_keys("roll")
     wait(browser, lambda: len(table.find_elements(By.CSS_SELECTOR, "tbody tr")) == 1)
-    assert "moment under roll" in table.text
+    assert "Moment under roll." in table.text
     assert "1 rows of 3" in table.text
 
 
@@ -48,7 +48,7 @@ def test_a_part_of_a_bar_filters_both_tables_and_the_button_shows_all(browser):
     wait(browser, lambda: len(rows(browser, 1)) == 1)
     assert rows(browser, 1) == [paper]
     assert "reproduced" in graded(browser).text
-    assert "of another kind" not in graded(browser, "claims").text
+    assert "Of another kind." not in graded(browser, "claims").text
     browser.find_element(By.CSS_SELECTOR, ".chosen-filter button").click()
     wait(browser, lambda: len(rows(browser, 1)) == 3)
 
