@@ -31,9 +31,10 @@ def check(
 ) -> None:
     """Check a scene against its limits.
 
-    For each limit, the table gives the computed value, the allowable value, the utilisation (computed value
-    divided by allowable value), the place and the time. The first row is the governing limit, which is
-    exceeded most or is closest to being exceeded.
+    For each limit, the table gives the computed value, the allowable value, the utilisation, the place and
+    the time. The utilisation is the computed value divided by the allowable value, or the reverse for a lower
+    limit above zero. The first row is the governing limit, which is exceeded most or is closest to being
+    exceeded.
 
     The exit status is 1 if a limit is exceeded. If no limit is exceeded, but a limit could not be evaluated,
     the exit status is 4.

@@ -79,7 +79,7 @@ class RunFacts(TypedDict, total=False):
     elements: Annotated[int, Column("segments of the riser", "1", kind="integer")]
     step: Annotated[float, Column("time step", "s")]
     newton_iterations: Annotated[
-        int, Column("number of Newton iterations in all time steps", "1", kind="integer")
+        int, Column("number of Newton iterations of the riser in all time steps", "1", kind="integer")
     ]
     error_estimate: Annotated[
         ErrorEstimate,
@@ -110,7 +110,8 @@ class RunFacts(TypedDict, total=False):
     audit: Annotated[
         EnergyAudit,
         Column(
-            "energy residual, divided by the larger of exchanged and stored energy",
+            "energy residual, divided by the exchanged energy or the change of stored energy, "
+            "whichever is larger",
             "1",
             name="unexplained_energy",
             part="unexplained_share",
@@ -145,8 +146,8 @@ class RunFacts(TypedDict, total=False):
     vibration_scatter: Annotated[
         float,
         Column(
-            "difference of the vibration between the first and the second half of the time, as root mean "
-            "square along the riser, divided by the root mean square of the vibration",
+            "difference of the vibration's root mean squares over the first and the second half of the time, "
+            "as root mean square along the riser, divided by the root mean square of the vibration",
             "1",
             **_RARE,
         ),
