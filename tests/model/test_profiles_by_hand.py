@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from riserstudy.model.sea import current_table, current_velocity, fastest_current, surface_current
+from riserstudy.model.sea import current_table, current_velocity, surface_current
 from riserstudy.scene.forcing import Current
 from riserstudy.scene.water import Water
 
@@ -73,7 +73,6 @@ def test_a_sum_has_the_speeds_of_its_parts_together(seed):
     along, velocity = current_velocity(current, WATER)
     np.testing.assert_array_equal(along, z)
     np.testing.assert_allclose(velocity, [speeds * math.cos(heading), speeds * math.sin(heading)])
-    assert fastest_current(current, WATER) == pytest.approx(abs(speeds).max())
     top = sum(law(0.0) for law in laws)
     assert surface_current(current, WATER) == pytest.approx(
         [top * math.cos(heading), top * math.sin(heading)], abs=1e-6

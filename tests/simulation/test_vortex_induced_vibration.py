@@ -8,6 +8,7 @@ import pytest
 from random_rigs import rig, timed, written
 
 from riserstudy.errors import InputError
+from riserstudy.model.vortices import shedding_period, slowest, synchronised
 from riserstudy.scene.load import SceneFile
 from riserstudy.simulation.refine import run
 from riserstudy.simulation.vortex_vibration import enter
@@ -234,3 +235,43 @@ def test_a_run_says_where_its_vibration_includes_what_waves_and_platform_do(kind
     assert warned == said
     if said:
         assert facts["vibration_frequency"] == pytest.approx(1.0 / period, rel=0.05)
+
+
+def towed(water, cruise):
+    """The small riser hung off in a uniform current, below a platform that cruises; velocities in m/s."""
+    flow = {"shape": "uniform", "surface_speed": f"{np.hypot(*water)} m/s"}
+    heading = f"{np.arctan2(*water[::-1])} rad"
+    top = {"x": "platform", "z": "held", "elevation": "14 m"}
+    ship = {"speed": f"{np.hypot(*cruise)} m/s", "heading": f"{np.arctan2(*cruise[::-1])} rad", "ramp": "5 s"}
+    return SceneFile("test", copy.deepcopy(SCENE), {}).with_values(
+        {
+            "current": {"profile": flow, "heading": heading, "ramp": "5 s"},
+            "bottom": {"hold": "free"},
+            "top": top,
+            "platform": {"cruise": ship},
+            "riser[0].submerged_weight": "60 N/m",
+            "riser[0].viv.ramp": "10 s",
+            "analysis": {"duration": "60 s", "output": {"interval": "0.1 s"}, "step": "20 ms"}
+            | {"mesh": {"elements": 16}},
+        },
+        "test",
+    )
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_towed_riser_vibrates_as_in_the_current_that_it_meets(seed):
+    """The same flow of 0.1 m/s past the riser, from the current alone and from a cruise in a current."""
+    draw = np.random.default_rng(seed)
+    angle, cruise = draw.uniform(-pi, pi), draw.uniform(-0.3, 0.3, 2)
+    met = 0.1 * np.array([np.cos(angle), np.sin(angle)])
+    alone, ship = (towed(met + own, own).resolved() for own in (np.array([1e-9, 0.0]), cruise))
+    assert shedding_period(ship) == pytest.approx(shedding_period(alone), rel=1e-6)
+    assert slowest(ship) == pytest.approx(slowest(alone), rel=1e-6)
+    for hertz in (0.3, 0.5, 0.8, 1.1):
+        assert synchronised(ship, hertz) == pytest.approx(synchronised(alone, hertz), abs=1e-6)
+    if seed < 2:  # along the flow, so that its ramp does not turn it
+        facts = [
+            run(towed(met + own, own).resolved(), estimated=False).facts for own in (0.0 * met, 2.5 * met)
+        ]
+        for name in ("vibration_rms", "vibration_frequency"):
+            assert facts[1][name] == pytest.approx(facts[0][name], rel=0.02)

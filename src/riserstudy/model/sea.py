@@ -70,12 +70,6 @@ def in_water(scene: Resolved, elevations: FloatArray) -> NDArray[np.bool_]:
     return below if scene.ground is None else below & (elevations >= scene.ground)
 
 
-def fastest_current(current: Current, water: Water | None) -> float:
-    """Largest speed of a current at any elevation (m/s)."""
-    _, velocity = current_velocity(current, water)
-    return float(np.sqrt((velocity**2).sum(axis=0)).max())
-
-
 def _unit(heading: float | FloatArray) -> FloatArray:
     return np.array([np.cos(heading), np.sin(heading)])
 

@@ -15,7 +15,8 @@ from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.model.layout import Layout, lower_end
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
-from riserstudy.model.sea import current_velocity, fastest_current, in_water
+from riserstudy.model.sea import current_velocity, in_water
+from riserstudy.scene.forcing import Current
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
 
@@ -94,13 +95,13 @@ def ramp_of(scene: Resolved) -> float:
 
 
 def shedding_period(scene: Resolved, free: bool = False) -> float:
-    """Shortest period of vortices in the current (s); infinite without vortices.
+    """Shortest period of vortices in the flow past the riser (s); infinite without vortices.
 
     ``free``: period of the lift on a riser at rest; else of the highest frequency of lift or varying drag.
     """
     if scene.current is None or not shedding(scene):
         return math.inf
-    speed = fastest_current(scene.current, scene.water)
+    speed = float(np.linalg.norm(_flow(scene, scene.current)[1], axis=0).max())
     if speed == 0.0:
         return math.inf
     return min(
@@ -162,11 +163,21 @@ def _lower_end(scene: Resolved) -> float:
     return lower_end(scene, length)
 
 
+def _flow(scene: Resolved, current: Current) -> tuple[FloatArray, FloatArray]:
+    """Elevations (m), and the velocity of the current there, relative to a towed riser, (2, n), m/s."""
+    z, velocity = current_velocity(current, scene.water)
+    cruise = scene.platform.cruise if scene.platform else None
+    if cruise and scene.bottom.hold == "free":
+        heading = cruise.heading or 0.0
+        velocity = velocity - cruise.speed * np.array([[math.cos(heading)], [math.sin(heading)]])
+    return z, velocity
+
+
 def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
-    """Speed of the current at elevations (m) in the water (m/s), 0 above it and in the ground."""
+    """Speed of the flow past the riser at elevations (m) in the water (m/s), 0 above it and in the ground."""
     if scene.current is None:
         return np.zeros_like(elevations)
-    z, velocity = current_velocity(scene.current, scene.water)
+    z, velocity = _flow(scene, scene.current)
     speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
     return np.where(in_water(scene, elevations), speed, 0.0)
 
