@@ -184,6 +184,24 @@ def depth_of_action(sea: RegularWave | IrregularSea, water: Water, gravity: floa
     return 1.0 / wave_number(frequency, (water.surface or 0.0) - (water.seabed or 0.0), gravity)
 
 
+def speed_at_crest(sea: Swell | Storm, water: Water, gravity: float, elevations: FloatArray) -> FloatArray:
+    """Horizontal speed (m/s) of the water at the crest of a wave, by linear theory, at elevations (m), (k,).
+
+    Of a sea, it is twice the standard deviation, like the significant height. Above the mean level, it is the
+    speed at the mean level.
+    """
+    surface, seabed = water.surface or 0.0, water.seabed or 0.0
+    amplitude, frequency, _ = components_of(sea)
+    k = wave_numbers(frequency, water, gravity)
+    depth = np.maximum(surface - elevations, 0.0)[:, None]
+    above_bed = np.maximum(surface - seabed - depth, 0.0)
+    # cosh k(z - seabed) / sinh k(surface - seabed), without large exponentials
+    share = np.exp(-k * depth) * (1.0 + np.exp(-2.0 * k * above_bed))
+    share /= 1.0 - np.exp(-2.0 * k * (surface - seabed))
+    squares = ((amplitude * frequency * share) ** 2).sum(axis=1)
+    return np.asarray(np.sqrt(squares) if len(k) == 1 else np.sqrt(2.0 * squares))
+
+
 def components_of(sea: Swell | Storm) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Amplitudes (m), frequencies (rad/s) and phases (rad) of a wave or sea, each (components,)."""
     if isinstance(sea, Swell):

@@ -15,7 +15,7 @@ from riserstudy.effects.vortex_lift import VortexLift
 from riserstudy.model.layout import Layout, lower_end
 from riserstudy.model.mesh import Mesh
 from riserstudy.model.model import Effect, Model
-from riserstudy.model.sea import current_velocity, in_water
+from riserstudy.model.sea import current_velocity, in_water, speed_at_crest
 from riserstudy.scene.forcing import Current
 from riserstudy.scene.resolve import Resolved
 from riserstudy.scene.riser import VortexInducedVibration
@@ -109,6 +109,22 @@ def shedding_period(scene: Resolved, free: bool = False) -> float:
     )
 
 
+def shortest_shedding_period(scene: Resolved) -> float:
+    """Shortest period of vortices (s) when the current and the largest wave flow in the same direction.
+
+    It is that of the current in a scene without waves; infinite without vortices.
+    """
+    shortest, foot = shedding_period(scene), _lower_end(scene)
+    for section in scene.riser:
+        if section.viv and scene.wave and math.isfinite(shortest):
+            places = np.linspace(foot, foot + section.total_length, PLACES)
+            speed = float(np.max(_speed(scene, places) + _speed_of_waves(scene, places)))
+            fastest = section.viv.highest_frequency * speed
+            shortest = min(shortest, section.viv.diameter / fastest) if fastest > 0.0 else shortest
+        foot += section.total_length
+    return shortest
+
+
 def synchronised(scene: Resolved, frequency: float, edge: float = 0.0) -> float:
     """Share of the riser's length (1) along which vortices can excite it at a frequency (Hz).
 
@@ -179,6 +195,14 @@ def _speed(scene: Resolved, elevations: FloatArray) -> FloatArray:
         return np.zeros_like(elevations)
     z, velocity = _flow(scene, scene.current)
     speed = np.sqrt(sum(np.interp(elevations, z, part) ** 2 for part in velocity))
+    return np.where(in_water(scene, elevations), speed, 0.0)
+
+
+def _speed_of_waves(scene: Resolved, elevations: FloatArray) -> FloatArray:
+    """Horizontal speed (m/s) of the water at the crest of the wave, at elevations (m); 0 above the water."""
+    if not (scene.wave and scene.water):
+        return np.zeros_like(elevations)
+    speed = speed_at_crest(scene.wave, scene.water, scene.gravity or 0.0, elevations)
     return np.where(in_water(scene, elevations), speed, 0.0)
 
 

@@ -13,7 +13,7 @@ from riserstudy.model.mesh import COARSEST, Layer, Mesh, even, graded
 from riserstudy.model.model import Model
 from riserstudy.model.sea import current_velocity, depth_of_action
 from riserstudy.model.soil import pile_length
-from riserstudy.model.vortices import shedding_period
+from riserstudy.model.vortices import shortest_shedding_period
 from riserstudy.scene.resolve import Resolved
 from riserstudy.simulation.equilibrium import settle
 from riserstudy.simulation.half_waves import half_wave
@@ -151,4 +151,4 @@ def massless(scene: Resolved) -> bool:
 def period(scene: Resolved) -> float:
     """Period that a time step must resolve (s): the shortest of the scene, or a fraction of the run."""
     shortest = scene.shortest_period or min(QUIET, 0.25 * (scene.analysis.duration or math.inf))
-    return min(shortest, VORTEX * shedding_period(scene))
+    return min(shortest, VORTEX * shortest_shedding_period(scene))

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from riserstudy.errors import SimulationError
-from riserstudy.model.vortices import ramp_of, shedding, shedding_period, slowest
+from riserstudy.model.vortices import ramp_of, shedding, shedding_period, shortest_shedding_period, slowest
 from riserstudy.records.numerals import at_most
 from riserstudy.scene.limits import ANGLES
 from riserstudy.scene.resolve import Resolved
@@ -63,10 +63,11 @@ def enter(scene: Resolved, step: float, arrays: dict[str, Array], facts: RunFact
     if start is None or "y" not in arrays:
         return
     period, interval = shedding_period(scene), float(np.diff(arrays["time"][:2])[0])
-    if step > period / STEPS:
+    if step > (fastest := shortest_shedding_period(scene)) / STEPS:
+        waves = " in current and waves" if fastest < period else ""
         facts["warnings"].append(
-            f"riser.viv: the time step is too long: {period / step:.3g} steps per shortest shedding period "
-            f"of {period:.3g} s; use a time step of {period / (2 * STEPS):.2g} s"
+            f"riser.viv: the time step is too long: {fastest / step:.3g} steps per shortest shedding period "
+            f"of {fastest:.3g} s{waves}; use a time step of {fastest / (2 * STEPS):.2g} s"
         )
     late = arrays["time"] >= start
     if int(late.sum()) < FEWEST:
