@@ -69,3 +69,22 @@ def test_a_mesh_that_is_finest_everywhere_is_used_itself(seed):
     for order in ([finest, *coarser], [*coarser, finest]):
         assert np.allclose(common_nodes(order), finest, rtol=0.0, atol=2e-6)
         assert len(common_nodes(order)) == len(finest)
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_an_end_of_a_section_is_kept_if_all_risers_that_reach_it_have_it(seed):
+    """Risers of the same lower sections, each with some of them, on meshes graded in different ways."""
+    draw = np.random.default_rng(seed)
+    ends = np.concatenate([[0.0], np.cumsum(draw.uniform(5.0, 80.0, 6)).round(3)])
+    meshes = []
+    for count in draw.integers(2, len(ends) + 1, 5):
+        parts = [
+            np.geomspace(*draw.uniform(1.0, 9.0, 2), int(draw.integers(2, 12))) for _ in range(count - 1)
+        ]
+        places = [(part - part[0]) / (part[-1] - part[0]) for part in parts]
+        spans = zip(places, pairwise(ends[:count]), strict=True)
+        meshes.append(np.concatenate([ends[:1], *(low + (high - low) * at[1:] for at, (low, high) in spans)]))
+    highest = max(mesh[-1] for mesh in meshes)
+    nodes = common_nodes(meshes)
+    for end in ends[ends <= highest]:
+        assert abs(nodes - end).min() < 1e-6
