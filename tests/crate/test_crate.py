@@ -85,6 +85,20 @@ def test_a_run_leaves_a_crate_that_is_true_of_every_file(study):
         assert entities[f"#jobs-{rule}"]["startTime"] >= run["startTime"]
 
 
+def test_a_run_that_was_killed_after_its_last_job_gets_its_crate_from_the_next(study):
+    """Without jobs to do, Snakemake calls no hook of the workflow; a dry run writes nothing."""
+    folder, environment = study
+    crate = folder / "results" / NAME
+    before = graph(crate)
+    crate.unlink()
+    status, said = snakemake(folder, environment, "--dry-run")
+    assert (status, crate.exists()) == (0, False), said
+    status, said = snakemake(folder, environment)
+    assert (status, "Nothing to be done" in said) == (0, True)
+    assert graph(crate).keys() == before.keys()
+    assert_true_of_files(graph(crate), folder / "results")
+
+
 def test_every_reference_is_to_an_entity_or_an_address(study):
     entities = graph(study[0] / "results" / NAME)
     for name in {one for entity in entities.values() for one in references(entity)}:

@@ -1,6 +1,9 @@
 """A dataset with a wrong bit is refused by every command that reads one, and never gives another number."""
 
+import os
 import random
+import subprocess
+import sys
 
 import netCDF4
 import pytest
@@ -69,6 +72,23 @@ def test_commands_name_the_damaged_file(dataset, commands, tmp_path, monkeypatch
     assert code == 2
     assert "spoilt.nc: the file is damaged; repeat the command that writes it" in said
     assert not (tmp_path / "x.csv").exists()
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        *(("statistics", "pipe.nc", "-o", "x.csv"), ("table", "pipe.nc", "-o", "x.csv")),
+        *(("plot", "pipe.nc", "-o", "x.png"), ("check", "pipe.nc")),
+        ("fatigue", "pipe.nc"),
+    ],
+)
+def test_commands_do_not_wait_for_a_pipe(tmp_path, words):
+    """Nobody writes into it, so that the library would wait forever."""
+    os.mkfifo(tmp_path / "pipe.nc")
+    command = [sys.executable, "-c", "from riserstudy.cli import main; main()", *words]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
+    assert done.returncode == 2
+    assert "pipe.nc: this is not a regular file" in done.stderr
 
 
 def test_the_library_and_other_programs_read_and_change_it(dataset, tmp_path):

@@ -121,7 +121,7 @@ def judged(place, name, varied, python, expected):
         return "OTHER NUMBERS"
     _, said, _ = study(place, name, varied, python)
     shutil.rmtree(place / name)
-    return SAME if "Nothing to be done" in said else "same numbers, BUT NOT DONE WITH THAT"
+    return SAME if "Nothing to do" in said else "same numbers, BUT NOT DONE WITH THAT"
 
 
 def study(place, name, varied, python):

@@ -5,11 +5,10 @@ import sys
 from pathlib import Path
 
 from riserstudy.blas import use_one_thread
-from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import chapter_files
 from riserstudy.jobs import SHARED
-from riserstudy.jobs.begin import begin
+from riserstudy.jobs.begin import begin, describe_results
 from riserstudy.jobs.start_server import start_server, use_this_python
 from riserstudy.jobs.workplan import ALL_CORES, KERNELS, Workplan
 
@@ -94,10 +93,7 @@ onstart:
 
 
 onsuccess:
-    try:
-        write_crate(Path())
-    except OSError as error:
-        print(f"riserstudy: warning: no run crate: {error}", file=sys.stderr)
+    describe_results()
 
 
 DATASETS = PLAN.dataset_files()

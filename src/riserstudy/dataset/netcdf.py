@@ -63,8 +63,13 @@ def written_whole(target: Path) -> Iterator[Path]:
 
 
 def refuse_damaged(path: Path) -> None:
-    """Check a dataset against the digest at its end, if it has one. Raises InputError when it is damaged."""
-    if not path.is_file():  # a folder or a pipe, which the library refuses
+    """Check a dataset against the digest at its end, if it has one.
+
+    Raises InputError when it is damaged, or a pipe, for which the library would wait.
+    """
+    if path.exists() and not (path.is_file() or path.is_dir()):
+        raise InputError(path, "", "this is not a regular file", "give the path of a dataset")
+    if not path.is_file():  # the library refuses it
         return
     with path.open("rb") as stream:
         size = stream.seek(0, os.SEEK_END) - LINE

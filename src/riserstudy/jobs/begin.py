@@ -7,12 +7,14 @@ a lock that the system releases when the process that holds it ends, however it 
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 
 from filelock import FileLock, Timeout
 
 from riserstudy.crate.former import of_former_results
+from riserstudy.crate.metadata import write_crate
 from riserstudy.errors import InputError
 from riserstudy.folders import is_partial
 from riserstudy.jobs import mend, seals
@@ -65,7 +67,18 @@ def begin(papers: list[str], outputs: Iterable[str], at_work: bool, tier: str) -
     except OSError as error:
         allowed = "allow writing to this folder"
         raise InputError(error.filename, "", os.strerror(error.errno or 0), allowed) from None
+    # An earlier run may have been killed after its last job. Without jobs to do, Snakemake calls no hook.
+    if not remade and all(Path(file).exists() for file in wanted):
+        describe_results()
     return remade, lines
+
+
+def describe_results() -> None:
+    """Write the run crate of the current folder, unless it is up to date; warn where that is not possible."""
+    try:
+        write_crate(Path())
+    except OSError as error:
+        print(f"riserstudy: warning: no run crate: {error}", file=sys.stderr)
 
 
 def _is_alone() -> bool:
