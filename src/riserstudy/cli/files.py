@@ -50,7 +50,8 @@ def import_deck(
     deck: Annotated[
         Path,
         typer.Argument(
-            help="OrcaFlex text model, .4 file of WAMIT, or Capytaine dataset with RAOs", metavar="DECK.yml"
+            help="OrcaFlex text model (.yml), WAMIT output with RAOs (.4), or Capytaine dataset with RAOs",
+            metavar="FILE",
         ),
     ],
     output: Annotated[

@@ -102,10 +102,11 @@ def envelope(
     """Compute the operating envelope: for each current and sea, the offsets between which all limits are met.
 
     At each offset, the command computes the static equilibrium. To include a sea, the command adds an
-    allowance to the static value of each output. For a lower limit, it subtracts the allowance. In nine of
-    ten random realisations of the sea, the change due to waves does not exceed this allowance. The command
-    computes the allowance by simulations in the sea, with the current and the offset of the scene. Limits on
-    mean values have no allowance. The exit status is 4 if a limit could not be evaluated.
+    allowance to the static value of each output. If the limit is a smallest allowed value, the command
+    subtracts the allowance instead. In nine of ten random realisations of the sea, the change due to waves
+    does not exceed this allowance. The command computes the allowance by simulations in the sea, with the
+    current and the offset of the scene. Limits on mean values have no allowance. The exit status is 4 if a
+    limit could not be evaluated.
     """
     file = scene_of(scene, settings)
     check_targets(file.files, force, csv)

@@ -35,7 +35,7 @@ LOOKED_AT = 1000  # number of bytes of a file that are read to determine its kin
 OR_FORCE = "name another file, or add --force to replace this one"
 
 ForceOption = Annotated[
-    bool, typer.Option("--force", help="replace any existing file, even an input of the command")
+    bool, typer.Option("--force", help="overwrite existing files, even a file that the command has read")
 ]
 
 
