@@ -116,7 +116,7 @@ def stable_steps(steps: xr.Dataset) -> str:
         + (
             f"Too long are the predictions for {listed(named)}."
             if named
-            else "No predicted time step is too long."
+            else "No predicted time step is longer than the longest stable one."
         )
     )
 
