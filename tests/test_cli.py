@@ -88,6 +88,7 @@ def test_a_patience_that_is_no_time_is_refused(command, tmp_path, patience):
     assert err.count("\n") == 1
 
 
+@pytest.mark.long
 def test_a_terminal_shows_what_is_run(tmp_path):
     """On a terminal of its own, which a pipe is not."""
     pty = pytest.importorskip("pty")
@@ -204,6 +205,7 @@ def test_a_simulation_that_cannot_be_completed_ends_with_three(command, tmp_path
     assert list(tmp_path.iterdir()) == []
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "words, name",
     [
@@ -244,6 +246,7 @@ def test_cost_tells_what_accuracy_takes(command, tmp_path):
     assert picture.stat().st_size > 1000
 
 
+@pytest.mark.long
 def test_a_long_run_is_priced_and_announced(command, tmp_path, monkeypatch):
     long = ["--set", "analysis.duration=3 h", "--set", "analysis.output.interval=10 s"]
     code, said, complaint = command("cost", SURGE, *long)

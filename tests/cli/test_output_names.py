@@ -44,6 +44,7 @@ def test_a_name_that_is_no_text_is_refused_and_nothing_written(name, commands, t
     assert sorted(Path().iterdir()) == before
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("encoding", ["ascii", "latin-1", "utf-8"])
 @pytest.mark.parametrize("command", ["downtime", "statistics", "viv"])
 def test_help_is_printed_in_any_encoding(command, encoding):

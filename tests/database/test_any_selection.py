@@ -47,6 +47,7 @@ def check(found, own, study):
             assert int(values.notnull().sum()) == times * int(own[name].notnull().sum()), name
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", seeds(40, few=12))
 def test_any_points_in_any_order_are_one_dataset(here, seed):
     draw = np.random.default_rng(seed)

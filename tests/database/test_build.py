@@ -169,6 +169,7 @@ build.{function} = counted
 """
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "function, call", [("write_study", 1), ("write_study", 6), ("write_papers", 1), ("_run", 2)]
 )

@@ -66,6 +66,7 @@ def database(folder, table, view):
         db.execute(f"create view {table} as " + view.format(columns=columns, table=table))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(2))
 @pytest.mark.parametrize("kind", VIEWS)
 def test_no_view_holds_a_command_up_or_lets_it_write(commands, tmp_path, monkeypatch, kind, seed):

@@ -72,6 +72,7 @@ def in_a_sea(draw, duration):
     return time, values / values.std()
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("duration", [1800.0, 10800.0])
 @pytest.mark.parametrize("power, allowed", [(1.0, 0.03), (2.0, 0.06)])
 def test_small_peaks_of_a_sea_do_not_move_the_most_probable_maximum(duration, power, allowed):

@@ -132,6 +132,7 @@ def test_a_higher_sea_narrows_the_envelope_within_that_of_calm_water(commands, t
         assert room[mode, "calm"] > room[mode, "2 m, 9 s"] > room.get((mode, "6 m, 11 s"), 0.0)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("height", [2.0, 5.0])
 def test_an_allowance_is_at_least_the_median_of_what_the_seeds_add(height):
     file = load_scene(RISER, **SEA)
@@ -211,6 +212,7 @@ def test_a_riser_that_does_not_stay_has_no_allowance_for_a_sea(seed, what):
         allowances(SceneFile("rig.yaml", written(tree)), Sea(2.0, 10.0), 5)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(4))
 def test_allowances_are_those_of_the_scene_that_counts_no_damage(seed):
     tree = rig(seed, spatial=bool(seed % 2), conductor=False)

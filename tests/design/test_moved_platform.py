@@ -53,6 +53,7 @@ def uses(file):
 FILES = [example, *(lambda seed=seed: file_of(rig(seed), limits=LIMITS) for seed in range(12))]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("made", FILES)
 def test_at_each_end_of_an_interval_a_run_with_the_platform_there_uses_all_of_the_limit(made):
     file = made()

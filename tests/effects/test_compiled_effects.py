@@ -39,6 +39,7 @@ MEMORY = {"loads", "seas", "lumps", "slopes"}
 PIECES = [(kind, d, role) for kind, d in PAIRS for role in ROLES[kind]]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("piece", PIECES, ids=lambda p: f"{p[0].__name__}-{p[1]}d-{p[2]}")
 def test_compiled_and_interpreted_effects_agree(piece, uncompile):
     kind, d, role = piece

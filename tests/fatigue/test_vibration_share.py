@@ -63,6 +63,7 @@ def studies(file):
     return [study_of(file), study_of(file.with_values({"riser[0].viv": None}, "test"))]
 
 
+@pytest.mark.long
 def test_in_steady_current_vibration_brings_all_of_the_damage(tmp_path):
     path = tmp_path / "currents.csv"
     path.write_text("current_profile_surface_speed (m/s),share (%)\n0.45,30\n0.5,10\n0,60\n")
@@ -97,6 +98,7 @@ def test_studies_that_cannot_be_compared_are_refused(tmp_path):
             shares(*pair)
 
 
+@pytest.mark.long
 def test_in_waves_the_rest_is_that_of_the_same_seas_without(tmp_path):
     """Damage is compared at one place, and what is left is that of a run without vortices."""
     waves = {

@@ -63,6 +63,7 @@ OF_GRIDS = sorted(set(NEEDS) - {"workable hours"})
 GRIDS = [(), ("reading",), ("tug", "reading"), ("heave_amplitude", "tug", "reading")]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("axes", GRIDS, ids="-".join)
 @pytest.mark.parametrize("plot", OF_GRIDS)
 def test_every_plot_fits_every_grid_that_has_axes_enough(plot, axes):

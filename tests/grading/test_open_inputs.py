@@ -53,6 +53,7 @@ def test_the_grader_loads_neither_scenes_nor_the_simulator():
     assert not {"numba", "snakemake"} & set(loaded)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name, verdict, decided_by",
     [

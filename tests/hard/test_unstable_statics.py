@@ -88,6 +88,7 @@ def test_a_slack_cable_hangs_on_any_mesh(elements):
     assert float(model.s.r[-1].min()) == pytest.approx(-10.92, rel=0.03)
 
 
+@pytest.mark.long
 def test_a_slack_string_under_compression_is_given_up():
     with pytest.raises(PhysicallyUnstable, match=r"tension decreases to -.*buckles at any"):
         simulate(from_file("hard/snap"))

@@ -149,6 +149,7 @@ def test_of_three_headings_rows_have_the_nearest(record):
     assert (plain.sum(axis=0) == 1.0).all()
 
 
+@pytest.mark.long
 def test_each_row_has_the_response_to_its_own_heading(file, record):
     """Against runs of every row in waves of its heading."""
     of = Directions(2, math.radians(70.0))

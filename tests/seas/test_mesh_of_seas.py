@@ -101,6 +101,7 @@ def test_sea_states_that_a_mesh_is_chosen_by_are_the_hard_ones(record):
     assert chosen[:, 1].min() == high[:, 1].min()
 
 
+@pytest.mark.long
 def test_demands_on_the_mesh_are_those_by_accuracy_in_other_sea_states(file, record):
     of = sea_states(record)
     accurate = RiserResponse(file, 1, 147 * 3600.0, 1)

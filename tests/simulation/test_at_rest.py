@@ -60,6 +60,7 @@ def test_a_run_at_rest_does_not_begin_a_motion_or_a_ramp(seed, kind):
     np.testing.assert_allclose(uses[1], uses[0], rtol=1e-7)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed, kind", RIGS)
 def test_modes_and_offsets_are_those_of_the_riser_at_rest(seed, kind):
     one, other = (in_time(file) for file in pair(seed, kind))

@@ -156,6 +156,7 @@ VIBRATING = Path(__file__).parents[2] / "config/scenes/hard/vortices.yaml"
 SHEAR = [{"elevation": "0 m", "speed": "0 m/s"}, {"elevation": "10 m", "speed": "0.5 m/s"}]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("own", [{}, {"mesh": {"elements": 24}, "step": "20 ms"}], ids=["found", "own"])
 @pytest.mark.parametrize("shear", [False, True])
 def test_an_angle_of_a_riser_that_vibrates_is_within_its_limit_only_with_its_error(shear, own):

@@ -67,6 +67,7 @@ def graded_and_fine(scene):
     return mesh
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("count", [0, 5, 12, 30])
 @pytest.mark.parametrize("seed", seeds(10, few=5))
 def test_the_error_at_rest_is_not_underestimated(seed, count):

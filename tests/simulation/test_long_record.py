@@ -77,6 +77,7 @@ def test_a_whole_that_errs_more_than_its_piece_is_refined_further(monkeypatch):
     assert max(controlled(result.facts["error_estimate"]).values()) <= 0.01
 
 
+@pytest.mark.long
 def test_where_the_whole_cannot_be_run_so_it_is_refined_as_any_record(monkeypatch):
     scene = record()
     wanted = Refinement(scene).result()

@@ -141,6 +141,7 @@ def test_all_implicit_methods_agree(plain, method):
         assert other.facts[name] == pytest.approx(plain.facts[name], rel=0.02)
 
 
+@pytest.mark.long
 def test_a_request_holds_for_the_statistics():
     """The error of rms and frequency, against a run on a far finer mesh and step, is within the request."""
     shape = {"shape": "uniform", "surface_speed": "0.15 m/s"}  # which calls for one mode alone

@@ -152,6 +152,7 @@ def test_kernels_are_compiled_once_and_again_when_what_they_do_changes(called):
     assert results == [4.0, 2.0, 0.0, 4.5, 1.5]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("seed", range(2))
 def test_an_edit_of_prose_compiles_nothing(seed, called):
     """Kernels move within their file, get docstrings and lose them."""

@@ -171,6 +171,7 @@ EDITS = [
 ]
 
 
+@pytest.mark.long
 def test_every_edit_that_changes_the_dataset_changes_its_digest(own_store):
     first = study(own_store, FILE)
     before, changed, refused = dataset(first), [], []

@@ -78,6 +78,7 @@ def study_of(tmp_path, monkeypatch):
     return short_study.studies_in(tmp_path, "parts", STUDIES)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(
     "name, at_once, parts",
     [("rest", 9, 6), ("moving", 5, 4), ("sampled", 5, 4), ("rest", 43, 2), ("governed", 4, 13)],

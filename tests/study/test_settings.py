@@ -100,6 +100,7 @@ def test_settings_that_are_not_whole_are_refused(tmp_path, damage):
         read_settings(tmp_path / "one.json")
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("setting", [GOOD, COARSE, None], ids=["good", "too coarse", "none"])
 def test_every_point_says_how_it_was_run_and_runs_so_again(study_of, tmp_path, setting):
     study = study_of("surge")

@@ -268,6 +268,7 @@ def test_what_cannot_be_meant_is_refused_before_anything_runs(axes, options, fau
         swept(axes, **options)
 
 
+@pytest.mark.long
 def test_the_notebook_of_its_page_runs_as_it_stands(tmp_path, monkeypatch):
     cells, printed = run_notebook("sweep.md", 3, tmp_path, monkeypatch)
     (picture,) = (output for cell in cells for output in cell.get("outputs", []))

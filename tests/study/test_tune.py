@@ -92,6 +92,7 @@ def true_error(study, setting, index):
     return controlled(difference(coarse, fine))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name, accuracy", [("surge", "1 %"), ("sampled", None)])
 def test_true_errors_at_points_that_were_not_tuned_on_stay_below_the_request(file, name, accuracy):
     study = study_of(file, name)
@@ -150,6 +151,7 @@ def test_a_study_with_nothing_to_tune_is_refused_in_one_line(commands, file, nam
     assert err.count("\n") == 1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", ["surge", "sampled"])
 def test_what_is_written_is_what_was_printed_and_leaves_the_rest_of_the_file(commands, file, name):
     code, out, _ = commands("tune", file, name, "--points", "4", "--accuracy", "3 %", "--write")

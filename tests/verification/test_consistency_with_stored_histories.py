@@ -32,6 +32,7 @@ def fine_in_time(name, elements):
     return march(name, elements, 0.003125).arrays
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", SURGE)
 def test_surge_converges_with_at_least_second_order_in_the_element_length(name):
     best = stored(name)

@@ -32,6 +32,7 @@ def errors(case, elements):
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("case", CASES)
 def test_the_scene_s_mesh_gives_the_rod_to_a_ten_thousandth(case):
     x, moment, tension = errors(case, None)

@@ -99,6 +99,7 @@ analysis: {duration: 2.5 s, output: {interval: 0.05 s}, accuracy: 0.05 %}
     np.testing.assert_allclose((moved - moved[0])[1:], (worked - worked[0])[1:], rtol=1e-3)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("joint", ["fixed", "{stiffness: 60 kN*m/deg}", "free"])
 def test_energy_and_shape_pass_through_the_release(tmp_path, joint):
     found = simulate(scene(tmp_path, RISER.replace("JOINT", joint)))

@@ -160,6 +160,7 @@ def test_statics_end_as_fast_in_strong_flow_at_low_tension(monkeypatch):
     assert corrections[-1] < 0.01 * corrections[-2] < 1e-4 * corrections[-3]
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("name", [*CASES, "hangoff_ref_heave"])
 def test_both_integrators_agree(name):
     """130 s of the transient: 0.2 % of displacement, 1 % of moment."""

@@ -232,6 +232,7 @@ def test_consistency_of_surge_with_the_exact_rod_is_within_small_angle_error():
     assert np.abs(found.moment).max() == pytest.approx(peak, rel=1e-3)
 
 
+@pytest.mark.long
 def test_consistency_of_a_small_surge_with_the_exact_rod():
     """Without axial strain and with slopes of 1e-3 the exact rod has to be the small-angle one."""
     amplitude, times = 0.02, 0.5 * np.arange(41)
