@@ -16,7 +16,7 @@ READY = .venv/.$(if $(ALIVE),ready,broken)-$(ID)
 
 MAKEFLAGS += --no-print-directory
 .NOTPARALLEL:
-.PHONY: help study test test-long test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
+.PHONY: help study test test-long test-all test-slow test-page test-cluster test-wheel check docs wheel lock figures bench references clean
 .PHONY: environment test-crate test-formats test-container test-hostile test-faults test-pythons test-strangers
 # Libraries of another environment must not get in.
 unexport PYTHONPATH PYTHONHOME
@@ -35,6 +35,9 @@ test: $(READY)  ## run the tests, without those of the other test targets
 
 test-long: $(READY)  ## run the tests of whole studies, and the other seeds of those of `make test`
 	@$(IN_ENVIRONMENT) $(TESTS) -m 'long and not slow and not cluster and not page'
+
+test-all: $(READY)  ## run the tests of `make test` and `make test-long` together, which saves repeated work
+	@$(IN_ENVIRONMENT) $(TESTS) -m 'not slow and not cluster and not page'
 
 test-slow: $(READY)  ## run the slow tests
 	@$(IN_ENVIRONMENT) pytest -q -n 2 --benchmark-disable -m 'slow and not cluster'

@@ -51,7 +51,7 @@ def import_deck(
         Path,
         typer.Argument(
             help="OrcaFlex text model (.yml), WAMIT output with RAOs (.4), or Capytaine dataset with RAOs",
-            metavar="FILE",
+            metavar="DECK.yml",
         ),
     ],
     output: Annotated[
