@@ -1,4 +1,4 @@
-"""Seeds of a test on drawn scenes: a few of them in `make test`, the others in `make test-slow`."""
+"""Seeds of a test that is slow: the first few in `make test-all`, the others in `make test-slow`."""
 
 import pytest
 

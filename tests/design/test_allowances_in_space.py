@@ -53,4 +53,5 @@ def test_a_motion_across_the_offset_adds_as_much_as_one_along_it(seed):
     for surge, sway in itertools.product((0.0, away), repeat=2):
         tree["platform"]["position"] |= {"surge": surge, "sway": sway + 1e-9}
         values.append(found_of(tree)["lfj_angle"].value)
+    # 8 and 2 % apart, since at an offset the riser is inclined and stretched; 6 and 10 times by the fault
     assert max(values) == pytest.approx(min(values), rel=0.1)
